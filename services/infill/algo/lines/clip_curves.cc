@@ -13,17 +13,17 @@ namespace {
 
 constexpr Coord kClipSquareNm = 1'000'000;
 
-/// A curve may run exactly through a corner or along an edge. So that neighbours agree on its side,
-/// curves are moved by less than a nanometre, in a direction that hardly an edge has. The test of
-/// sides stays exact.
+/// Scale and shift of curves relative to the region. A curve may run exactly through a corner or
+/// along an edge. So that neighbouring segments agree on the curve's side, curves are shifted by
+/// less than a nanometre, in a direction that almost no edge has. The test of sides is still exact.
 constexpr Coord kScale = 1024;
 constexpr Point kAside{313, 511};
 Point OfRegion(Point p) { return {kScale * p.x, kScale * p.y}; }
 Point OfCurve(Point p) { return OfRegion(p) + kAside; }
 
-/// Where a segment of a curve meets an edge.
+/// Crossing of a curve's segment and an edge.
 struct Meeting {
-  double t = 0;  ///< along the segment, in [0, 1]
+  double t = 0;  ///< position along the segment, in [0, 1]
   EdgePlace place;
   bool enters = false;
 };
@@ -49,7 +49,7 @@ class Clipper {
  private:
   enum class State { kUnknown, kInside, kOutside };
 
-  /// Adds a point to the piece that is being followed, or to what may be one.
+  /// Adds a point to the current piece, or to the head of the curve if its side is still unknown.
   void Append(Point p) {
     if (state_ == State::kOutside) return;
     Polyline& points = state_ == State::kUnknown ? head_ : current_.points;
@@ -121,7 +121,7 @@ class Clipper {
     }
     if (state_ == State::kInside && !curve.closed) Emit(std::exchange(current_, {}));
     if (head_end_.ring < 0) return;
-    // The curve began inside. A closed one comes back to where it began.
+    // The curve began inside. A closed curve returns to its beginning.
     Piece first{std::exchange(head_, {}), {}, std::exchange(head_end_, {})};
     if (curve.closed) {
       if (state_ != State::kInside) return;
@@ -143,7 +143,7 @@ class Clipper {
   std::vector<Meeting> meetings_;
   State state_ = State::kUnknown;
   Piece current_;
-  Polyline head_;  ///< what the curve begins with, up to the first edge
+  Polyline head_;  ///< points from the curve's beginning to the first edge
   EdgePlace head_end_;
   std::vector<Piece> pieces_;
 };

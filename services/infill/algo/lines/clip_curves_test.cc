@@ -72,7 +72,7 @@ TEST(ClipCurves, CutsAtTheEdge) {
   }
 }
 
-// Straight lines are cut by another algorithm in scan_lines.
+// The result agrees with scan_lines, which cuts straight lines by another algorithm.
 TEST(ClipCurves, AgreesWithScanLines) {
   const MultiPolygon region =
       P("(0 0, 20 0, 20 10, 13 4, 9 10, 0 10) (3 3, 3 6, 6 6, 6 3) ; (30 0, 40 3, 31 9)");
@@ -90,7 +90,7 @@ TEST(ClipCurves, AgreesWithScanLines) {
   }
 }
 
-// Curves on a coarse grid, as regions are, so that corners and edges coincide all the time.
+// Curves are on the same coarse grid as the regions, so that corners and edges often coincide.
 TEST(ClipCurves, NeverLeavesTheRegion) {
   std::mt19937 random(3);
   std::uniform_int_distribution<Coord> grid(-3, 13);

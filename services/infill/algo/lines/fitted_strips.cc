@@ -11,16 +11,16 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Shorter stretches of the edge, in pitches along the lines, are no flat ones: the round ends of
-/// lines leave little there, and each fitted end takes some moves more.
+/// Least length of a flat part of the edge, in pitches along the lines. On a shorter part, the
+/// round ends of lines leave little empty, and each fitted end costs some extra moves.
 constexpr double kLeastFlatPitches = 1.0;
-/// Steeper edges are not flat.
+/// Largest slope of a flat edge.
 constexpr double kSteepSlope = 0.5;
-/// The round end of a line takes so much of the room beyond it, in pitches.
+/// Length of the space that the round end of a line fills, in pitches.
 constexpr double kEndPitches = 0.35;
-/// Corners of a strip lie at least so far apart, in pitches.
+/// Least distance between corners of a strip, in pitches.
 constexpr double kLeastStepPitches = 0.25;
-/// The narrowest and the widest strip, in pitches.
+/// Widths of the narrowest and the widest strip, in pitches.
 constexpr double kNarrowest = 0.6;
 constexpr double kWidest = 1.5;
 
@@ -45,7 +45,7 @@ FittedStrips::FittedStrips(const ScanLines& lines, const Options& options) : lin
   });
 }
 
-/// The way along the edge from a crossing to the next one.
+/// Returns the points along the edge from a crossing to the next one, in the frame.
 std::vector<Vector2> FittedStrips::WayOf(int32_t from) const {
   const Crossing& a = lines_.crossings[from];
   const Crossing& b = lines_.crossings[a.next];
@@ -57,7 +57,7 @@ std::vector<Vector2> FittedStrips::WayOf(int32_t from) const {
   return way;
 }
 
-/// The lower one of the two lines that a stretch of the edge runs between.
+/// Returns the lower one of the two lines between which a part of the edge runs.
 int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& way) const {
   const Crossing& a = lines_.crossings[from];
   const int32_t other = lines_.crossings[a.next].line;
@@ -68,7 +68,7 @@ int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& way) c
   return highest.y() - v > v - lowest.y() ? a.line : a.line - 1;
 }
 
-/// The piece of a line that reaches over all of a stretch; -1: there is none.
+/// Returns the piece of a line that is beside the whole part of the edge, or -1 if there is none.
 int32_t FittedStrips::PieceBeside(int32_t line, double from_u, double to_u) const {
   if (line < 0 || line >= lines_.LineCount()) return -1;
   const auto begin = lines_.order.begin() + lines_.line_begin[line];
@@ -90,7 +90,7 @@ std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
   FlatStretch flat{.way = WayOf(from)};
   std::vector<Vector2>& way = flat.way;
   const int32_t below = LineBelow(from, way);
-  // The region lies to the left of its edge.
+  // The region is to the left of its edge.
   flat.region_above = end->u > start->u;
   if (!flat.region_above) std::ranges::reverse(way);
   if (!std::ranges::is_sorted(way, {}, [](const Vector2& p) { return p.x(); })) return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
   flat.piece = PieceBeside(flat.line, way.front().x(), way.back().x());
   if (flat.piece < 0) return std::nullopt;
 
-  // Steep ends are as other ends of lines are: what is flat goes on up to them.
+  // Steep ends of the part are treated like normal ends of lines: the flat part ends before them.
   const auto steep = [](const Vector2& a, const Vector2& b) {
     return std::abs(b.y() - a.y()) > kSteepSlope * (b.x() - a.x());
   };
@@ -114,7 +114,7 @@ std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
   return flat;
 }
 
-/// From the edge to where the strip of the line beyond the one beside it begins.
+/// Returns the distance from the edge to the far side of the strip of the line beside it.
 double FittedStrips::RoomAt(const FlatStretch& flat, size_t i) const {
   return std::abs(flat.way[i].y() - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
 }
@@ -136,8 +136,8 @@ void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, double link
        Joined(std::move(edge), start->place / 2 == flat.piece, end->place / 2 == flat.piece)});
 }
 
-/// What a strip gets of the room before the edge. At an end of another line it begins with nothing:
-/// that line's round end lies there.
+/// Returns the extra width of a strip along a flat part of the edge. At an end of another line it
+/// begins with 0, because the round end of the other line is there.
 std::vector<FittedStrips::Knot> FittedStrips::Joined(std::vector<Knot> edge, bool own_start,
                                                      bool own_end) const {
   const double ramp = kEndPitches * lines_.pitch, step = kLeastStepPitches * lines_.pitch;
@@ -161,7 +161,7 @@ double FittedStrips::MoreAt(const std::vector<Knot>& knots, double u) {
   return a.more_nm + (b.more_nm - a.more_nm) * (u - a.u) / (b.u - a.u);
 }
 
-/// Of stretches over one another, the first counts.
+/// Returns the knots on one side of a piece. If flat parts overlap, the first one counts.
 std::vector<FittedStrips::Knot> FittedStrips::KnotsOf(int32_t side) const {
   std::vector<Knot> knots;
   for (auto it = std::ranges::lower_bound(rooms_, side, {}, &Room::side);

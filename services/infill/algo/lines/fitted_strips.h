@@ -9,7 +9,7 @@
 
 namespace slicefarm::infill {
 
-/// A place on the middle of a bead, and how wide a strip the bead fills there.
+/// Point on the centre line of a bead, with the width of the strip that the bead fills there.
 struct StripPoint {
   Point at;
   double strip_nm = 0;
@@ -17,49 +17,52 @@ struct StripPoint {
   friend bool operator==(const StripPoint&, const StripPoint&) = default;
 };
 
-/// The point at a share of the way from one to the other.
+/// Returns the point at `share` of the line from a to b, with an interpolated width.
 StripPoint Between(const StripPoint& a, const StripPoint& b, double share);
 
-/// The strips of a region that solid lines fill: half a pitch to each side of a line. But where the
-/// region's edge runs at a flat angle to the lines, the line beside the edge fills the room up to
-/// it, less what a link takes that runs along the edge there. So lines leave no wedges between
-/// their ends, and lie neither over walls nor over each other.
+/// Strips of a region that solid lines fill. A strip normally reaches half a pitch to each side of
+/// its line. The line beside an edge at a flat angle to the lines is different: it fills the space
+/// up to the edge, less the strip of a link along the edge. Lines therefore leave no wedges between
+/// their ends, and overlap neither walls nor each other.
 class FittedStrips {
  public:
+  /// Parameters of fitted strips.
   struct Options {
-    std::vector<bool> linked;  ///< by crossing: a link runs from it to the next one on its ring
+    std::vector<bool> linked;  ///< true if a link runs from a crossing to the next one on its ring
     double link_nm = 0;        ///< width of the links' strips
-    double reach_nm = 0;       ///< what lies outside of the region of `lines` and is filled too
+    double reach_nm = 0;       ///< width outside of the region of `lines` that is filled too
   };
 
-  /// All strips are as wide as the pitch.
+  /// Creates plain strips, all as wide as the pitch.
   explicit FittedStrips(const ScanLines& lines) : lines_(lines) {}
 
-  /// `lines` must outlive this. Cost: O(n + k log k), n points of the region, k pieces.
+  /// Creates fitted strips. `lines` must outlive this object. Cost: O(n + k log k), n points of the
+  /// region, k pieces.
   FittedStrips(const ScanLines& lines, const Options& options);
 
-  /// The strip of the piece that begins at `place` (ScanLines::order), to its other end: two points
-  /// or more.
+  /// Returns the strip of the piece that begins at `place` (ScanLines::order), up to its other end.
+  /// The result has at least two points.
   std::vector<StripPoint> From(int32_t place) const;
 
  private:
-  /// How much farther than half a pitch a strip goes at a place along it.
+  /// Extra width of a strip beyond half a pitch, at a position along it.
   struct Knot {
     double u = 0;
     double more_nm = 0;
   };
-  /// What a stretch of the edge leaves on one side of a piece; nothing more where there is none.
+  /// Extra width on one side of a piece beside a part of the edge. Elsewhere there is no extra
+  /// width.
   struct Room {
-    int32_t side = 0;  ///< twice the piece, and one above it
+    int32_t side = 0;  ///< twice the index of the piece, plus one for the side above it
     std::vector<Knot> knots;
   };
-  /// A stretch of the edge that is flat from one of its points to another, and the piece beside it.
+  /// Part of the edge that is flat from one of its points to another, with the piece beside it.
   struct FlatStretch {
-    std::vector<Vector2> way;  ///< u rises
+    std::vector<Vector2> way;  ///< points with increasing u
     size_t first = 0, last = 0;
     int32_t line = 0, piece = 0;
     bool region_above = false;
-    double reach_nm = 0;  ///< across the lines
+    double reach_nm = 0;  ///< reach perpendicular to the lines
   };
 
   std::optional<FlatStretch> FlatFrom(int32_t from, double reach_nm) const;
@@ -73,7 +76,7 @@ class FittedStrips {
   static double MoreAt(const std::vector<Knot>& knots, double u);
 
   const ScanLines& lines_;
-  std::vector<Room> rooms_;  ///< by side, then along it
+  std::vector<Room> rooms_;  ///< extra widths, sorted by side, then along the side
 };
 
 }  // namespace slicefarm::infill

@@ -25,7 +25,7 @@ struct Strips {
                        .link_nm = link_nm,
                        .reach_nm = reach_nm}) {}
 
-  /// Of all strips, in mm2.
+  /// Returns the area of all strips, in mm2.
   double AreaMm2() const {
     double area = 0;
     for (int32_t piece = 0; piece < lines.PieceCount(); ++piece) {
@@ -54,8 +54,8 @@ TEST(FittedStrips, HalfAPitchToEachSideWhereTheEdgeIsSteep) {
   }
 }
 
-// The last line lies 0.2 mm below where its strip would end, had the region 0.3 mm more: all of
-// that is its own.
+// The last line's strip would end 0.2 mm below the edge if the region were 0.3 mm larger. The line
+// fills all of this space.
 TEST(FittedStrips, TheLastLineFillsUpToAnEdgeAlongIt) {
   const Strips strips(P("(0 0, 10 0, 10 2.15, 0 2.15)"));
   const std::vector<StripPoint> last = strips.fitted.From(2 * (strips.lines.PieceCount() - 1));
@@ -66,7 +66,7 @@ TEST(FittedStrips, TheLastLineFillsUpToAnEdgeAlongIt) {
   EXPECT_NEAR(strips.AreaMm2(), 21.5, 1e-6);
 }
 
-// A slope of 5 degrees, without links: beside the end of the next line a line is wider.
+// A slope of 5 degrees without links: a line is wider beside the end of the next line.
 TEST(FittedStrips, WiderBesideEnds) {
   const MultiPolygon wedge = P("(0 0, 30 0, 3 2.4)");
   const Strips strips(wedge);
@@ -89,7 +89,7 @@ TEST(FittedStrips, ReachIsFilledToo) {
   EXPECT_NEAR(last.front().strip_nm, kPitch + 45'000, 1);
 }
 
-// A link along the edge takes its strip from the line beside it, and from no other.
+// A link along the edge takes its strip only from the line beside it.
 TEST(FittedStrips, LeaveRoomForLinks) {
   constexpr double kLink = 80'000;
   const MultiPolygon wedge = P("(0 0, 30 0, 3 2.4)");
@@ -107,12 +107,12 @@ TEST(FittedStrips, LeaveRoomForLinks) {
   EXPECT_NEAR(most, kLink, 1);
 }
 
-// A hole that dips between two lines leaves its room to the line below it, beside no end of which
-// it lies.
+// A hole reaches down between two lines. The line below it fills the space under the hole, although
+// no end of a line is there.
 TEST(FittedStrips, FillBelowAHole) {
   const MultiPolygon holed = P("(0 0, 10 0, 10 4, 0 4) (3 2.1, 7 2.1, 7 3, 3 3)");
   const Strips strips(holed);
-  // Line 4, at 1.8 mm, lies below the hole, 0.3 mm.
+  // Line 4, at 1.8 mm, is 0.3 mm below the hole.
   const std::vector<StripPoint> below = strips.fitted.From(2 * 4);
   ASSERT_GT(below.size(), 2u);
   double widest = 0;
@@ -132,7 +132,7 @@ TEST(FittedStrips, BackwardsIsTheSame) {
   }
 }
 
-// Turning the region with its lines turns the strips.
+// A rotation of the region with its lines rotates the strips.
 TEST(FittedStrips, TurnWithTheLines) {
   const MultiPolygon flat = P("(0 0, 12 0, 12 3, 2 2.1)");
   const MultiPolygon upright = P("(0 0, 0 12, -3 12, -2.1 2)");

@@ -7,7 +7,7 @@
 
 namespace slicefarm::infill {
 
-/// Extent of a region in a frame; empty (min > max) if it is.
+/// Extent of a region in a frame; empty (min > max) if the region is empty.
 struct FrameBox {
   double min_u = std::numeric_limits<double>::max();
   double max_u = std::numeric_limits<double>::lowest();
@@ -15,6 +15,7 @@ struct FrameBox {
   double max_v = std::numeric_limits<double>::lowest();
 };
 
+/// Returns the extent of a region in a frame.
 inline FrameBox BoxIn(const LineAxes& frame, const MultiPolygon& region) {
   FrameBox box;
   for (const PolygonWithHoles& island : region) {

@@ -12,8 +12,8 @@ namespace {
 constexpr int kRootSteps = 60;
 constexpr double kRootPrecision = 1e-10;
 
-/// Follows the zero lines through the squares of one period. An edge of the grid is known by a
-/// number: 2 (j count + i) goes from grid point (i, j) along u, the next number along v.
+/// Marching squares over one period. The edges of the grid have numbers: 2 (j count + i) is the
+/// edge from grid point (i, j) along u, the next number is the edge along v.
 class Marcher {
  public:
   Marcher(const std::function<double(Vector2)>& function, int count)
@@ -33,7 +33,7 @@ class Marcher {
   }
 
  private:
-  /// The next edge that a line crosses, and by how many periods it lies aside of its own place.
+  /// Next edge that a line crosses, and its offset in periods.
   struct Next {
     int to = -1;
     int8_t step_u = 0;
@@ -54,8 +54,8 @@ class Marcher {
             static_cast<int8_t>(i / count_), static_cast<int8_t>(j / count_)};
   }
 
-  /// Joins the edges of one square. Going round it counter-clockwise, a line leaves where the sign
-  /// turns from minus to plus, so that plus lies to its left.
+  /// Joins the edges of one square. On a counter-clockwise walk around the square, a line leaves
+  /// where the sign changes from minus to plus, so that plus is to its left.
   void March(int i, int j) {
     const std::array<bool, 4> plus = {Value(i, j) >= 0, Value(i + 1, j) >= 0,
                                       Value(i + 1, j + 1) >= 0, Value(i, j + 1) >= 0};
@@ -71,7 +71,7 @@ class Marcher {
     }
     if (ins == 0) return;
     if (ins == 2) {
-      // Plus in the middle: lines turn round the corners of minus.
+      // The middle is positive: lines turn around the negative corners.
       const bool middle = function_({At(i) + 0.5 / count_, At(j) + 0.5 / count_}) >= 0;
       if ((out[0] == (in[0] + 1) % 4) != middle) std::swap(out[0], out[1]);
     }
@@ -102,7 +102,7 @@ class Marcher {
     return line;
   }
 
-  /// The zero on an edge, by the Illinois variant of regula falsi.
+  /// Returns the zero on an edge, by the Illinois variant of regula falsi.
   Vector2 Root(int edge) const {
     const int i = edge / 2 % count_, j = edge / 2 / count_;
     const bool along_v = edge % 2 != 0;
@@ -131,7 +131,7 @@ class Marcher {
   const std::function<double(Vector2)>& function_;
   const int count_;
   std::vector<double> values_;
-  std::vector<Next> next_;  ///< by edge
+  std::vector<Next> next_;  ///< next crossing, indexed by edge
 };
 
 }  // namespace

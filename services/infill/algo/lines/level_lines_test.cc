@@ -43,7 +43,7 @@ TEST(LevelLines, SlantedLinesStepBothWays) {
 }
 
 TEST(LevelLines, ALoopIsClosedAndLiesOnTheCircle) {
-  // cos + cos is near its greatest value around the origin: a loop, across the period's corner.
+  // cos + cos is near its maximum around the origin: the line is a loop across the period's corner.
   const auto f = [](Vector2 p) { return std::cos(kTurn * p.x()) + std::cos(kTurn * p.y()) - 1.9; };
   const auto lines = LevelLines(f, 32);
   ASSERT_EQ(lines.size(), 1u);
@@ -57,7 +57,7 @@ TEST(LevelLines, ALoopIsClosedAndLiesOnTheCircle) {
   EXPECT_NEAR(length, kTurn * 0.0712, 0.01);
 }
 
-// At saddles: lines must not cross, so the sign in the middle of a square decides.
+// At saddles lines must not cross, so that the sign in the middle of a square decides.
 TEST(LevelLines, SaddlesAreTakenByTheirMiddle) {
   for (const double level : {-0.05, 0.05}) {
     const auto f = [level](Vector2 p) {

@@ -11,10 +11,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// The cosine of the sharpest bend inside of a line.
+/// Cosine of the sharpest bend within a line.
 constexpr double kLineBend = std::numbers::sqrt2 / 2;
 
-/// A point of a path and how wide it is there.
+/// Point of a path and the path's width there.
 struct BeadPoint {
   Point at;
   Coord width_nm = 0;
@@ -22,7 +22,8 @@ struct BeadPoint {
   friend bool operator==(const BeadPoint&, const BeadPoint&) = default;
 };
 
-/// From end to end; of a closed path from the middle of its longest edge around to there.
+/// Returns the points of a path from end to end. A closed path starts and ends in the middle of its
+/// longest edge.
 std::vector<BeadPoint> BeadOf(const Path& path) {
   std::vector<BeadPoint> bead;
   for (size_t i = 0; i < path.points.size(); ++i) bead.push_back({path.points[i], path.WidthAt(i)});
@@ -45,7 +46,7 @@ std::vector<BeadPoint> BeadOf(const Path& path) {
 
 bool IsTurn(Point a, Point b) { return Dot(a, b) < kLineBend * Norm(a) * Norm(b); }
 
-/// By edge, the number of its line.
+/// Returns the number of the line of each edge.
 std::vector<size_t> LinesOf(const std::vector<BeadPoint>& bead) {
   std::vector<size_t> lines;
   size_t line = 0;

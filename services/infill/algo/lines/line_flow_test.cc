@@ -25,7 +25,7 @@ TEST(ThinShortLines, EachLineGetsWhatItsLengthAsksFor) {
   const Path full = PathAlong("(0 0, 20 0, 20 1, 0 1)");
   Path path = full;
   ThinShortLines(table, kHeight, path);
-  // The two lines keep their width; the link of 1 mm between them has half of its plastic.
+  // The two lines keep their width. The link of 1 mm between them has half of its plastic.
   const Coord half = WidthFor(0.5, kWidth, kHeight, kHeight);
   EXPECT_EQ(path.points, MakeLineOrDie("(0 0, 20 0, 20 0, 20 1, 20 1, 0 1)"));
   EXPECT_EQ(path.widths_nm, (std::vector<Coord>{kWidth, kWidth, half, half, kWidth, kWidth}));
@@ -39,7 +39,7 @@ TEST(ThinShortLines, LongLinesStayAsTheyAre) {
   EXPECT_EQ(path, full);
 }
 
-// A bend of 30 degrees and steps of the width are no ends of a line.
+// A bend of 30 degrees or a step of the width does not end a line.
 TEST(ThinShortLines, ALineGoesFromTurnToTurn) {
   const FlowTable table = *ParseFlowTable("0,0;10,0;10.1,1");
   Path bent = PathAlong("(0 0, 6 0, 11.196 3)");

@@ -8,8 +8,8 @@
 
 namespace slicefarm::infill {
 
-/// REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill in one region, before anything is
-/// allocated for them.
+/// Returns REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill in one region. Callers
+/// check this before they allocate the lines.
 inline absl::Status CheckLineCount(double lines) {
   if (lines <= static_cast<double>(limits::kMaxLinesPerFill)) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "lines of one infill region",

@@ -7,20 +7,21 @@
 
 namespace slicefarm::infill {
 
-/// A place on the edge of a region: rings are numbered as ForEachRing visits them, edge i goes from
-/// a ring's point i to the next.
+/// Position on the edge of a region. Rings are numbered in the order of ForEachRing, and edge i
+/// connects a ring's point i with the next point.
 struct EdgePlace {
-  int32_t ring = -1;  ///< -1: the place is inside the region
+  int32_t ring = -1;  ///< -1: the position is inside the region
   int32_t edge = 0;
 };
 
-/// What is left of one line of a pattern inside a region. Its ends lie on the region's edge, where
-/// links may take hold, or are ends of the pattern's own line.
+/// Part of one line of a pattern inside a region. Its ends are on the region's edge, where links
+/// can be attached, or are ends of the pattern's own line.
 struct Piece {
-  Polyline points;  ///< at least two
+  Polyline points;  ///< at least two points
   EdgePlace from{};
   EdgePlace to{};
-  bool closed = false;  ///< the last point joins the first, which is not repeated; no ends then
+  /// The last point joins the first, which is not repeated; there are no ends.
+  bool closed = false;
 };
 
 }  // namespace slicefarm::infill

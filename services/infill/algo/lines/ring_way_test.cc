@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// The corners that a way passes on a ring of four, numbered.
+/// Returns the numbers of the corners that a path passes on a ring of four corners.
 std::vector<Coord> Corners(const RingWay& way) {
   std::vector<Coord> corners;
   ForEachCorner({{0, 0}, {1, 0}, {2, 0}, {3, 0}}, way, [&](Point p) { corners.push_back(p.x); });

@@ -10,8 +10,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// The lines [first, last) that an edge between two heights meets: first <= v < last as half-open
-/// intervals.
+/// Lines [first, last) that an edge between two heights meets. Edges count as half-open intervals:
+/// first <= v < last.
 struct LineSpan {
   int64_t first = 0;
   int64_t last = 0;
@@ -38,8 +38,7 @@ void ForEachEdge(const Polygon& ring, const LineAxes& frame, Visit visit) {
   }
 }
 
-/// Appends the crossings of one ring in the order in which they lie along it, and joins them to a
-/// cycle.
+/// Appends the crossings of one ring in their order along the ring, and links them to a cycle.
 void AppendCrossings(int32_t ring_index, const LineFamily& family, int64_t first_line,
                      ScanLines& lines) {
   const Polygon& ring = *lines.rings[ring_index];
@@ -65,7 +64,8 @@ void AppendCrossings(int32_t ring_index, const LineFamily& family, int64_t first
   lines.crossings[end - 1].next = begin;
 }
 
-/// Counting sort by line, then by u within each; ties in the order of creation.
+/// Sorts crossings by line (counting sort), then by u within each line. Equal crossings keep their
+/// order of creation.
 void SortByLine(int32_t line_count, ScanLines& lines) {
   lines.line_begin.assign(line_count + 1, 0);
   for (const Crossing& crossing : lines.crossings) ++lines.line_begin[crossing.line + 1];

@@ -9,7 +9,7 @@
 
 namespace slicefarm::infill {
 
-/// Parallel lines at v = phase + i * pitch for all integers i, in a frame whose u axis runs at
+/// Parallel lines at v = phase + i * pitch for all integers i, in a frame with a u axis at
 /// `angle_rad`.
 struct LineFamily {
   double angle_rad = 0;
@@ -17,46 +17,48 @@ struct LineFamily {
   double pitch_nm = 0;
 };
 
-/// Where a scan line meets a ring.
+/// Crossing of a scan line and a ring.
 struct Crossing {
   double u = 0;
   int32_t line = 0;  ///< counted from the first line that meets the region
   int32_t ring = 0;
-  int32_t edge = 0;      ///< of the ring: the edge from its point `edge` to the next
-  int32_t previous = 0;  ///< crossing before this along the ring
-  int32_t next = 0;      ///< crossing after this along the ring
-  int32_t place = 0;  ///< in ScanLines::order; place ^ 1 is the other end of the same piece of line
+  int32_t edge = 0;      ///< index of the ring's edge: from its point `edge` to the next
+  int32_t previous = 0;  ///< previous crossing along the ring
+  int32_t next = 0;      ///< next crossing along the ring
+  /// Index in ScanLines::order; place ^ 1 is the other end of the same piece of line.
+  int32_t place = 0;
 };
 
-/// The pieces of a line family inside a region, with their connections along the boundary.
+/// Pieces of a line family inside a region, with their connections along the boundary.
 struct ScanLines {
   LineAxes frame{0};
-  std::vector<const Polygon*> rings;  ///< of the region, which must outlive this
-  double first_v = 0;                 ///< of line 0
+  std::vector<const Polygon*> rings;  ///< rings of the region, which must outlive this
+  double first_v = 0;                 ///< position of line 0
   double pitch = 0;
   std::vector<Crossing> crossings;
   std::vector<int32_t>
-      order;  ///< crossings by line, then u: places 2k and 2k + 1 are the ends of piece k
+      order;  ///< crossings by line, then u: entries 2k and 2k + 1 are the ends of piece k
   std::vector<int32_t>
-      line_begin;  ///< place of each line's first crossing; one more entry than lines
+      line_begin;  ///< index in `order` of each line's first crossing; one more entry than lines
 
   int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
   double VOf(int32_t line) const { return first_v + pitch * line; }
   Point PlaceOf(const Crossing& crossing) const;
-  /// In nm, of one piece and of all of them.
+  /// Returns the length of one piece, in nm.
   double PieceLength(int32_t piece) const;
+  /// Returns the length of all pieces, in nm.
   double TotalLength() const;
 };
 
-/// Cuts `region` into pieces of lines. REQUIRES: family.pitch_nm > 0. A line meets an edge under a
-/// half-open rule, so every line meets every ring an even number of times whatever vertices it
-/// passes through.
+/// Cuts `region` into pieces of lines. REQUIRES: family.pitch_nm > 0. A line meets an edge by a
+/// half-open rule. Therefore every line meets every ring an even number of times, even if it passes
+/// through vertices.
 ///
-/// Precision: ends are rounded once to nm; they lie within 1 nm of the boundary.
-/// Errors: InvalidArgument with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than
-/// limits::kMaxLinesPerFill; found before anything is allocated for them.
-/// Cost: O(n + k + k log k'), n points, k crossings, at most k' of them on one line.
+/// Precision: ends are rounded once to nm, and are within 1 nm of the boundary. Errors:
+/// InvalidArgument with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than
+/// limits::kMaxLinesPerFill; checked before the allocation. Cost: O(n + k + k log k'), n points, k
+/// crossings, at most k' of them on one line.
 absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily& family);
 
 }  // namespace slicefarm::infill

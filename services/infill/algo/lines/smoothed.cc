@@ -15,14 +15,15 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr double kStepsPerLength = 2;
-/// Farther than that the Green's function is below 1e-5 of its peak.
+/// Distance, in steps, beyond which the Green's function is below 1e-5 of its peak.
 constexpr int kKernelReach = 28;
-constexpr int kPeriod = 256;  ///< of the lattice on which it is computed
+constexpr int kPeriod = 256;  ///< period of the lattice on which the kernel is computed
 constexpr Coord kSmoothToleranceNm = 5'000;
 
 using Kernel = std::array<double, kKernelReach + 1>;
 
-/// The Green's function of 1 - l^2 D2 + l^4 D4 on points l / 2 apart, by its Fourier series.
+/// Returns the Green's function of 1 - l^2 D2 + l^4 D4 on points l / 2 apart, by its Fourier
+/// series.
 Kernel GreensFunction() {
   constexpr double kLength = kStepsPerLength;  // in steps
   Kernel kernel{};
@@ -40,7 +41,7 @@ Kernel GreensFunction() {
   return kernel;
 }
 
-/// Points at `count` even steps along a line, from its first point on.
+/// Returns points at `count` even steps along a line, beginning with its first point.
 std::vector<Vector2> EvenPoints(const Polyline& line, double length, int64_t count) {
   std::vector<Vector2> points;
   size_t i = 1;
@@ -59,7 +60,8 @@ std::vector<Vector2> EvenPoints(const Polyline& line, double length, int64_t cou
   return points;
 }
 
-/// A point of a closed curve, or of an open one that goes on beyond its ends turned about them.
+/// Returns a point of a curve. An open curve is continued beyond its ends by its own points,
+/// rotated by 180 degrees around the end.
 Vector2 PointAt(const std::vector<Vector2>& points, int64_t i, bool closed) {
   const auto count = static_cast<int64_t>(points.size());
   if (closed) return points[static_cast<size_t>((i % count + count) % count)];

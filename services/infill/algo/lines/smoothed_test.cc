@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLength = 1e6;
 
-/// A wave along x, 200 mm long.
+/// Returns a wave along x, 200 mm long.
 Curve Wave(double wave_mm, double height_mm) {
   Curve curve;
   for (int i = 0; i <= 8000; ++i) {
@@ -33,7 +33,7 @@ double HeightInTheMiddle(const Curve& curve) {
   return height;
 }
 
-// The response of 1 - l^2 D2 + l^4 D4 to a wave: 1 / (1 + a + a^2), a = (2 pi l / wave)^2.
+// Response of 1 - l^2 D2 + l^4 D4 to a wave: 1 / (1 + a + a^2), a = (2 pi l / wave)^2.
 TEST(Smoothed, KeepsOfAWaveWhatTheEquationSays) {
   for (const double wave_mm : {2 * std::numbers::pi, 10.0, 20.0, 40.0}) {
     const double a = 2 * std::numbers::pi / wave_mm * (2 * std::numbers::pi / wave_mm);
@@ -58,7 +58,7 @@ TEST(Smoothed, ACircleIsPinnedWhereItIs) {
     const double turn = 2 * std::numbers::pi * i / 400;
     circle.points.push_back({FromMm(20 * Cos(turn)), FromMm(20 * Sin(turn))});
   }
-  // By the same formula: a = (l / r)^2.
+  // The expected radius follows from the same formula, with a = (l / r)^2.
   for (const Point p : Smoothed(circle, kLength).points)
     EXPECT_NEAR(ToMm(Distance(p, Point{0, 0})), 20 / (1 + 1.0 / 400), 0.02);
 }

@@ -10,15 +10,15 @@
 namespace slicefarm::infill {
 namespace {
 
-/// A strip changes by no more than so much over so many pitches.
+/// Largest relative change of a strip's width, over a length of `kRampPitches` pitches.
 constexpr double kRampStep = 0.2;
 constexpr double kRampPitches = 0.25;
 
-/// No ramp is longer than so many of these steps.
+/// Greatest length of a ramp, in steps.
 constexpr int kRampSteps = 5;
 
-/// By point of a bead, how far along it the next point is whose strip is not the bead's first one:
-/// behind it, or before it with `backwards`.
+/// Returns for each point of a bead the distance along it to the next point with a strip other than
+/// the bead's first strip. The search is forward, or backward with `backwards`.
 std::vector<double> WaysToChange(const std::vector<StripPoint>& bead, bool backwards) {
   const size_t count = bead.size();
   std::vector<double> ways(count, std::numeric_limits<double>::infinity());
@@ -34,7 +34,7 @@ std::vector<double> WaysToChange(const std::vector<StripPoint>& bead, bool backw
   return ways;
 }
 
-/// The bead with points wherever its strip changes or may have to, by how far they lie apart.
+/// Returns the bead with additional points wherever its strip changes or may have to change.
 std::vector<StripPoint> WithRampPoints(const std::vector<StripPoint>& bead, double step_nm) {
   const std::vector<double> before = WaysToChange(bead, true), behind = WaysToChange(bead, false);
   const double longest = kRampSteps * step_nm;
@@ -57,7 +57,7 @@ std::vector<StripPoint> WithRampPoints(const std::vector<StripPoint>& bead, doub
   return fine;
 }
 
-/// Without the points of `fine` between others of one strip, but for those of `bead`.
+/// Removes the points of `fine` between points of the same strip, except points of `bead`.
 std::vector<StripPoint> WithoutNeedless(const std::vector<StripPoint>& fine,
                                         const std::vector<StripPoint>& bead) {
   std::vector<StripPoint> needed;

@@ -14,7 +14,7 @@ constexpr Coord kHeight = 200'000;
 
 using Bead = std::vector<StripPoint>;
 
-/// The greatest ratio of the strips of neighbouring edges, by their means.
+/// Returns the greatest ratio of the mean strips of neighbouring edges.
 double GreatestStep(const Bead& bead) {
   double greatest = 1;
   for (size_t i = 2; i < bead.size(); ++i) {
@@ -30,7 +30,7 @@ TEST(EvenRamps, OneWidthStaysAsItIs) {
   EXPECT_EQ(EvenRamps(bead, kPitch), bead);
 }
 
-// To twice the width and back within half a pitch, and at one point.
+// The width doubles and returns within half a pitch, and at one point.
 TEST(EvenRamps, NoStepIsGreaterThanAFifth) {
   const Bead steep = {{{0, 0}, kPitch},
                       {{3'000'000, 0}, kPitch},
@@ -47,7 +47,7 @@ TEST(EvenRamps, NoStepIsGreaterThanAFifth) {
     EXPECT_LE(GreatestStep(even), 1.21);
     EXPECT_EQ(even.front().at, bead.front().at);
     EXPECT_EQ(even.back().at, bead.back().at);
-    // Nothing becomes narrower, and what is narrow stays so far from what is wide.
+    // No point becomes narrower, and narrow parts far from a wide part stay narrow.
     for (const StripPoint& p : bead)
       EXPECT_TRUE(std::ranges::any_of(
           even, [&](const StripPoint& q) { return q.at == p.at && q.strip_nm >= p.strip_nm; }));
@@ -77,7 +77,8 @@ TEST(PathOfStrip, SectionsAreTheStrips) {
   EXPECT_EQ(PathOfStrip({bead[0], bead[1]}, kHeight).widths_nm.size(), 1u);
 }
 
-// Two points in one place are a step of the width; with one width they are one point.
+// Two equal points with different widths are a step of the width. With the same width they are one
+// point.
 TEST(PathOfStrip, StepsStay) {
   const Bead bead = {{{0, 0}, kPitch},
                      {{1'000'000, 0}, kPitch},

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSamePointNm = 3;
 
-/// Distance of p to the left of the line ab, signed.
+/// Returns the signed distance of p to the left of the line ab.
 double LeftOf(Vector2 p, Vector2 a, Vector2 b) {
   const double u = b.x() - a.x(), v = b.y() - a.y();
   const double length = std::sqrt(u * u + v * v);
@@ -21,7 +21,7 @@ double LeftOf(Vector2 p, Vector2 a, Vector2 b) {
   return (u * (p.y() - a.y()) - v * (p.x() - a.x())) / length;
 }
 
-/// How far the points between first and last lie from their chord at most, signed.
+/// Returns the greatest signed distance of the points between first and last from their chord.
 double RiseOver(const std::vector<Vector2>& points, size_t first, size_t last) {
   double rise = 0;
   for (size_t i = first + 1; i < last; ++i) {
@@ -31,7 +31,7 @@ double RiseOver(const std::vector<Vector2>& points, size_t first, size_t last) {
   return rise;
 }
 
-/// The corners from `first` to `last`: each chord reaches as far as the tolerance allows.
+/// Returns the corners from `first` to `last`. Each chord is as long as the tolerance allows.
 std::vector<size_t> Corners(const std::vector<Vector2>& points, size_t first, size_t last,
                             double tolerance) {
   std::vector<size_t> corners{first};
@@ -44,7 +44,7 @@ std::vector<size_t> Corners(const std::vector<Vector2>& points, size_t first, si
   return corners;
 }
 
-/// A point moved to the left of its neighbours' chord.
+/// Returns a point moved by `by` to the left of its neighbours' chord.
 Vector2 Moved(Vector2 p, Vector2 before, Vector2 after, double by) {
   const double u = after.x() - before.x(), v = after.y() - before.y();
   const double length = std::sqrt(u * u + v * v);
@@ -53,7 +53,7 @@ Vector2 Moved(Vector2 p, Vector2 before, Vector2 after, double by) {
 
 Vector2 Shifted(Vector2 p, double u, double v) { return {p.x() + u, p.y() + v}; }
 
-/// The extent of a line's points.
+/// Extent of a line's points.
 struct Reach {
   double min_u = 1e300, max_u = -1e300, min_v = 1e300, max_v = -1e300;
 };
@@ -66,7 +66,7 @@ Reach ReachOf(const LevelLine& line) {
   return reach;
 }
 
-/// Puts copies of lines at the periods that come near a region.
+/// Copies of lines at all periods near a region.
 class Tiler {
  public:
   Tiler(const LineAxes& frame, double period_nm, const FrameBox& box)
@@ -94,8 +94,8 @@ class Tiler {
     }
   }
 
-  /// Copies of an open line that follow each other are one curve. Copies that are not on one curve
-  /// lie at steps (r, k) for r below |step_u| and all k, or the same the other way round.
+  /// Adds the copies of an open line. Consecutive copies form one curve. Copies of different curves
+  /// are at steps (r, k) for r below |step_u| and all k, or with u and v exchanged.
   void TileOpen(const LevelLine& line) {
     const bool by_u = std::abs(line.step_u) >= std::abs(line.step_v);
     const int step = std::abs(by_u ? line.step_u : line.step_v);
@@ -106,7 +106,7 @@ class Tiler {
     const int sign = (by_u ? line.step_u : line.step_v) > 0 ? 1 : -1;
     const double copies = std::floor((to - from) / step) + 1;
     for (int r = 0; r < step; ++r) {
-      // Copy k lies at from + r + k * step, and k * aside across.
+      // Copy k is at from + r + k * step along, and k * aside across.
       const double drift = sign * aside * copies;
       const double low = by_u ? box_.min_v - reach.max_v : box_.min_u - reach.max_u;
       const double high = by_u ? box_.max_v - reach.min_v : box_.max_u - reach.min_u;
@@ -116,7 +116,8 @@ class Tiler {
     }
   }
 
-  /// The copies of one curve that come near the region; backward where the line itself runs so.
+  /// Adds the copies of one curve near the region. `backward`: the line runs against the order of
+  /// copies.
   void Chain(const LevelLine& line, bool by_u, double along, double across, int step, int aside,
              bool backward) {
     const Reach reach = ReachOf(line);
@@ -144,14 +145,14 @@ class Tiler {
   void Append(const LevelLine& line, double u, double v, Polyline& points) const {
     for (const Vector2& p : line.points) {
       const Point q = frame_.At((p.x() + u) * period_nm_, (p.y() + v) * period_nm_);
-      // Where copies follow each other, one's last point is the other's first, but for rounding.
+      // The last point of a copy equals the first point of the next copy, except for rounding.
       if (points.empty() || Distance(points.back(), q) > kSamePointNm) points.push_back(q);
     }
   }
 
   const LineAxes& frame_;
   const double period_nm_;
-  const FrameBox box_;  ///< in periods
+  const FrameBox box_;  ///< box of the region, in periods
   std::vector<Curve> curves_;
 };
 
@@ -162,7 +163,7 @@ LevelLine WithLongSegments(const LevelLine& line, double tolerance) {
   if (points.size() < 3) return line;
   if (line.IsClosed()) points.push_back(points[0]);
   const size_t last = points.size() - 1;
-  // Corners move out by a third of the rise, so chords may have half as much again.
+  // Corners are moved out by a third of the rise, so that chords may have 1.5 times the tolerance.
   const std::vector<size_t> corners = Corners(points, 0, last, 1.5 * tolerance);
   const size_t chords = corners.size() - 1;
   std::vector<double> rise(chords);

@@ -10,13 +10,14 @@
 
 namespace slicefarm::infill {
 
-/// Straight segments in place of smooth level lines, as long as `tolerance` allows, in the lines'
-/// own unit. Corners lie a third of a chord's rise outside of the line, so that the length stays
-/// what it is. The same at both ends of an open line, which goes on.
+/// Replaces smooth level lines by straight segments that are as long as `tolerance` allows, in the
+/// lines' own unit. Corners are a third of a chord's rise outside of the line, so that the length
+/// does not change. Both ends of an open line are treated in the same manner, because the line
+/// continues there.
 LevelLine WithLongSegments(const LevelLine& line, double tolerance);
 
-/// The lines of all periods that come near a region, in a frame around the origin in which a period
-/// is `period_nm` long. Errors: as CheckLineCount.
+/// Returns the lines of all periods near a region. The frame is around the origin, and a period is
+/// `period_nm` long. Errors: as CheckLineCount.
 absl::StatusOr<std::vector<Curve>> TiledLines(const MultiPolygon& region,
                                               std::span<const LevelLine> lines,
                                               const LineAxes& frame, double period_nm);

@@ -59,7 +59,7 @@ TEST(LongSegments, OpenLinesGoOn) {
   EXPECT_NEAR(line.points.back().y(), line.points.front().y(), 1e-12);
 }
 
-/// Length within a box is a period's length times the periods in it, for whole ones.
+/// The length within a box of whole periods is a period's length times the number of periods.
 TEST(TiledLines, CoverEveryPeriodOnce) {
   const MultiPolygon box = MakePolygonsOrDie("(-12 -8, 20 -8, 20 16, -12 16)");
   const double period = 4e6, periods = 8 * 6;

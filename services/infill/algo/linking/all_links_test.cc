@@ -41,7 +41,8 @@ TEST(LinkAllEnds, LeavesNoneLoose) {
 }
 
 TEST(LinkAllEnds, TakesTheShorterHalf) {
-  // Lines at 1, 3, 5 and 7 of 10: along the sides 2 + 2 between pairs, or 2 + the ways round.
+  // Lines are at 1, 3, 5 and 7 of 10. Links along the sides have 2 + 2 between pairs, or 2 plus the
+  // two long ones.
   const Linked linked = LinkAll("(0 0, 10 0, 10 8, 0 8)", {0, 1e6, 2e6}, 50e6);
   EXPECT_EQ(linked.loose, 0);
   EXPECT_NEAR(linked.length_nm, 8e6, 10);
@@ -49,7 +50,7 @@ TEST(LinkAllEnds, TakesTheShorterHalf) {
 
 TEST(LinkAllEnds, LongStretchesStayOut) {
   EXPECT_EQ(LinkAll("(0 0, 10 0, 10 8, 0 8)", {0, 1e6, 2e6}, 1e6).loose, 8);
-  // One line: the ways from end to end are 20 and 16 mm.
+  // With one line, the two paths from end to end are 20 and 16 mm long.
   EXPECT_EQ(LinkAll("(0 0, 10 0, 10 8, 0 8)", {0, 3e6, 20e6}, 15e6).loose, 2);
   EXPECT_EQ(LinkAll("(0 0, 10 0, 10 8, 0 8)", {0, 3e6, 20e6}, 17e6).loose, 0);
 }

@@ -47,7 +47,8 @@ void EdgeEnds::SortAlongRings() {
     end.along_nm = corner_at_[ring][edge] + Distance((*rings_[ring])[edge], PlaceOf(i));
     order_.push_back(i);
   }
-  // By edge first: an end's place is rounded, and may seem to lie beyond its edge's last point.
+  // The edge is compared first: an end's position is rounded, and may seem to be beyond its edge's
+  // last point.
   std::sort(order_.begin(), order_.end(), [this](int32_t a, int32_t b) {
     const End &e = At(a), &f = At(b);
     return std::tuple(e.place.ring, e.place.edge, e.along_nm, a) <

@@ -10,40 +10,45 @@
 
 namespace slicefarm::infill {
 
+/// Number that represents no end.
 inline constexpr int32_t kNoEnd = -1;
 
-/// The ends of pieces in the order in which they lie along the edge of their region. Ends 2i and
-/// 2i + 1 are those of piece i, so e ^ 1 is the other end of the same piece. A stretch is the part
-/// of a ring from an end forwards to the next one, and has that end's number.
+/// Ends of pieces in their order along the edge of their region. Ends 2i and 2i + 1 belong to piece
+/// i, so that e ^ 1 is the other end of the same piece. A stretch is the part of a ring from one
+/// end forwards to the next end. It has the number of the end at which it begins.
 class EdgeEnds {
  public:
-  /// `region` and `pieces` must outlive this. All of the edge is free. Cost: O(n + k log k).
+  /// Sorts the ends; the whole edge is free. `region` and `pieces` must outlive this object. Cost:
+  /// O(n + k log k).
   EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces);
 
-  /// Says where beads of that width have no room, by ring.
+  /// Sets the parts of each ring that are not free for beads of `width_nm`.
   void SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm);
 
   int32_t size() const { return static_cast<int32_t>(ends_.size()); }
   int32_t PieceCount() const { return size() / 2; }
   const Piece& PieceAt(int32_t piece) const { return pieces_[static_cast<size_t>(piece)]; }
 
-  /// Ends that lie on the edge, ring by ring.
+  /// Returns the ends on the edge, ring by ring.
   const std::vector<int32_t>& OnEdge() const { return order_; }
   bool IsOnEdge(int32_t end) const { return At(end).place.ring >= 0; }
-  /// The neighbour along the ring; the end itself where it is alone. REQUIRES: on the edge.
+  /// Returns the next end along the ring, or the end itself if it is the only one. REQUIRES: on the
+  /// edge.
   int32_t Next(int32_t end) const { return At(end).next; }
   int32_t Previous(int32_t end) const { return At(end).previous; }
-  /// Length in nm of a stretch. REQUIRES: on the edge.
+  /// Returns the length of a stretch in nm. REQUIRES: on the edge.
   double StretchLength(int32_t end) const { return At(end).stretch_nm; }
-  /// The same for a link; infinite where other beads lie in its way. REQUIRES: on the edge.
+  /// Returns the length of a link along a stretch in nm, or infinity if another bead blocks it.
+  /// REQUIRES: on the edge.
   double LinkLength(int32_t end) const {
     return At(end).room.links ? At(end).stretch_nm : std::numeric_limits<double>::infinity();
   }
-  /// What a bead along a stretch has room for. REQUIRES: on the edge.
+  /// Returns the free space for beads along a stretch. REQUIRES: on the edge.
   const StretchRoom& RoomOf(int32_t end) const { return At(end).room; }
 
+  /// Returns the position of an end.
   Point PlaceOf(int32_t end) const;
-  /// The points of a stretch, both ends' places with them.
+  /// Returns the points of a stretch, including the positions of its two ends.
   Polyline StretchPoints(int32_t end) const;
 
  private:
@@ -51,9 +56,9 @@ class EdgeEnds {
     EdgePlace place;
     int32_t next = kNoEnd;
     int32_t previous = kNoEnd;
-    double along_nm = 0;  ///< the ring, from its first point
+    double along_nm = 0;  ///< distance along the ring from its first point
     double stretch_nm = 0;
-    StretchRoom room{};  ///< of the stretch
+    StretchRoom room{};  ///< free space along the stretch
   };
 
   const End& At(int32_t end) const { return ends_[static_cast<size_t>(end)]; }
@@ -61,7 +66,8 @@ class EdgeEnds {
 
   std::span<const Piece> pieces_;
   std::vector<const Polygon*> rings_;
-  std::vector<std::vector<double>> corner_at_;  ///< along each ring, its length at last
+  /// Length of each ring up to each of its points, and of the whole ring.
+  std::vector<std::vector<double>> corner_at_;
   std::vector<End> ends_;
   std::vector<int32_t> order_;
 };

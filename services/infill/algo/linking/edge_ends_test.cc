@@ -20,7 +20,7 @@ std::vector<Piece> Lines(double angle) {
   return *StraightPieces(Region(), families);
 }
 
-// Stretches follow each other round every ring, and come to its length.
+// The stretches of every ring follow each other, and their total length is the ring's length.
 TEST(EdgeEnds, StretchesPartTheRings) {
   for (const double angle : {0.0, 0.5, 1.2}) {
     const std::vector<Piece> pieces = Lines(angle);
@@ -52,7 +52,7 @@ TEST(EdgeEnds, ClosedPiecesAndInnerEndsAreNotOnTheEdge) {
 }
 
 TEST(EdgeEnds, AStretchMayGoRoundTheWholeRing) {
-  // Both ends on one edge.
+  // The two ends are on one edge.
   const std::vector<Piece> pieces = {{MakeLineOrDie("(5 0, 5 2, 7 2, 7 0)"), {0, 0}, {0, 0}}};
   const EdgeEnds ends(Region(), pieces);
   EXPECT_NEAR(ends.StretchLength(0), 2e6, 1);

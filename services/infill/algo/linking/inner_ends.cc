@@ -18,29 +18,29 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr int32_t kNone = -1;
-/// How much of a piece may be cut off at each end.
+/// Largest part of a piece that may be cut off at each end.
 constexpr double kMostCut = 0.48;
-/// Ends that face each other are cut back so many times their distance.
+/// Length cut off from ends that face each other, in multiples of their distance.
 constexpr double kFacingCut = 2;
-/// What added length counts beside the distance.
+/// Weight of the added length relative to the distance.
 constexpr double kAddedCost = 4;
-/// Distances that differ by less than this share of the reach are alike: lines at even distances
-/// are joined in their order.
+/// Difference between distances that count as equal, as a share of the reach. Lines at even
+/// distances are therefore joined in their order.
 constexpr double kAlike = 1.0 / 64;
 constexpr int kHalvings = 24;
 
-/// A joint of two ends, 2i and 2i + 1 being those of piece i.
+/// Joint of two ends. Ends 2i and 2i + 1 belong to piece i.
 struct Joint {
   int32_t a = 0;
   int32_t b = 0;
-  double cut_nm = 0;  ///< off both pieces
-  int64_t rank = 0;   ///< the lower, the sooner
+  double cut_nm = 0;  ///< length cut off from each of the two pieces
+  int64_t rank = 0;   ///< joints with a lower rank are made first
   Point from, to;
 
   int32_t Other(int32_t end) const { return end == a ? b : a; }
 };
 
-/// A stretch of a piece.
+/// Segment of a piece.
 struct Line {
   Point a, b;
   int32_t piece = 0;
@@ -48,13 +48,13 @@ struct Line {
 
 size_t U(int32_t number) { return static_cast<size_t>(number); }
 
-/// Whether beads lie on each other for more than their width.
+/// Returns true if beads on these segments overlap over a length of more than their width.
 bool LieTogether(Point a, Point b, Point c, Point d, double width_nm) {
   const auto part = PartBeside(a, b, c, d, kLeastApart * width_nm);
   return part && part->to_nm - part->from_nm > width_nm;
 }
 
-/// Pieces by their ends, and what lies where.
+/// Ends of pieces, and indexes of the edges and lines around them.
 class Ends {
  public:
   Ends(const MultiPolygon& region, std::span<const Piece> pieces, const InnerJoints& options)
@@ -79,7 +79,7 @@ class Ends {
     return end % 2 == 0 ? PieceOf(end).from : PieceOf(end).to;
   }
 
-  /// All that are possible, the best first.
+  /// Returns all possible joints, the best first.
   std::vector<Joint> Joints() const {
     std::vector<int32_t> inner;
     Box box;
@@ -118,7 +118,7 @@ class Ends {
     return end % 2 == 0 ? PieceOf(end).points.front() : PieceOf(end).points.back();
   }
 
-  /// None: there is no room for it.
+  /// Returns the joint of two ends, or nothing if there is no space for it.
   std::optional<Joint> JointOf(int32_t a, int32_t b) const {
     const double apart = Distance(PointOf(a), PointOf(b));
     const auto added = [&](double cut) {
@@ -140,8 +140,9 @@ class Ends {
     return Joint{a, b, cut, std::llround(rank), from, to};
   }
 
-  /// Whether a bead between two pieces would lie on another one for more than its width; one
-  /// between the ends of the same piece, on that.
+  /// Returns true if a joint would overlap another bead over a length of more than its width. A
+  /// joint between two pieces is compared with all other pieces, a joint between the ends of the
+  /// same piece also with this piece.
   bool LiesOnOthers(Point from, Point to, int32_t piece, int32_t other) const {
     bool lies = false;
     lines_.ForEachNear(from, to, options_.width_nm, [&](int32_t number) {
@@ -152,7 +153,7 @@ class Ends {
     return lies;
   }
 
-  /// The point of a piece so far before its end.
+  /// Returns the point of a piece that is `distance_nm` before its end.
   Point Before(int32_t end, double distance_nm) const {
     const Polyline& points = PieceOf(end).points;
     const size_t count = points.size();
@@ -174,11 +175,11 @@ class Ends {
   const InnerJoints& options_;
   EdgeIndex edges_;
   SegmentGrid lines_;
-  std::vector<double> lengths_;  ///< by piece
-  std::vector<Line> segments_;   ///< of all pieces
+  std::vector<double> lengths_;  ///< length of each piece
+  std::vector<Line> segments_;   ///< segments of all pieces
 };
 
-/// Which of the possible joints are made.
+/// Choice of the possible joints that are made.
 class Matching {
  public:
   Matching(const Ends& ends, const std::vector<Joint>& joints, const InnerJoints& options)
@@ -199,7 +200,7 @@ class Matching {
       if (made_[U(end)] == kNone) MakeRoomFor(end);
   }
 
-  /// The joint of an end; null: none.
+  /// Returns the joint of an end, or null if there is none.
   const Joint* Of(int32_t end) const {
     return made_[U(end)] == kNone ? nullptr : &joints_[U(made_[U(end)])];
   }
@@ -216,7 +217,7 @@ class Matching {
     return box;
   }
 
-  /// Whether no joint that was made lies where this one would.
+  /// Returns true if the joint would overlap no joint that is already made.
   bool IsFree(const Joint& joint) const {
     bool is_free = true;
     lines_.ForEachNear(joint.from, joint.to, width_nm_, [&](int32_t number) {
@@ -226,7 +227,8 @@ class Matching {
     return is_free;
   }
 
-  /// The same for two at once, which must not lie on each other.
+  /// Returns true if both joints can be made: they overlap neither an existing joint nor each
+  /// other.
   bool AreFree(const Joint& one, const Joint& other) const {
     return IsFree(one) && IsFree(other) &&
            !LieTogether(one.from, one.to, other.from, other.to, width_nm_);
@@ -239,7 +241,7 @@ class Matching {
     lines_.Add(joint.from, joint.to, number);
   }
 
-  /// Takes the partner of another end, if that one finds a new one.
+  /// Joins the end to the partner of another end, if that other end finds a new partner.
   void MakeRoomFor(int32_t end) {
     for (const int32_t wanted : of_[U(end)]) {
       const int32_t partner = joints_[U(wanted)].Other(end);
@@ -258,13 +260,13 @@ class Matching {
 
   const std::vector<Joint>& joints_;
   double width_nm_;
-  SegmentGrid lines_;                     ///< joints that were made
-  std::vector<int32_t> made_;             ///< by end
-  std::vector<std::vector<int32_t>> of_;  ///< possible ones, by end
-  DisjointSets chains_;                   ///< of pieces
+  SegmentGrid lines_;                     ///< joints that are made
+  std::vector<int32_t> made_;             ///< joint made at each end, or kNone
+  std::vector<std::vector<int32_t>> of_;  ///< possible joints of each end
+  DisjointSets chains_;                   ///< sets of joined pieces
 };
 
-/// Puts pieces together as they are joined.
+/// Assembly of the joined pieces.
 class Chains {
  public:
   Chains(const Ends& ends, const Matching& matching)
@@ -290,7 +292,7 @@ class Chains {
     return joint == nullptr ? 0 : joint->cut_nm;
   }
 
-  /// From an end on.
+  /// Returns the chain of pieces that begins at an end.
   Piece Follow(int32_t first) {
     Piece chain;
     chain.from = ends_.PlaceOf(first);
@@ -314,7 +316,7 @@ class Chains {
 
   const Ends& ends_;
   const Matching& matching_;
-  std::vector<bool> done_;  ///< by piece
+  std::vector<bool> done_;  ///< true for pieces already in a chain, indexed by piece
 };
 
 }  // namespace

@@ -7,20 +7,22 @@
 
 namespace slicefarm::infill {
 
+/// Limits for joints of ends inside a region.
 struct InnerJoints {
-  double reach_nm = 0;  ///< ends farther apart are not joined
+  double reach_nm = 0;  ///< greatest distance of two ends that are joined
   double most_added =
-      0;  ///< what a joint may add to the length of all lines, of its ends' distance
-  double width_nm = 450'000;  ///< of beads
+      0;  ///< length that a joint may add to all lines, as a share of its ends' distance
+  double width_nm = 450'000;  ///< width of beads
 };
 
-/// Joins ends of pieces that lie inside the region, where no wall can bear a link. Two ends are cut
-/// back by half as much each as the straight line between them is long then, so that the length of
-/// all lines stays. Where they face each other, none of that length may be; then the joint adds a
-/// little. As many ends as can be found are joined, the nearest first. A piece gives up less than
-/// half of its length at each end; joints cross no edge of the region, and lie on no other line.
-/// Pieces that are joined to a ring are closed. Ends for which there is no joint stay.
-/// Cost: O(n log n + k m) for n ends with k others within reach, m points of a piece.
+/// Joins ends of pieces inside the region, where no wall can support a link. The two ends are cut
+/// back by half of the joint's length each, so that the total length of the lines stays the same.
+/// If the ends face each other, no cut may be long enough, and the joint then adds a little length.
+///
+/// As many ends as can be found are joined, the nearest first. A piece loses less than half of its
+/// length at each end. Joints cross no edge of the region and overlap no other line. Pieces that
+/// are joined to a ring become closed. Ends without a joint do not change. Cost: O(n log n + k m)
+/// for n ends with k other ends within reach, m points of a piece.
 std::vector<Piece> JoinInnerEnds(const MultiPolygon& region, std::span<const Piece> pieces,
                                  const InnerJoints& joints);
 

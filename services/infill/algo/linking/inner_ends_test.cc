@@ -29,7 +29,7 @@ double LengthOf(const std::vector<Piece>& pieces) {
   return length;
 }
 
-/// Lines from the left wall to x = 30, `gap` apart.
+/// Returns lines from the left wall to x = 30, `gap` apart.
 std::vector<Piece> Comb(int count, double gap) {
   std::vector<Piece> lines;
   for (int i = 0; i < count; ++i) lines.push_back(Line(0, 10 + gap * i, 30, 10 + gap * i));
@@ -50,7 +50,7 @@ TEST(InnerEnds, NeighboursAreJoinedInPairsAndKeepTheirLength) {
 }
 
 TEST(InnerEnds, AnEndThatIsLeftOverTakesAPartnerThatFindsAnother) {
-  // The middle two are nearest, but as many as possible are joined.
+  // The middle two ends are nearest, but as many ends as possible are joined.
   std::vector<Piece> lines = {Line(0, 10, 30, 10), Line(0, 14, 30, 14), Line(0, 17, 30, 17),
                               Line(0, 21, 30, 21)};
   EXPECT_EQ(JoinInnerEnds(Square(), lines, kJoints).size(), 2u);
@@ -88,7 +88,7 @@ TEST(InnerEnds, JointsCrossNoEdgeAndLieOnNoLine) {
   EXPECT_EQ(JoinInnerEnds(Square(), beside, kJoints).size(), 3u);
 }
 
-// Two joints that would lie on each other: one is made, and both ends of the other stay.
+// Two joints would overlap each other: one is made, and the two ends of the other joint stay loose.
 TEST(InnerEnds, JointsLieOnNoJoint) {
   std::vector<Piece> lines = {Line(0, 20, 30, 20), Line(0, 23, 30, 23), Line(60, 20.1, 26.9, 20.1),
                               Line(60, 23.1, 26.9, 23.1)};
@@ -105,7 +105,7 @@ TEST(InnerEnds, PiecesWithTwoInnerEndsMayBecomeARing) {
   EXPECT_NEAR(LengthOf(joined), 60e6, 10);
 }
 
-// There and back on itself a straight line would be printed twice; a bow has its own ends' joint.
+// A joint between the ends of a straight line would print it twice. A bow is joined to itself.
 TEST(InnerEnds, APieceIsJoinedToItselfOnlyBesideItself) {
   const std::vector<Piece> straight = {Line(20, 20, 24, 20, false)};
   const auto alone = JoinInnerEnds(Square(), straight, kJoints);

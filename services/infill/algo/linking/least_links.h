@@ -4,14 +4,14 @@
 
 namespace slicefarm::infill {
 
-/// A least matching of the ends along the edge: as many pairs of neighbours as can be linked, each
-/// end in one at most, by stretches no longer than `max_link_nm` with room for a bead all along;
-/// and of all such choices the one whose links are shortest together. Pieces become rings by it,
-/// and paths where ends stay loose.
+/// Returns a least matching of the ends along the edge. It links as many pairs of neighbours as
+/// possible, each end in at most one pair. A link is a stretch no longer than `max_link_nm` that is
+/// free for a bead along its whole length. Of all such choices, the one with the least total length
+/// is returned. Pieces become rings, or paths where ends stay loose.
 ///
-/// Which ends may be a pair is a graph that consists of cycles, the rings of the edge: there the
-/// recurrence best(i) = max(best(i - 1), best(i - 2) + stretch) finds what Edmonds' algorithm would
-/// (the test compares them). Cost: O(k).
+/// The possible pairs form a graph of cycles, one per ring of the edge. There the recurrence
+/// best(i) = max(best(i - 1), best(i - 2) + stretch) finds the result of Edmonds' algorithm (a test
+/// compares the two). Cost: O(k).
 Links LeastLinks(const EdgeEnds& ends, double max_link_nm);
 
 }  // namespace slicefarm::infill

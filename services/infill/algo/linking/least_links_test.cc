@@ -30,8 +30,8 @@ Sum SumOf(const EdgeEnds& ends, const Links& links) {
   return sum;
 }
 
-/// By Edmonds' algorithm: a perfect matching of two copies of the graph, in which an end that stays
-/// loose is matched with its own copy, at a price that no link has.
+/// Returns the best sum by Edmonds' algorithm: a perfect matching of two copies of the graph. An
+/// end that stays loose is matched with its own copy, at a price higher than any link.
 Sum BestSum(const EdgeEnds& ends, double max_link_nm) {
   constexpr int64_t kPrice = 1'000'000'000'000;
   const int32_t count = ends.size();

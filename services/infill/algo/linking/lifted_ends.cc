@@ -10,9 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Shorter ends beside the edge are turns, in widths.
+/// Least length of an end beside the edge, in widths. A shorter end is a turn.
 constexpr double kLeastLift = 0.7;
-/// How much of a piece may be left out at each end.
+/// Largest part of a piece that may be removed at each end.
 constexpr double kMostLift = 0.4;
 
 class Lifter {
@@ -49,14 +49,15 @@ class Lifter {
   }
 
  private:
-  /// Where a piece comes to the edge once it is lifted.
+  /// Position where a lifted piece meets the edge.
   struct Foot {
     double lifted_nm = 0;
     Point at;
     EdgePlace place;
   };
 
-  /// Not where the piece runs beside the edge to both sides of its end, or for too long.
+  /// Returns the new foot of an end. The end is not lifted if the piece is beside the edge on both
+  /// sides of the end, or over too great a length.
   Foot Lift(EdgePlace place, Point end, int32_t piece, double length_nm) {
     if (place.ring < 0) return {};
     const auto ring = static_cast<size_t>(place.ring);

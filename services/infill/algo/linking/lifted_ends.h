@@ -7,16 +7,17 @@
 
 namespace slicefarm::infill {
 
+/// Pieces after LiftEnds, and the parts of the edge that are not free.
 struct LiftedPieces {
   std::vector<Piece> pieces;
-  std::vector<std::vector<TakenSpan>> taken;  ///< of the edge, by ring
+  std::vector<std::vector<TakenSpan>> taken;  ///< parts of the edge that are not free, per ring
 };
 
-/// Pieces that come to the region's edge at a small angle, less what of them runs beside it: from
-/// where they are as far from it as beads lie apart, they go straight to it. So what lies along the
-/// edge afterwards, a link or an anchor, does not lie on them. As much of a piece as its end takes
-/// is left out, 0.4 of it at most at each end; others stay, and take the edge.
-/// Cost: as TakenEdge.
+/// Lifts pieces that meet the region's edge at a small angle: the part of a piece beside the edge
+/// is removed. From the point where the piece is a bead's distance from the edge, it runs straight
+/// to the edge. A later link or anchor along the edge therefore does not overlap the piece. At each
+/// end at most 0.4 of a piece is removed; other pieces do not change, and occupy the edge. Cost: as
+/// TakenEdge.
 LiftedPieces LiftEnds(const MultiPolygon& region, std::span<const Piece> pieces, Coord width_nm);
 
 }  // namespace slicefarm::infill

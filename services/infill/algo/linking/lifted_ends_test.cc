@@ -23,7 +23,7 @@ TEST(LiftEnds, ASteepEndStays) {
   EXPECT_TRUE(lifted.taken[0].empty());
 }
 
-// It rises by 1 in 10: it is 0.62 widths away from the edge after 2.79 mm.
+// The line rises by 1 in 10: it is 0.62 widths away from the edge after 2.79 mm.
 TEST(LiftEnds, AFlatEndGoesStraightToTheEdge) {
   const std::vector<Piece> pieces = {Make("(2 0, 20 1.8)", {0, 0}, {0, 1})};
   const LiftedPieces lifted = LiftEnds(Box(), pieces, kWidth);

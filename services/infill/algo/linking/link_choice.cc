@@ -10,10 +10,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Steps along paths that moving loose ends may take, for each end there is.
+/// Number of steps along paths for moving loose ends, per end.
 constexpr int64_t kWorkPerEnd = 400;
 constexpr int kRounds = 4;
-/// How often a growing path may turn a part of itself round.
+/// Number of times that a growing path may reverse a part of itself.
 constexpr int kTurnsOfItself = 8;
 
 enum class Way { kForward, kBackward };
@@ -36,7 +36,7 @@ class Chooser {
   int32_t Neighbour(int32_t end, Way way) const {
     return way == Way::kForward ? ends_.Next(end) : ends_.Previous(end);
   }
-  /// The stretch that leads from an end to its neighbour.
+  /// Returns the stretch from an end to its neighbour.
   int32_t Stretch(int32_t end, Way way) const {
     return way == Way::kForward ? end : ends_.Previous(end);
   }
@@ -77,15 +77,15 @@ class Chooser {
     flipped.push_back(stretch);
   }
 
-  /// Takes back all but the first flips.
+  /// Reverts all flips except the first `keep`.
   void Undo(const std::vector<int32_t>& flipped, size_t keep) {
     for (size_t i = flipped.size(); i-- > keep;)
       links_[static_cast<size_t>(flipped[i])] = !links_[static_cast<size_t>(flipped[i])];
   }
 
-  /// Lets the path of a loose end grow at that end: each time it takes the neighbour's piece, and
-  /// what hangs on it, from another path, until it meets that one's own loose end, or a ring. True
-  /// if paths are fewer then, else nothing changes.
+  /// Grows the path of a loose end at that end. In each step it takes the neighbour's piece, with
+  /// the rest of that path, from another path. It stops when it meets the other path's loose end,
+  /// or a ring. Returns true if the number of paths is reduced; otherwise nothing changes.
   bool Grow(int32_t end, Way first) {
     const int32_t tail = EndOfPath(end);
     const Way second = first == Way::kForward ? Way::kBackward : Way::kForward;
@@ -107,22 +107,22 @@ class Chooser {
     return false;
   }
 
-  /// What linking a loose end with a neighbour would do.
+  /// Effect of linking a loose end with a neighbour.
   enum class StepKind {
     kMeets,  ///< the neighbour is loose: two paths become one
-    kOpens,  ///< it is in a ring: ring and path become one
-    kTakes,  ///< it is in another path, and is taken with what hangs on it
-    kTurns,  ///< it is in the same path, of which a part turns round
+    kOpens,  ///< the neighbour is in a ring: ring and path become one
+    kTakes,  ///< the neighbour is in another path, and is taken with the rest of that path
+    kTurns,  ///< the neighbour is in the same path, and a part of the path is reversed
   };
   struct Step {
     StepKind kind = StepKind::kMeets;
-    int32_t made = 0;  ///< stretch
-    int32_t lost = 0;  ///< stretch
-    int32_t end = 0;   ///< where the path ends then
+    int32_t made = 0;  ///< stretch that becomes a link
+    int32_t lost = 0;  ///< stretch that is no longer a link
+    int32_t end = 0;   ///< new end of the path
   };
 
-  /// Nothing where the stretch is too long, or a ring would come of it. `tail`: the path's other
-  /// end.
+  /// Returns the step from a loose end, or nothing if the stretch is too long or a ring would
+  /// result. `tail`: the path's other end.
   std::optional<Step> StepFrom(int32_t end, int32_t tail, Way way) {
     const int32_t near = Neighbour(end, way);
     const int32_t made = Stretch(end, way);
@@ -147,8 +147,8 @@ class Chooser {
     }
   }
 
-  /// Moves a loose end along its ring as far as that makes paths fewest; true if it makes them
-  /// fewer than they were, else nothing changes.
+  /// Moves a loose end along its ring to the position with the fewest paths. Returns true if the
+  /// number of paths is reduced; otherwise nothing changes.
   bool Move(int32_t end, Way way) {
     std::vector<int32_t> flipped;  // stretches, in order
     size_t best_flips = 0;
@@ -176,7 +176,7 @@ class Chooser {
     return fewest < 0;
   }
 
-  /// The other end of the path that begins with a loose end, or `end` itself in a ring.
+  /// Returns the other end of the path that begins with a loose end, or `end` itself in a ring.
   int32_t EndOfPath(int32_t end) {
     for (int32_t at = end;;) {
       --work_left_;
@@ -186,7 +186,7 @@ class Chooser {
     }
   }
 
-  /// By how much the number of paths changes when a loose end takes `near` from `far`.
+  /// Returns the change of the number of paths when a loose end takes `near` from `far`.
   int ChangeByMoving(int32_t end, int32_t near, int32_t far) {
     for (int32_t at = end;;) {
       --work_left_;
@@ -197,7 +197,7 @@ class Chooser {
       if (next == kNoEnd) break;
       at = next;
     }
-    // Another path, which is cut in two, or a ring, which is opened.
+    // The neighbour is in another path, which is cut in two, or in a ring, which is opened.
     for (int32_t at = near;;) {
       --work_left_;
       const int32_t out = at ^ 1;
@@ -208,7 +208,7 @@ class Chooser {
     }
   }
 
-  /// Rings lose their longest link.
+  /// Opens each ring at its longest link.
   void OpenRings() {
     std::vector<bool> seen(static_cast<size_t>(ends_.PieceCount()), false);
     const auto follow = [&](int32_t from, auto visit) {

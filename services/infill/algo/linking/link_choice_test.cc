@@ -19,7 +19,7 @@ constexpr double kRightAngle = std::numbers::pi / 2;
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-/// Of pieces that links join.
+/// Returns the number of paths of linked pieces.
 int32_t CountPaths(const EdgeEnds& ends, const Links& links) {
   int32_t loose = 0;
   for (int32_t end = 0; end < ends.size(); ++end)
@@ -27,7 +27,8 @@ int32_t CountPaths(const EdgeEnds& ends, const Links& links) {
   return loose / 2;
 }
 
-/// Each piece in exactly one path, no ring, no end in two links; gives the number of paths.
+/// Returns the number of paths. Checks that each piece is in exactly one path, that there is no
+/// ring, and that no end is in two links.
 int32_t CheckedPaths(const EdgeEnds& ends, const Links& links) {
   int32_t paths = 0, pieces = 0;
   for (int32_t end = 0; end < ends.size(); ++end) {
@@ -51,7 +52,7 @@ int32_t PathsOf(const MultiPolygon& region, std::vector<LineFamily> families,
   return CheckedPaths(ends, ChooseLinks(ends, max_link_nm));
 }
 
-/// The fewest paths there are, by trying all choices of links.
+/// Returns the least number of paths, by testing all choices of links.
 int32_t FewestPaths(const EdgeEnds& ends) {
   const std::vector<int32_t>& all = ends.OnEdge();
   int32_t fewest = std::numeric_limits<int32_t>::max();
@@ -80,7 +81,8 @@ TEST(LinkChoice, ZigzagThroughAConvexRegionIsOnePath) {
       EXPECT_EQ(PathsOf(P(text), {{angle, 0.5e6, 1e6}}), 1) << text << ' ' << angle;
 }
 
-// Wherever the grid lies: links by the shortest alone leave one path for each of the ways round.
+// The test covers all positions of the grid: the shortest links alone would leave one path per
+// direction around the square.
 TEST(LinkChoice, GridThroughASquareDoesNotDependOnItsPhase) {
   int32_t most = 0, total = 0;
   for (int i = 0; i < 20; ++i) {
@@ -101,8 +103,8 @@ TEST(LinkChoice, LinksAreNoLongerThanAllowed) {
   EXPECT_EQ(PathsOf(wedge, {{0, 0.5e6, 1e6}}, 1.5e6), 1);
 }
 
-// Few pieces, so that all choices can be tried. The search is no proof; it may miss by one at
-// times.
+// The number of pieces is small, so that all choices can be tested. The search is not exact: it may
+// sometimes need one path more.
 TEST(LinkChoice, IsNearTheBestChoice) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> phase(0, 5e6), angle(0, 3);

@@ -21,7 +21,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Shorter anchors hold no more than the end itself, in widths.
+/// Least length of an anchor, in widths. A shorter one holds no better than the end itself.
 constexpr double kLeastAnchor = 1;
 
 bool AreStraight(std::span<const Piece> pieces) {
@@ -29,7 +29,7 @@ bool AreStraight(std::span<const Piece> pieces) {
       pieces, [](const Piece& piece) { return piece.points.size() == 2 && !piece.closed; });
 }
 
-/// Leaves out the longest links, until the others come to the budget.
+/// Removes the longest links until the total length is within the budget.
 Links WithinBudget(const EdgeEnds& ends, Links links, double budget_nm) {
   std::vector<int32_t> linked;
   double length = 0;
@@ -47,7 +47,7 @@ Links WithinBudget(const EdgeEnds& ends, Links links, double budget_nm) {
   return links;
 }
 
-/// Puts paths together from pieces, links and anchors.
+/// Assembly of paths from pieces, links and anchors.
 class Assembler {
  public:
   Assembler(const EdgeEnds& ends, const Links& links, const LinkOptions& options)
@@ -86,7 +86,7 @@ class Assembler {
     return path;
   }
 
-  /// The path that begins with a loose end.
+  /// Returns the path that begins with a loose end.
   Path Follow(int32_t end) {
     Path path;
     path.points = Anchor(end);
@@ -95,7 +95,7 @@ class Assembler {
     return path;
   }
 
-  /// The path of a ring without loose ends.
+  /// Returns the path of a ring without loose ends.
   Path FollowRing(int32_t end) {
     Path path;
     path.closed = true;
@@ -104,8 +104,8 @@ class Assembler {
     return path;
   }
 
-  /// Appends pieces and links from an end on until the ring is closed, or up to a loose end, which
-  /// it returns.
+  /// Appends pieces and links from an end until the ring is closed or a loose end is reached.
+  /// Returns this end.
   int32_t FollowLinks(int32_t end, Path& path) {
     while (true) {
       done_[static_cast<size_t>(end / 2)] = true;
@@ -120,7 +120,7 @@ class Assembler {
     }
   }
 
-  /// The stretch beside an end, from there on.
+  /// Returns the points of the stretch beside an end, beginning at the end.
   Polyline WayFrom(int32_t end, bool forward) const {
     if (forward) return ends_.StretchPoints(end);
     Polyline way = ends_.StretchPoints(ends_.Previous(end));
@@ -128,8 +128,8 @@ class Assembler {
     return way;
   }
 
-  /// The way along the edge by which a loose end is borne, from the end on, where it has more room.
-  /// Empty where there is none.
+  /// Returns the anchor of a loose end: a path along the edge that supports the end, in the
+  /// direction with more space. The path is empty if there is no space.
   Polyline Anchor(int32_t end) const {
     if (!ends_.IsOnEdge(end) || options_.anchor_nm <= 0) return {};
     const int32_t before = ends_.Previous(end);
@@ -142,8 +142,8 @@ class Assembler {
     return Shortened(way, all, 0, all - length);
   }
 
-  /// How far an anchor may go along a stretch, of which `free_nm` are free: half way to another
-  /// loose end, which may come to meet it.
+  /// Returns the length available for an anchor along a stretch, of which `free_nm` are free. If
+  /// the stretch's other end is loose too, each anchor gets half of the stretch.
   double RoomFor(int32_t end, int32_t stretch, double free_nm, int32_t neighbour) const {
     if (links_[static_cast<size_t>(stretch)]) return 0;
     const bool is_shared = neighbour == end || LinkedTo(ends_, links_, neighbour) == kNoEnd;
@@ -160,10 +160,11 @@ class Assembler {
   const EdgeEnds& ends_;
   const Links& links_;
   const LinkOptions& options_;
-  std::vector<bool> done_;  ///< by piece
+  std::vector<bool> done_;  ///< true for pieces already in a path, indexed by piece
 };
 
-/// Paths with loose ends, which lie near to those of other paths where that costs no path.
+/// Returns paths with loose ends. The ends are moved near the ends of other paths if this does not
+/// increase the number of paths.
 std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
   const Links links = WithinBudget(ends, ChooseLinks(ends, options.max_link_nm), options.budget_nm);
   std::vector<Path> paths = Assembler(ends, links, options).Run();
@@ -174,7 +175,8 @@ std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
   return nearer.size() <= paths.size() ? nearer : paths;
 }
 
-/// What a link across a region must not meet: its edge, and lines there and back.
+/// Returns the obstacles of a link across a region: the region's edge, and the lines as rings
+/// without area.
 EdgeIndex Fences(const MultiPolygon& region, std::span<const Path> lines, Coord square_nm) {
   MultiPolygon fences = region;
   for (const Path& line : lines) {
@@ -185,7 +187,7 @@ EdgeIndex Fences(const MultiPolygon& region, std::span<const Path> lines, Coord 
   return EdgeIndex(fences, square_nm);
 }
 
-/// A few paths of what lies at even distances: rings, and what has loose ends.
+/// Returns a small number of paths for lines at even distances: rings, and paths with loose ends.
 std::vector<Path> FacingPaths(const MultiPolygon& region, const EdgeEnds& ends,
                               const LinkOptions& options) {
   const Links links = LeastLinks(ends, options.max_link_nm);
@@ -198,7 +200,8 @@ std::vector<Path> FacingPaths(const MultiPolygon& region, const EdgeEnds& ends,
   paths.erase(closed, paths.end());
   const EdgeIndex fences =
       Fences(region, paths, std::max<Coord>(1, std::llround(options.facing_nm)));
-  // From edge to edge across a bay a link would meet nothing.
+  // A link from edge to edge across a bay would cross no obstacle, so that its middle is tested
+  // too.
   const auto may_link = [&](Point a, Point b) {
     return !fences.Meets(a, b) && Covers(region, {(a.x + b.x) / 2, (a.y + b.y) / 2});
   };

@@ -34,7 +34,7 @@ double LengthOf(const std::vector<Path>& paths) {
   return length;
 }
 
-/// What is expected of all paths: one width, and no bead on another.
+/// Checks properties of all paths: one width, and no bead on another bead.
 void ExpectEvenBeads(const std::vector<Path>& paths) {
   for (const Path& path : paths) {
     EXPECT_TRUE(WellFormed(path));
@@ -55,7 +55,7 @@ TEST(LinkedPaths, HoldToTheEdgeByEvenBeads) {
   }
 }
 
-// A line so near to a side of the box that a bead along that side would lie on it.
+// The line is so near to a side of the box that a bead along this side would overlap it.
 TEST(LinkedPaths, NoLinkLiesOnALine) {
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   for (const double angle : {0.0, 0.01, -0.02}) {
@@ -69,7 +69,7 @@ TEST(LinkedPaths, NoLinkLiesOnALine) {
   }
 }
 
-// A link that begins beside its own line: the line ends where the link leaves it.
+// The link begins beside its own line: the line ends where the link leaves it.
 TEST(LinkedPaths, ALineInAWedgeIsCutOffThere) {
   const MultiPolygon wedge = MakePolygonsOrDie("(0 0, 20 0, 20 8, 0 8)");
   const LineFamily family{0.08, 0, 1.5e6};

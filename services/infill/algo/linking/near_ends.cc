@@ -9,7 +9,7 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr size_t kMostPaths = 24;
-/// How many links an end moves past at most.
+/// Largest number of links that an end moves past.
 constexpr int kReach = 4;
 
 struct PathEnds {
@@ -21,7 +21,7 @@ struct PathEnds {
   }
 };
 
-/// Length of the shortest tree that joins all paths at their ends (Prim).
+/// Returns the length of the shortest tree that joins all paths at their ends (Prim's algorithm).
 double TreeOf(const std::vector<PathEnds>& paths) {
   double tree = 0;
   std::vector<double> way(paths.size(), std::numeric_limits<double>::max());
@@ -59,7 +59,7 @@ class Mover {
   }
 
  private:
-  /// Takes an end to the best place within reach; returns the end that is loose then.
+  /// Moves an end to the best position within reach. Returns the end that is loose afterwards.
   int32_t Moved(int32_t end, bool forward) {
     const auto neighbour = [&](int32_t of) {
       return forward ? ends_.Next(of) : ends_.Previous(of);
@@ -93,7 +93,7 @@ class Mover {
     flipped_.push_back(stretch);
   }
 
-  /// All but the first flips.
+  /// Reverts all flips except the first `keep`.
   void TakeBack(size_t keep) {
     for (; flipped_.size() > keep; flipped_.pop_back()) {
       const auto last = static_cast<size_t>(flipped_.back());
@@ -104,8 +104,8 @@ class Mover {
   const EdgeEnds& ends_;
   const double max_link_nm_;
   Links links_;
-  std::vector<int32_t> flipped_;  ///< stretches, in order
-  double least_ = 0;              ///< ways between paths, and what links are longer than at first
+  std::vector<int32_t> flipped_;  ///< flipped stretches, in order
+  double least_ = 0;  ///< least sum of the distances between paths and the added length of links
 };
 
 }  // namespace

@@ -6,14 +6,15 @@
 
 namespace slicefarm::infill {
 
-/// Length in nm of the shortest tree of ways between the ends of paths; none if one is a ring.
-/// Cost: O(ends + paths^2).
+/// Returns the length in nm of the shortest tree of straight lines between the ends of paths, or
+/// nothing if a path is a ring. Cost: O(ends + paths^2).
 std::optional<double> WaysBetween(const EdgeEnds& ends, const Links& links);
 
-/// Moves loose ends along the edge, from link to link, to where other paths end: the ways between
-/// paths (WaysBetween) and the links together become shorter. Paths stay as many, links no longer
-/// than `max_link_nm`. Nothing moves where paths are one, or more than a few ten.
-/// REQUIRES: no path is a ring. Cost: O(paths (ends + paths^2)).
+/// Moves loose ends along the edge, from link to link, to positions near the ends of other paths.
+/// This reduces the sum of the distances between paths (WaysBetween) and the length of links. The
+/// number of paths stays the same, and links are no longer than `max_link_nm`. Nothing moves if
+/// there is only one path, or more than a few tens of paths. REQUIRES: no path is a ring. Cost:
+/// O(paths (ends + paths^2)).
 Links BringEndsTogether(const EdgeEnds& ends, Links links, double max_link_nm);
 
 }  // namespace slicefarm::infill

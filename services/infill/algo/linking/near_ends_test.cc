@@ -14,7 +14,7 @@ constexpr double kFar = 1e12;
 
 struct Case {
   const char* name;
-  const char* region;  ///< mm
+  const char* region;  ///< coordinates in mm
   double angle_rad;
 };
 
@@ -34,7 +34,8 @@ int32_t LooseEnds(const EdgeEnds& ends, const Links& links) {
   return loose;
 }
 
-/// No end in two links, none alone with itself, none longer than allowed.
+/// Checks that no end is in two links, no end is linked to itself, and no link is longer than
+/// allowed.
 void ExpectLinks(const EdgeEnds& ends, const Links& links, double max_link_nm) {
   for (const int32_t end : ends.OnEdge()) {
     if (!links[static_cast<size_t>(end)]) continue;

@@ -8,16 +8,17 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Sine of the angle at which beads run along each other.
+/// Sine of the largest angle between beads that count as parallel.
 constexpr double kMostSine = 0.342;
 
-/// A part of something from 0 to 1.
+/// Part of the interval from 0 to 1.
 struct Share {
   double from = 0;
   double to = 1;
 };
 
-/// The part where a linear function, `at_from` and `at_to` at 0 and 1, lies between two values.
+/// Reduces `share` to the part where a linear function is between two values. The function has the
+/// values `at_from` at 0 and `at_to` at 1.
 void Narrow(double at_from, double at_to, double low, double high, Share& share) {
   const double rise = at_to - at_from;
   if (rise == 0) {

@@ -13,16 +13,16 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Of the pieces that may come next, the nearest of this many lowest ones is taken.
+/// Number of candidates for the next piece. The nearest of the lowest candidates is used.
 constexpr int kChoices = 64;
 
-/// A way along the boundary from one crossing to the next or the previous one.
+/// Path along the boundary from one crossing to the next or the previous one.
 struct Link {
   int32_t to = 0;
   bool forward = true;
 };
 
-/// Which of two links is taken: one upwards first; one to the same line if there is no other.
+/// Returns the rank of a link: an upward link is first, and a link to the same line is last.
 int Rank(int32_t rise) { return rise == 0 ? -2 : rise; }
 
 class Walker {
@@ -49,7 +49,7 @@ class Walker {
     return !done_[piece] && (!options_.monotonic || waiting_for_[piece] == 0);
   }
 
-  /// Calls visit(lower piece, upper piece) for all pieces on adjacent lines that lie beside each
+  /// Calls visit(lower piece, upper piece) for all pieces on adjacent lines that are beside each
   /// other.
   template <typename Visit>
   void ForEachNeighbours(int32_t line, Visit visit) const {
@@ -71,8 +71,8 @@ class Walker {
       if (waiting_for_[piece] == 0) ready_.insert(piece);
   }
 
-  /// Calls visit(upper piece) for all links of a piece to the line above whose piece does not lie
-  /// beside it, as in a slanted tip: without them the tip would begin by itself.
+  /// Calls visit(upper piece) for all links of a piece to pieces on the line above that are not
+  /// beside it, as in a slanted tip. Without these links the tip would begin separately.
   template <typename Visit>
   void ForEachSlantedLink(int32_t piece, Visit visit) const {
     for (const int32_t place : {2 * piece, 2 * piece + 1}) {
@@ -94,7 +94,7 @@ class Walker {
     if (--waiting_for_[upper] == 0) ready_.insert(upper);
   }
 
-  /// Marks a piece as printed; what lies above it may be free then.
+  /// Marks a piece as printed. Pieces above it may then be ready.
   void Finish(int32_t piece) {
     done_[piece] = true;
     if (!options_.monotonic) return;
@@ -113,7 +113,7 @@ class Walker {
     }
   }
 
-  /// The place at which the next path begins.
+  /// Returns the end of a piece at which the next path begins.
   std::optional<int32_t> NextStart() {
     if (!options_.monotonic) {
       while (next_ < lines_.PieceCount() && done_[next_]) ++next_;
@@ -134,7 +134,8 @@ class Walker {
     return best;
   }
 
-  /// The path that begins with a piece, at `place` or, if only that leads on, at its other end.
+  /// Returns the path that begins with a piece at `place`. It begins at the piece's other end if
+  /// the path can only continue in that direction.
   SerpentinePath Walk(int32_t place) {
     SerpentinePath path;
     Finish(place / 2);
@@ -159,7 +160,7 @@ class Walker {
     return {Link{crossing.next, true}, Link{crossing.previous, false}};
   }
 
-  /// The way to a piece that may come next.
+  /// Returns the best link to a piece that may be printed next.
   std::optional<Link> BestLink(int32_t from) const {
     std::optional<Link> best;
     int best_rank = 0;
@@ -177,8 +178,8 @@ class Walker {
     return best;
   }
 
-  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring,
-  /// which meets each line twice.
+  /// Calls visit for the corners of the boundary that a link passes. A link never passes a whole
+  /// ring, which meets each line twice.
   template <typename Visit>
   void ForEachLinkCorner(int32_t from, const Link& link, Visit visit) const {
     const Crossing& a = lines_.crossings[from];
@@ -200,11 +201,11 @@ class Walker {
   const ScanLines& lines_;
   const SerpentineOptions& options_;
   std::vector<bool> done_;
-  std::optional<Point> at_;  ///< where the last path ended
-  int32_t next_ = 0;         ///< not monotonic: no undone piece below this
+  std::optional<Point> at_;  ///< end of the last path
+  int32_t next_ = 0;         ///< not monotonic: all pieces below this one are done
   std::vector<int32_t>
-      waiting_for_;          ///< monotonic: undone pieces of the line below beside each piece
-  std::set<int32_t> ready_;  ///< monotonic: undone pieces that wait for none
+      waiting_for_;          ///< monotonic: number of undone pieces on the line below each piece
+  std::set<int32_t> ready_;  ///< monotonic: undone pieces that wait for no other piece
 };
 
 }  // namespace

@@ -6,33 +6,35 @@
 
 namespace slicefarm::infill {
 
+/// Parameters of Serpentine.
 struct SerpentineOptions {
-  /// Every piece of line is printed after all pieces of the line below that it lies beside: then
-  /// each new bead leans on one neighbour, from the same side all over the region, which gives an
-  /// even surface.
+  /// True to print every piece after all pieces beside it on the line below. Each new bead is then
+  /// beside one printed bead, on the same side in the whole region, which gives an even surface.
   bool monotonic = false;
-  /// Neighbouring ends are joined along the boundary up to this far, those on the same line where
-  /// no other way leads on; farther ones are left to a travel.
+  /// Greatest length of a link along the boundary. Ends of neighbouring lines are linked; ends of
+  /// the same line only if there is no other continuation. Longer distances are travels.
   double max_link_nm = 0;
-  double min_length_nm = 0;  ///< shorter paths are left out
+  double min_length_nm = 0;  ///< least length of a path
 };
 
+/// Path of pieces of line and of the links between them.
 struct SerpentinePath {
   Polyline points;
-  /// Places in `points` at which the pieces of line begin; each ends at the next point. What lies
-  /// between two pieces is their link along the boundary.
+  /// Indices in `points` at which pieces of line begin. Each piece ends at the next point. The
+  /// points between two pieces are their link along the boundary.
   std::vector<int32_t> pieces;
-  std::vector<int32_t> places;  ///< in ScanLines::order, of the crossings at which they begin
-  /// The links, by the crossing from which each one runs forwards along its ring.
+  /// Indices in ScanLines::order of the crossings at which pieces begin.
+  std::vector<int32_t> places;
+  /// Links, each given by the crossing from which it runs forwards along its ring.
   std::vector<int32_t> stretches;
 };
 
 /// Joins pieces of scan lines to long back-and-forth paths. Neighbouring ends are joined along the
-/// boundary, so the paths stay in the region. In the order of printing where `monotonic`; else the
-/// order says nothing.
+/// boundary, so that the paths stay in the region. If `monotonic`, the paths are in the order of
+/// printing; otherwise their order has no meaning.
 ///
-/// Every piece is in exactly one path, and no stretch of boundary is used twice.
-/// Cost: O(n + k), n points of the region, k pieces (O(n + k log k) if monotonic).
+/// Every piece is in exactly one path, and no stretch of the boundary is used twice. Cost: O(n +
+/// k), n points of the region, k pieces (O(n + k log k) if monotonic).
 std::vector<SerpentinePath> Serpentine(const ScanLines& lines, const SerpentineOptions& options);
 
 }  // namespace slicefarm::infill

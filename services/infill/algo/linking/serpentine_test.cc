@@ -51,8 +51,8 @@ TEST(Serpentine, LinksFollowTheBoundary) {
   EXPECT_TRUE(std::count(paths[0].begin(), paths[0].end(), Point{11'000'000, 1'000'000}));
 }
 
-// The lowest line ends on the left where the next one does, and on the right far from it: so it
-// begins there.
+// The left end of the lowest line is near the next line's end, and its right end is far from it. So
+// the path begins at the right end.
 TEST(Serpentine, BeginsWhereTheOtherEndLeadsOn) {
   const MultiPolygon pocket = P("(0 0, 2 0, 8 1, 8 2, 0 2)");
   for (const bool monotonic : {false, true}) {
@@ -62,8 +62,8 @@ TEST(Serpentine, BeginsWhereTheOtherEndLeadsOn) {
   }
 }
 
-// Two tips below one body: neither may be left for later, and the boundary leads from one to the
-// other without meeting another line.
+// Two tips are below one body. Neither may be left for later, and the boundary connects them
+// without meeting another line.
 TEST(Serpentine, TipsOfOneLineAreJoinedAlongTheNotch) {
   const MultiPolygon notched = P("(0 0, 2 0, 3 0.9, 4 0, 6 0, 6 3, 0 3)");
   for (const bool monotonic : {false, true}) {
@@ -81,7 +81,7 @@ TEST(Serpentine, LinesGoOnAroundASmallHole) {
   EXPECT_EQ(paths[0].size(), 9u);
 }
 
-// Pieces in a slanted spike do not lie beside each other, but each leads to the next.
+// Pieces in a slanted spike are not beside each other, but each is linked to the next.
 TEST(Serpentine, SlantedSpikeIsOnePath) {
   const MultiPolygon spike = P("(0 0, 10.3 5, 10 5.5)");
   for (const double angle : {0.0, 1.2, 2.4, 5.0})
@@ -93,7 +93,7 @@ TEST(Serpentine, LongLinksAreLeftToTravel) {
   EXPECT_EQ(Paths(square, {0, 0.5e6, 1e6}, false, 0.9).size(), 10u);
 }
 
-// Nothing is left out or printed twice, whatever the shape.
+// No piece is omitted or printed twice, for any shape.
 TEST(Serpentine, UsesEveryPieceOnce) {
   const MultiPolygon region =
       P("(0 0, 20 0, 20 10, 0 10) (3 3, 6 3, 6 6, 3 6) (9 1, 11 1, 11 9, 9 9) (14 4, 16 2, 18 4, "
@@ -108,8 +108,8 @@ TEST(Serpentine, UsesEveryPieceOnce) {
   }
 }
 
-// Each point's piece comes after the pieces below it that it lies beside: so v never falls within a
-// path, and a path starts only above what is printed.
+// Each point's piece is printed after the pieces beside it on the line below. Therefore v never
+// decreases within a path, and a path starts only above printed pieces.
 TEST(Serpentine, MonotonicRisesEverywhere) {
   const MultiPolygon region =
       P("(0 0, 20 0, 20 10, 0 10) (3 3, 6 3, 6 6, 3 6) (9 1, 11 1, 11 9, 9 9) (14 4, 16 2, 18 4, "

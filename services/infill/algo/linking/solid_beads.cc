@@ -10,10 +10,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// A fitted line that leaves the region at an end comes to it over so many pitches as a plain one.
+/// Length, in pitches, of the plain ends of a fitted line that would otherwise leave the region.
 constexpr double kPlainEndPitches = 0.75;
 
-/// Returns, for each crossing, whether a link runs from it to the next one on its ring.
+/// Returns, for each crossing, true if a link runs from it to the next crossing on its ring.
 std::vector<bool> LinkedStretches(const ScanLines& lines,
                                   const std::vector<SerpentinePath>& paths) {
   std::vector<bool> linked(lines.crossings.size(), false);
@@ -30,7 +30,7 @@ FittedStrips StripsOf(const ScanLines& lines, const std::vector<SerpentinePath>&
                               .reach_nm = options.reach_nm});
 }
 
-/// Takes `length_nm` off the end of a bead.
+/// Removes `length_nm` from the end of a bead.
 void Shorten(double length_nm, std::vector<StripPoint>& bead) {
   while (bead.size() > 2) {
     const double edge = Distance(bead[bead.size() - 2].at, bead.back().at);
@@ -43,7 +43,8 @@ void Shorten(double length_nm, std::vector<StripPoint>& bead) {
   if (edge > 0) bead.back() = Between(bead.back(), before, std::min(1.0, length_nm / edge));
 }
 
-/// Returns a bead that ends where another one does, and as wide, over `length_nm` at each end.
+/// Returns `bead` with its ends replaced, over `length_nm` each, by ramps to the end points of
+/// `ends`, with their positions and widths.
 std::vector<StripPoint> WithEndsOf(const std::vector<StripPoint>& ends,
                                    std::vector<StripPoint> bead, double length_nm) {
   if (Distance(ends.front().at, ends.back().at) < 3 * length_nm) return ends;
@@ -88,8 +89,8 @@ SolidBeads::Bead SolidBeads::LineFrom(int32_t place) const {
   return Leaves(plain_ends, even) ? even : EvenRamps(plain_ends, lines_.pitch);
 }
 
-/// Returns true if the strip of a piece, or what is between its ends and those of the plain strip,
-/// leaves the region.
+/// Returns true if the strip of a piece leaves the region, or if the connection between its ends
+/// and the ends of the plain strip does.
 bool SolidBeads::Leaves(const Bead& bead, const Bead& even) const {
   if (Leaves(even.front().at, bead.front().at) || Leaves(bead.back().at, even.back().at))
     return true;

@@ -18,7 +18,7 @@ constexpr double kPitch = 400'000;
 constexpr Coord kInset = 30'000;
 constexpr double kLinkShare = 0.15;
 
-/// The beads of a region's lines, in one place with all that they refer to.
+/// Beads of a region's lines, together with all data that they refer to.
 struct Filled {
   explicit Filled(std::string_view text, double angle_rad = 0, bool fitted = true)
       : region(MakePolygonsOrDie(text)[0]),
@@ -38,8 +38,8 @@ struct Filled {
   std::vector<std::vector<StripPoint>> beads;
 };
 
-// Edges along and square to the lines: lines of one width, and links between them that hold what
-// the lines' ends lack. The width steps between them.
+// With edges along and perpendicular to the lines, lines have one width. The links between them
+// fill the space that the lines' ends leave empty. The width steps between them.
 TEST(SolidBeads, LinksHoldWhatTheEndsOfLinesLack) {
   const Filled square("(0 0, 10 0, 10 10, 0 10)");
   ASSERT_EQ(square.beads.size(), 1u);
@@ -59,7 +59,7 @@ TEST(SolidBeads, LinksHoldWhatTheEndsOfLinesLack) {
   EXPECT_NEAR(area / 1e14, 1, 0.001);
 }
 
-// Lines of two sharp corners, where a step along the line would come too near to the other edge.
+// Lines of two sharp corners, where a step along the line would be too near to the other edge.
 TEST(SolidBeads, StayInTheRegion) {
   for (const char* text : {"(0 0, 30 0, 3 2.4)", "(0 0, 12 0, 12 1, 1 1, 1 9, 0 9)",
                            "(0 0, 20 0, 20 8, 11 8, 10.7 1.1, 10.3 8, 0 8)"}) {
@@ -79,7 +79,7 @@ TEST(SolidBeads, StayInTheRegion) {
   }
 }
 
-// Bridges: lines and links where they were cut, of one width, but for the free ends.
+// Bridges have lines and links at their cut positions, with one width, except at the free ends.
 TEST(SolidBeads, EvenBeadsFollowTheEdge) {
   const Filled wedge("(0 0, 30 0, 3 2.4)", 0, false);
   ASSERT_FALSE(wedge.beads.empty());

@@ -10,12 +10,12 @@
 namespace slicefarm::infill {
 namespace {
 
-/// How many pairs of stretches are looked at.
+/// Largest number of pairs of segments that are compared.
 constexpr size_t kMostPairs = 4'000'000;
-/// How much of a corner is cut off, of the margin.
+/// Length cut off from a corner, as a share of the margin.
 constexpr double kCut = 0.45;
 
-/// Where stretch i of a path, from its point i on, crosses stretch j of another.
+/// Crossing of segment i of a path (from its point i) and segment j of another path.
 struct CrossPlace {
   size_t i = 0;
   size_t j = 0;
@@ -30,7 +30,7 @@ Point EndOfStretch(const Path& path, size_t i) {
   return path.points[i + 1 == path.points.size() ? 0 : i + 1];
 }
 
-/// Where ab and cd cross, `margin` from their ends at least.
+/// Returns the point where ab and cd cross, if it is at least `margin` from their ends.
 std::optional<Point> MeetingOf(Point a, Point b, Point c, Point d, double margin) {
   const auto x = [](Point p) { return static_cast<double>(p.x); };
   const auto y = [](Point p) { return static_cast<double>(p.y); };
@@ -51,13 +51,13 @@ Box BoxOf(Point a, Point b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-/// Whether a stretch lies beside a box, by its own.
+/// Returns true if the segment's bounding box does not overlap `box`.
 bool IsBeside(Point a, Point b, const Box& box) {
   return std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x ||
          std::max(a.y, b.y) < box.min.y || std::min(a.y, b.y) > box.max.y;
 }
 
-/// A path, and where it lies.
+/// Path with its bounding box.
 struct Placed {
   Path path;
   Box box;
@@ -80,14 +80,15 @@ std::optional<CrossPlace> FirstCrossing(const Placed& placed, const Path& ring, 
   return std::nullopt;
 }
 
-/// The point on the way from `at` to another, so far from it.
+/// Returns the point at `distance_nm` from `at` in the direction of `to`.
 Point OnTheWay(Point at, Point to, double distance_nm) {
   const double share = distance_nm / Distance(at, to);
   return {at.x + std::llround(share * static_cast<double>(to.x - at.x)),
           at.y + std::llround(share * static_cast<double>(to.y - at.y))};
 }
 
-/// Both corners at the crossing are cut off, so that the beads on both sides of it do not meet.
+/// Inserts a ring into a path at a crossing. The two corners there are cut off, so that the beads
+/// on both sides of the crossing do not meet.
 void TakeIn(const Path& ring, const CrossPlace& crossing, double cut_nm, Path& path) {
   const auto turn = [&](Point from, Point to, std::vector<Point>& points) {
     points.push_back(OnTheWay(crossing.at, from, cut_nm));
@@ -102,7 +103,7 @@ void TakeIn(const Path& ring, const CrossPlace& crossing, double cut_nm, Path& p
                      points.end());
 }
 
-/// Whether a path other than the ring itself took it in.
+/// Inserts a ring into the first other path that it crosses. Returns false if there is none.
 bool IsTakenIn(size_t ring, double margin, std::vector<Placed>& paths, size_t& pairs) {
   for (size_t i = 0; i < paths.size() && pairs < kMostPairs; ++i) {
     if (i == ring || !paths[i].box.Intersects(paths[ring].box)) continue;

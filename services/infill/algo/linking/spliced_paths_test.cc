@@ -10,7 +10,7 @@ namespace slicefarm::infill::spliced_paths_test {
 namespace {
 
 constexpr double kMargin = 0.5e6;
-/// What two corners lose, square ones, of which 0.45 margins are cut off.
+/// Length lost at two square corners that are cut off by 0.45 margins.
 constexpr double kCutOff = 2 * (2 - std::numbers::sqrt2) * 0.45 * kMargin;
 
 Path Make(std::string_view line, bool closed) {
@@ -53,7 +53,7 @@ TEST(SplicedPaths, WhatDoesNotCrossStays) {
   const std::vector<Path> apart = {Make("(0 0, 6 0, 6 6, 0 6)", true),
                                    Make("(8 0, 9 0, 9 9, 8 9)", true), Make("(0 8, 20 20)", false)};
   EXPECT_EQ(SplicedPaths(apart, kMargin), apart);
-  // At the corner of a ring, and two lines, of which neither comes back.
+  // One path crosses at the corner of a ring, and two open lines cross without returning.
   const std::vector<Path> others = {Make("(0 0.3, 20 0.3)", false),
                                     Make("(4 0, 8 0, 8 10, 4 10)", true),
                                     Make("(15 -5, 15 5)", false)};

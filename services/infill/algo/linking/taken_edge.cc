@@ -11,9 +11,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// How long a link may lie on another bead, in widths.
+/// Largest length over which a link may overlap another bead, in widths.
 constexpr double kMostTaken = 1;
-/// Squares in which pieces are looked up, in distances that count as near.
+/// Size of the squares in which pieces are indexed, in multiples of the distance that counts as
+/// near.
 constexpr double kSquares = 8;
 
 struct Segment {
@@ -33,7 +34,7 @@ std::vector<Segment> SegmentsOf(std::span<const Piece> pieces) {
   return segments;
 }
 
-/// Sorts spans by where they begin, those of one piece that meet joined.
+/// Sorts spans by their start, and joins spans of the same piece that meet.
 void Join(double gap_nm, std::vector<TakenSpan>& spans) {
   std::ranges::sort(spans, {},
                     [](const TakenSpan& s) { return std::tuple(s.piece, s.from_nm, s.to_nm); });
