@@ -7,10 +7,11 @@
 
 namespace slicefarm::infill {
 
-/// Fills each section of each layer (section_fill.h); see README.md. Stateless. A section's result
-/// depends on its own walls and on the object's outlines in the layers that its skins reach, so not
-/// on how a job is cut into ranges. Errors: Cancelled, polled once a section; REQUEST_MALFORMED for
-/// areas whose settings are in no table; those of FillSection.
+/// Returns the infill stage that runs in this process. It fills each section of each layer
+/// (section_fill.h); see README.md. Stateless. A section's result depends on its own walls and on
+/// the object's outlines in the layers that its skins reach, so that the division of a job into
+/// ranges does not matter. Errors: Cancelled, polled once per section; REQUEST_MALFORMED for areas
+/// with settings that are in no table; errors of FillSection.
 std::unique_ptr<InfillStage> MakeLocalInfill();
 
 }  // namespace slicefarm::infill

@@ -21,7 +21,7 @@ ObjectSection Section(int index, int count, MultiPolygon outlines) {
   return section;
 }
 
-/// A plate of 20 mm, and from layer `step` on only its left half.
+/// Returns a plate of 20 mm, with only its left half from layer `step` upwards.
 std::vector<SlicedLayer> Steps(int count, int step) {
   std::vector<SlicedLayer> layers(count);
   for (int i = 0; i < count; ++i) {
@@ -105,7 +105,7 @@ TEST(LocalInfill, SolidLinesTurnFromLayerToLayer) {
   EXPECT_EQ(line(1)[0].x, line(1)[1].x);
 }
 
-// A slab on two legs: lines reach from leg to leg and onto them, whatever the layer's angle.
+// A slab on two legs: lines reach from leg to leg and onto the legs, at any angle of the layer.
 TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
   std::vector<SlicedLayer> layers(8);
   for (int i = 0; i < 8; ++i) {
@@ -139,7 +139,8 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
   }
 }
 
-// A slab on two walls that are as thick as its own: what bears it lies under its walls alone.
+// A slab on two walls that are as thick as its own walls: only the area under its walls supports
+// it.
 TEST(LocalInfill, BridgesRunFromWallToWallOverThinOnes) {
   InfillOptions options;
   options.walls_nm = FromMm(1);
@@ -225,7 +226,7 @@ TEST(LocalInfill, FirstLayerHasItsOwnWidth) {
   EXPECT_NEAR((*filled)[1].sections[0].islands[0].fills[0].paths[0].widths_nm[0], 450'000, 20'000);
 }
 
-// Beads this narrow, for their height, would lie on top of each other.
+// Beads this narrow for their height would overlap each other.
 TEST(LocalInfill, RefusesLinesThatDoNotLieApart) {
   Coord InfillOptions::*const kOfFirst[] = {&InfillOptions::first_layer_width_nm};
   Coord InfillOptions::*const kOfOthers[] = {&InfillOptions::sparse_width_nm,
@@ -250,7 +251,8 @@ TEST(LocalInfill, StopsWhenCancelled) {
   EXPECT_EQ(polls, 3);
 }
 
-/// Fields that look at other layers, and those that do not, give the same however a job is cut.
+/// Fields with and without influence of other layers give the same result for any division of a
+/// job.
 TEST(LocalInfill, FieldsDoNotDependOnTheRange) {
   std::vector<SlicedLayer> layers = Steps(24, 12);
   for (SlicedLayer& layer : layers) layer.sections[0].z_nm = layer.frame.print_z_nm;

@@ -13,14 +13,14 @@
 #include "services/infill/algo/solid_raster_test.h"
 #include "services/infill/algo/sparse.h"
 
-/// Properties of all patterns on random regions: with holes, islands in holes, slivers, parts that
-/// touch. From the environment:
-///   SLICEFARM_FILL_REGIONS   how many regions for each pattern (40)
-///   SLICEFARM_FILL_SEED      the first one's (1); a failure again: its seed, and 1 region
+/// Tests of all patterns on random regions: with holes, islands in holes, slivers, parts that
+/// touch. Environment:
+///   SLICEFARM_FILL_REGIONS   number of regions for each pattern (40)
+///   SLICEFARM_FILL_SEED      seed of the first region (1); to repeat a failure: its seed, and 1 region
 namespace slicefarm::infill::random_regions_test {
 namespace {
 
-/// One or two islands, often cut by a thin slit or joined at a corner.
+/// Returns one or two islands, often cut by a thin slit or joined at a corner.
 MultiPolygon RandomRegion(std::mt19937& random) {
   MultiPolygon region =
       RandomIsland(random, {FromMm(Uniform(random, -40, 40)), 0}, Uniform(random, 0.4, 25));
@@ -35,7 +35,7 @@ MultiPolygon RandomRegion(std::mt19937& random) {
   return region;
 }
 
-/// For patterns that planning lays out.
+/// Returns random lines for patterns that planning lays out.
 std::vector<Polyline> RandomLines(std::mt19937& random) {
   std::vector<Polyline> lines;
   const auto coord = [&] { return FromMm(Uniform(random, -50, 50)); };

@@ -12,12 +12,13 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Cells along a side: 2^kHilbertOrder and 3^kPeanoOrder. Patterns of closer lines than
-/// kMaxCoord / this do not reach a job's edge; there is no such bead.
+/// Orders of the curves: 2^kHilbertOrder and 3^kPeanoOrder cells along a side. Patterns with lines
+/// closer than kMaxCoord divided by this number would not reach a job's edge, but no bead is so
+/// narrow.
 constexpr int kHilbertOrder = 20;
 constexpr int kPeanoOrder = 13;
 
-/// A cell, or a step between cells.
+/// Cell, or step between cells.
 struct Cell {
   int64_t i = 0;
   int64_t j = 0;
@@ -27,7 +28,7 @@ struct Cell {
   friend Cell operator-(Cell a) { return {-a.i, -a.j}; }
 };
 
-/// Follows a curve through the cells that come near a region, and leaves out squares that do not.
+/// Walk along a curve through the cells near a region. Squares far from the region are skipped.
 class CellWalker {
  public:
   CellWalker(const MultiPolygon& region, const PatternPlace& place)
@@ -38,8 +39,9 @@ class CellWalker {
                           ((box_.max_v - box_.min_v) / pitch_ + 3));
   }
 
-  /// `corner` is the first cell of a square of 2^order cells a side; the curve runs from there to
-  /// the end of the side that `along` points down; the square lies that way and along `across`.
+  /// Follows the Hilbert curve through a square of 2^order cells per side. `corner` is the square's
+  /// first cell. The square extends from it along `along` and `across`. The curve runs from
+  /// `corner` to the end of the side in the direction `along`.
   void Hilbert(int order, Cell corner, Cell along, Cell across) {
     const int64_t size = int64_t{1} << order;
     if (IsFar(corner, along, across, size)) return;
@@ -51,8 +53,8 @@ class CellWalker {
     Hilbert(order - 1, corner + (size - 1) * along + (half - 1) * across, -across, -along);
   }
 
-  /// The same for 3^order cells a side, and to the opposite corner: three columns of three squares,
-  /// up, down and up.
+  /// Follows the Peano curve through a square of 3^order cells per side, from `corner` to the
+  /// opposite corner: three columns of three squares, up, down and up.
   void Peano(int order, int64_t size, Cell corner, Cell along, Cell across) {
     if (IsFar(corner, along, across, size)) return;
     if (order == 0) return Visit(corner);
@@ -62,14 +64,15 @@ class CellWalker {
     for (int column = 0; column < 3; ++column) {
       for (int row = 0; row < 3; ++row) {
         Peano(order - 1, third, corner, along_now, across_now);
-        // It ended in the opposite corner of its square; the next one begins a cell further on.
+        // The curve ended in the opposite corner of its square. The next square begins one cell
+        // further.
         const Cell end = corner + (third - 1) * along_now + (third - 1) * across_now;
         if (row < 2) {
           corner = end + across_now;
           along_now = -along_now;
         } else {
           corner = end + along;
-          // Columns begin with the square's own way along, and turn back across.
+          // Columns begin with the square's own direction `along`, and reverse `across`.
           across_now = -across_now;
           along_now = along;
         }

@@ -4,13 +4,14 @@
 
 namespace slicefarm::infill {
 
-/// Space-filling curves through square cells of a pitch, in a square of a fixed number of cells
-/// around the origin that holds any job. Each cell has one pitch of line, so length per area is
-/// 1 / pitch. Cut by a region they fall into pieces, which links join.
+/// Space-filling curves through square cells with a side of one pitch. The square of cells is
+/// around the origin, has a fixed number of cells, and contains any job. Each cell has one pitch of
+/// line, so that the length per area is 1 / pitch. A region cuts the curves into pieces, which
+/// links join.
 
-/// Four squares of half the size at each step.
+/// Hilbert's curve: four squares of half the size at each step.
 MakePattern Hilbert;
-/// Nine squares of a third.
+/// Peano's curve: nine squares of a third of the size at each step.
 MakePattern Peano;
 
 }  // namespace slicefarm::infill

@@ -7,7 +7,7 @@
 namespace slicefarm::infill::cell_curves_test {
 namespace {
 
-// Each cell has a pitch of line, and all cells of a region are on few pieces.
+// Each cell has one pitch of line, and a few pieces contain all cells of a region.
 TEST(CellCurves, VisitEveryCellOnce) {
   const double pitch = 2e6;
   for (MakePattern* pattern : {Hilbert, Peano}) {
@@ -20,7 +20,8 @@ TEST(CellCurves, VisitEveryCellOnce) {
   }
 }
 
-// 16 x 16 cells beside the origin are a square of the curve's own: it goes through without a gap.
+// 16 x 16 cells beside the origin are one of the curve's own squares: the curve fills the square
+// without a gap.
 TEST(CellCurves, HilbertGoesThroughASquareOfItsOwnInOnePiece) {
   const auto square = MakePolygonsOrDie("(0 0, 32 0, 32 32, 0 32)");
   const auto pieces = Hilbert(square, {.pitch_nm = 2e6});

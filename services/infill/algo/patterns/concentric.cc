@@ -11,7 +11,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Half of how near the sides of a loop may lie to each other, in spacings.
+/// Half of the least distance between the sides of a loop, in spacings.
 constexpr double kNarrow = 0.35;
 
 }  // namespace
@@ -23,8 +23,8 @@ absl::StatusOr<std::vector<Piece>> Concentric(const MultiPolygon& region,
   const Box box = Bounds(region);
   const auto size = static_cast<double>(std::min(box.max.x - box.min.x, box.max.y - box.min.y));
   if (absl::Status ok = CheckLineCount(size / 2 / place.pitch_nm); !ok.ok()) return ok;
-  // A loop whose two sides would lie on each other is none; a void as wide as that may stay where
-  // lines are so far apart anyway.
+  // A loop with two sides that would overlap is omitted. Where lines are far apart in any case, an
+  // empty area of the same width may remain.
   const double spare = (place.pitch_nm - static_cast<double>(place.spacing_nm)) / 2;
   const Coord narrow =
       std::llround(std::clamp(spare, 0.0, kNarrow * static_cast<double>(place.spacing_nm)));

@@ -4,9 +4,10 @@
 
 namespace slicefarm::infill {
 
-/// Loops along the region's edge: the first half a pitch inside, then one a pitch. Law: each loop
-/// stands for a strip half a pitch to either side, so length per area is 1 / pitch but for corners
-/// and the middle, where strips meet. Not tied to the origin: loops follow the region.
+/// Loops along the region's edge: the first half a pitch inside, then one per pitch. Each loop
+/// represents a strip of half a pitch on either side, so that the length per area is 1 / pitch,
+/// except for corners and the middle, where strips meet. The loops follow the region and do not
+/// depend on the origin.
 MakePattern Concentric;
 
 }  // namespace slicefarm::infill

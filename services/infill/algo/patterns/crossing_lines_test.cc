@@ -9,14 +9,15 @@ namespace {
 
 TEST(CrossingLines, FamiliesShareTheDensity) {
   const PatternPlace place{.pitch_nm = 2e6};
-  // Whole periods of the grid; the others within a line at the corners.
+  // The grid has whole periods. The result of the other patterns is exact except for about a line
+  // at the corners.
   EXPECT_NEAR(LengthOf(*Grid(SampleBox(), place)) * 2e6 / Area(SampleBox()), 1, 1e-6);
   for (MakePattern* pattern : {Triangles, Stars, Cubic})
     EXPECT_NEAR(LengthOf(*pattern(SampleBox(), place)) * 2e6 / Area(SampleBox()), 1, 0.06);
 }
 
-// The planes of cubes: a line moves sideways by height / sqrt 2, and one pitch further lies where the
-// next one was.
+// In the planes of cubes a line shifts sideways by height / sqrt 2. After one pitch it is at the
+// position of the next line.
 TEST(CrossingLines, CubicDriftsWithTheHeight) {
   const double pitch = 2e6;
   const auto low = Cubic(SampleBox(), {.pitch_nm = pitch});

@@ -13,14 +13,15 @@ namespace {
 constexpr double kSqrt3 = std::numbers::sqrt3;
 constexpr int kBisections = 60;
 
-/// What a row adds to its flat parts is cut by `gap`: half of it on either side.
+/// Returns the length per area of rows with hexagon sides of `side`. The sloped parts of a row are
+/// shortened by `gap`, half of it on either side.
 double LengthPerArea(double side, double gap) {
   const double rise = kSqrt3 / 2 * side - gap;
   const double slope = std::sqrt(side * side / 4 + rise * rise);
   return (2 * side + 2 * slope) / (3 * side * kSqrt3 / 2 * side);
 }
 
-/// The side at which rows with flat parts `gap` apart have the density that is asked for.
+/// Returns the side at which rows with flat parts `gap` apart have the requested density.
 double SideFor(double pitch, double gap) {
   double low = pitch / 2, high = 2 * pitch;
   for (int i = 0; i < kBisections; ++i) {
@@ -30,8 +31,7 @@ double SideFor(double pitch, double gap) {
   return (low + high) / 2;
 }
 
-/// Where rows lie that come near a region. Row r has its middle at v = r * rise; odd rows begin
-/// half a period later.
+/// Rows near a region. Row r has its middle at v = r * rise. Odd rows begin half a period later.
 struct Rows {
   LineAxes frame;
   FrameBox box;
@@ -85,7 +85,8 @@ absl::StatusOr<std::vector<Piece>> HoneycombCells(const MultiPolygon& region,
   for (double row = rows.First(); row <= rows.Last(); ++row) {
     const double v = row * rows.Rise();
     for (double k = rows.FirstPeriod(); k <= rows.LastPeriod(); ++k) {
-      // Up, along the upper flat part, and down; the lower one is the next row's upper.
+      // The row rises, follows the upper flat part, and falls. The lower flat part is the upper one
+      // of the next row.
       const double u = rows.Start(row) + k * rows.Period();
       curves.push_back({{frame.At(u - s / 2, v - high), frame.At(u, v + high),
                          frame.At(u + s, v + high), frame.At(u + 1.5 * s, v - high)}});

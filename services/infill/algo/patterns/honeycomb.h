@@ -4,14 +4,14 @@
 
 namespace slicefarm::infill {
 
-/// Hexagons of continuous rows: a row steps up and down between flat parts, which it shares with
-/// the rows beside it; there two beads lie side by side, a spacing apart. The hexagon's side s
-/// follows from the law 2 s + 2 |slope| = 3 s * (sqrt 3 / 2) s / pitch a period; for beads without
-/// width that is s = 8 / (3 sqrt 3) pitch.
+/// Hexagons of continuous rows. A row steps up and down between flat parts, which it shares with
+/// the neighbour rows; there two beads are side by side, a spacing apart. The hexagon's side s
+/// follows from the length of a period: 2 s + 2 |slope| = 3 s * (sqrt 3 / 2) s / pitch. For beads
+/// without width this is s = 8 / (3 sqrt 3) pitch.
 MakePattern Honeycomb;
 
 /// Hexagons with each wall printed once: side 2 / sqrt 3 pitch. Three walls meet in each corner, so
-/// every corner is the end of a path.
+/// that every corner is the end of a path.
 MakePattern HoneycombCells;
 
 }  // namespace slicefarm::infill

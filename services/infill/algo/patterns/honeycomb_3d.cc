@@ -20,7 +20,7 @@ double RowsApart(double pitch, double spacing) {
   return apart;
 }
 
-/// How high the waves are at a height, and whether the rows are turned.
+/// Height of the waves in a layer, and true if the rows are turned.
 struct Waves {
   double height = 0;
   bool turned = false;

@@ -10,7 +10,7 @@
 namespace slicefarm::infill::honeycomb_test {
 namespace {
 
-// Beads without width: sides of 8 / (3 sqrt 3) and 2 / sqrt 3 pitches.
+// Beads without width give sides of 8 / (3 sqrt 3) and 2 / sqrt 3 pitches.
 TEST(Honeycomb, SidesFollowFromTheLaw) {
   const PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 0};
   const auto longest = [](const std::vector<Piece>& pieces) {

@@ -9,8 +9,8 @@ namespace {
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kThirdTurn = 2 * std::numbers::pi / 3;
 
-/// Three directions that sum to zero; `shift_nm`: how far each lies aside of the origin, to the
-/// left of its direction.
+/// Returns three directions that sum to zero. `shift_nm`: distance of each family from the origin,
+/// to the left of its direction.
 std::vector<LineFamily> ThreeWays(const PatternPlace& place, const std::array<double, 3>& shift_nm) {
   std::vector<LineFamily> families;
   for (size_t i = 0; i < 3; ++i)

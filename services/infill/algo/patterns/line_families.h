@@ -8,7 +8,8 @@
 
 namespace slicefarm::infill {
 
-/// The families of straight lines that a pattern is made of. None: it is made of others.
+/// Returns the families of straight lines that form a pattern, or nothing for a pattern of other
+/// lines.
 std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& place);
 
 }  // namespace slicefarm::infill

@@ -17,17 +17,18 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Smoothing brings lines no closer than this share of their pitch.
+/// Least distance between smoothed lines, as a share of their pitch.
 constexpr double kLeastPitchShare = 0.5;
 
-/// Where the lines of one layer lie, by their distance from the axis.
+/// Positions of the lines of one layer, as distances from the axis.
 struct AxisPhase {
   double first_nm = 0;
   bool on_axis = false;  ///< the axis itself is a line
 };
 
-/// A pair closer to the axis than `merged_nm` is one line, for twice that time. The phase goes by
-/// the nominal pitch, so that lines of layers whose own pitch differs a little lie over each other.
+/// Returns the phase of a layer. A pair of lines closer to the axis than `merged_nm` is one line,
+/// also for the same height after they have met. The phase uses the nominal pitch, so that lines of
+/// layers with slightly different pitches are above each other.
 AxisPhase PhaseAt(const PatternPlace& place, double pitch_nm) {
   const double turns = -static_cast<double>(place.z_nm) / place.pitch_nm;
   const double phase = (turns - std::floor(turns)) * pitch_nm;
@@ -65,7 +66,7 @@ std::vector<Polyline> JoinedAxis(const PolygonWithHoles& island, double least_nm
   return axis;
 }
 
-/// An island's lines before they are cut.
+/// Lines of an island before they are cut.
 class AxisLines {
  public:
   AxisLines(const PolygonWithHoles& island, const PatternPlace& place)
@@ -85,7 +86,8 @@ class AxisLines {
   }
 
  private:
-  /// Between places a pitch apart the distance is half a pitch more at most.
+  /// Samples an edge at points a pitch apart. Between two samples, the distance from the axis is at
+  /// most half a pitch larger.
   void LookAtEdge(Point a, Point b) {
     const auto steps = static_cast<int>(std::ceil(Distance(a, b) / place_.pitch_nm));
     for (int i = 0; i < steps; ++i) {
@@ -98,10 +100,11 @@ class AxisLines {
 
   const PatternPlace& place_;
   const std::vector<Polyline> axis_;
-  double most_nm_ = 0;  ///< how far the island's edge lies from the axis
+  double most_nm_ = 0;  ///< greatest distance of the island's edge from the axis
 };
 
-/// What is left of the lines inside an island. Smooth ones are shorter: they lie closer in return.
+/// Returns the parts of the lines inside an island. Smoothed lines are shorter, so that their pitch
+/// is reduced to keep the length.
 std::vector<Piece> PiecesInside(const PolygonWithHoles& island, const AxisLines& lines,
                                 const PatternPlace& place) {
   const auto smoothing = static_cast<double>(place.smoothing_nm);
@@ -116,7 +119,7 @@ std::vector<Piece> PiecesInside(const PolygonWithHoles& island, const AxisLines&
 
 absl::StatusOr<std::vector<Piece>> AroundAxis(const PolygonWithHoles& island,
                                               const PatternPlace& place) {
-  // Counted in stretches as long as the lines are apart: as the cells of a space-filling curve are.
+  // Lines are counted in parts as long as the pitch, like the cells of a space-filling curve.
   const double stretches = Area(island) / (place.pitch_nm * place.pitch_nm);
   if (absl::Status ok = CheckLineCount(stretches); !ok.ok()) return ok;
   return PiecesInside(island, AxisLines(island, place), place);

@@ -26,14 +26,14 @@ PatternPlace At(int phase) {
       .z_nm = std::llround(kPitch * phase / kPhases), .pitch_nm = kPitch, .spacing_nm = kSpacing};
 }
 
-/// Length of pieces within a part of their region.
+/// Returns the length of pieces within a part of their region.
 double LengthWithin(const MultiPolygon& part, const std::vector<Piece>& pieces) {
   std::vector<Curve> curves;
   for (const Piece& piece : pieces) curves.push_back({piece.points, piece.closed});
   return LengthOf(ClipCurves(part, curves));
 }
 
-/// Where lines cross a strip 10 mm wide, 50 mm from its end; in nm, sorted.
+/// Returns the sorted positions, in nm, where lines cross a strip 10 mm wide, 50 mm from its end.
 std::vector<double> PlacesAcross(const MultiPolygon& strip, const PatternPlace& place) {
   std::vector<Curve> curves;
   const auto pieces = MedialAxis(strip, place);
@@ -52,7 +52,7 @@ constexpr std::string_view kShapes[] = {
     "(0 0, 50 3, 47 31, 20 40, 22 20, -4 18)",
 };
 
-// The coarea formula: in any part of the region, on average over the phase.
+// The coarea formula holds in any part of the region, on average over the phase.
 TEST(MedialAxis, IsAsDenseAsAskedInEachPart) {
   for (const std::string_view text : kShapes) {
     const MultiPolygon region = MakePolygonsOrDie(text);
@@ -83,7 +83,7 @@ TEST(MedialAxis, LinesEndAtTheEdge) {
   EXPECT_GT(ends, 100);
 }
 
-// Lines begin at walls and move inwards with the height, by as much as the height.
+// Lines begin at walls, and move inwards by as much as the height increases.
 TEST(MedialAxis, LinesLeanByTheHeight) {
   const MultiPolygon strip = MakePolygonsOrDie("(0 0, 100 0, 100 10, 0 10)");
   const auto heights = [&](Coord z_nm) {
@@ -118,7 +118,7 @@ TEST(MedialAxis, LoopsAreLinked) {
   for (int i = 0; i < kPhases; ++i) {
     SparseFill fill{.pattern = FillPattern::kMedialAxis, .z_nm = At(i).z_nm};
     fill.anchor_max_nm = 50'000'000;
-    // Where the outermost line meets the outline's chords, bits of it lie along the edge.
+    // Where the outermost line meets the outline's chords, short parts of it are along the edge.
     EXPECT_LE(FillSparse({{disc, {}}}, fill)->size(), 4u) << i;
   }
 }

@@ -8,10 +8,10 @@
 
 namespace slicefarm::infill {
 
-/// What the tests of patterns fill: 48 x 48 mm around the origin.
+/// Returns the region of the pattern tests: 48 x 48 mm around the origin.
 inline MultiPolygon SampleBox() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
 
-/// In nm, of all pieces.
+/// Returns the length of all pieces, in nm.
 inline double LengthOf(const std::vector<Piece>& pieces) {
   double length = 0;
   for (const Piece& piece : pieces)

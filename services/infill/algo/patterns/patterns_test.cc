@@ -16,19 +16,19 @@
 #include "services/infill/algo/patterns/registry.h"
 #include "services/infill/algo/sparse.h"
 
-/// Properties of all patterns of the registry.
+/// Tests of properties that all patterns of the registry have.
 namespace slicefarm::infill::patterns_test {
 namespace {
 
 constexpr Coord kWidth = 450'000;
 constexpr Coord kHeight = 200'000;
 constexpr Coord kOverlap = 112'500;
-/// Of lines from the edge of their region.
+/// Distance of lines from the edge of their region.
 const auto kInset = static_cast<double>(Spacing(kWidth, kHeight) / 2 - kOverlap);
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-/// Length of a line within a box.
+/// Returns the length of a line within a box.
 double LengthIn(const Path& path, const Box& box) {
   double sum = 0;
   const size_t count = path.points.size();
@@ -52,7 +52,7 @@ double LengthIn(const Path& path, const Box& box) {
   return sum;
 }
 
-/// What a planner may hand to a layer: lines that cross, lines that end inside, forks.
+/// Returns an example of a plan for a layer: crossing lines, lines that end inside, forks.
 std::span<const Polyline> SamplePlan() {
   static const auto& lines = *new std::vector<Polyline>([] {
     std::vector<Polyline> made;
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(All, PatternsWithALaw, testing::ValuesIn(PatternsWithLa
 class Patterns : public testing::TestWithParam<FillPattern> {};
 INSTANTIATE_TEST_SUITE_P(All, Patterns, testing::ValuesIn(AllPatterns()), NameOf);
 
-/// All but those whose lines come from a plan.
+/// Returns all patterns except patterns with planned lines.
 std::vector<FillPattern> PatternsWithoutPlan() {
   std::vector<FillPattern> all = AllPatterns();
   std::erase_if(all, [](FillPattern pattern) { return InfoOf(pattern).planned; });
@@ -113,11 +113,12 @@ class PatternsLaidOutHere : public testing::TestWithParam<FillPattern> {};
 INSTANTIATE_TEST_SUITE_P(All, PatternsLaidOutHere, testing::ValuesIn(PatternsWithoutPlan()),
                          NameOf);
 
-// Within 1 % two widths inside, from 5 to 80 %: the mean over heights and places on the pattern.
+// From 5 to 80 %, the density two widths inside is correct within 1 %. It is the mean over heights
+// and positions on the pattern.
 TEST_P(PatternsWithALaw, DensityIsAsAsked) {
   const auto spacing = static_cast<double>(Spacing(kWidth, kHeight));
   for (const double density : {0.05, 0.1, 0.15, 0.2, 0.4, 0.6, 0.8}) {
-    // A whole number of the pattern's own period is not needed where so many are averaged.
+    // Because so many positions are averaged, the box need not contain a whole number of periods.
     constexpr int kPlaces = 48;
     SparseFill fill = Fill(GetParam(), density);
     double length = 0, area = 0;
@@ -129,13 +130,13 @@ TEST_P(PatternsWithALaw, DensityIsAsAsked) {
       MultiPolygon box = P("(-40 -40, 40 -40, 40 40, -40 40)");
       for (Point& p : box[0].outer) p = p + Point{aside(0.6180339887 * i), aside(0.7548776662 * i)};
       fill.layer = i;
-      // Of all heights, evenly: no simple part of a pattern's period.
+      // Heights are spread evenly, by a step that is no simple part of a pattern's period.
       const double step =
           GetParam() == FillPattern::kMedialAxis ? std::numbers::phi : std::numbers::sqrt2;
       fill.z_nm = std::llround(i * pitch / step);
       const auto paths = FillSparse(box, fill);
       ASSERT_TRUE(paths.ok()) << paths.status();
-      // Loops keep their distance from the edge: counted is a whole number of them.
+      // Loops keep their distance from the edge, so that a whole number of loops is counted.
       const double loops = std::ceil(2 * kWidth / pitch - 0.5) + 0.5;
       const double band =
           GetParam() == FillPattern::kConcentric ? loops * pitch + kInset : 2 * kWidth;
@@ -154,9 +155,9 @@ double EdgeOf(const MultiPolygon& region) {
   return length;
 }
 
-// Beads as wide as asked lie along a good part of the edge, and run into the walls as far as
-// infill_overlap says; those of patterns along the edge, along nearly all of it. Links and
-// anchors hardly lie on other beads.
+// Beads of the requested width touch a large part of the edge and overlap the walls by
+// infill_overlap. Patterns along the edge touch nearly all of it. Links and anchors hardly overlap
+// other beads.
 TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
   const MultiPolygon region = P("(0 0, 40 0, 46 21, 40 40, 20 34, 0 40) (9 9, 9 14, 16 13, 14 7)");
   const bool along_edge = InfoOf(GetParam()).solid == SolidWay::kAlongEdge;
@@ -176,7 +177,8 @@ TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
   }
 }
 
-// Where a line along the edge has no room for another beside it, there is that line yet.
+// If a line along the edge has no space for another line beside it, the first line is still
+// printed.
 TEST_P(PatternsLaidOutHere, NarrowPlacesAreNotLeftEmpty) {
   if (InfoOf(GetParam()).solid != SolidWay::kAlongEdge) return;
   const MultiPolygon narrow = P("(0 0, 20 0, 20 0.6, 0 0.6) ; (0 3, 20 3, 20 5, 0 5)");
@@ -212,7 +214,7 @@ TEST_P(Patterns, AreTheSameEachTime) {
   EXPECT_EQ(*FillSparse(region, Fill(GetParam(), 0.2)), *FillSparse(region, Fill(GetParam(), 0.2)));
 }
 
-// A pattern at an angle is the pattern, turned: so is its length.
+// A pattern at an angle is the rotated pattern, so that its length is the same.
 TEST_P(PatternsLaidOutHere, TurnWithTheAngle) {
   const MultiPolygon box = P("(-20 -15, 20 -15, 20 15, -20 15)");
   const MultiPolygon turned = P("(15 -20, 15 20, -15 20, -15 -20)");
@@ -234,7 +236,7 @@ TEST_P(PatternsLaidOutHere, TooManyLinesAreRefused) {
   fill.width_nm = 50'000;
   fill.height_nm = 10'000;
   const auto paths = FillSparse(huge, fill);
-  // Straight lines and loops across two metres are fewer than the limit.
+  // The number of straight lines and loops across two metres is below the limit.
   const FillPattern few[] = {FillPattern::kRectilinear,   FillPattern::kAlignedRectilinear,
                              FillPattern::kLine,          FillPattern::kZigzag,
                              FillPattern::kGrid,          FillPattern::kTriangles,

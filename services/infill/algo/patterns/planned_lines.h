@@ -4,7 +4,7 @@
 
 namespace slicefarm::infill {
 
-/// What lies inside the region of the lines that planning has laid out for the layer (adaptive and
+/// Parts inside the region of the lines that planning has laid out for the layer (adaptive and
 /// support cubic, lightning: services/planning/algo/infill). They have no other pitch or angle.
 MakePattern PlannedLines;
 

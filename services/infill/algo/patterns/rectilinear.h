@@ -4,8 +4,8 @@
 
 namespace slicefarm::infill {
 
-/// Parallel lines a pitch apart. They turn by a right angle from layer to layer; aligned ones do
-/// not. Law: length per area 1 / pitch, exactly.
+/// Parallel lines, a pitch apart. Rectilinear lines turn by a right angle from layer to layer;
+/// aligned ones do not. The length per area is exactly 1 / pitch.
 MakePattern Rectilinear;
 MakePattern AlignedRectilinear;
 

@@ -5,8 +5,8 @@
 
 namespace slicefarm::infill {
 
-/// How a pattern is made: the one place that knows, for sparse fill, solid fill, the gallery,
-/// benchmarks and the tests of all patterns. Each is one file of this folder.
+/// Returns the function of a pattern. This is the only lookup, for sparse fill, solid fill, the
+/// gallery, benchmarks and the tests of all patterns. Each pattern is one file of this folder.
 MakePattern* PatternOf(FillPattern pattern);
 
 }  // namespace slicefarm::infill

@@ -18,7 +18,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kChordToleranceNm = 50'000;
 constexpr int kCorners = 16;
 
-/// Distance from the origin to the nearest and farthest place of a region's box.
+/// Distances from the origin to the nearest and the farthest point of a region's box.
 struct Radii {
   double least = 0;
   double most = 0;
@@ -32,15 +32,16 @@ Radii RadiiOf(const MultiPolygon& region, const LineAxes& frame) {
   return {std::sqrt(near_u * near_u + near_v * near_v), std::sqrt(far_u * far_u + far_v * far_v)};
 }
 
-/// Corners lie a third of a chord's rise outside, so that the length stays: the rise may be half as
-/// much again as the tolerance.
+/// Returns the number of chords per turn. Corners are a third of a chord's rise outside of the
+/// curve, so that the length is the same. The rise may therefore be 1.5 times the tolerance.
 double ChordsAt(double radius_nm) {
   const double rise = std::min(1.5 * kChordToleranceNm, radius_nm / 8);
   return std::ceil(std::numbers::pi / Acos(1 - rise / radius_nm));
 }
 
-/// Nothing of a spiral that is wholly within `least` of the origin is needed. The angle at which it
-/// begins is a whole number of turns, so that its points are the same for all regions.
+/// Returns the turn at which a spiral begins, so that the part within `least` of the origin is
+/// skipped. It is a whole number of turns, so that the spiral's points are the same for all
+/// regions.
 double FirstTurn(double least_nm, double nm_per_turn) {
   return std::max(0.0, std::floor(least_nm / nm_per_turn) - 1);
 }
@@ -73,7 +74,8 @@ absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
 absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region, const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
   const LineAxes frame(place.angle_rad);
-  // Of the star whose outer corners lie at 1: how far the inner corners and the edges lie.
+  // The star has its outer corners at radius 1. These are the distances of its edges and of its
+  // inner corners from the middle.
   const double edge = std::numbers::sqrt2 / 2;
   const double inner = edge / Cos(kTurn / kCorners);
   std::array<Vector2, kCorners> star;

@@ -4,13 +4,13 @@
 
 namespace slicefarm::infill {
 
-/// Spirals around the object's origin whose turns lie a pitch apart.
+/// Spirals around the object's origin with turns a pitch apart.
 
-/// r = pitch * turns, by chords.
+/// Spiral r = pitch * turns, in chords.
 MakePattern Archimedean;
 
-/// The outline of two squares turned against each other by 45 degrees, growing as it goes round.
-/// All sixteen edges of such a star lie equally far from its middle, so that turns are a pitch
+/// Outline of two squares, turned by 45 degrees against each other, that grows with each turn. All
+/// sixteen edges of such a star have the same distance from its middle, so that turns are a pitch
 /// apart everywhere.
 MakePattern Octagram;
 

@@ -10,12 +10,13 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Largest distance of a straight segment from the section's points, and for close surfaces in
-/// periods; with the points' own distance a segment lies within 50 um of the surface.
+/// Largest distance of a straight segment from the section's points, and for small periods this
+/// distance in periods. Together with the points' own error, a segment is within 50 um of the
+/// surface.
 constexpr double kSurfaceToleranceNm = 40'000;
 constexpr double kTolerancePeriods = 0.01;
-/// Squares of the grid on which sections are found; it is fine enough that what lies between two of
-/// its lines hardly bends.
+/// Size and number of squares of the grid on which sections are found. The grid is so fine that the
+/// surface is almost straight between two of its lines.
 constexpr double kSampleNm = 250'000;
 constexpr int kLeastSquares = 32;
 constexpr int kMostSquares = 96;
@@ -30,7 +31,8 @@ struct Turn {
   double CosOfTwice() const { return cosine * cosine - sine * sine; }
 };
 
-/// `value(x, y, z)` of Turns; `pitches`: the period.
+/// Returns the section of a surface at the layer's height. `value(x, y, z)`: function of three
+/// Turns; `pitches`: the period in pitches.
 template <typename Value>
 absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const PatternPlace& place,
                                            double pitches, Value value) {

@@ -4,10 +4,11 @@
 
 namespace slicefarm::infill {
 
-/// Sections of periodic minimal surfaces, given as f(x, y, z) = 0 with period 2 pi. The law holds
-/// over a period in z: the period, in pitches, is the mean length of the section per area of a
-/// period by the coarea formula (integrated numerically; patterns_test checks the density). Single layers
-/// deviate: the gyroid -5.9 to +12.8 %, Schwarz' D -7 to +16 %, Fischer and Koch's S -11 to +13 %.
+/// Sections of periodic minimal surfaces f(x, y, z) = 0 with period 2 pi. The density is correct
+/// over a period in z. The period, in pitches, is the mean length of the section per area of a
+/// period by the coarea formula (integrated numerically; patterns_test checks the density). Single
+/// layers deviate: the gyroid -5.9 to +12.8 %, Schwarz' D -7 to +16 %, Fischer and Koch's S -11 to
+/// +13 %.
 
 /// sin x cos y + sin y cos z + sin z cos x
 MakePattern Gyroid;

@@ -12,7 +12,7 @@ namespace {
 
 struct Surface {
   MakePattern* make;
-  double period;  ///< in pitches
+  double period;  ///< period in pitches
   double (*value)(double x, double y, double z);
 };
 
@@ -27,7 +27,8 @@ double FischerKochSAt(double x, double y, double z) {
          std::cos(2 * z) * std::sin(x) * std::cos(y);
 }
 
-/// How far the line where `value` is zero lies from (x, y): by Newton's steps across the line.
+/// Returns the distance from (x, y) to the zero line of `value`, by Newton's method across the
+/// line.
 double WayToZero(double (*value)(double, double, double), double x, double y, double z) {
   constexpr double kStep = 1e-6;
   const double x0 = x, y0 = y;
@@ -41,7 +42,7 @@ double WayToZero(double (*value)(double, double, double), double x, double y, do
   return std::hypot(x - x0, y - y0);
 }
 
-// The middles of segments, where the surface is steep enough to say.
+// The middles of segments are tested, where the surface is steep enough for a clear result.
 TEST(Surfaces, LinesLieOnTheirSurface) {
   constexpr double kPitch = 2e6, kStep = 1e-6;
   for (const auto& [make, pitches, value] : {Surface{Gyroid, 2.4561, GyroidAt},

@@ -12,9 +12,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Cells along a tile's side: 70 mm at 20 %.
+/// Number of cells along a tile's side: 70 mm at 20 %.
 constexpr int kTileCells = 16;
-/// Cells are as even as makes no difference to the eye, and not yet a honeycomb.
+/// Number of Lloyd rounds. More rounds would make no visible difference, and the cells are not yet
+/// a honeycomb.
 constexpr int kLloydRounds = 40;
 constexpr int kMostSizeSteps = 60;
 
@@ -35,7 +36,7 @@ double LengthOf(const std::vector<Strand>& strands) {
   return length;
 }
 
-/// The strands of a tile whose lines are 1 / pitch of its area.
+/// Strands of a tile, with a total length of the tile's area / pitch.
 struct SizedTile {
   double size_nm = 0;
   std::vector<Strand> strands;
@@ -46,14 +47,14 @@ SizedTile TileFor(double pitch_nm, double gap_nm) {
   for (int i = 0; i < kMostSizeSteps; ++i) {
     sized.strands = tile.Strands(gap_nm / sized.size_nm);
     const double before = sized.size_nm;
-    // A mean with what was is where it ends up too, and cannot swing.
+    // The mean with the previous size converges to the same size, and cannot oscillate.
     sized.size_nm = (before + LengthOf(sized.strands) * pitch_nm) / 2;
     if (std::abs(sized.size_nm - before) < 1) break;
   }
   return sized;
 }
 
-/// The copies of a tile that come near a region, and the curves of their strands there.
+/// Copies of a tile near a region, and the curves of their strands there.
 class NearStrands {
  public:
   NearStrands(const SizedTile& tile, const LineAxes& frame, const FrameBox& box)
@@ -88,7 +89,7 @@ class NearStrands {
   }
 
  private:
-  /// A strand of a copy, entered at one of its ends.
+  /// Strand of a copy, entered at one of its ends.
   struct At {
     int32_t strand = 0;
     int32_t end = 0;
@@ -128,8 +129,8 @@ class NearStrands {
     return {next.strand, next.end, at.column + next.step_u, at.row + next.step_v};
   }
 
-  /// Follows a curve from where it comes near the region; one that never leaves it (`loops`), from
-  /// anywhere.
+  /// Follows a curve from the point where it enters the surroundings of the region. A curve that
+  /// never leaves them (`loops`) may start at any strand.
   void Begin(At at, bool loops, std::vector<Curve>& curves) {
     if (!IsNear(at)) return;
     const At before = NextOf({at.strand, at.end ^ 1, at.column, at.row});
@@ -149,7 +150,7 @@ class NearStrands {
       curve.points.pop_back();
   }
 
-  /// The strand's point `i`, counted from the end at which it was entered.
+  /// Appends the strand's point `i`, counted from the end at which the strand was entered.
   void Append(const At& at, size_t i, Polyline& points) const {
     const Vector2 p = tile_.strands[static_cast<size_t>(at.strand)].points[at.end == 0 ? i : 3 - i];
     const Point q = frame_.At((p.x() + first_u_ + at.column) * tile_.size_nm,
@@ -159,9 +160,10 @@ class NearStrands {
 
   const SizedTile& tile_;
   const LineAxes& frame_;
-  const FrameBox box_;  ///< in tiles
+  const FrameBox box_;  ///< box of the region, in tiles
   const int32_t first_u_, first_v_, columns_, rows_;
-  std::vector<char> near_;  ///< by strand of each copy, and not yet in a curve
+  /// 1 for strands near the region and not yet in a curve, by copy and strand.
+  std::vector<char> near_;
 };
 
 }  // namespace

@@ -4,11 +4,12 @@
 
 namespace slicefarm::infill {
 
-/// The edges of irregular cells of like size: Voronoi cells of places that Lloyd's method has
-/// spread over a tile (RelaxedCells), which is repeated over the plane. The same in all layers:
-/// walls are upright. Lines go along all edges without a stop, and along a third of them, the
-/// shortest that will do, twice, side by side (StrandTile). Law: the tile is as large as makes the
-/// length of all its lines, doubled ones counted twice, one pitch per area.
+/// Edges of irregular cells of similar size: Voronoi cells of places that Lloyd's method has spread
+/// over a tile (RelaxedCells). The tile repeats over the plane and is the same in all layers, so
+/// that walls are vertical. Lines follow all edges without a stop. A third of the edges, the
+/// shortest suitable ones, have two lines side by side (StrandTile). Density: the tile's size is
+/// chosen so that the length of all its lines, with doubled ones counted twice, is its area /
+/// pitch.
 MakePattern Voronoi;
 
 }  // namespace slicefarm::infill

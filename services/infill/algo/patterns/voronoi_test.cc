@@ -9,7 +9,7 @@ namespace {
 
 constexpr PatternPlace kPlace{.pitch_nm = 2e6, .angle_rad = 0.3, .spacing_nm = 400'000};
 
-// Where whole tiles lie: 0.2 %.
+// The error is 0.2 % for whole tiles.
 TEST(Voronoi, IsAsDenseAsAsked) {
   const MultiPolygon plate = MakePolygonsOrDie("(-250 -250, 250 -250, 250 250, -250 250)");
   for (const double pitch_nm : {1.5e6, 2e6, 4e6, 8e6}) {
@@ -31,7 +31,7 @@ TEST(Voronoi, IsTheSameInAllLayers) {
   for (size_t i = 0; i < low->size(); ++i) EXPECT_EQ((*low)[i].points, (*high)[i].points);
 }
 
-// Islands lie in one pattern: two halves have what the whole has.
+// Islands are in the same pattern: two halves have the total length of the whole.
 TEST(Voronoi, IslandsAgree) {
   const MultiPolygon left = MakePolygonsOrDie("(-24 -24, 3 -24, 3 24, -24 24)");
   const MultiPolygon right = MakePolygonsOrDie("(3 -24, 24 -24, 24 24, 3 24)");
@@ -39,7 +39,7 @@ TEST(Voronoi, IslandsAgree) {
               LengthOf(*Voronoi(SampleBox(), kPlace)), 1'000);
 }
 
-// Edges are walked without a stop: all pieces end at the edge.
+// Lines follow the edges without a stop: all pieces end at the region's edge.
 TEST(Voronoi, NoLineEndsInside) {
   const auto pieces = Voronoi(SampleBox(), kPlace);
   for (const Piece& piece : *pieces) {

@@ -9,7 +9,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// `fill`: of one island.
+/// Returns the lines of all islands. `fill`: fills one island.
 template <typename Fill>
 absl::StatusOr<std::vector<Piece>> OfIslands(const MultiPolygon& region, const Fill& fill) {
   std::vector<Piece> pieces;

@@ -4,10 +4,10 @@
 
 namespace slicefarm::infill {
 
-/// One path through each connected part of a region, the first line along its edge
-/// (space_filling/). The path comes back to where it starts, so a place is crossed by an even
-/// number of lines: length per area is 1 / pitch but for that, and exact only where many lines lie
-/// side by side. Not tied to the origin's angle or layer.
+/// One path through each connected part of a region, with the first line along its edge
+/// (space_filling/). The path returns to its start, so that an even number of lines crosses each
+/// section. The length per area is therefore only approximately 1 / pitch; it is exact where many
+/// lines are side by side. The path does not depend on the origin's angle or on the layer.
 
 /// Connected Fermat spirals.
 MakePattern Fermat;

@@ -21,7 +21,7 @@ TEST(WholePaths, AreOneForEachIsland) {
   }
 }
 
-// The more lines, the less an odd one counts.
+// The more lines there are, the less an odd number of lines matters.
 TEST(WholePaths, ComeNearTheDensityWhereLinesAreMany) {
   for (MakePattern* pattern : {Fermat, HilbertQuadtree, PeanoQuadtree}) {
     for (const auto& [pitch, off] : {std::pair{4e6, 0.09}, {1e6, 0.03}, {0.5e6, 0.015}}) {

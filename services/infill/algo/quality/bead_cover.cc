@@ -13,10 +13,11 @@
 namespace slicefarm::infill {
 namespace {
 
-/// No usual fill angle, nor one that makes rows and lines meet at a ratio of small numbers.
+/// Angle of the rows, in radians. It is no usual fill angle, and gives no ratio of small numbers
+/// between rows and lines.
 constexpr double kRowsAngle = 0.2237;
 
-/// What a row meets of something convex.
+/// Part of a row within a convex shape.
 struct CoveredStretch {
   double from = std::numeric_limits<double>::infinity();
   double to = -std::numeric_limits<double>::infinity();
@@ -28,7 +29,7 @@ struct CoveredStretch {
   }
 };
 
-/// A bead from a to b, half as wide as `ra` there and `rb`.
+/// Bead from a to b, with half widths `ra` and `rb` there.
 struct Bead {
   Vector2 a = Vector2::Zero(), b = Vector2::Zero();
   double ra = 0, rb = 0;
@@ -46,7 +47,8 @@ void AddEdge(Vector2 a, Vector2 b, double v, CoveredStretch& stretch) {
   stretch.Add(a.x() + (b.x() - a.x()) * ((v - a.y()) / (b.y() - a.y())));
 }
 
-/// A disc at either end, and the sides between: all that a row meets hangs together.
+/// Returns the part of a row within a bead: a disc at either end, and the sides between them. This
+/// part is connected.
 CoveredStretch Across(const Bead& bead, double v) {
   CoveredStretch stretch;
   AddDisc(bead.a, bead.ra, v, stretch);
@@ -63,7 +65,7 @@ CoveredStretch Across(const Bead& bead, double v) {
   return stretch;
 }
 
-/// CoverRows over a region, and what each of them meets.
+/// Rows over a region, with the edges and beads on each of them.
 class CoverRows {
  public:
   CoverRows(const MultiPolygon& region, double pitch) : frame_(kRowsAngle) {
@@ -138,8 +140,8 @@ class CoverRows {
 
   LineAxes frame_;
   double first_ = 0, pitch_ = 1;
-  std::vector<std::vector<double>> edges_;          ///< of the region, by row
-  std::vector<std::vector<CoveredStretch>> beads_;  ///< by row
+  std::vector<std::vector<double>> edges_;          ///< crossings with the region's edges, per row
+  std::vector<std::vector<CoveredStretch>> beads_;  ///< parts under beads, per row
 };
 
 }  // namespace

@@ -7,17 +7,19 @@
 
 namespace slicefarm::infill {
 
-/// Share of a region that lies under beads: each as wide as what it fills of a layer `height_nm`
-/// high, place by place, with round ends and turns. What lies twice counts once.
+/// Returns the share of a region that is under beads. Each bead has its local width in a layer of
+/// height `height_nm`, with round ends and turns. An area under two beads counts once.
 ///
-/// Measured along rows across the region, on which where beads and the region begin and end is
-/// exact. Rows lie 1/kRowsPerBead of `spacing_nm` apart, or kMostRows over all of the region,
-/// aslant to lines that run along axes, so that no row falls along a bead's edge. Precision: 0.001
-/// of regions some beads wide. Cost: O(length of beads * rows + k log k), k places where rows meet
-/// edges.
+/// The share is measured along rows across the region, on which the starts and ends of beads and of
+/// the region are exact. Rows are 1/kRowsPerBead of `spacing_nm` apart, or there are kMostRows over
+/// the whole region. They are oblique to lines along the axes, so that no row follows a bead's
+/// edge. Precision: 0.001 for regions some beads wide. Cost: O(length of beads * rows + k log k), k
+/// crossings of rows and edges.
 double CoveredShare(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm,
                     Coord spacing_nm);
+/// Number of rows per spacing.
 inline constexpr int kRowsPerBead = 16;
+/// Largest number of rows over a region.
 inline constexpr int kMostRows = 20'000;
 
 }  // namespace slicefarm::infill

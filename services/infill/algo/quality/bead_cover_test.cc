@@ -16,7 +16,7 @@
 namespace slicefarm::infill::bead_cover_test {
 namespace {
 
-constexpr Coord kFlat = 1;  ///< beads so low have square sides
+constexpr Coord kFlat = 1;  ///< height at which beads have straight sides
 
 Path LineOf(std::initializer_list<Point> mm) {
   Path path;
@@ -25,14 +25,15 @@ Path LineOf(std::initializer_list<Point> mm) {
   return path;
 }
 
-/// Share of the region's pixels of `px` that lie on a bead, by a place in each. Shares nothing with
-/// what it judges: along each edge, the distance to the nearest place, against half of the width
-/// there.
+/// Returns the share of the region's pixels of `px` that are on a bead, tested at one point per
+/// pixel. It shares no code with the tested function: it compares the distance to the nearest point
+/// of each edge with half of the width there.
 double RasterCovered(const MultiPolygon& region, std::span<const Path> paths, Coord px) {
   const Box box = Bounds(region);
   const Coord columns = (box.max.x - box.min.x) / px, rows = (box.max.y - box.min.y) / px;
   std::vector<char> beads(static_cast<size_t>(columns * rows));
-  // Not in rows and columns, which lines along them would meet all at once.
+  // The points are not in rows and columns, because a line along them would meet all points of a
+  // row.
   const auto middle = [&](Coord x, Coord y) {
     return Point{box.min.x + x * px + y * 1'618 % px, box.min.y + y * px + x * 2'718 % px};
   };
@@ -87,14 +88,15 @@ TEST(CoveredShare, IsAsWideAsBeadsAreAtEachPlace) {
                                          std::vector{steps, widens, ring}})
     EXPECT_NEAR(CoveredShare(region, paths, kFlat, kNmPerMm), RasterCovered(region, paths, 20'000),
                 1e-3);
-  // Two stretches, half a disc at either end, and the ring of the wider one's beside the narrower.
+  // Two straight parts, half a disc at either end, and the part of the wider end's disc beside the
+  // narrower part.
   const double discs = std::numbers::pi * (0.25 + 0.0625) / 2;
   const double beside = std::numbers::pi / 8 - 0.25 * std::sqrt(3.0) / 4 - std::numbers::pi / 24;
   EXPECT_NEAR(CoveredShare(region, std::vector{steps}, kFlat, kNmPerMm) * 200,
               7 + 3.5 + discs + beside, 0.01);
 }
 
-// Every pattern, thin and dense, in a region with a hole and a narrow place.
+// The test covers every pattern, sparse and dense, in a region with a hole and a narrow part.
 TEST(CoveredShare, IsWhatARasterFinds) {
   const MultiPolygon region =
       MakePolygonsOrDie("(0 0, 24 0, 24 9, 20 10, 24 11, 24 20, 0 20) (5 6, 5 14, 11 14, 11 6)");

@@ -8,19 +8,20 @@
 
 namespace slicefarm::infill {
 
-/// The plastic of a bead as high as `height_nm`, mm3.
+/// Returns the plastic of a bead of height `height_nm`, in mm3.
 double PlasticMm3(const Path& path, Coord height_nm);
 
-/// What is to be filled with paths of one kind.
+/// Request for a fill with paths of one kind.
 struct AskedFill {
   Feature feature = Feature::kInternalInfill;
-  std::optional<FillPattern> pattern;  ///< none: lines that follow no pattern
+  std::optional<FillPattern> pattern;  ///< none: lines without a pattern
   double area_nm2 = 0;
-  Coord height_nm = 0;  ///< of the room that the paths' plastic is for: of one layer, or of several
-  double share = 1;     ///< of that room, how much plastic is to be
+  /// Height of the space that the plastic is for: one layer, or several layers.
+  Coord height_nm = 0;
+  double share = 1;     ///< requested plastic as a share of this space
 };
 
-/// What `paths`, as high as `layer_height_nm`, come to. Cost: O(points).
+/// Returns the plastic, length and number of `paths` of height `layer_height_nm`. Cost: O(points).
 FillUse UseOf(const AskedFill& asked, std::span<const Path> paths, Coord layer_height_nm);
 
 }  // namespace slicefarm::infill

@@ -24,7 +24,7 @@ TEST(PlasticMm3, OfOneWidthIsLengthTimesSection) {
               12 * SectionMm2(450'000, kHeight), 1e-12);
 }
 
-// Between two widths it is that of their mean, as the section grows evenly.
+// Between two widths, the plastic is that of the mean width, because the section grows evenly.
 TEST(PlasticMm3, OfSeveralWidthsGoesEdgeByEdge) {
   EXPECT_NEAR(PlasticMm3(LineOf({{0, 0}, {2, 0}, {2, 0}, {5, 0}}, {400, 600, 300, 300}), kHeight),
               2 * SectionMm2(500'000, kHeight) + 3 * SectionMm2(300'000, kHeight), 1e-12);
@@ -53,7 +53,7 @@ TEST(UseOf, SumsPathsAndKeepsTheLongest) {
   EXPECT_NEAR(use.longest_mm, 30, 1e-9);
 }
 
-// What is too narrow for any path was asked for none the less.
+// An area that is too narrow for any path still counts as requested.
 TEST(UseOf, NoPathsAreAUseToo) {
   const FillUse use = UseOf({.pattern = {}, .area_nm2 = 1e12, .height_nm = kHeight}, {}, kHeight);
   EXPECT_EQ(use.paths, 0);

@@ -59,7 +59,7 @@ double Isotropy(std::span<const Path> paths) {
   return mean <= 0 ? 0 : std::max(0.0, mean - apart) / (mean + apart);
 }
 
-/// Places along a path, `step_nm` apart.
+/// Returns points along a path, `step_nm` apart.
 std::vector<Point> PlacesAlong(const Path& path, double step_nm) {
   std::vector<Point> places;
   double next = 0, passed = 0;

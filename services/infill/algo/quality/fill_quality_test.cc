@@ -11,7 +11,7 @@
 namespace slicefarm::infill::fill_quality_test {
 namespace {
 
-constexpr Coord kFlat = 1;  ///< beads so low have square sides
+constexpr Coord kFlat = 1;  ///< height at which beads have straight sides
 
 Path LineOf(std::initializer_list<Point> mm) {
   Path path;
@@ -49,7 +49,8 @@ TEST(FillQuality, OfNothingIsNothing) {
   EXPECT_EQ(none.locality, 0);
 }
 
-// The notes' numbers: steps of Hilbert's curve are even, Peano's three to one.
+// Known values: the steps of Hilbert's curve are evenly distributed over directions, Peano's three
+// to one.
 TEST(FillQuality, TellsCurvesApart) {
   std::vector<CurveCell> hilbert, peano;
   for (int i = 0; i < 1024; ++i) hilbert.push_back(HilbertCell(5, i));
