@@ -35,10 +35,12 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
+/// Distance between the edges of the round threads of thick bridges, in nm. Threads sag, and would
+/// otherwise touch.
 constexpr double kThreadGapNm = 50'000;
 
-/// Lines closer than nothing to each other would be infinitely many.
+/// Checks that the lines of all widths have a positive spacing. Otherwise their number would be
+/// infinite.
 absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
   if (view.on_bed) {
     return CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
@@ -68,7 +70,7 @@ absl::Status CheckFlows(const InfillOptions& options) {
                    {{"setting", kSetting}});
 }
 
-/// What is decided of a region's sparse infill; null: nothing.
+/// Returns the plan of a region's sparse infill, or null if there is none.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
   const auto place = [](const PlannedInfill& plan) { return std::pair(plan.stack, plan.settings); };
   const auto found = std::ranges::lower_bound(plans, std::pair(stack, row), {}, place);
@@ -81,30 +83,32 @@ const MultiPolygon& CarriedOf(int32_t stack, const LayerPlan& plan) {
   return found == nullptr ? kNothing : found->carried;
 }
 
-/// Gives beads that are `from_nm` high `share` of their plastic, in a layer that is `to_nm` high.
+/// Gives beads of height `from_nm` the share `share` of their plastic, in a layer of height
+/// `to_nm`.
 void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& paths) {
   if (share == 1 && from_nm == to_nm) return;
   for (Path& path : paths)
     for (Coord& width : path.widths_nm) width = WidthFor(share, width, from_nm, to_nm);
 }
 
-/// What short lines of solid infill get of their plastic; empty: all lines get all of it.
-/// REQUIRES: CheckFlows.
+/// Returns the table of the plastic of short lines of solid infill. If it is empty, all lines have
+/// all their plastic. REQUIRES: CheckFlows.
 FlowTable FlowsOf(const InfillOptions& options) {
   if (!options.small_area_flow) return {};
   return *FlowTableOf(options);
 }
 
-/// What areas are filled with, and what it comes to.
+/// Groups of paths that fill areas, and the reports of their plastic.
 struct Fills {
   std::vector<FillGroup> groups;
   std::vector<FillUse> uses;
 };
 
-/// Fills the areas of one region's settings in a section.
+/// Fill of the areas of one region's settings in a section.
 class RegionFill {
  public:
-  /// Of the row `settings`. `view`, `options` and `plan` must outlive this. `plan` may be null.
+  /// Prepares the fill for the row `settings`. `view`, `options` and `plan` must outlive this
+  /// object. `plan` may be null.
   RegionFill(const SectionView& view, int32_t settings, const InfillOptions& options,
              const PlannedInfill* plan)
       : view_(view),
@@ -116,8 +120,8 @@ class RegionFill {
         angles_(AnglesOf(options, view.layer)),
         flows_(FlowsOf(options)) {}
 
-  /// `bare`: no wall holds the area. `field`: what the region's fields say about the layer; null:
-  /// there are none.
+  /// Fills an area. `bare`: the area has no walls. `field`: the fields of the layer; null if there
+  /// are none.
   absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field,
                     Fills& fills) const {
     static const MultiPolygon kNone;
@@ -161,7 +165,7 @@ class RegionFill {
     return view_.on_bed ? options_.first_layer_width_nm : width_nm;
   }
 
-  /// The density of the whole layer; of one that is not the same everywhere, 0.
+  /// Returns the density of the whole layer, or 0 if the density varies within the layer.
   double PlainDensity(const LayerField* field) const {
     if (field == nullptr || field->density == nullptr) return options_.density;
     return field->density->UniformAt(field->z_mm).value_or(0);
@@ -174,8 +178,8 @@ class RegionFill {
            view_.layer % options_.solid_every_layers == 0;
   }
 
-  /// Solid lines turn by a right angle from layer to layer, but for patterns that do not and
-  /// for templates, which say what turns.
+  /// Returns the angle of solid lines. It turns by a right angle from layer to layer, except for
+  /// patterns that do not turn and for templates, which contain all turns.
   double SolidAngle(FillPattern pattern) const {
     const bool turns = !angles_.solid_planned && !IsAligned(pattern) && view_.layer % 2 != 0;
     return angles_.solid_rad + (turns ? std::numbers::pi / 2 : 0);
@@ -200,8 +204,9 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// With the walls around `ironed`: as far as they lie open like it, or all of them where the
-  /// whole layer is solid. Half a nozzle from the part's edge, so that nothing is pushed over it.
+  /// Adds the walls around `ironed`: the parts that are also open, or all walls if the whole layer
+  /// is solid. The result ends half a nozzle from the part's edge, so that no plastic is pushed
+  /// over the edge.
   MultiPolygon WithWallsIroned(MultiPolygon ironed, bool all) const {
     const MultiPolygon* whole = view_.OutlineAt(view_.layer);
     const MultiPolygon* own = view_.OutlineAt(view_.layer, settings_);
@@ -215,7 +220,8 @@ class RegionFill {
     return Intersection(ironed, FastOffset(*whole, -options_.nozzle_nm / 2));
   }
 
-  /// What lies open after this layer: the last one of the object, if only that is to be ironed.
+  /// Adds ironing of the areas that are open after this layer. If only the topmost layer is to be
+  /// ironed, other layers have none.
   absl::Status AppendIroning(const Skins& skins, Fills& fills) const {
     const IroningType type = options_.ironing.type;
     if (type == IroningType::kTopmost && view_.OutlineAt(view_.layer + 1) != nullptr)
@@ -239,12 +245,14 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// How wide bridges' lines lie, and what plastic they hold of what would fill the layer.
+  /// Width of bridges' lines, and their plastic as a share of the plastic that would fill the
+  /// layer.
   struct BridgeBead {
     Coord width_nm = 0;
     double share = 1;
   };
-  /// Threads hang below their layer, and would weld themselves to a support.
+  /// Returns the bead of a bridge. Over a support it is no thread, because threads hang below their
+  /// layer and would weld to the support.
   BridgeBead BridgeBeadOf(bool carried) const {
     if (!options_.thick_bridges || carried)
       return {Width(options_.solid_width_nm), options_.bridge_flow};
@@ -259,7 +267,7 @@ class RegionFill {
             std::numbers::pi / 4 * thread_nm * thread_nm / room};
   }
 
-  /// Each bridge in the direction in which it is borne best.
+  /// Adds each bridge in its best direction.
   absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
     const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
     const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
@@ -287,16 +295,16 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Whether there may be skins here that the layer below has not: its skins reach one layer less
-  /// high.
+  /// Returns true if there may be skins here that the layer below does not have: its skins reach
+  /// one layer less high.
   bool SkinsBegin(const LayerField* field) const {
     if (IsSolidLayer(field)) return true;
     const auto& above = cover_.above;
     return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
   }
 
-  /// Threads from line to line of the sparse infill below, thick whatever thick_bridges says: they
-  /// are seen from nowhere, and must not tear.
+  /// Adds threads from line to line of the sparse infill below. They are thick even without
+  /// thick_bridges: they are not visible, and must not tear.
   absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
     const BridgeBead bead = ThreadBead();
     for (const PolygonWithHoles& region : bridges.regions) {
@@ -314,7 +322,8 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// A direction that is given holds, whatever lies at the ends.
+  /// Returns the span of a bridge. A direction given by the options is always used, even if the
+  /// lines' ends are not supported.
   std::optional<BridgeSpan> SpanOf(const PolygonWithHoles& region,
                                    const MultiPolygon* below) const {
     if (options_.bridge_angle_rad > 0) return BridgeSpan{options_.bridge_angle_rad, true};
@@ -325,8 +334,8 @@ class RegionFill {
     return through_walls ? through_walls : span;
   }
 
-  /// With the walls around it: where those below are no thicker, lines rest on them through the
-  /// walls that they end on.
+  /// Returns the region with the walls around it. If the walls below are no thicker, lines are
+  /// supported by them through the walls at their ends.
   PolygonWithHoles WithWalls(const PolygonWithHoles& region) const {
     const MultiPolygon* outline = view_.OutlineAt(view_.layer);
     if (outline == nullptr || options_.walls_nm == 0) return region;
@@ -356,8 +365,8 @@ class RegionFill {
                               .anchored = anchored});
   }
 
-  /// A field that says no more than one density for the whole layer is none of the pattern's
-  /// business.
+  /// Adds the sparse infill of a region. A field with only one density for the whole layer is not
+  /// passed to the pattern.
   absl::Status AppendSparse(const MultiPolygon& region, const LayerField* field,
                             Fills& fills) const {
     const bool plain =
@@ -385,8 +394,8 @@ class RegionFill {
     return AppendSparsePart(Intersection(filled, plan_->combined), fill, fills);
   }
 
-  /// Of a column of supports that the pattern's lines pass by: what the column carries would be
-  /// printed into the air.
+  /// Adds a line along the middle of a column of supports that the pattern's lines miss. Otherwise
+  /// the structure on the column would be printed into the air.
   void AppendMiddle(const MultiPolygon& column, double density, Fills& fills) const {
     const Coord width_nm = Width(options_.sparse_width_nm);
     const double least_nm = kMinLoneWidths * static_cast<double>(width_nm);
@@ -394,7 +403,8 @@ class RegionFill {
            {Feature::kInternalInfill, std::nullopt, 0, view_.height_nm, density}, fills);
   }
 
-  /// Beads of another height than the layer's are as wide as their plastic would be in the layer.
+  /// Adds a part of the sparse infill. Beads of another height than the layer's get the width that
+  /// their plastic would have in the layer.
   absl::Status AppendSparsePart(const MultiPolygon& region, const SparseFill& fill,
                                 Fills& fills) const {
     if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return absl::OkStatus();
@@ -422,13 +432,13 @@ class RegionFill {
   const InfillOptions& options_;
   const PlannedInfill* plan_;
   const int32_t settings_;
-  const std::optional<int32_t> row_;  ///< the region that skins are of; none: of the whole object
+  const std::optional<int32_t> row_;  ///< region of the skins; none: the whole object
   const Cover cover_;
   const FillLineAngles angles_;
   const FlowTable flows_;
 };
 
-/// Says of each path and each use whose it is.
+/// Sets settings, tool and feature of each path and each use.
 void Sign(const FillArea& area, Fills& fills) {
   for (FillGroup& group : fills.groups) {
     for (Path& path : group.paths) {

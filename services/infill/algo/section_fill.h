@@ -15,9 +15,10 @@ struct InfillOptions;
 namespace slicefarm::infill {
 
 /// Fills the islands of one section: skins from the object's neighbouring layers (skins.h), then
-/// lines for each kind of area. `regions`: by row of the job's tables; each fill area has those of
-/// its region. `fields`: of the same rows. `plan`: what is decided of the layer. `on_bed`: lines are as wide as the first layer's settings say. Errors: those
-/// of CheckSpacing for the widths, and of CutLines.
+/// lines for each kind of area. `on_bed`: lines have the first layer's width. `plan`: decisions of
+/// planning for the layer. `regions`: indexed by row of the job's tables; each fill area uses the
+/// row of its region. `fields`: of the same rows. Errors: errors of CheckSpacing for the widths,
+/// and of CutLines.
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           const ObjectLayers& objects,
                                           const LayerPlan& plan,

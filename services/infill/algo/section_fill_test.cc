@@ -18,7 +18,7 @@ namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-/// Ten equal layers of a square of 20 mm.
+/// Returns ten equal layers of a square of 20 mm.
 std::vector<SlicedLayer> Prism() {
   std::vector<SlicedLayer> layers(10);
   for (int i = 0; i < 10; ++i) {
@@ -29,7 +29,7 @@ std::vector<SlicedLayer> Prism() {
   return layers;
 }
 
-/// The section of one layer, its fill area in two halves of a row each.
+/// Returns the section of one layer. Its fill area has two halves with one row each.
 WalledSection Halves(int32_t layer) {
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")},
@@ -37,7 +37,7 @@ WalledSection Halves(int32_t layer) {
   return {0, layer, 200'000, {island}};
 }
 
-/// Without fields.
+/// Fills a section without fields.
 absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
                                         const ObjectLayers& objects,
                                         const std::vector<InfillOptions>& regions) {
@@ -86,7 +86,7 @@ TEST(FillSection, SkinsAreAsManyLayersAsTheRegionSays) {
   EXPECT_EQ(FeaturesOf(*filled, 1), std::set{Feature::kSolidInfill});
 }
 
-// The lowest layer of an object is its bottom, and no bridge, on a raft as on the bed.
+// The lowest layer of an object is its bottom and not a bridge, on a raft and on the bed.
 TEST(FillSection, TheLowestLayerIsNoBridge) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);
@@ -113,7 +113,7 @@ TEST(FillSection, EverySoManyLayersAreSolid) {
   }
 }
 
-// Gyroids of two heights differ; layers of one height are the same whatever their number.
+// Gyroids at two heights differ. Layers at the same height are equal, independent of their numbers.
 TEST(FillSection, PatternsSeeTheHeightInTheObject) {
   auto layers = Prism();
   for (SlicedLayer& layer : layers) layer.sections[0].z_nm = layer.frame.print_z_nm;
@@ -165,7 +165,7 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }
 
-// Else what a narrow column of supports carries would be printed into the air.
+// Otherwise the structure on a narrow column of supports would be printed into the air.
 TEST(FillSection, AColumnThatTheLinesPassByHasOneAlongItsMiddle) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);
@@ -190,7 +190,7 @@ TEST(FillSection, AColumnThatTheLinesPassByHasOneAlongItsMiddle) {
   EXPECT_TRUE(paths(Role::kPart, /*walled=*/false).empty());
 }
 
-/// What one row fills of layer 5, all of the square.
+/// Returns the fill of one row in layer 5, for the whole square.
 FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
                        int32_t layer = 5) {
   const auto layers = Prism();
@@ -258,7 +258,7 @@ TEST(FillSection, LeavesOutWhatIsPlannedSo) {
     for (const Point p : path.points) EXPECT_GE(p.x, FromMm(10));
 }
 
-// What two layers share is printed in one, with the plastic of both.
+// An area shared by two layers is printed in one of them, with the plastic of both.
 TEST(FillSection, CombinedPlacesHoldThePlasticOfTheirLayers) {
   PlannedInfill plan;
   plan.combined = P("(0 0, 20 0, 20 20, 0 20)");
@@ -268,7 +268,7 @@ TEST(FillSection, CombinedPlacesHoldThePlasticOfTheirLayers) {
   EXPECT_NEAR(twice / once, 2, 0.1);
 }
 
-// Two halves of a square of 18 mm in a row each; one is solid.
+// Two halves of a square of 18 mm have one row each; one half is solid.
 TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);
@@ -310,7 +310,7 @@ TEST(FillSection, UsesCountTheLayersThatAreCombined) {
   ASSERT_EQ(uses.size(), 1u);
   EXPECT_NEAR(uses[0].area_mm2, 9 * 18, 1e-6);
   EXPECT_NEAR(uses[0].room_mm3, 9 * 18 * 0.4, 1e-6);
-  // The lines, and the links of a small square.
+  // The share includes the lines and the links of a small square.
   EXPECT_GE(uses[0].plastic_mm3 / uses[0].room_mm3, 0.2);
   EXPECT_LE(uses[0].plastic_mm3 / uses[0].room_mm3, 0.27);
 }
@@ -332,8 +332,8 @@ TEST(FillSection, UsesOfFieldsAskForTheirMean) {
   EXPECT_NEAR(streams[0].asked_mm3 / streams[0].room_mm3, 0.2, 1e-9);
 }
 
-// However many cells are on, and whatever their edges leave out of the lines: what links bring is
-// on top, so there are none.
+// The plastic is correct for any number of cells that are on, and for any loss of lines at their
+// edges. Links would add plastic, so that there are none.
 TEST(FillSection, DitheredFieldsGetThePlasticThatTheyAskFor) {
   for (const FillPattern pattern : {FillPattern::kRectilinear, FillPattern::kGyroid})
     for (const std::string dither : {"blue_noise", "floyd_steinberg"}) {
@@ -348,7 +348,7 @@ TEST(FillSection, DitheredFieldsGetThePlasticThatTheyAskFor) {
       for (const int32_t layer : {4, 5, 6})
         for (const FillUse& use : SquareOf(options, {}, layer).uses)
           asked += use.asked_mm3, got += use.plastic_mm3;
-      // Lines stop before the edge of the square.
+      // Lines end before the edge of the square.
       EXPECT_GT(got / asked, 0.95) << dither << ' ' << static_cast<int>(pattern);
       EXPECT_LT(got / asked, 1.005) << dither << ' ' << static_cast<int>(pattern);
     }
@@ -397,7 +397,7 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
-// Tops of walls are seen as well: ironing ends half a nozzle from the part's edge.
+// The tops of walls are visible too: ironing ends half a nozzle from the part's edge.
 TEST(FillSection, IroningGoesOverWallsToo) {
   InfillOptions options = Thin();
   options.ironing.enabled = true;
@@ -426,7 +426,7 @@ TEST(FillSection, IroningIsAUse) {
   EXPECT_GT(use->plastic_mm3, 0.8 * use->asked_mm3);
 }
 
-// Short lines of skins get less of their plastic, links among them; sparse infill gets all.
+// Short lines of skins, including links, have less plastic; sparse infill has all of it.
 TEST(FillSection, ShortSolidLinesGetThePlasticThatTheTableSays) {
   InfillOptions options = Thin();
   const auto volumes = [&](int32_t layer) {
@@ -471,7 +471,7 @@ TEST(FillSection, RefusesATableOfFlowsThatIsNone) {
             "small_area_infill_flow_compensation_model");
 }
 
-/// A block of 20 mm; from layer 4 to 6 its right half has settings of its own.
+/// Returns a block of 20 mm. In layers 4 to 6 its right half has its own settings.
 std::vector<SlicedLayer> BlockWithAModifier() {
   auto layers = Prism();
   for (int i = 4; i < 7; ++i) {
@@ -499,7 +499,7 @@ TEST(FillSection, InterfaceShellsLieWhereAnotherRegionBegins) {
   EXPECT_EQ(of_modifier(4), std::set{Feature::kSolidInfill});  // no bridge
   EXPECT_EQ(of_modifier(5), std::set{Feature::kInternalInfill});
   EXPECT_EQ(of_modifier(6), std::set{Feature::kTopSolidInfill});
-  // The part around it ends there as well, if it has them.
+  // The part around the modifier ends there too, if the part has interface shells.
   const auto below = [&] {
     WalledIsland island;
     island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
@@ -513,7 +513,7 @@ TEST(FillSection, InterfaceShellsLieWhereAnotherRegionBegins) {
             (std::set{Feature::kInternalInfill, Feature::kSolidInfill, Feature::kTopSolidInfill}));
 }
 
-/// A layer of a slab on two pillars; its lowest one has the number 5.
+/// Returns a layer of a slab on two pillars. The slab's lowest layer has the number 5.
 FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5,
                        const LayerPlan& plan = {}) {
   auto layers = Prism();
@@ -531,7 +531,7 @@ FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5,
   return *std::move(filled);
 }
 
-// Of round threads, of which the section is known, and which do not touch.
+// Thick bridges have round threads with a known section, which do not touch.
 TEST(FillSection, ThickBridgesAreRoundThreads) {
   for (const double flow : {0.8, 1.0}) {
     InfillOptions options = Thin();
@@ -542,7 +542,7 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
       if (path.feature != Feature::kBridgeInfill) continue;
       ++lines;
       const double want = std::numbers::pi / 4 * 0.36 * flow;
-      // Widths follow the spacing that fits the bridge: 15 % less and 20 % more at most.
+      // Widths follow the spacing that fits the bridge: 15 % less to 20 % more.
       EXPECT_GT(SectionMm2(path.WidthAt(0), 200'000), 0.84 * want) << flow;
       EXPECT_LT(SectionMm2(path.WidthAt(0), 200'000), 1.21 * want) << flow;
     }
@@ -552,7 +552,7 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
         if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.room_mm3;
       return 0.0;
     };
-    // They are half a spacing longer than the bridge at either end.
+    // At either end, the threads are half a spacing longer than the bridge.
     const double thread_mm = 0.6 * std::sqrt(flow);
     const double of_room =
         std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2;
@@ -561,7 +561,8 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
   }
 }
 
-// Threads hang below their layer: right over a support lines are as high as the layer.
+// Threads hang below their layer. Directly over a support, lines are therefore as high as the
+// layer.
 TEST(FillSection, BridgesOverSupportsAreNoThreads) {
   const InfillOptions options = Thin();
   InfillOptions flat = options;
@@ -578,7 +579,7 @@ TEST(FillSection, BridgesOverSupportsAreNoThreads) {
   EXPECT_EQ(PathsIn(BridgeBy(options, 5, carried)), PathsIn(BridgeBy(flat)));
 }
 
-// With a speed of its own; else it is solid infill as any.
+// The feature exists if it has its own speed. Otherwise it is normal solid infill.
 TEST(FillSection, WhatLiesOverABridgeIsAFeatureIfAsked) {
   InfillOptions options = Thin();
   options.density = 1;
@@ -614,7 +615,7 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   }
 }
 
-/// The length of a feature's paths, mm.
+/// Returns the length of a feature's paths, in mm.
 double LengthOf(const FilledSection& section, Feature feature) {
   double length = 0;
   for (const Path& path : PathsOf(section))
@@ -622,7 +623,7 @@ double LengthOf(const FilledSection& section, Feature feature) {
   return length;
 }
 
-// Of the skins the lowest alone lies over sparse infill.
+// Only the lowest of the skins is over sparse infill.
 TEST(FillSection, SkinsOverSparseInfillAreBridges) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);
@@ -643,7 +644,7 @@ TEST(FillSection, SkinsOverSparseInfillAreBridges) {
     const auto filled = FillPlain({0, layer, 200'000, {island}}, false, objects, regions);
     ASSERT_TRUE(filled.ok()) << filled.status();
     EXPECT_EQ(FeaturesOf(*filled, 0), features) << density << " in layer " << layer;
-    // Threads 0.45 mm apart.
+    // The threads are 0.45 mm apart.
     if (features.contains(Feature::kBridgeInfill)) {
       EXPECT_NEAR(LengthOf(*filled, Feature::kBridgeInfill), 18 * 18 / .45, 60);
     }

@@ -10,8 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// The outlines above or below. In a prism all layers are equal to `outline`, that of the layer in
-/// question: that is found out here, once for all islands.
+/// Returns the outlines above or below. An outline equal to `outline` (of the current layer) or to
+/// the nearer one is returned as the same pointer. This comparison is done here once for all
+/// islands; in a prism all layers are equal.
 std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
                                       const MultiPolygon* outline, int32_t step, int32_t count,
                                       const SkinSpare& spare = {}) {
@@ -19,7 +20,7 @@ std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int
   const MultiPolygon* nearer = outline;
   Coord between_nm = 0;
   for (int32_t i = 1; i <= count; ++i) {
-    // A surface beyond that layer would have enough between it and this one.
+    // A surface beyond this layer has enough material between it and the current layer.
     if (IsSpared(spare, count, i, between_nm)) break;
     const int32_t own_layer = view.layer + i * step;
     const MultiPolygon* layer = view.OutlineAt(own_layer, row);
@@ -32,7 +33,7 @@ std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int
   return side;
 }
 
-/// The angle that a template names for a layer; none: there is no template.
+/// Returns the angle of a template for a layer, or nothing if there is no template.
 std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, int32_t layer) {
   constexpr double kDegree = std::numbers::pi / 180;
   const auto& steps = angles.Once([](const std::string& text) { return ParseFillAngles(text); });

@@ -13,35 +13,37 @@ struct InfillOptions;
 
 namespace slicefarm::infill {
 
-/// A section as all its fill areas see it.
+/// Data of a section that all its fill areas share.
 struct SectionView {
   Stack stack;
-  int32_t layer = 0;  ///< of the stack's own
+  int32_t layer = 0;  ///< layer number of the stack
   Coord height_nm = 0;
   bool on_bed = false;
   const ObjectLayers& stacks;
-  const MultiPolygon& carried;  ///< supports lie right below the section here
-  Coord z_nm = 0;               ///< of the layer's middle, above the stack's bottom
+  const MultiPolygon& carried;  ///< areas with supports directly below the section
+  Coord z_nm = 0;               ///< height of the layer's middle above the stack's bottom
 
-  /// Of the stack, or of its region of a row alone. Null: it has none there.
+  /// Returns the outline of the stack in a layer, or only the outline of its region with the row
+  /// `row`. Null: the layer has none.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const;
 
-  /// 0: the stack has no such layer.
+  /// Returns the height of a layer, or 0 if the stack has no such layer.
   Coord HeightAt(int32_t own_layer) const;
 };
 
-/// The layers that skins of a region look at: `row` alone, or the whole object's. Bridges are where
-/// the whole object is bare.
+/// Returns the layers that decide the skins of a region: the layers of region `row`, or of the
+/// whole object. Bridges depend on the whole object in either case.
 Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row);
 
-/// Which way lines run in a layer.
+/// Directions of lines in a layer.
 struct FillLineAngles {
   double sparse_rad = 0;
   double solid_rad = 0;
-  bool sparse_planned = false;  ///< by a template, which says all that turns
+  bool sparse_planned = false;  ///< the angle is from a template, which contains all turns
   bool solid_planned = false;
 };
 
+/// Returns the directions of lines in a layer.
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer);
 
 }  // namespace slicefarm::infill

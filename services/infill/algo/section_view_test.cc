@@ -9,7 +9,7 @@
 namespace slicefarm::infill::section_view_test {
 namespace {
 
-/// Five layers of a square, the fourth of which is smaller.
+/// Returns five layers of a square. The fourth layer is smaller.
 std::vector<SlicedLayer> Layers() {
   std::vector<SlicedLayer> layers(5);
   for (int i = 0; i < 5; ++i) {
@@ -43,7 +43,8 @@ TEST(CoverOf, EqualLayersAreOnePointer) {
   EXPECT_EQ(view.OutlineAt(7), nullptr);
 }
 
-// A first layer of 0.3 mm and two of 0.2 are 0.7 mm: a fourth is solid only over other bottoms.
+// A first layer of 0.3 mm and two of 0.2 mm are 0.7 mm thick: a fourth layer is solid only over
+// other bottoms.
 TEST(CoverOf, LayersThatOnlyThicknessAsksForAreLeftOutByTheirHeights) {
   auto layers = Layers();
   layers[0].sections[0].height_nm = 300'000;

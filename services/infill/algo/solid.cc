@@ -20,31 +20,33 @@ namespace {
 
 constexpr double kLeastStretch = 0.85;
 constexpr double kMostStretch = 1.2;
-/// Ends that lie farther apart along the edge than this many spacings are not joined.
+/// Largest distance along the edge between two ends that are joined, in spacings.
 constexpr double kMaxLinkSpacings = 8.0;
-/// A path shorter than this many widths covers less than the round ends of its neighbours leave.
+/// Least length of a path, in widths. A shorter path covers less than the gaps beside the round
+/// ends of its neighbours.
 constexpr double kMinLengthWidths = 1.0;
-/// Beside walls, lines end at this share of the distance that the overlap leaves: those that links
-/// join, and those of paths of their own.
+/// Position of lines' ends beside walls, as a share of the distance without the rule: for lines
+/// joined by links, and for separate lines.
 constexpr double kLinkedShare = 0.36, kFreeShare = 0.25;
-/// Width of a link's strip beside walls, in spacings: what lines that end so near to the edge lack.
+/// Width of a link's strip beside walls, in spacings: the area that lines with ends so near to the
+/// edge leave empty.
 constexpr double kLinkShare = 0.15;
-/// What links between curves may add to their length.
+/// Largest total length of links between curves, as a share of the curves' length.
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // of a spacing
 
-/// How far from the region's edge lines end.
+/// Returns the distance of lines' ends from the region's edge.
 Coord EndDistance(Coord spacing, Coord overlap) {
   return std::max<Coord>(0, spacing / 2 - overlap);
 }
 
-/// Returns true if straight lines fit the room between walls. A thread in the air is as thick as it
-/// leaves the nozzle, and without walls the lines' ends are the edge.
+/// Returns true if straight lines are fitted to the space between walls. A thread in the air keeps
+/// the thickness with which it leaves the nozzle. Without walls, the lines' ends form the edge.
 bool FitsWalls(const SolidFill& fill) {
   return fill.beside_walls && fill.feature != Feature::kBridgeInfill;
 }
 
-/// How far from the region's edge straight lines end.
+/// Returns the distance of straight lines' ends from the region's edge.
 Coord LineEndDistance(Coord spacing, const SolidFill& fill) {
   if (fill.anchored) return 0;
   const Coord full = EndDistance(spacing, fill.overlap_nm);
@@ -53,8 +55,9 @@ Coord LineEndDistance(Coord spacing, const SolidFill& fill) {
   return std::llround(share * static_cast<double>(full));
 }
 
-/// Lines across an area, the outermost ones `margin` inside of it, if that takes no more stretch
-/// than allowed; else as many as come nearest, in its middle.
+/// Returns lines across an area with the outermost lines `margin` inside of it, if the required
+/// change of the pitch is permitted. Otherwise returns the nearest number of lines, centred in the
+/// area.
 LineFamily FittingLines(const MultiPolygon& area, double angle_rad, double spacing, double margin) {
   const FrameBox extent = BoxIn(LineAxes(angle_rad), area);
   const double height = extent.max_v - extent.min_v - 2 * margin + spacing;
@@ -63,14 +66,14 @@ LineFamily FittingLines(const MultiPolygon& area, double angle_rad, double spaci
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
-/// One line across an area that lies between two of the family.
+/// Returns one line through the middle of an area that is between two lines of the family.
 LineFamily MiddleLine(const MultiPolygon& area, LineFamily family) {
   const FrameBox extent = BoxIn(LineAxes(family.angle_rad), area);
   family.phase_nm = (extent.min_v + extent.max_v) / 2;
   return family;
 }
 
-/// Half the width of a region's widest place, to `precision`.
+/// Returns half of the greatest width of a region, to `precision`.
 double DepthOf(const MultiPolygon& region, double at_most, double precision) {
   double low = 0, high = at_most;
   while (high - low > precision) {
@@ -80,7 +83,7 @@ double DepthOf(const MultiPolygon& region, double at_most, double precision) {
   return high;
 }
 
-/// The distance of loops that leave no room in the middle.
+/// Returns the distance of loops that leave no space in the middle.
 double FittingLoops(const MultiPolygon& region, double spacing) {
   const Box box = Bounds(region);
   const auto size = static_cast<double>(std::min(box.max.x - box.min.x, box.max.y - box.min.y));
@@ -112,7 +115,8 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
                             .min_length_nm = kMinLengthWidths * static_cast<double>(WidthForSpacing(
                                                                     spacing, fill.height_nm))};
   std::vector<SerpentinePath> paths = Serpentine(*lines, options);
-  // A place of its own with short lines only is not the ends of its neighbours'.
+  // In a separate area that has only short lines, these lines are kept: they are not the ends of
+  // neighbour lines.
   if (paths.empty() && Area(region) >= wanted * wanted) {
     options.min_length_nm = 0;
     paths = Serpentine(*lines, options);
@@ -131,8 +135,8 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
 
 absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
-  // Lines along the edge lie half a spacing from it by themselves, side by side with the wall: no
-  // end of theirs needs to reach into it.
+  // Lines along the edge are half a spacing from it in any case, side by side with the wall. None
+  // of their ends has to reach into the wall.
   const bool along_edge = InfoOf(fill.pattern).solid == SolidWay::kAlongEdge;
   const Coord inset = along_edge ? 0 : EndDistance(std::llround(pitch), fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);

@@ -5,38 +5,42 @@
 
 namespace slicefarm::infill {
 
+/// Parameters of FillSolid.
 struct SolidFill {
   Feature feature = Feature::kSolidInfill;
   FillPattern pattern = FillPattern::kMonotonic;
   double angle_rad = 0;
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
-  int32_t layer = 0;  ///< of the object's own
-  /// How much nearer than half a spacing lines come to the region's edge. Beside walls, the ends of
-  /// straight lines go about two thirds of the way that is left, too.
+  int32_t layer = 0;  ///< layer number of the object
+  /// Distance by which lines are nearer than half a spacing to the region's edge. Beside walls, the
+  /// ends of straight lines also cover about two thirds of the remaining distance.
   Coord overlap_nm = 0;
-  bool beside_walls = true;  ///< they lie around the region: ends of lines may reach into them
-  /// Straight lines end, and links run, on the region's edge: threads in the air hold by half of
-  /// their width to what lies beside them.
+  /// Walls are around the region, so that ends of lines may reach into them.
+  bool beside_walls = true;
+  /// True if straight lines end, and links run, on the region's edge: threads in the air are
+  /// supported by half of their width on the areas beside them.
   bool anchored = false;
 };
 
-/// Whether a pattern's lines run the same way in all layers.
+/// Returns true if a pattern's lines have the same direction in all layers.
 bool IsAligned(FillPattern pattern);
 
-/// Covers one connected region with beads side by side. For lines and loops the spacing is the
-/// nearest to that of `width_nm` that fits a whole number of beads across the region, within 15 %
-/// less and 20 % more; the beads' width follows, and the volume is the region's within 1.25 %, but
-/// for regions of a few lines. No straight line beside walls changes its section by more than 30 %
-/// from edge to edge, or is narrower than 0.6 spacings. The links between them hold what the
-/// lines' ends lack of the room before the edge: 0.15 of a line's plastic.
+/// Covers one connected region with beads side by side.
 ///
-/// Monotonic: each piece of line after those of the line before that it lies beside; the group
-/// keeps its order. Monotonic lines: the same, each a path of its own. Other straight lines: any
-/// order. Loops, spirals and space-filling curves: as the sparse pattern, at full density; curves
-/// end where the region does, and leave out what is narrower there than they are.
-/// Errors: as CutLines and MakePattern. Cost: O(n log n) for the inset, and the pattern's own.
-/// REQUIRES: the pattern is one for solid fill.
+/// For lines and loops, a whole number of beads fits across the region. The spacing is therefore up
+/// to 15 % less or 20 % more than the spacing of `width_nm`. The beads' width follows. The volume
+/// is the region's within 1.25 %, except for regions of a few lines. No straight line beside walls
+/// changes its section by more than 30 % from edge to edge, or is narrower than 0.6 spacings. The
+/// links between lines fill the area before the edge that the lines' ends leave empty: 0.15 of a
+/// line's plastic.
+///
+/// Monotonic: each piece of line follows the pieces beside it on the previous line; the group keeps
+/// its order. Monotonic lines: in the same order, but each piece is a separate path. Other straight
+/// lines: any order. Loops, spirals and space-filling curves: as the sparse pattern, at full
+/// density. Curves end at the region's edge, and leave narrow parts there empty. Errors: as
+/// CutLines and MakePattern. Cost: O(n log n) for the inset, and the pattern's own cost. REQUIRES:
+/// the pattern is a pattern for solid fill.
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill);
 
 }  // namespace slicefarm::infill

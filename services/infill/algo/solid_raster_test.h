@@ -14,13 +14,13 @@
 
 namespace slicefarm::infill {
 
-/// What beads cover of a region, as shares of its area, counted on pixels: shares no code with what
-/// makes the beads.
+/// Cover of a region by beads, as shares of its area, counted on pixels. It shares no code with the
+/// functions that make the beads.
 struct RasterCover {
-  double empty = 0;    ///< that no bead's outer width covers
-  double twice = 0;    ///< plastic, less the area of the union of the beads' strips
-  double outside = 0;  ///< covered outside of the region by more than `margin_nm`
-  double plastic = 0;  ///< of the beads, by what fills the region
+  double empty = 0;    ///< share that no bead's outer width covers
+  double twice = 0;    ///< plastic minus the area of the union of the beads' strips
+  double outside = 0;  ///< area covered outside of the region by more than `margin_nm`
+  double plastic = 0;  ///< plastic of the beads, relative to a full region
 };
 
 class CoverRaster {
@@ -115,17 +115,18 @@ class CoverRaster {
   std::vector<uint8_t> cells_;
 };
 
-/// Of a group of paths in a region.
+/// Returns the cover of a region by a group of paths.
 inline RasterCover CoverOf(const std::vector<Path>& paths, const MultiPolygon& region,
                            Coord height_nm, Coord pixel_nm = 20'000, Coord margin_nm = 180'000) {
   CoverRaster raster(region, pixel_nm, margin_nm);
   return raster.Of(paths, height_nm, Area(region));
 }
 
-/// How evenly plastic flows along paths, and the narrowest bead. Links between solid lines, which
-/// are thinner than half a line, are no part of the flow along a line.
+/// Evenness of the flow along paths, and the narrowest bead. Links between solid lines, which are
+/// thinner than half a line, are not part of the flow along a line.
 struct Flow {
-  int jumps = 0;  ///< from bead to bead by more than 30 %; beads below 20 um are passed over
+  /// Number of changes by more than 30 % between beads; beads shorter than 20 um are skipped.
+  int jumps = 0;
   double length_m = 0;
   Coord narrowest_nm = 0;
 };

@@ -45,8 +45,8 @@ struct SolidCase {
 };
 class Solid : public testing::TestWithParam<SolidCase> {};
 
-// The plastic is the region's, little lies twice, next to nothing is left empty, and nothing lies
-// outside but for the round ends, which hold no plastic.
+// The plastic is that of the region. Little is covered twice, almost nothing is empty, and nothing
+// is outside except the round ends, which contain no plastic.
 TEST_P(Solid, CoversTheRegionOnce) {
   const PolygonWithHoles region = Island(GetParam().region);
   SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180, .overlap_nm = 112'500};
@@ -62,7 +62,8 @@ TEST_P(Solid, CoversTheRegionOnce) {
   EXPECT_GT(flow.narrowest_nm, 240'000);
 }
 
-/// What three walls leave of slices of real parts, but for large ones, which take long to measure.
+/// Returns the areas inside three walls of slices of real parts, without large ones, which take
+/// long to measure.
 std::vector<PolygonWithHoles> RealFillAreas() {
   constexpr Coord kMost = 80'000'000;
   std::vector<PolygonWithHoles> areas;
@@ -74,8 +75,8 @@ std::vector<PolygonWithHoles> RealFillAreas() {
   return areas;
 }
 
-// Over all of them: corners and narrow places too. The flow of lines makes no steps, and none is
-// narrower than 0.6 nozzles of 0.4 mm.
+// The test covers all areas, including corners and narrow parts. The flow of lines has no steps,
+// and no line is narrower than 0.6 nozzles of 0.4 mm.
 TEST(SolidOnParts, CoversThemByAnEvenFlow) {
   double area = 0, empty = 0, twice = 0, outside = 0, plastic = 0;
   for (const FillPattern pattern : {FillPattern::kMonotonic, FillPattern::kRectilinear}) {
@@ -98,8 +99,8 @@ TEST(SolidOnParts, CoversThemByAnEvenFlow) {
   EXPECT_LT(outside / area, 1e-4);
 }
 
-// Links at flat angles, several spacings long, are made too: lines that end on a slope of 10
-// degrees are one path, and the plastic is the region's.
+// Links at flat angles, several spacings long, are also made: lines that end on a slope of 10
+// degrees are one path, and the plastic is that of the region.
 TEST(Solid, LinesEndingOnAFlatSlopeAreLinked) {
   const PolygonWithHoles region = Island("(0 0, 60 0, 60 1, 3 11, 0 11)");
   const auto group = FillSolid(region, {.overlap_nm = 112'500});
@@ -121,10 +122,10 @@ INSTANTIATE_TEST_SUITE_P(
 struct CurveCase {
   FillPattern pattern;
   const char* region;
-  double uncovered;  ///< share of the region, at most
+  double uncovered;  ///< largest uncovered share of the region
 };
 
-// Curves end where the region does; straight lines and loops leave next to nothing.
+// Curves end at the region's edge; straight lines and loops leave almost nothing empty.
 TEST(Solid, CurvesFillTheRegion) {
   const CurveCase cases[] = {
       {FillPattern::kAlignedRectilinear, "(0 0, 20 0, 20 20, 0 20)", 0.005},
@@ -191,7 +192,7 @@ TEST(SolidGroup, MonotonicKeepsItsOrder) {
   EXPECT_FALSE(FillSolid(region, {.pattern = FillPattern::kRectilinear})->keep_order);
 }
 
-// Beside a flat slope strips are as wide as there is room; threads in the air are not.
+// Beside a flat slope, strips are as wide as the free space; threads in the air are not.
 TEST(SolidGroup, BridgesHaveEvenLines) {
   const PolygonWithHoles region = Island("(0 0, 60 0, 60 1, 3 11, 0 11)");
   const auto widths = [&](Feature feature) {
@@ -205,7 +206,7 @@ TEST(SolidGroup, BridgesHaveEvenLines) {
   EXPECT_GT(widths(Feature::kSolidInfill).size(), 1u);
 }
 
-// What holds threads in the air lies beside them.
+// The areas that support threads in the air are beside the threads.
 TEST(SolidGroup, AnchoredLinesEndOnTheEdge) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 10, 0 10)");
   SolidFill fill{.feature = Feature::kBridgeInfill,
@@ -224,7 +225,7 @@ TEST(SolidGroup, AnchoredLinesEndOnTheEdge) {
   const Box anchored = box_of();
   EXPECT_EQ(anchored.min.x, 0);
   EXPECT_EQ(anchored.max.x, FromMm(20));
-  // Those along the edge lie side by side with the wall as ever.
+  // Lines along the edge are still side by side with the wall.
   EXPECT_EQ(anchored.min.y, plain.min.y);
   EXPECT_EQ(anchored.max.y, plain.max.y);
 }

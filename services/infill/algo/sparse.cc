@@ -19,17 +19,17 @@
 namespace slicefarm::infill {
 namespace {
 
-/// How far apart ends inside a region may be to be joined, in pitches, and what a joint may add.
-/// Ends at greater planes of an octree lie along these; where parts of a field meet, ends face each
-/// other, and each place counts.
+/// Largest distance of ends inside a region that are joined, in pitches, and the largest added
+/// length of a joint. Ends at larger planes of an octree are along these planes. Where parts of a
+/// field meet, ends face each other, and the density must be correct at each point.
 constexpr double kReachInOctree = 8, kAddedInOctree = 0.9;
 constexpr double kReachInField = 4, kAddedInField = 0.25;
-/// Pieces shorter than this many widths hold nothing.
+/// Least length of a piece, in widths. A shorter piece holds nothing.
 constexpr double kMinPieceWidths = 1;
 
-/// By how much beads are thinned or thickened where the cells of a dithered field come to another
-/// density than it asks for. Smooth surfaces have up to 15 % more lines in some layers than in
-/// others; more than that is a region of a few cells, each there or not.
+/// Largest relative change of the beads' plastic if the cells of a dithered field do not have the
+/// requested density. Smooth surfaces have up to 15 % more lines in some layers than in others. A
+/// larger difference means a region of a few cells, each of which is on or off.
 constexpr double kMostSettled = 0.15;
 
 absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
@@ -38,8 +38,8 @@ absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiP
   return PatternOf(fill.pattern)(area, place);
 }
 
-/// An island's room, if nothing happens to it `half_nm` farther in than there but that its edges
-/// become shorter: it is narrow nowhere.
+/// Returns an island's area inset by `inset_nm` if a further inset by `half_nm` only shortens its
+/// edges: the island is then narrow nowhere.
 std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord inset_nm,
                                          Coord half_nm) {
   const auto core = TryOffset({island}, -(inset_nm + half_nm));
@@ -55,9 +55,9 @@ std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord i
   return std::move(room->polygons[0]);
 }
 
-/// Where lines may lie, `inset_nm` from the region's edge: not where beads along both sides would
-/// lie on each other. Corners of what is left after that are mitered, beyond edges that it
-/// swallowed.
+/// Returns the area for lines, `inset_nm` from the region's edge, without parts where beads along
+/// both sides would overlap. Corners of the remaining area are mitered, also beyond edges that
+/// disappear in the inset.
 MultiPolygon RoomFor(const MultiPolygon& region, Coord inset_nm, Coord width_nm) {
   const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(width_nm));
   MultiPolygon room, others;
@@ -76,13 +76,13 @@ bool IsByLaw(const SparseFill& fill) {
   return fill.field == nullptr && !InfoOf(fill.pattern).planned;
 }
 
-/// How dense the lines are, on average. Errors: those of MeanDensity.
+/// Returns the mean density of the lines. Errors: the errors of MeanDensity.
 absl::StatusOr<double> DensityOf(const SparseFill& fill, const MultiPolygon& area) {
   return fill.field == nullptr ? fill.density : MeanDensity(area, *fill.field);
 }
 
-/// Lines end inside a region so that others go on where parts of a field meet, and at greater
-/// planes of an octree.
+/// Returns the limits of joints for lines that end inside a region: where parts of a field meet,
+/// and at larger planes of an octree.
 InnerJoints JointsOf(const SparseFill& fill, double pitch_nm) {
   const auto width = static_cast<double>(fill.width_nm);
   if (fill.field != nullptr && IsInParts(fill.pattern, *fill.field))
@@ -93,8 +93,8 @@ InnerJoints JointsOf(const SparseFill& fill, double pitch_nm) {
   return {};
 }
 
-/// What whole cells of a dithered field are too many or too few, and what their edges leave out of
-/// the lines, is made good by all beads alike: the share of their plastic that they have.
+/// Returns the factor for the plastic of all beads that corrects the error of a dithered field:
+/// whole cells are too many or too few, and their edges cut off lines.
 double SettledShare(const SparseFill& fill, std::span<const Piece> pieces, double asked_nm) {
   if (fill.field == nullptr || fill.field->directions != nullptr ||
       fill.field->density->dither == Dither::kNone)

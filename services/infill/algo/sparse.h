@@ -10,37 +10,43 @@
 
 namespace slicefarm::infill {
 
-/// A lone path of a pattern by law is worth a travel from this many widths on: it would be a dot
-/// in a corner, of 0.1 mm3 at most, which no wall and no line needs.
+/// Least length, in widths, of a single path of a pattern with a density formula. A shorter path is
+/// not worth a travel: it is a dot in a corner, of at most 0.1 mm3, which supports neither wall nor
+/// line.
 inline constexpr double kMinLoneWidths = 2.5;
 
+/// Parameters of FillSparse.
 struct SparseFill {
   FillPattern pattern = FillPattern::kGrid;
-  double density = 0.2;  ///< (0, 1]
+  double density = 0.2;  ///< density in (0, 1]
   double angle_rad = 0;
-  int32_t layer = 0;  ///< of the object's own
-  Coord z_nm = 0;     ///< of the layer's middle, above the object's bottom
+  int32_t layer = 0;  ///< layer number of the object
+  Coord z_nm = 0;     ///< height of the layer's middle above the object's bottom
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
-  Coord overlap_nm = 0;     ///< how much nearer than half a spacing lines come to the region's edge
-  Coord anchor_nm = 0;      ///< how far a loose end turns along the edge
-  Coord anchor_max_nm = 0;  ///< longest link; 0: none
-  Coord smoothing_nm = 0;   ///< of medial-axis lines; 0: none
-  std::span<const Polyline> planned = {};  ///< of patterns that planning lays out
-  const LayerField* field = nullptr;       ///< says how dense, in place of `density`, and which way
+  /// Distance by which lines are nearer than half a spacing to the region's edge.
+  Coord overlap_nm = 0;
+  Coord anchor_nm = 0;      ///< length by which a loose end turns along the edge
+  Coord anchor_max_nm = 0;  ///< longest link; 0: no links
+  Coord smoothing_nm = 0;   ///< smoothing of medial-axis lines; 0: none
+  std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out
+  /// Density (instead of `density`) and directions by position; null: none.
+  const LayerField* field = nullptr;
 };
 
-/// Fills a region with a pattern of the given density: path length per area is density / spacing,
-/// exactly, two widths inside the edge and deeper. Links and anchors along the edge join the lines to
-/// long paths and hold them to the walls (LinkedPaths): beads of the same width, on top of that
-/// length. Patterns whose lines run along the edge begin at it. Places so narrow that beads along
-/// both sides would lie on each other stay empty, and lone paths shorter than two and a half widths
-/// of patterns with a law.
+/// Fills a region with a pattern of the given density: path length per area is exactly density /
+/// spacing, at two widths from the edge and deeper. Links and anchors along the edge join the lines
+/// to long paths and attach them to the walls (LinkedPaths). They are beads of the same width, in
+/// addition to this length. Patterns with lines along the edge begin at the edge. Parts so narrow
+/// that beads along both sides would overlap stay empty. Single paths shorter than two and a half
+/// widths are omitted for patterns with a density formula.
 ///
-/// With a field the same holds at each place, as PiecesOfField says. Lines of a dithered one have up
-/// to 15 % more or less plastic, so that the lines of a layer are what the field asks for in all.
+/// With a field, the density is correct at each point, see PiecesOfField. Lines of a dithered field
+/// have up to 15 % more or less plastic, so that a layer has the total plastic that the field
+/// requests.
 ///
-/// Errors: as MakePattern. Cost: O(n log n) for the inset, and the pattern's and LinkedPaths' own.
+/// Errors: as MakePattern. Cost: O(n log n) for the inset, and the cost of the pattern and of
+/// LinkedPaths.
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);
 
 }  // namespace slicefarm::infill

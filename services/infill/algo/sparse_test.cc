@@ -15,7 +15,7 @@ namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-/// As peers do by default.
+/// Returns a fill with the default links of other slicers.
 SparseFill Linked(FillPattern pattern) {
   return {.pattern = pattern,
           .overlap_nm = 112'500,
@@ -45,9 +45,10 @@ TEST(Sparse, AConvexRegionIsOnePath) {
           << InfoOf(pattern).name << ' ' << text;
 }
 
-// At most heights. Where waves run along a side, it cuts off their crests, and crests behind
-// crests are a dead end; a path has two ends, so three such places take two paths. And at some
-// heights the crests of all waves lie so near to a side that a link beside them would lie on them.
+// This is true at most heights. Where waves run along a side, the side cuts off their crests, and
+// crests behind crests are a dead end. A path has two ends, so that three such positions need two
+// paths. At some heights, the crests of all waves are so near to a side that a link beside them
+// would overlap them.
 TEST(Sparse, GyroidThroughASquareIsOnePath) {
   SparseFill fill = Linked(FillPattern::kGyroid);
   fill.angle_rad = std::numbers::pi / 4;
@@ -57,8 +58,8 @@ TEST(Sparse, GyroidThroughASquareIsOnePath) {
   EXPECT_LE(parted, layers * 2 / 5);
 }
 
-// A corner of a region that one short line crosses, at all places of the lines: what is there holds
-// to the edge, or is not there.
+// One short line crosses a corner of a region, at all positions of the lines: the path there holds
+// to the edge, or is omitted.
 TEST(Sparse, NoLoneDots) {
   for (Coord x = 0; x < 3'000'000; x += 100'000) {
     const MultiPolygon pocket = {{{{x, 0}, {x + 1'300'000, 0}, {x, 1'300'000}}, {}}};
@@ -68,8 +69,8 @@ TEST(Sparse, NoLoneDots) {
   }
 }
 
-// A neck of 0.4 mm has no room for lines that do not lie double, also beside an island that is wide
-// everywhere; one of 0.6 mm has.
+// A neck of 0.4 mm has no space for lines that do not overlap, even beside an island that is wide
+// everywhere; a neck of 0.6 mm has.
 TEST(Sparse, NarrowPlacesStayEmpty) {
   const auto two_squares = [](double neck_mm) {
     const auto mm = [](double x, double y) { return Point{FromMm(x), FromMm(y)}; };

@@ -12,7 +12,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Over no infill at all, skins this many beads wide are bridges.
+/// Pitch that represents no infill at all, in beads: skins of this width over empty space are
+/// bridges.
 constexpr double kVoidPitchBeads = 5;
 
 bool IsSolidLayer(const InfillOptions& options, int32_t layer) {
@@ -20,7 +21,7 @@ bool IsSolidLayer(const InfillOptions& options, int32_t layer) {
          layer % options.solid_every_layers == 0;
 }
 
-/// Whether a law says where the lines lie.
+/// Returns true if the positions of the lines follow from a formula.
 bool HasLaw(FillPattern pattern, const RegionView& region) {
   const FillPatternInfo& info = InfoOf(pattern);
   return region.options.density > 0 && !info.planned && info.solid != SolidWay::kAlongEdge &&
@@ -36,7 +37,7 @@ MultiPolygon BeadsOf(const std::vector<Piece>& pieces, Coord width_nm) {
   return lines.empty() ? MultiPolygon{} : OffsetLines(lines, width_nm / 2, Cap::kButt);
 }
 
-/// The lines of the sparse infill of a layer.
+/// Computes the lines of the sparse infill of a layer.
 absl::Status LayOut(const SectionView& layer, const RegionView& region, SparseBelow& sparse) {
   const InfillOptions& options = region.options;
   const FillPattern pattern = region.plan == nullptr ? options.pattern : region.plan->pattern;

@@ -10,21 +10,22 @@
 
 namespace slicefarm::infill {
 
-/// Whose sparse infill it is. All must outlive this.
+/// Region with sparse infill. All referenced objects must outlive this.
 struct RegionView {
   const SectionView& section;
   const InfillOptions& options;
-  const PlannedInfill* plan = nullptr;  ///< null: nothing is planned
-  std::optional<int32_t> row = {};      ///< the region that skins are of; none: of the whole object
+  const PlannedInfill* plan = nullptr;  ///< null: no plan
+  std::optional<int32_t> row = {};      ///< region of the skins; none: the whole object
 };
 
-/// How far apart the lines of sparse infill lie in a layer so high; of none at all, what skins over
-/// it take for it.
+/// Returns the distance between the lines of sparse infill in a layer of this height. Without
+/// infill, returns the value that skins above it use.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
-/// The sparse infill of the layer below within `fill_area`: where outlines say that it has no skins
-/// and no walls there, and its lines, where a law says how they lie. REQUIRES: BridgesSparse.
-/// Errors: as MakePattern. Cost: that of PartFillArea, and of the pattern.
+/// Returns the sparse infill of the layer below within `fill_area`: the area where the outlines
+/// give no skins and no walls there, and its lines if their positions follow from a formula.
+/// REQUIRES: BridgesSparse. Errors: as MakePattern. Cost: the cost of PartFillArea, and of the
+/// pattern.
 absl::StatusOr<SparseBelow> SparseUnder(const MultiPolygon& fill_area, const RegionView& region);
 
 }  // namespace slicefarm::infill

@@ -29,7 +29,7 @@ std::vector<SlicedLayer> Layers(const std::vector<std::string_view>& outlines) {
   return layers;
 }
 
-/// Under layer 4 of such layers, in a fill area of 18 x 18 mm.
+/// Returns the sparse infill under layer 4 of these layers, in a fill area of 18 x 18 mm.
 SparseBelow UnderOrDie(const std::vector<std::string_view>& outlines, InfillOptions options) {
   options.top_solid_layers = 2;
   options.bottom_solid_layers = 1;

@@ -11,8 +11,8 @@
 
 namespace slicefarm::infill {
 
-/// Translates slicefarm.v1.Infill to an InfillStage and back.
-/// `stage`, `gate` and `shared` must outlive the service.
+/// Returns the gRPC service slicefarm.v1.Infill on top of an InfillStage. `stage`, `gate` and
+/// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallGate& gate,
                                                  SharedCache& shared);
 

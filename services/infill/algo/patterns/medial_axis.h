@@ -14,8 +14,8 @@ namespace slicefarm::infill {
 /// in any part of the region is therefore the part's area / pitch, on average over the phase
 /// (coarea formula). The phase decreases with the height: lines begin at the walls, lean inwards by
 /// 45 degrees, and each pair merges on the axis. While the two lines of a pair would overlap
-/// (closer than a spacing), and for the same height after they have met, the axis itself is one
-/// line in their place, which has the same length.
+/// (closer than a spacing), the axis itself is one line in their place. The same is true for an
+/// equal height after they have met, which gives the same length.
 ///
 /// Source: the family {d(x, axis) = k pitch} of offsets from the medial axis. With a constant phase
 /// its density would change by whole lines; the moving phase corrects this. Lines at equal

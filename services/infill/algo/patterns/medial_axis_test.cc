@@ -118,7 +118,7 @@ TEST(MedialAxis, LoopsAreLinked) {
   for (int i = 0; i < kPhases; ++i) {
     SparseFill fill{.pattern = FillPattern::kMedialAxis, .z_nm = At(i).z_nm};
     fill.anchor_max_nm = 50'000'000;
-    // Where the outermost line meets the outline's chords, short parts of it are along the edge.
+    // Short parts of the outermost line are along the edge, because it meets the outline's chords.
     EXPECT_LE(FillSparse({{disc, {}}}, fill)->size(), 4u) << i;
   }
 }

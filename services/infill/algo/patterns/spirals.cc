@@ -40,8 +40,7 @@ double ChordsAt(double radius_nm) {
 }
 
 /// Returns the turn at which a spiral begins, so that the part within `least` of the origin is
-/// skipped. It is a whole number of turns, so that the spiral's points are the same for all
-/// regions.
+/// skipped. It is a whole number of turns, so that all regions get the same points of the spiral.
 double FirstTurn(double least_nm, double nm_per_turn) {
   return std::max(0.0, std::floor(least_nm / nm_per_turn) - 1);
 }

@@ -17,15 +17,15 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr int kDirections = 36;
-constexpr double kInAir = 10;  ///< how much longer a span counts that ends in air
+constexpr double kInAir = 10;  ///< factor for the length of a span that ends in air
 constexpr double kTypical = 0.9;
-/// Directions that differ by less than this are as good as each other.
+/// Relative difference up to which two directions are equally good.
 constexpr double kRounding = 1e-6;
 constexpr double kMaxSamples = 200;
-/// Two ends are one if they are nearer than this: where regions meet, edges are rounded.
+/// Distance in nm up to which two ends are one end: where regions meet, edges are rounded.
 constexpr double kSameEndNm = 5'000;
 
-/// Where the pieces of one line begin and end.
+/// Returns the ends of the pieces of one line.
 std::vector<double> EndsOn(const ScanLines& lines, int64_t line) {
   std::vector<double> ends;
   if (line < 0 || line >= lines.LineCount()) return ends;
@@ -39,17 +39,17 @@ bool HasNear(const std::vector<double>& sorted, double u) {
   return it != sorted.end() && *it <= u + kSameEndNm;
 }
 
-/// A line's span over nothing.
+/// Unsupported span of a line.
 struct Span {
-  double counted = 0;  ///< as so long
+  double counted = 0;  ///< length with the factor for ends in air
   double length = 0;
   bool held = false;
-  int tenths_held = 0;  ///< of all lines by length, ends of both sides on something
+  int tenths_held = 0;  ///< tenths of the length of all lines that are supported at both ends
 };
 
-/// The span that nine tenths of the lines, by length, do not exceed; those that end in air count
-/// as longer. Not the mean: the short spans that slanted lines have in corners would make up for
-/// longer ones between. Infinite if no line meets the spans.
+/// Returns the 90th percentile of the spans, weighted by length. Spans that end in air count as
+/// longer. The mean would not do: the short spans of oblique lines in corners would compensate
+/// longer ones. Infinite if no line meets the spans.
 Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
   std::vector<Span> found;
   double total = 0, total_held = 0;
@@ -74,7 +74,7 @@ Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
   return {.counted = std::numeric_limits<double>::infinity()};
 }
 
-/// The best of directions.
+/// Best of the directions so far.
 struct SpanChoice {
   int tenths_held = 0;
   double least = std::numeric_limits<double>::infinity();

@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
                               "(-1 -1, 41 -1, 41 13, -1 13) (1 1, 1 11, 39 11, 39 1)", 90},
                     AngleCase{"ShelfOnOneWall", "(9 0, 20 0, 20 40, 9 40)",
                               "(0 0, 10 0, 10 40, 0 40)", 0, false},
-                    // Its wide part ends on nothing, but what can be borne at both ends is.
+                    // The wide part has an unsupported end, but all lines that can be supported at
+                    // both ends are.
                     AngleCase{"NarrowerOnOneSide", "(0 -1, 3 -1, 3 14, 8 14, 8 31, 0 31)",
                               "(-1 -9, 9 -9, 9 0, -1 0) ; (-1 30, 9 30, 9 39, -1 39)", 90, false},
                     AngleCase{"BetweenSlantedLegs", "(-1 -1, 29 29, 22 36, -8 6)",

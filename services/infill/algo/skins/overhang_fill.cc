@@ -15,14 +15,14 @@
 namespace slicefarm::infill {
 namespace {
 
-/// What lies farther than so many spacings from the region bears none of it.
+/// Largest distance of a supporting area from the region, in spacings.
 constexpr Coord kNearSpacings = 4;
-/// How far over what bears it the fill begins, in spacings: about where its anchor ends.
+/// Width of the fill over the supporting area, in spacings. It ends about where its anchor ends.
 constexpr int kAnchorLines = 3;
-/// Ends that lie no farther apart than so many spacings are joined.
+/// Largest distance between two ends that are joined, in spacings.
 constexpr double kOverhangLinkSpacings = 1.6;
 
-/// The edge of what lies within a distance of a region.
+/// Returns the edge of the area within a distance of a region.
 std::vector<Curve> LinesAround(const MultiPolygon& region, Coord distance_nm) {
   std::vector<Curve> curves;
   const auto add = [&](const Polygon& ring) { curves.push_back({ring, true}); };
@@ -33,12 +33,12 @@ std::vector<Curve> LinesAround(const MultiPolygon& region, Coord distance_nm) {
   return curves;
 }
 
-/// Joins lines to paths in the order in which they are added.
+/// Paths of lines that are joined in the order in which they are added.
 class Chain {
  public:
   Chain(Coord width_nm, double max_link_nm) : width_nm_(width_nm), max_link_nm_(max_link_nm) {}
 
-  /// Adds lines of one distance, the nearest to where the last one ended first.
+  /// Adds lines of one distance. The line nearest to the last end is added first.
   void AddAll(std::vector<Piece> lines) {
     while (!lines.empty()) {
       const auto nearest = std::ranges::min_element(lines, {}, [this](const Piece& line) {
@@ -95,7 +95,7 @@ FillGroup FillOverhang(const PolygonWithHoles& region, const MultiPolygon& below
     return any;
   };
   for (int i = kAnchorLines; i-- > 0;) add(air, i);
-  // Distances in a connected region have no gaps: where there is no line, none is farther out.
+  // Distances in a connected region have no gaps: if a distance has no line, no greater one has.
   for (int i = 0; add(bearing, i); ++i) {
   }
   return chain.Take();

@@ -4,20 +4,21 @@
 
 namespace slicefarm::infill {
 
+/// Parameters of FillOverhang.
 struct OverhangFill {
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
-  Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge
+  /// Distance by which lines are nearer than half a spacing to the region's edge.
+  Coord overlap_nm = 0;
 };
 
-/// Fills a region that bridges cannot span from what bears it outwards: lines of equal distance
-/// from `below`, so that each lies beside one that is printed already, from the edge of the part
-/// below to the region's far end. Lines whose ends meet are one path, to and fro. The group keeps
-/// its order. Empty if nothing bears the region.
+/// Fills a region that bridges cannot span, outwards from its supported part. The lines have equal
+/// distances from `below`, so that each line is beside a printed line, from the edge of the part
+/// below to the far end of the region. Lines with touching ends become one path, to and fro. The
+/// group keeps its order. Returns an empty group if nothing supports the region.
 ///
-/// Cost: an offset of what bears the region for each line of distance, O(n log n) each.
-/// Source: PrusaSlicer's "extra perimeters on overhangs" and S. McCulloch's arc overhangs, for what
-/// they achieve.
+/// Cost: one offset of the supporting area per line of distance, O(n log n) each. Source: the
+/// effect is like PrusaSlicer's "extra perimeters on overhangs" and S. McCulloch's arc overhangs.
 FillGroup FillOverhang(const PolygonWithHoles& region, const MultiPolygon& below,
                        const OverhangFill& fill);
 

@@ -16,7 +16,7 @@ namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-/// What the beads cover.
+/// Returns the area that the beads cover.
 MultiPolygon Covered(const FillGroup& group) {
   std::vector<Polyline> lines;
   for (const Path& path : group.paths) {
@@ -47,7 +47,8 @@ TEST_P(FillOverhangTest, CoversTheRegionAndStaysInIt) {
   EXPECT_LT(Area(Difference(covered, Offset({region_}, 110'000))), 1e-3 * Area(region_));
 }
 
-/// How far a path's point is from what is printed before it, its last few millimetres apart.
+/// Returns the distance of a path's point from the area printed before it, without the path's last
+/// few millimetres.
 double WayToPrinted(const Path& path, size_t point, const MultiPolygon& there) {
   constexpr double kLast = 3e6;
   double way = DistanceToRegion(path.points[point], there), since = 0;
@@ -60,8 +61,8 @@ double WayToPrinted(const Path& path, size_t point, const MultiPolygon& there) {
   return way;
 }
 
-// The point of it: whatever is printed lies on the part below or beside a bead before. Where lines
-// turn, the one before counts as their own last millimetres.
+// This is the purpose of the fill: each bead is on the part below or beside an earlier bead. Where
+// lines turn, the path's own last millimetres count as the earlier bead.
 TEST_P(FillOverhangTest, EachLineLiesBesideWhatIsThere) {
   MultiPolygon there = below_;
   const auto spacing = static_cast<double>(Spacing(fill_.width_nm, fill_.height_nm));

@@ -7,8 +7,8 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr double kMaskSquareNm = 400'000;
-constexpr int32_t kMostMaskSquares = 512;  ///< in a row or column
-/// Edges count as this much thicker, in squares, for rounding.
+constexpr int32_t kMostMaskSquares = 512;  ///< limit for a row or column
+/// Additional thickness of edges, in squares, for rounding.
 constexpr double kSlack = 1e-3;
 
 uint64_t BitsFrom(int32_t column) { return ~uint64_t{0} << (column % 64); }
@@ -88,8 +88,8 @@ void RegionMask::MarkBoundary(const Polygon& ring) {
   }
 }
 
-/// A square without boundary in it is in the region if its middle is: marks what lies between the
-/// crossings of each row's middle.
+/// Marks the squares between the crossings of each row's middle. A square without boundary is in
+/// the region if its middle is.
 void RegionMask::MarkInside(const MultiPolygon& region) {
   std::vector<std::vector<double>> crossings(rows_);
   ForEachRing(region, [&](const Polygon& ring) {

@@ -44,7 +44,7 @@ TEST(RegionMaskOfNothing, MeetsNothing) {
   EXPECT_FALSE(RegionMask(MultiPolygon()).MayMeet(P("(0 0, 1 0, 1 1)")));
 }
 
-// It may say yes too often, but never no where an edge meets the region.
+// The mask may return true too often, but never false if an edge meets the region.
 TEST(RegionMaskSafety, NeverMissesAMeeting) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);

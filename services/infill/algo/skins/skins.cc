@@ -16,25 +16,25 @@
 namespace slicefarm::infill {
 namespace {
 
-/// How far skins reach into the sparse region, and bridges onto what bears them, in beads.
+/// Width of the anchors of skins in the sparse region, and of bridges on their supports, in beads.
 constexpr Coord kAnchorBeads = 2;
 
-/// SmoothOffset with round corners, to 2 % of the distance: what miters reach jumps with an angle, at
-/// tips of 60 degrees.
+/// Offsets a region like SmoothOffset, but with round corners, precise to 2 % of the distance. The
+/// reach of miters changes abruptly with the angle, at tips of 60 degrees.
 MultiPolygon RoundOffset(const MultiPolygon& region, Coord distance_nm) {
   return Offset(Simplify(region, kNoiseNm), distance_nm,
                 {.join = Join::kRound, .arc_tolerance_nm = distance_nm / 50});
 }
 
-/// The part of `region` that is at least `width_nm` wide.
+/// Returns the part of `region` that is at least `width_nm` wide.
 MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord width_nm) {
   const MultiPolygon core = SmoothOffset(region, -width_nm / 2);
   if (core.empty()) return {};
-  // Tips of what lies beyond the grown core are noise to SmoothOffset.
+  // Tips outside of the grown core are noise to SmoothOffset.
   return Intersection(region, SmoothOffset(core, width_nm / 2 + kNoiseNm / 2));
 }
 
-/// Drops islands that are smaller than a dot of a bead.
+/// Removes islands that are smaller than a dot of a bead.
 void EraseSpecks(MultiPolygon& region, Coord width_nm) {
   const double least = static_cast<double>(width_nm) * static_cast<double>(width_nm);
   std::erase_if(region, [least](const PolygonWithHoles& island) { return Area(island) < least; });
@@ -46,8 +46,8 @@ bool HasAir(const std::vector<const MultiPolygon*>& layers) {
   return std::any_of(layers.begin(), layers.end(), IsAir);
 }
 
-/// The islands of `area` that lie under `layer`, of which no edge meets `area`; or with `covered`
-/// false the others.
+/// Returns the islands of `area` that are under `layer`, or with `covered` false all other islands.
+/// REQUIRES: no edge of `layer` meets `area`.
 MultiPolygon IslandsUnder(const MultiPolygon& area, const MultiPolygon& layer, bool covered) {
   MultiPolygon islands;
   for (const PolygonWithHoles& island : area)
@@ -55,10 +55,10 @@ MultiPolygon IslandsUnder(const MultiPolygon& area, const MultiPolygon& layer, b
   return islands;
 }
 
-/// Takes from a fill area what its skins need.
+/// Part of a fill area that remains after its skins are removed.
 class SparseRegion {
  public:
-  /// `fill_area` must outlive this.
+  /// Begins with the whole area. `fill_area` must outlive this object.
   SparseRegion(const MultiPolygon& fill_area, Coord width_nm)
       : fill_area_(fill_area),
         fill_mask_(fill_area),
@@ -66,8 +66,8 @@ class SparseRegion {
         mask_(fill_mask_),
         width_nm_(width_nm) {}
 
-  /// Takes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
-  /// wide, and an anchor around them.
+  /// Removes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
+  /// wide, with an anchor around them.
   void TakeBareParts(const MultiPolygon& layer, Coord least_nm) {
     if (!mask_.MayMeet(layer)) {
       MultiPolygon covered = IslandsUnder(region_, layer, true);
@@ -77,14 +77,15 @@ class SparseRegion {
     TakeWide(Difference(region_, layer), least_nm);
   }
 
-  /// The same over the nearest layer below, whatever others took: where a recess widens from layer
-  /// to layer, farther ones have taken all that is bare, and bridges need their anchors around that.
+  /// Removes the parts that the nearest layer below does not support, computed from the whole fill
+  /// area. If a recess widens from layer to layer, farther layers have already removed all bare
+  /// parts, but bridges still need their anchors around them.
   void TakeUnborneParts(const MultiPolygon& layer, Coord least_nm) {
     if (!fill_mask_.MayMeet(layer)) return TakeBareParts(layer, least_nm);
     TakeWide(Difference(fill_area_, layer), least_nm);
   }
 
-  /// The same, of what `nearer` covers.
+  /// Removes the parts that `nearer` covers and `layer` does not.
   void TakeExposedParts(const MultiPolygon& layer, const MultiPolygon& nearer) {
     TakeWide(Difference(Intersection(region_, nearer), layer), width_nm_);
   }
@@ -111,7 +112,7 @@ class SparseRegion {
   Coord width_nm_;
 };
 
-/// The part of `area` that `layer` leaves bare.
+/// Returns the part of `area` that `layer` does not cover.
 MultiPolygon Exposed(const MultiPolygon& area, const MultiPolygon* layer,
                      const MultiPolygon& outline, Coord width_nm) {
   if (area.empty() || layer == &outline) return {};
@@ -120,22 +121,22 @@ MultiPolygon Exposed(const MultiPolygon& area, const MultiPolygon* layer,
   return WithoutSlivers(Difference(area, *layer), width_nm);
 }
 
-/// Sparse infill in a narrower place between solid parts, in widths, is bits of lines: it becomes
-/// solid.
+/// Least width of sparse infill between solid parts, in widths. A narrower part would have only
+/// short bits of lines, so that it becomes solid.
 constexpr Coord kLeastSparseWidths = 4;
 
-/// How wide bare parts must be for ShellThickness::kPartial, in beads.
+/// Least width of bare parts for ShellThickness::kPartial, in beads.
 constexpr Coord kPartialBeads = 3;
 
-/// Narrower parts than this share of a bead are not bare. What is bare beside walls, or in a place
-/// between walls that is no wider than a bead, goes on under them: it is wider than it looks.
+/// Least width of bare parts, as a share of a bead. A bare part beside walls, or between walls no
+/// more than a bead apart, continues under the walls: it is wider than it seems.
 constexpr double kLeastBareBeads = 0.3;
 
 Coord LeastBare(const SkinOptions& options) {
   return std::llround(kLeastBareBeads * static_cast<double>(options.width_nm));
 }
 
-/// What no layer of the cover exposes.
+/// Returns the part that no layer of the cover exposes.
 MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                            const Cover& cover, const SkinOptions& options) {
   static const MultiPolygon kAir;
@@ -151,8 +152,8 @@ MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& ou
   return sparse.region();
 }
 
-/// What no layer of the cover leaves bare. From far to near: what a far layer leaves bare is most
-/// often all that nearer ones do.
+/// Returns the part that every layer of the cover covers. The order is from far to near, because
+/// the bare parts of a far layer usually contain the bare parts of nearer layers.
 MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                          const Cover& cover, const SkinOptions& options) {
   if (options.all_solid) return {};
@@ -166,7 +167,7 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
     for (size_t i = side->size(); i-- > nearest && !sparse.region().empty();) {
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
-      // What lies open itself is a skin, however narrow.
+      // An area that is open itself is a skin, however narrow it is.
       const Coord least_nm =
           partial && i > 0 ? kPartialBeads * options.width_nm : LeastBare(options);
       if (!seen && layer != &outline) sparse.TakeBareParts(*layer, least_nm);
@@ -177,9 +178,9 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   return sparse.region();
 }
 
-/// The narrow places of `covered` beside what is `bare`. By widths alone: whatever noise the
-/// operands have, the result moves no more than they do. What lies in a right angle belongs to the
-/// wide place that ends there: to its corner a disc's middle has sqrt(2) of the disc's radius.
+/// Returns the narrow parts of `covered` beside `bare`. Only widths decide, so that noise in the
+/// operands moves the result by no more than the noise. An area in a right angle belongs to the
+/// wide area that ends there: the centre of a disc is sqrt(2) radii from the corner.
 MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
   const Coord least_nm = kLeastSparseWidths * width_nm;
   const MultiPolygon core = SmoothOffset(covered, -least_nm / 2);
@@ -188,16 +189,16 @@ MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare,
       core.empty() ? covered : Difference(covered, RoundOffset(core, to_corner_nm));
   EraseSpecks(narrow, width_nm);
   if (narrow.empty()) return {};
-  // Hairs that rounding leaves along the fill area's edge are nothing bare.
+  // Tiny slivers from rounding along the fill area's edge do not count as bare.
   const MultiPolygon without_hairs = SmoothOffset(bare, -2 * kNoiseNm);
   narrow = Intersection(narrow, SmoothOffset(without_hairs, least_nm + 2 * kNoiseNm));
   EraseSpecks(narrow, width_nm);
   return narrow;
 }
 
-/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid as far
-/// as it lies beside something bare, as between two skins; farther off it stays sparse: a wedge
-/// between walls is no skin.
+/// Divides a fill area into sparse and solid. A narrow part of the covered area becomes solid where
+/// it is beside a bare area, for example between two skins. Farther away it stays sparse: a wedge
+/// between walls is not a skin.
 void PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, Coord width_nm, Skins& skins) {
   if (covered.empty() || covered == fill_area) {
     (covered.empty() ? skins.solid : skins.sparse) = fill_area;
@@ -211,8 +212,8 @@ void PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, Coord width
   skins.solid = Difference(fill_area, skins.sparse);
 }
 
-/// Takes a part from the solid region, with as much around it as the lines of bridges need to lie
-/// on something at both ends, and what that leaves too narrow for a bead beside it.
+/// Removes a part from the solid region, with a margin that supports the lines of bridges at both
+/// ends. The remainder beside it that is too narrow for a bead is removed too.
 MultiPolygon TakeAnchored(const MultiPolygon& part, Coord width_nm, MultiPolygon& solid) {
   if (part.empty()) return {};
   const MultiPolygon beyond = Difference(solid, SmoothOffset(part, kAnchorBeads * width_nm));
@@ -231,8 +232,8 @@ const std::vector<const MultiPolygon*>& BearersOf(const Cover& cover) {
   return cover.bearers.empty() ? cover.below : cover.bearers;
 }
 
-/// What is seen from above, but for membranes: what lies over air too has to be a bridge, or it
-/// sags.
+/// Returns the parts visible from above, without membranes. A membrane is also over air: it has to
+/// be a bridge, or it sags.
 MultiPolygon TopOf(const MultiPolygon& solid, const MultiPolygon& outline, const Cover& cover,
                    Coord width_nm) {
   MultiPolygon top = Exposed(solid, cover.above[0], outline, width_nm);
@@ -244,7 +245,7 @@ MultiPolygon TopOf(const MultiPolygon& solid, const MultiPolygon& outline, const
                         width_nm);
 }
 
-/// Parts the solid region by what lies below it.
+/// Divides the solid region by the layers below it.
 void PartByBearers(const MultiPolygon& outline, const Cover& cover, const SkinOptions& options,
                    Skins& skins) {
   const auto& bearers = BearersOf(cover);

@@ -74,7 +74,8 @@ TEST(Skins, ThinSparseRemaindersBecomeSolid) {
 }
 
 TEST(Skins, NarrowSparsePlacesBetweenSkinsBecomeSolid) {
-  // Bare from 6 to 8 and from 11 to 13: 1.2 mm are left between what grows from there.
+  // The layer is bare from 6 to 8 and from 11 to 13: 1.2 mm remain between the skins that grow from
+  // there.
   const MultiPolygon bars =
       P("(0 0, 6 0, 6 20, 0 20) ; (8 0, 11 0, 11 20, 8 20) ; (13 0, 20 0, 20 20, 13 20)");
   const Skins skins = PartFillArea(kFill, kWhole, {{&bars}, {&kWhole}, false}, {});
@@ -104,11 +105,8 @@ TEST(Skins, OverhangingStepHasABridge) {
   ExpectPartition(skins, kFill);
 }
 
-// Layers of a region alone, the upper half of which stands on another one.
-// Each layer of a recess that widens upwards is bare for itself; what is bare in farther layers takes
-// what the nearest one leaves bare, and less around that than bridges need.
-// One layer over a hole, and nothing over it: as in recesses for screws, where the hole is drilled
-// free after the print.
+// One layer is over a hole, with nothing above it: this is the recess of a screw, where the hole is
+// drilled after the print.
 TEST(Skins, AMembraneOverAirIsABridgeNotATop) {
   const MultiPolygon area = P("(0 0, 20 0, 20 20, 0 20)");
   const MultiPolygon holed = P("(0 0, 20 0, 20 20, 0 20) (7 7, 7 13, 13 13, 13 7)");
@@ -119,7 +117,7 @@ TEST(Skins, AMembraneOverAirIsABridgeNotATop) {
   const Skins skins = PartFillArea(area, area, cover, {});
   EXPECT_NEAR(Mm2(skins.bridge), 7.8 * 7.8, 0.3) << "the hole, and two beads around it";
   EXPECT_NEAR(Mm2(skins.top), 10 * 10 - 7.8 * 7.8, 0.5);
-  // What is a floor over air from its first layer on has a top of its own.
+  // A floor that is over air from its first layer has a top of its own.
   cover.below = {&area, &holed};
   const Skins second = PartFillArea(area, area, cover, {});
   EXPECT_TRUE(second.bridge.empty());
@@ -129,6 +127,8 @@ TEST(Skins, AMembraneOverAirIsABridgeNotATop) {
   EXPECT_NEAR(Mm2(PartFillArea(area, area, cover, {}).top), 10 * 10, 0.1);
 }
 
+// Each layer of a recess that widens upwards is bare by itself. The bare parts of farther layers
+// contain the bare part of the nearest layer, with a margin smaller than bridges need.
 TEST(Skins, BridgesOverAWideningRecessHaveWholeAnchors) {
   const auto recess = [](double half_mm) {
     const double a = 10 - half_mm, b = 10 + half_mm;
@@ -151,6 +151,7 @@ TEST(Skins, BridgesOverAWideningRecessHaveWholeAnchors) {
   }
 }
 
+// The cover has only layers of one region. Its upper half is on another region.
 TEST(Skins, OverAnotherRegionIsABottomAndNoBridge) {
   Cover cover{.above = {&kWhole}, .below = {&kLeftHalf}, .bearers = {&kWhole}};
   Skins skins = PartFillArea(kFill, kWhole, cover, {});
@@ -174,7 +175,7 @@ TEST(Skins, WhatLiesOverABridgeIsToldApartIfAsked) {
   Skins skins = PartFillArea(kFill, kWhole, cover, {.over_bridges = true});
   EXPECT_TRUE(skins.bridge.empty());
   EXPECT_TRUE(skins.bottom.empty());
-  // As far as the bridge below reaches; all that is solid here.
+  // The area reaches as far as the bridge below, and contains all solid infill here.
   EXPECT_NEAR(Mm2(skins.over_bridge), 9.9 * 18, 0.01);
   EXPECT_TRUE(skins.solid.empty());
   ExpectPartition(skins, kFill);
@@ -186,7 +187,8 @@ TEST(Skins, WhatLiesOverABridgeIsToldApartIfAsked) {
   EXPECT_NEAR(Mm2(skins.solid), 9.9 * 18, 0.01);
 }
 
-// A slope over five layers: what the farthest leaves bare is solid, whatever the nearer ones do.
+// A slope over five layers: the bare part of the farthest layer is solid, independent of the nearer
+// layers.
 TEST(Skins, SlopeTakesTheFarthestLayer) {
   std::vector<MultiPolygon> slope;
   for (int i = 1; i <= 5; ++i) {
@@ -203,7 +205,7 @@ TEST(Skins, SlopeTakesTheFarthestLayer) {
 }
 
 struct SlopeCase {
-  double step_mm;  ///< from layer to layer
+  double step_mm;  ///< step from layer to layer
   ShellThickness shells;
   bool solid;
 };
@@ -233,7 +235,7 @@ TEST(Skins, SlopesAreAsThickAsAsked) {
   }
 }
 
-// Without shells, what lies right under an open surface is as thick as ever.
+// Without shells, the area directly under an open surface still has its full thickness.
 TEST(Skins, SurfacesKeepTheirLayersWithoutShells) {
   for (const auto& above : {std::vector<const MultiPolygon*>{&kLeftHalf, &kLeftHalf},
                             std::vector<const MultiPolygon*>{&kWhole, &kWhole, &kLeftHalf},
@@ -247,7 +249,7 @@ TEST(Skins, SurfacesKeepTheirLayersWithoutShells) {
   }
 }
 
-/// Each corner moved by up to 20 nm, differently for each seed.
+/// Returns the polygons with each corner moved by up to 20 nm, differently for each seed.
 MultiPolygon Noisy(const MultiPolygon& polygons, uint32_t seed) {
   std::minstd_rand random(seed + 1);
   const auto move = [&random](Polygon& ring) {
@@ -281,7 +283,7 @@ struct NoiseCase {
   const char* below;
 };
 
-// Nothing may hang on a vertex that lies on an edge of another operand but for rounding.
+// The result must not depend on a vertex that is on an edge of another operand except for rounding.
 TEST(Skins, NoiseOfSomeNanometresMovesNoSkin) {
   const MultiPolygon fill = Turned("(1 1, 17 1, 19 3, 19 19, 2.5 19, 2.5 12, 1 12)");
   const MultiPolygon whole = Turned("(0 0, 20 0, 20 20, 0 20)");
@@ -305,7 +307,8 @@ TEST(Skins, NoiseOfSomeNanometresMovesNoSkin) {
   }
 }
 
-// A channel between walls that a skin ends in: as far as lines would be bits beside the skin.
+// A skin ends in a channel between walls: the channel is solid as far as lines would be short bits
+// beside the skin.
 TEST(Skins, NarrowPlacesAreSolidNoFartherThanTheirWidthFromASkin) {
   const MultiPolygon fill = P("(1 1, 19 1, 19 2.2, 1 2.2)");
   const MultiPolygon left = P("(0 0, 8 0, 8 5, 0 5)");
@@ -315,7 +318,7 @@ TEST(Skins, NarrowPlacesAreSolidNoFartherThanTheirWidthFromASkin) {
   ExpectPartition(skins, fill);
 }
 
-// What is narrow of a skin far from any bridge is no part of one.
+// A narrow part of a skin far from any bridge is not part of a bridge.
 TEST(Skins, SliversOfSolidFarFromABridgeStaySolid) {
   const MultiPolygon fill = P("(1 1, 19 1, 19 10, 12 10, 12 19, 11.7 19, 11.7 10, 1 10)");
   const MultiPolygon below = P("(5 0, 20 0, 20 20, 5 20)");

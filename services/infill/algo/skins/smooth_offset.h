@@ -6,12 +6,13 @@
 
 namespace slicefarm::infill {
 
-/// Edges of layers that lie on each other in the part do so to some tens of nanometres in sections.
-/// What differs by less is noise.
+/// Differences below this value are noise. Edges of layers that are equal in the part differ by
+/// some tens of nanometres in sections.
 inline constexpr Coord kNoiseNm = 5'000;
 
-/// Offsets a result of boolean operations, whose edges may have steps and tips of noise where
-/// operands' edges lay on each other: miters would make them as long as the offset.
+/// Offsets a result of boolean operations without its noise. Its edges may have steps and tips of
+/// noise where the operands' edges were on each other. Miters would make these tips as long as the
+/// offset.
 inline MultiPolygon SmoothOffset(const MultiPolygon& region, Coord distance_nm) {
   return FastOffset(Simplify(region, kNoiseNm), distance_nm);
 }

@@ -11,14 +11,15 @@
 namespace slicefarm::infill {
 namespace {
 
-/// What of `region` is at least `width_nm` wide, and what lies beside that within half as much.
+/// Returns the part of `region` that is at least `width_nm` wide, plus the area within half of this
+/// width beside it.
 MultiPolygon WidePart(const MultiPolygon& region, Coord width_nm) {
   const MultiPolygon core = SmoothOffset(region, -width_nm / 2);
   if (core.empty()) return {};
   return Intersection(region, SmoothOffset(core, width_nm));
 }
 
-/// The cells between beads that `bridged` reaches into by more than a dot.
+/// Returns the cells between beads that overlap `bridged` by more than a dot.
 MultiPolygon CellsUnder(const MultiPolygon& bridged, const MultiPolygon& cells, Coord width_nm) {
   const double dot = static_cast<double>(width_nm) * static_cast<double>(width_nm);
   MultiPolygon reached;
@@ -28,7 +29,7 @@ MultiPolygon CellsUnder(const MultiPolygon& bridged, const MultiPolygon& cells, 
   return reached;
 }
 
-/// With whole cells, and onto the beads around them.
+/// Extends `bridged` to whole cells, and onto the beads around them.
 MultiPolygon ToBeads(const MultiPolygon& bridged, const SparseBelow& below,
                      const MultiPolygon& room, Coord width_nm) {
   const auto reach_nm = static_cast<Coord>(std::llround(below.pitch_nm));
@@ -38,7 +39,7 @@ MultiPolygon ToBeads(const MultiPolygon& bridged, const SparseBelow& below,
   return Intersection(near, SmoothOffset(Union(bridged, cells), width_nm));
 }
 
-/// The narrowest part of a skin that is bridged.
+/// Returns the least width of a skin that is bridged.
 Coord LeastBridgeNm(double pitch_nm, Coord width_nm) {
   return static_cast<Coord>(std::llround(pitch_nm)) + width_nm;
 }
@@ -46,7 +47,7 @@ Coord LeastBridgeNm(double pitch_nm, Coord width_nm) {
 }  // namespace
 
 bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm) {
-  // The layer below may be higher, and its lines nearer to each other.
+  // The layer below may be higher, with a smaller distance between its lines.
   constexpr double kSurely = 0.8;
   return !SmoothOffset(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2).empty();
 }

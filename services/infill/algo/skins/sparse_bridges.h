@@ -7,28 +7,29 @@
 
 namespace slicefarm::infill {
 
-/// The sparse infill of the layer below a fill area, as far as outlines tell.
+/// Sparse infill of the layer below a fill area, as far as outlines define it.
 struct SparseBelow {
-  MultiPolygon region;  ///< where it lies, within the fill area
-  MultiPolygon beads;   ///< its lines, as wide as they are; empty: where they lie is not known
-  double pitch_nm = 0;  ///< of its lines
+  MultiPolygon region;  ///< area of the sparse infill within the fill area
+  MultiPolygon beads;   ///< area of its beads; empty: the lines' positions are unknown
+  double pitch_nm = 0;  ///< pitch of its lines
 };
 
 /// Bridges over sparse infill.
 struct SparseBridges {
   MultiPolygon regions;
-  MultiPolygon bearers;  ///< what their lines may lie on: the beads below, and what is solid there
+  MultiPolygon bearers;  ///< supports of their lines: the beads below, and the solid areas there
 };
 
-/// Whether a solid part may hold a bridge over cells of such a pitch: a quick look, for most do not.
-/// Cost: an offset.
+/// Returns true if a solid part may contain a bridge over cells of this pitch. This is a fast test,
+/// because most parts contain none. Cost: an offset.
 bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
 
-/// Takes from the skins what lies over sparse infill and has to be bridged: the solid part there that
-/// is wide enough to hold a cell of the lines below. A cell that it touches is bridged as a whole, up
-/// to a pitch away and onto the beads around it, so that lines end on beads: that comes from the
-/// skins' sparse part. Invariant: the skins and the bridges tile what the skins did.
-/// Cost: some boolean operations where there is something to bridge, else one.
+/// Removes the parts of the skins that are over sparse infill and have to be bridged: the solid
+/// part there that is wide enough for a cell of the lines below. A cell that it touches is bridged
+/// completely, up to a pitch away and onto the beads around it, so that lines end on beads. This
+/// extension is removed from the skins' sparse part. Invariant: the skins and the bridges together
+/// tile the area of the original skins. Cost: some boolean operations if there is a bridge,
+/// otherwise one.
 SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins);
 
 }  // namespace slicefarm::infill

@@ -16,7 +16,7 @@ constexpr Coord kWidth = 450'000;
 
 double Mm2(const MultiPolygon& region) { return Area(region) / 1e12; }
 
-/// Lines along y in [-20, 20]^2, every `pitch_mm` from x = -20 on.
+/// Returns lines along y in [-20, 20]^2, every `pitch_mm`, beginning at x = -20.
 SparseBelow LinesBelow(double pitch_mm) {
   SparseBelow below{.region = MakePolygonsOrDie("(-20 -20, 20 -20, 20 20, -20 20)"),
                     .beads = {},
@@ -42,7 +42,7 @@ TEST(TakeSparseBridges, GoesOnToTheLinesOnEitherSide) {
   const double before = Mm2(skins.solid) + Mm2(skins.sparse);
   const SparseBridges bridges = TakeSparseBridges(LinesBelow(4), kWidth, skins);
   ASSERT_EQ(bridges.regions.size(), 1U);
-  // Lines lie at x = -8 and 8, half a millimetre and more beyond.
+  // Lines are at x = -8 and 8, at least half a millimetre outside.
   const Box box = Bounds(bridges.regions);
   EXPECT_GE(box.max.x, FromMm(8));
   EXPECT_LE(box.max.x, FromMm(8.3));

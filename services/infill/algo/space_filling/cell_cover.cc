@@ -9,13 +9,14 @@
 namespace slicefarm::infill {
 namespace {
 
-/// The origin's cell: in the binary digits 0 and 1 take turns, the ternary ones are all 1.
+/// Cell of the origin: its binary digits alternate between 0 and 1, its ternary digits are all 1.
 constexpr uint32_t kMiddleOfTwos = 0x15555555;
 constexpr uint32_t kMiddleOfThrees = 193'710'244;  // (3^18 - 1) / 2
 
 Coord FloorDiv(Coord a, Coord b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-/// Calls visit(column, row) for all cells that the segment ab meets, and some beside them.
+/// Calls visit(column, row) for all cells that the segment ab meets, and for some cells beside
+/// them.
 template <typename Visit>
 void ForEachCellOn(Point a, Point b, const CellCover& cover, Visit visit) {
   const auto cell = static_cast<double>(cover.cell_nm);
@@ -40,7 +41,8 @@ void ForEachCellOn(Point a, Point b, const CellCover& cover, Visit visit) {
   }
 }
 
-/// Rows' centres: where the region's edges cross them, in cells from the origin, by row.
+/// Returns the crossings of the region's edges with the centre line of each row, in cells from the
+/// origin.
 std::vector<std::vector<double>> Crossings(const MultiPolygon& region, const CellCover& cover) {
   std::vector<std::vector<double>> crossings(cover.rows);
   const auto cell = static_cast<double>(cover.cell_nm);
@@ -62,9 +64,9 @@ std::vector<std::vector<double>> Crossings(const MultiPolygon& region, const Cel
   return crossings;
 }
 
-/// One level of a quadtree: whether all of a block's cells are inside.
+/// One level of a quadtree: for each block, 1 if all of its cells are inside.
 struct Level {
-  uint32_t side = 1;  ///< of a block, in cells
+  uint32_t side = 1;  ///< side of a block, in cells
   uint32_t first_x = 0;
   uint32_t first_y = 0;
   int32_t columns = 0;
@@ -99,8 +101,8 @@ Level Coarser(const Level& fine, uint32_t base) {
   return level;
 }
 
-/// Right, up, left, down: the way along a cell's lower, right, upper and left side, cell on the
-/// left.
+/// Directions right, up, left, down: along a cell's lower, right, upper and left side, with the
+/// cell on the left.
 constexpr std::array<Point, 4> kWays = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 }  // namespace
@@ -156,13 +158,13 @@ std::vector<CellBlock> LargestBlocks(const CellCover& cover, uint32_t base) {
 }
 
 std::vector<Polygon> OutlineOf(const CellCover& cover) {
-  // Sides of cells by cell and way, that lie at the edge.
+  // Sides of cells at the edge that are already in a ring, by cell and direction.
   std::vector<char> open(4 * cover.inside.size(), 0);
   const auto at = [&](int32_t column, int32_t row, int way) -> char& {
     return open[4 * (static_cast<size_t>(row) * cover.columns + column) + way];
   };
   const auto is_edge = [&](int32_t column, int32_t row, int way) {
-    // The neighbour lies to the right of the way.
+    // The neighbour is to the right of the direction.
     const Point beyond = kWays[(way + 3) % 4];
     return cover.Has(column, row) && !cover.Has(column + static_cast<int32_t>(beyond.x),
                                                 row + static_cast<int32_t>(beyond.y));
@@ -177,14 +179,14 @@ std::vector<Polygon> OutlineOf(const CellCover& cover) {
         int way = first_way;
         while (at(x, y, way) == 0) {
           at(x, y, way) = 1;
-          // From the end of this side on: along the cell's next side, if that is an edge; else
-          // straight on, or to the right round the cell that lies there.
+          // The ring continues from the end of this side: along the cell's next side if it is an
+          // edge, else straight on, or to the right around the cell there.
           const Point ahead = kWays[way];
           const auto ahead_x = static_cast<int32_t>(ahead.x),
                      ahead_y = static_cast<int32_t>(ahead.y);
           int next = (way + 1) % 4;
           if (is_edge(x, y, next)) {
-            // Stays at this cell.
+            // The ring stays at this cell.
           } else if (is_edge(x + ahead_x, y + ahead_y, way)) {
             x += ahead_x, y += ahead_y;
             next = way;
@@ -195,7 +197,7 @@ std::vector<Polygon> OutlineOf(const CellCover& cover) {
             next = (way + 3) % 4;
           }
           if (next != way) {
-            // The corner where side `next` of cell (x, y) starts.
+            // Corner at which side `next` of cell (x, y) starts.
             const Coord dx = next == 1 || next == 2 ? 1 : 0, dy = next >= 2 ? 1 : 0;
             ring.push_back({cover.origin.x + (x + dx) * cover.cell_nm,
                             cover.origin.y + (y + dy) * cover.cell_nm});

@@ -10,7 +10,7 @@ std::vector<CurveCell> ClosedHilbert(int order) {
   const uint64_t count = uint64_t{1} << (2 * order);
   std::vector<CurveCell> cells;
   cells.reserve(4 * count);
-  // Up along the middle through the left half, and down through the right half.
+  // The curve rises along the middle through the left half, and falls through the right half.
   for (const uint32_t above : {uint32_t{0}, side}) {
     for (uint64_t i = 0; i < count; ++i) {
       const auto [x, y] = HilbertCell(order, i);
@@ -33,7 +33,8 @@ std::vector<CurveCell> ClosedPeano(int order) {
   const uint64_t count = uint64_t{side} * side;
   std::vector<CurveCell> cells;
   cells.reserve(4 * count);
-  // Counter-clockwise from the lower left; each from corner to corner, towards the next.
+  // The order is counter-clockwise from the lower left. Each curve runs from corner to corner,
+  // towards the next one.
   for (uint64_t i = 0; i < count; ++i) {
     const auto [x, y] = PeanoCell(order, i);
     cells.push_back({x, last - y});

@@ -6,13 +6,14 @@
 
 namespace slicefarm::infill {
 
-/// Closed curves through all cells of a square of 2s x 2s cells, from each cell to one beside it:
-/// four space-filling curves of s x s cells, one after another around the middle.
+/// Closed curves through all cells of a square of 2s x 2s cells, from each cell to a neighbour
+/// cell. Four space-filling curves of s x s cells follow each other around the middle.
 
-/// s = 2^order: Moore's curve. Cells in order; the first is beside the last.
+/// Returns the cells of Moore's curve in order, with s = 2^order. The first cell is beside the
+/// last.
 std::vector<CurveCell> ClosedHilbert(int order);
 
-/// s = 3^order.
+/// Returns the cells of the closed Peano curve in order, with s = 3^order.
 std::vector<CurveCell> ClosedPeano(int order);
 
 }  // namespace slicefarm::infill

@@ -5,7 +5,7 @@
 
 namespace slicefarm::infill {
 
-/// A cell of a square that a space-filling curve runs through.
+/// Cell of a square through which a space-filling curve runs.
 struct CurveCell {
   uint32_t x = 0;
   uint32_t y = 0;

@@ -11,12 +11,12 @@
 namespace slicefarm::infill {
 namespace {
 
-constexpr double kShortestRing = 1.5;  ///< in spacings
-/// A line whose two sides would lie nearer to each other than twice this part of a spacing is left
-/// out, beyond the first step.
+constexpr double kShortestRing = 1.5;  ///< least length of a ring, in spacings
+/// Least half distance between the two sides of a line beyond the first step: the spacing divided
+/// by this number. Narrower lines are omitted.
 constexpr Coord kNarrowestPart = 20;
 
-/// True if nothing is left of an island at this depth, as far as its box shows.
+/// Returns true if nothing is left of an island at this depth, judged by its box.
 bool IsThin(const PolygonWithHoles& island, Coord depth) {
   const Box box = Bounds(island.outer);
   return std::min(box.max.x - box.min.x, box.max.y - box.min.y) <= 2 * depth;

@@ -8,24 +8,24 @@
 
 namespace slicefarm::infill {
 
-/// The edge of a region, as step 0, and the lines that lie k spacings inside it, as step k; by
-/// step. If the region is half a spacing smaller than what is to be filled, they fill it: their
-/// length times the spacing is its area by the midpoint rule, with an error of either sign where
-/// lines from two sides meet.
+/// Returns the edge of a region as step 0, and the lines k spacings inside it as step k, sorted by
+/// step. If the region is half a spacing smaller than the area to be filled, the lines fill this
+/// area. Their length times the spacing is its area by the midpoint rule, with an error of either
+/// sign where lines from two sides meet.
 ///
-/// Corners are mitered. Rings shorter than one and a half spacings are left out: a line covers what
-/// they enclose. So are, beyond step 0, narrow parts where a line's two sides would lie nearer to
+/// Corners are mitered. Rings shorter than one and a half spacings are omitted: a line covers their
+/// inside. Beyond step 0, narrow parts are also omitted where a line's two sides would be nearer to
 /// each other than a tenth of a spacing. REQUIRES: spacing_nm > 0. Cost: an offset for each step.
 std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm);
 
-/// How far inside an edge the first line of a fill lies, `first_line` spacings.
+/// Returns the depth of the first line of a fill inside an edge: `first_line` spacings.
 inline Coord FirstLineDepth(double first_line, Coord spacing_nm) {
   return static_cast<Coord>(first_line * static_cast<double>(spacing_nm));
 }
 
-/// Errors of fills with lines a spacing apart: InvalidArgument (SETTING_OUT_OF_RANGE) unless the
-/// spacing is positive; LimitError (REQUEST_TOO_LARGE) if the region's box has more squares of a
-/// spacing than limits::kMaxPointsPerLayer.
+/// Returns errors of fills with lines a spacing apart: InvalidArgument (SETTING_OUT_OF_RANGE)
+/// unless the spacing is positive; LimitError (REQUEST_TOO_LARGE) if the region's box has more
+/// squares of a spacing than limits::kMaxPointsPerLayer.
 absl::Status CheckRingSpacing(const PolygonWithHoles& region, Coord spacing_nm);
 
 }  // namespace slicefarm::infill

@@ -24,7 +24,7 @@ TEST(DepthRings, LieAtTheirDepth) {
   const PolygonWithHoles plate = Shape("plate");
   for (const StepRing& ring : RingsFrom({plate}, kSpacing)) {
     for (const Point p : ring.points) {
-      // Mitered at corners of holes; drawn together where a narrow part is left out.
+      // Lines are mitered at corners of holes, and pulled together where a narrow part is omitted.
       const double depth = DistanceToBoundary(p, {plate});
       const double want = static_cast<double>(ring.step) * kSpacing;
       EXPECT_GE(depth, want - 0.15 * kSpacing);

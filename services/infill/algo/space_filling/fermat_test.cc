@@ -21,8 +21,8 @@ double Covered(const std::vector<Polyline>& paths, double area) {
   return LengthOf(paths) * kSpacing / area;
 }
 
-// A strip between two and three lines wide cannot be covered by two lines or by four: comb and
-// corridor, 6.67 lines wide, have six.
+// A strip between two and three lines wide can be covered neither by two lines nor by four. Comb
+// and corridor are 6.67 lines wide and have six lines.
 struct Case {
   const char* shape;
   double covered_low;
@@ -67,8 +67,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Fermat,
                                          Case{"sliver", 0.95, 1.15}),
                          [](const auto& info) { return std::string(info.param.shape); });
 
-// Along rays from the middle, lines are a spacing apart, and those of the way in take turns with
-// those of the way out.
+// Along rays from the middle, lines are a spacing apart, and the lines that lead inwards and
+// outwards alternate.
 TEST(FermatDisc, IsADoubleSpiralOfConstantSpacing) {
   const auto paths = Fill({Circle(0, 0, 20, 360), {}});
   ASSERT_EQ(paths.size(), 1U);
@@ -98,7 +98,7 @@ TEST(FermatDisc, IsADoubleSpiralOfConstantSpacing) {
       turns += met[i].second != met[i - 1].second ? 1 : 0;
     }
   }
-  // But where a ray meets the seam.
+  // The exceptions are at the seam.
   EXPECT_GE(pairs, 12 * 37);
   EXPECT_GE(apart, pairs * 95 / 100);
   EXPECT_GE(turns, pairs * 90 / 100);
@@ -109,7 +109,7 @@ TEST(FermatDisc, LengthIsAreaOverSpacing) {
   EXPECT_NEAR(LengthOf(Fill(disc, 400'000)) * 400'000 / Area(disc), 1, 0.003);
 }
 
-// Two lines wide everywhere: opened by a disc of two lines' width.
+// The regions are opened by a disc of two lines' width, so that they are two lines wide everywhere.
 TEST(FermatRandom, OnePathForEachRegionTwoLinesWide) {
   std::mt19937 random(17);
   double length = 0, area = 0;
@@ -132,7 +132,7 @@ TEST(FermatRandom, OnePathForEachRegionTwoLinesWide) {
   EXPECT_NEAR(length * kSpacing / area, 1, 0.05);
 }
 
-// Slivers, spikes, touching parts: one path for each part, none crossing.
+// Regions with slivers, spikes and touching parts: each part has one path, and no paths cross.
 TEST(FermatRandom, AsTheyCome) {
   std::mt19937 random(19);
   for (int i = 0; i < 400; ++i) {

@@ -16,7 +16,7 @@
 
 namespace slicefarm::infill {
 
-/// Shapes to be filled, and what may be said of any fill.
+/// Shapes to be filled, and checks that are valid for any fill.
 
 inline Polygon Circle(double x_mm, double y_mm, double radius_mm, int corners = 96) {
   Polygon ring;
@@ -79,8 +79,8 @@ inline constexpr const char* kCorpusSlices[] = {
     "gripper-2-controles-independentes_outline_mesh0_z100.txt",
 };
 
-/// Regions that are two lines wide everywhere: each is swept by a disc of that width, whose middle
-/// moves through one connected part.
+/// Returns regions that are two lines wide everywhere. Each region is the area of a disc of this
+/// width, with its centre moving through one connected part.
 inline MultiPolygon TwoLinesWide(const MultiPolygon& region, Coord spacing_nm) {
   const OffsetOptions round{.join = Join::kRound};
   MultiPolygon wide;
@@ -96,7 +96,8 @@ inline double LengthOf(const std::vector<Polyline>& paths) {
   return length;
 }
 
-/// Pairs of segments, other than neighbours on a path, that meet. All pairs that overlap in x.
+/// Returns the number of pairs of segments that meet, except neighbours on a path. It tests all
+/// pairs that overlap in x.
 inline int CrossingsOf(const std::vector<Polyline>& paths) {
   struct Segment {
     Point a, b;
@@ -132,7 +133,7 @@ inline int CrossingsOf(const std::vector<Polyline>& paths) {
   return crossings;
 }
 
-/// Calls visit(point) along all paths, every `step_nm` or nearer.
+/// Calls visit(point) along all paths, at steps of at most `step_nm`.
 template <typename Visit>
 void ForEachPathPoint(const std::vector<Polyline>& paths, double step_nm, Visit visit) {
   for (const Polyline& path : paths) {
@@ -145,7 +146,7 @@ void ForEachPathPoint(const std::vector<Polyline>& paths, double step_nm, Visit 
   }
 }
 
-/// How far the paths come out of a region, in nm.
+/// Returns the greatest distance of the paths outside of a region, in nm.
 inline double FarthestOutside(const std::vector<Polyline>& paths, const MultiPolygon& region,
                               double step_nm) {
   double farthest = 0;

@@ -9,11 +9,11 @@ namespace {
 struct Quadrant {
   uint8_t x = 0;
   uint8_t y = 0;
-  uint8_t state = 0;  ///< orientation of the curve in it
+  uint8_t state = 0;  ///< orientation of the curve in the quadrant
 };
 
-/// By orientation and digit. Orientations: 0 as HilbertCell describes it, 1 mirrored in the
-/// diagonal, 2 in the other diagonal, 3 in both.
+/// Quadrants, by orientation and digit. Orientation 0 is the one of HilbertCell, 1 is mirrored in
+/// the diagonal, 2 in the other diagonal, 3 in both.
 constexpr std::array<std::array<Quadrant, 4>, 4> kQuadrants = {{
     {{{0, 0, 1}, {0, 1, 0}, {1, 1, 0}, {1, 0, 2}}},
     {{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 3}}},

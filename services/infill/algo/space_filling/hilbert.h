@@ -6,13 +6,14 @@
 
 namespace slicefarm::infill {
 
-/// The Hilbert curve of `order` through a square of 2^order x 2^order cells, from (0, 0) to
-/// (2^order - 1, 0): the cell at `index`, by a table of four orientations. REQUIRES: order in
-/// [0, 31]; index < 4^order. Cost: O(order).
+/// Returns the cell at `index` of the Hilbert curve of `order`, by a table of four orientations.
+/// The curve runs through a square of 2^order x 2^order cells, from (0, 0) to (2^order - 1, 0).
+/// REQUIRES: order in [0, 31]; index < 4^order. Cost: O(order).
 CurveCell HilbertCell(int order, uint64_t index);
 
-/// Its inverse, by reflected Gray code: two bits of the index are 3x ^ y of the quadrant, and what
-/// is inside the quadrant is turned to the first one's orientation.
+/// Returns the index of a cell (the inverse of HilbertCell), by reflected Gray code: two bits of
+/// the index are 3x ^ y of the quadrant, and the inside of the quadrant is turned to the first
+/// quadrant's orientation.
 uint64_t HilbertIndex(int order, CurveCell cell);
 
 }  // namespace slicefarm::infill

@@ -42,7 +42,7 @@ TEST(Hilbert, SecondOrder) {
                                               {3, 0}}));
 }
 
-// The table one way, Gray code the other: neither knows of the other.
+// One direction uses the table, the other uses Gray code: the two are independent of each other.
 TEST(Hilbert, CellsAreAllThereOnceAndNeighbours) {
   for (int order = 0; order <= 7; ++order) {
     const std::vector<CurveCell> cells = Curve(order);
@@ -64,7 +64,7 @@ TEST(Hilbert, RoundTripAtTheHighestOrder) {
   }
 }
 
-/// A -> +BF-AFA-FB+, B -> -AF+BFB+FA-; + turns left.
+/// Returns the curve by the rules A -> +BF-AFA-FB+, B -> -AF+BFB+FA-; + turns left.
 std::string Grown(char symbol, int depth) {
   if (depth == 0) return "";
   std::string grown;
@@ -88,7 +88,8 @@ TEST(Hilbert, IsTheLSystemsCurve) {
   }
 }
 
-/// The largest squared distance of two cells by how far apart they are on the curve.
+/// Returns the largest ratio of the squared distance of two cells to their distance along the
+/// curve.
 double WorstLocality(const std::vector<CurveCell>& cells) {
   double worst = 0;
   for (size_t i = 0; i < cells.size(); ++i) {

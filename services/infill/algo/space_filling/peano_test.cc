@@ -49,7 +49,8 @@ TEST(Peano, RoundTripAtTheHighestOrder) {
     EXPECT_EQ(PeanoIndex(20, PeanoCell(20, index)), index);
 }
 
-// Less local than Hilbert's, and three times as many steps one way: not isotropic.
+// The curve is less local than Hilbert's, and has three times as many steps in one direction: it is
+// not isotropic.
 TEST(Peano, Locality) {
   for (const auto& [order, want] : {std::pair{2, 5.0}, std::pair{3, 7.0487805}}) {
     const std::vector<CurveCell> cells = Curve(order);

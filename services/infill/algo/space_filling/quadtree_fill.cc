@@ -15,10 +15,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// A space-filling curve that divides squares by `base` a side.
+/// Space-filling curve that divides squares by `base` per side.
 struct CellCurve {
   uint32_t base = 2;
-  int index_order = 0;  ///< of a square that has all cells of a cover
+  int index_order = 0;  ///< order of a square that contains all cells of a cover
   uint64_t (*index)(int order, CurveCell cell) = nullptr;
   std::vector<CurveCell> (*closed)(int order) = nullptr;
 };
@@ -26,7 +26,7 @@ struct CellCurve {
 constexpr CellCurve kHilbert{2, 31, HilbertIndex, ClosedHilbert};
 constexpr CellCurve kPeano{3, 18, PeanoIndex, ClosedPeano};
 
-/// The corners of a closed curve through cells, as places in units of half a cell.
+/// Returns the corners of a closed curve through cells, as positions in units of half a cell.
 std::vector<CurveCell> CornersOf(const std::vector<CurveCell>& cells) {
   std::vector<CurveCell> corners;
   for (size_t i = 0; i < cells.size(); ++i) {
@@ -38,12 +38,12 @@ std::vector<CurveCell> CornersOf(const std::vector<CurveCell>& cells) {
   return corners;
 }
 
-/// The closed curves of a cover's blocks, in the order of the curve through all of them. Cells of
-/// the cover are two spacings wide, and the curve's one.
+/// Returns the closed curves of a cover's blocks, in the order of the curve through all blocks. The
+/// cover's cells are two spacings wide, the curve's cells one.
 std::vector<StepRing> BlockRings(const CellCover& cover, const CellCurve& curve) {
   std::vector<CellBlock> blocks = LargestBlocks(cover, curve.base);
   const auto index = [&](const CellBlock& block) {
-    // The least index in the block: that of its first cell at the order of its side.
+    // This is the least index in the block: the index of its first cell at the order of its side.
     int order = curve.index_order;
     for (uint32_t side = block.side; side > 1; side /= curve.base) --order;
     uint64_t first = curve.index(order, {block.first.x / block.side, block.first.y / block.side});
@@ -75,16 +75,18 @@ std::vector<StepRing> BlockRings(const CellCover& cover, const CellCurve& curve)
   return rings;
 }
 
-/// A part of a region that lies half a spacing inside: the lines' places, not their width.
+/// Fills a part of a region that is already inset by half a spacing: it contains the lines'
+/// centres, not their width.
 std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing,
                                const CellCurve& curve) {
-  // A line along the edge, and one around the cells.
+  // The inset leaves space for a line along the edge, and for one around the cells.
   const CellCover cover =
       CoverOf(FastOffset({part}, -(spacing + spacing / 2)), 2 * spacing, curve.base);
   const MultiPolygon cells = Union(OutlineOf(cover), FillRule::kNonZero);
   std::vector<StepRing> band =
       RingsFrom(Difference({part}, FastOffset(cells, spacing / 2)), spacing);
-  // Curves in cells can be linked at some places only, lines along them anywhere: so those first.
+  // Curves in cells are first, because they can be linked only at some points. Lines along the
+  // cells can be linked anywhere.
   std::vector<StepRing> rings = BlockRings(cover, curve);
   int32_t step = band.empty() ? 0 : band.back().step;
   for (StepRing& ring : rings) ring.step = ++step;

@@ -63,8 +63,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Quadtree, testing::ValuesIn(Cases()), [](const 
   return std::string(info.param.curve.name) + info.param.shape;
 });
 
-// The part of a large square's fill that a small square in its middle sees is the curve itself: all
-// lines on the grid of half cells, each as long as the spacing times some number.
+// A small square in the middle of a large square's fill contains only the curve itself: all lines
+// are on the grid of half cells, and each length is a multiple of the spacing.
 TEST(QuadtreeSquare, CurveRunsOnTheGrid) {
   for (const Curve& curve : kCurves) {
     const auto paths = Fill(curve, MakePolygonsOrDie("(-30 -30, 30 -30, 30 30, -30 30)")[0]);

@@ -13,34 +13,34 @@
 namespace slicefarm::infill {
 namespace {
 
-/// A piece cut out of a ring: from a place, forward.
+/// Piece cut out of a ring: forward from a position.
 struct Cut {
   int32_t ring = 0;
   double from = 0;
   double length = 0;
 };
 
-/// Two rings made one: both are cut, and the ends of the cuts linked, start to start if the rings
-/// run the same way there, else start to end.
+/// Connection of two rings: both are cut, and the ends of the cuts are linked. The links run from
+/// start to start if the rings have the same direction there, else from start to end.
 struct Bridge {
   std::array<Cut, 2> cuts;
   bool same_way = true;
 };
 
-/// An end of a cut, where what is left of the ring begins or ends: 4 * bridge + 2 * side + (1 at
-/// the cut's end).
+/// End of a cut, where the rest of the ring begins or ends: 4 * bridge + 2 * side + (1 at the cut's
+/// end).
 using End = int32_t;
 
-/// Ends this near to each other are taken for the same, in spacings.
+/// Distance up to which two ends count as equal, in spacings.
 constexpr double kSnap = 0.02;
-/// A bridge is good enough if its links' lengths differ from the spacing by no more than this, in
-/// spacings, together with a part of the difference of its cuts.
+/// Largest misfit of a good bridge, in spacings: the difference between its links' lengths and the
+/// spacing, plus a weighted difference of its cuts.
 constexpr double kGoodFit = 0.1;
 constexpr double kCutsMatter = 0.5;
-/// The shorter cut, at least this part of the longer: rings that bend sharply.
+/// Least length of the shorter cut as a share of the longer one, for rings with sharp bends.
 constexpr double kLeastCut = 0.1;
 
-/// Cuts as long as their links are this long at least, in spacings.
+/// Least length, in spacings, of cuts that are as long as their links.
 constexpr double kShortestApart = 0.25;
 
 struct Pass {
@@ -48,10 +48,10 @@ struct Pass {
   double reach = 0;         ///< longest link
   double gap = 0;           ///< longest cut
   bool as_apart = false;    ///< cuts are as long as their links, so that no length changes
-  double worst = INFINITY;  ///< bridges that fit less well are not built
+  double worst = INFINITY;  ///< largest misfit of a bridge
 };
 
-/// A place on a ring, near a ring of a lower number.
+/// Position on a ring that is near a ring of a lower number.
 struct Spot {
   int32_t near = 0;
   double place = 0;
@@ -62,15 +62,15 @@ struct Spot {
 struct Pair {
   int32_t a = 0;
   int32_t b = 0;
-  double misfit = 0;        ///< how much nearer or farther they are than a spacing, at least
-  std::vector<Spot> spots;  ///< on b, in order
+  double misfit = 0;        ///< least difference between their distance and a spacing
+  std::vector<Spot> spots;  ///< positions on b, in order
 };
 
 bool DoSegmentsCross(Point a, Point b, Point c, Point d) {
   const auto apart = [](Coord p, Coord q, Coord r, Coord s) {
     return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
   };
-  // Beside each other on one line, too.
+  // The test also separates segments beside each other on one line.
   if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return false;
   return Orientation(a, b, c) * Orientation(a, b, d) <= 0 &&
          Orientation(c, d, a) * Orientation(c, d, b) <= 0;
@@ -123,8 +123,9 @@ class Linker {
     }
   }
 
-  /// Rings within reach of each other: by the later one's number, then the nearest number first; or
-  /// those first that are a spacing apart.
+  /// Returns the pairs of rings within reach of each other. They are sorted by the later ring's
+  /// number, then by the other ring's number from high to low. In passes over all steps, pairs
+  /// nearest to a spacing apart are first.
   std::vector<Pair> Pairs(const Pass& pass) {
     std::vector<Pair> pairs;
     std::vector<Spot> spots;
@@ -146,8 +147,8 @@ class Linker {
     return pairs;
   }
 
-  /// Places on a ring within reach of those before it and not of its family: by the other's number,
-  /// the nearest first, then in order along the ring.
+  /// Finds positions on a ring within reach of earlier rings that are not in its family. They are
+  /// sorted by the other ring's number from high to low, then in order along the ring.
   void FindSpots(int32_t b, const Pass& pass, std::vector<Spot>& spots) {
     spots.clear();
     std::vector<RingPlaces::NearRing> near;
@@ -171,9 +172,9 @@ class Linker {
       visit((static_cast<double>(i) + 0.5) * length / static_cast<double>(count));
   }
 
-  /// The first good bridge between two rings, or the best of them all.
+  /// Returns the first good bridge between two rings, or the best one if none is good.
   std::optional<Bridge> Find(const Pair& pair, const Pass& pass) const {
-    // Cuts are measured on the longer ring, and carried over to the shorter.
+    // Cuts are measured on the longer ring, and transferred to the shorter one.
     const bool a_longer = places_.Length(pair.a) >= places_.Length(pair.b);
     const int32_t from = a_longer ? pair.a : pair.b, to = a_longer ? pair.b : pair.a;
     std::optional<Bridge> best;
@@ -190,7 +191,7 @@ class Linker {
     };
     size_t first = 0;
     if (!bridges_at_[pair.a].empty()) {
-      // At the end of the cut that a ring has for its parent, or near it.
+      // The first attempt is at the end of the cut that the ring has for its parent, or near it.
       const Cut& cut = CutAt(pair.a, bridges_at_[pair.a].front());
       const Point seam = places_.At(pair.a, cut.from + cut.length);
       if (const auto start = places_.Nearest(seam, from, pass.reach))
@@ -207,7 +208,7 @@ class Linker {
     return best;
   }
 
-  /// From a place on ring `from` to ring `to`, or the pass's reach.
+  /// Returns the distance from a position on ring `from` to ring `to`, at most the pass's reach.
   double DistanceTo(int32_t to, double place, int32_t from, const Pass& pass) const {
     const auto near = places_.Nearest(places_.At(from, place), to, pass.reach);
     return near ? near->distance : pass.reach;
@@ -223,8 +224,8 @@ class Linker {
     return static_cast<size_t>(nearest - pair.spots.begin());
   }
 
-  /// A bridge from a cut of ring `from` that starts at a place, to the part of ring `to` that faces
-  /// it.
+  /// Returns a bridge from a cut of ring `from` that begins at `start` to the part of ring `to`
+  /// that faces it.
   std::optional<Bridge> Fit(int32_t from, double start, int32_t to, double longest,
                             const Pass& pass, double& misfit) const {
     const double gap = std::min(longest, 0.4 * places_.Length(from));
@@ -250,7 +251,7 @@ class Linker {
     return bridge;
   }
 
-  /// A place, or the end of a cut that is nearly there.
+  /// Returns a position, or the end of a cut if it is very near.
   double Snapped(int32_t ring, double place) const {
     for (const int32_t b : bridges_at_[ring]) {
       const Cut& cut = CutAt(ring, b);
@@ -267,21 +268,21 @@ class Linker {
     return cuts[0].ring == ring ? cuts[0] : cuts[1];
   }
 
-  /// True if nothing of it is cut yet.
+  /// Returns true if no part of this piece has been cut yet.
   bool IsFree(const Cut& cut) const {
     const double length = places_.Length(cut.ring);
     return std::all_of(
         bridges_at_[cut.ring].begin(), bridges_at_[cut.ring].end(), [&](int32_t bridge) {
           const Cut& other = CutAt(cut.ring, bridge);
-          // A nanometre of rounding may be shared.
+          // Cuts may overlap by a nanometre because of rounding.
           const double after = places_.Wrapped(cut.ring, other.from - cut.from + 1) - 1;
           return after >= cut.length - 1 && after + other.length <= length + 1;
         });
   }
 
-  /// True if a link crosses neither other links nor what is left of the rings.
+  /// Returns true if a link crosses neither other links nor the remaining parts of the rings.
   bool IsClear(Point a, Point b, const Bridge& bridge) const {
-    // Its ends lie on the rings, to within rounding.
+    // The link's ends are on the rings except for rounding, so that they are not tested.
     constexpr double kShorter = 20;
     const double length = Distance(a, b);
     if (length < 4 * kShorter) return true;
@@ -302,7 +303,7 @@ class Linker {
     return clear;
   }
 
-  /// True if what a segment crosses of an edge is not there any more.
+  /// Returns true if the point of an edge that a segment crosses has been cut away.
   bool IsCutAway(const RingPlaces::Edge& edge, Point from, Point to, const Bridge& bridge) const {
     const Point way = to - from, d = edge.to - edge.from;
     const double turn = Cross(d, way);
@@ -335,10 +336,10 @@ class Linker {
     const Cut& cut = CutOf(end);
     return places_.At(cut.ring, end % 2 == 0 ? cut.from : cut.from + cut.length);
   }
-  /// The other end of the link that leaves from here.
+  /// Returns the other end of the link that begins at this end.
   End Across(End end) const { return bridges_[end / 4].same_way ? end ^ 2 : end ^ 3; }
 
-  /// For each end, the other end of the piece of ring that is left there.
+  /// Returns for each end the other end of the remaining piece of ring.
   std::vector<End> Pieces() const {
     std::vector<End> other(4 * bridges_.size());
     for (int32_t ring = 0; ring < places_.Count(); ++ring) {
@@ -365,7 +366,7 @@ class Linker {
     const Cut& stop = CutOf(forward ? to : from);
     const double begin = start.from + start.length;
     double length = places_.Wrapped(start.ring, stop.from - begin);
-    // A piece of no length may come out a little less than that.
+    // A piece without length may have a slightly negative length.
     if (length > places_.Length(start.ring) - 2 && &start != &stop) length = 0;
     Polyline corners;
     places_.ForEachCornerBetween(start.ring, begin, length, [&](Point p) { corners.push_back(p); });
@@ -408,10 +409,10 @@ class Linker {
   double spacing_;
   const std::function<bool(Point, Point)>& may_link_;
   RingPlaces places_;
-  SegmentGrid links_;  ///< by the end on the first ring
+  SegmentGrid links_;  ///< links, numbered by the end on the first ring
   std::vector<Bridge> bridges_;
-  std::vector<std::vector<int32_t>> bridges_at_;  ///< by ring, the oldest first
-  DisjointSets families_;                         ///< of rings
+  std::vector<std::vector<int32_t>> bridges_at_;  ///< bridges of each ring, the oldest first
+  DisjointSets families_;                         ///< sets of joined rings
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ TEST(RingLinks, NothingAndOneRing) {
   EXPECT_EQ(LinkRings(one, kSpacing), (std::vector<Polyline>{closed}));
 }
 
-// Links are as long as what is cut, so all the length that is lost is the one link left out.
+// Links are as long as the cuts, so that the length is reduced only by the one link that is
+// omitted.
 TEST(RingLinks, TwoRingsKeepTheirLength) {
   const std::vector<StepRing> rings = {{Ring("(0 0, 5 0, 5 5, 0 5)"), 0},
                                        {Ring("(0.5 0.5, 4.5 0.5, 4.5 4.5, 0.5 4.5)"), 1}};
@@ -36,7 +37,7 @@ TEST(RingLinks, TwoRingsKeepTheirLength) {
   EXPECT_EQ(CrossingsOf(paths), 0);
 }
 
-// Odd rings on the way in, even ones on the way out.
+// Odd rings lead inwards, even rings outwards.
 TEST(RingLinks, NestedRingsBecomeADoubleSpiral) {
   std::vector<StepRing> rings;
   for (int32_t k = 0; k < 9; ++k) {
@@ -46,7 +47,7 @@ TEST(RingLinks, NestedRingsBecomeADoubleSpiral) {
   const std::vector<Polyline> paths = LinkRings(rings, kSpacing);
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_NEAR(Length(paths[0]), LengthOfRings(rings) - kSpacing, 100);
-  // The upper sides in the order in which they are passed.
+  // The list contains the upper sides in the order in which the path passes them.
   std::vector<Coord> tops;
   for (size_t i = 1; i < paths[0].size(); ++i)
     if (paths[0][i].y == paths[0][i - 1].y && paths[0][i].y > 15'000'000)
@@ -69,7 +70,7 @@ TEST(RingLinks, NotAcrossThree) {
   EXPECT_EQ(LinkRings(rings, kSpacing).size(), 2U);
 }
 
-// A grid of small squares: each edge is either there or a link takes its place.
+// A grid of small squares: each edge is either kept or replaced by a link.
 TEST(RingLinks, SquaresOfAGrid) {
   std::vector<StepRing> rings;
   for (int32_t k = 0; k < 100; ++k) {
@@ -84,7 +85,7 @@ TEST(RingLinks, SquaresOfAGrid) {
   EXPECT_EQ(CrossingsOf(paths), 0);
 }
 
-// Whatever is asked: no crossing, no length from nowhere.
+// For any rings, links do not cross, and no length is added.
 TEST(RingLinks, RandomRings) {
   std::mt19937 random(11);
   for (int i = 0; i < 60; ++i) {
@@ -106,7 +107,8 @@ TEST(RingLinks, RandomRings) {
   }
 }
 
-// Rings of one step may be nearer or farther than a spacing: they are cut by as much (see above).
+// Rings of one step may be more or less than a spacing apart: the cuts are as long as this distance
+// (see above).
 TEST(RingLinks, OfOneStepKeepTheLength) {
   for (const double apart : {0.7, 1.0, 1.6}) {
     const auto inner = FromMm(20 - apart);

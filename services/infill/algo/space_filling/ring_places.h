@@ -12,7 +12,8 @@
 
 namespace slicefarm::infill {
 
-/// Rings with places on them, by arc length from their first point, and what lies near a point.
+/// Rings with positions on them, by arc length from their first point, and a search for positions
+/// near a point.
 class RingPlaces {
  public:
   struct Near {
@@ -29,21 +30,23 @@ class RingPlaces {
     int32_t index = 0;
   };
 
-  /// The rings must outlive this. REQUIRES: each has at least three points.
+  /// Indexes the rings, which must outlive this object. REQUIRES: each has at least three points.
   RingPlaces(std::vector<const Polygon*> rings, double cell_nm);
 
   const Box& Extent() const { return extent_; }
   int32_t Count() const { return static_cast<int32_t>(rings_.size()); }
   double Length(int32_t ring) const { return along_[first_[ring + 1] + ring]; }
 
-  /// `place` in [0, length); any other is brought there.
+  /// Returns the position reduced to [0, length).
   double Wrapped(int32_t ring, double place) const;
+  /// Returns the point at a position of a ring.
   Point At(int32_t ring, double place) const;
 
-  /// The nearest place of a ring, if it is within reach.
+  /// Returns the nearest position of a ring, if it is within reach.
   std::optional<Near> Nearest(Point p, int32_t ring, double reach) const;
 
-  /// Those rings within reach for which wanted(ring), and how near they come; in no order.
+  /// Finds the rings within reach for which wanted(ring) is true, with their distances, in any
+  /// order.
   template <typename Wanted>
   void NearRings(Point p, double reach, const Wanted& wanted, std::vector<NearRing>& found) const {
     found.clear();
@@ -62,16 +65,17 @@ class RingPlaces {
     for (NearRing& near : found) near.distance = std::sqrt(near.distance);
   }
 
-  /// Calls visit(edge) for edges near the segment ab, and others.
+  /// Calls visit(edge) for edges near the segment ab, and for some others.
   template <typename Visit>
   void ForEachEdgeNear(Point a, Point b, Visit visit) const {
     grid_.ForEachNear(a, b, 1, [&](int32_t segment) { visit(EdgeOf(segment)); });
   }
 
-  /// Where on its ring the point of an edge nearest to p is.
+  /// Returns the position on its ring of the point of an edge that is nearest to p.
   double PlaceOn(const Edge& edge, Point p) const;
 
-  /// Calls visit(point) for the ring's points strictly between two places, forward from the first.
+  /// Calls visit(point) for the ring's points strictly between two positions, forward from the
+  /// first.
   template <typename Visit>
   void ForEachCornerBetween(int32_t ring, double from, double length, Visit visit) const {
     const double* const along = Along(ring);
@@ -91,7 +95,7 @@ class RingPlaces {
     double per_squared_length = 0;
     int32_t ring = 0;
 
-    /// How far along it its point nearest to p lies, from 0 to 1.
+    /// Returns the position along the segment of its point nearest to p, from 0 to 1.
     double Part(Point p) const {
       return std::clamp(Dot(p - from, way) * per_squared_length, 0.0, 1.0);
     }
@@ -108,7 +112,7 @@ class RingPlaces {
   Edge EdgeOf(int32_t segment) const;
 
   std::vector<const Polygon*> rings_;
-  std::vector<int32_t> first_;  ///< segment of each ring's first edge; one more than rings
+  std::vector<int32_t> first_;  ///< segment of each ring's first edge; one more entry than rings
   std::vector<Segment> segments_;
   std::vector<double> along_;  ///< arc length at each point, and each ring's length after it
   Box extent_;

@@ -38,7 +38,7 @@ TEST(RingPlaces, CornersBetween) {
   EXPECT_EQ(corners(5e6, 40e6).size(), 4U);
 }
 
-// Against all edges of all rings, one by one.
+// The result is compared with a test of all edges of all rings.
 TEST(RingPlaces, NearestAndNear) {
   std::mt19937 random(3);
   for (int i = 0; i < 30; ++i) {

@@ -9,11 +9,11 @@
 
 namespace slicefarm::infill {
 
-/// Segments by the square cells that they pass, to find those near a place. Cells are `cell_nm`
-/// wide, or wider where the box would have more than four million of them.
+/// Segments in the square cells that they pass, to find segments near a point. Cells are `cell_nm`
+/// wide, or wider if the box would have more than four million cells.
 class SegmentGrid {
  public:
-  /// REQUIRES: cell_nm > 0; all segments lie in `box`, which is not empty.
+  /// Creates an empty grid. REQUIRES: cell_nm > 0; all segments are in `box`, which is not empty.
   SegmentGrid(const Box& box, double cell_nm) : origin_(box.min) {
     constexpr double kMostCells = 4e6;
     const auto width = static_cast<double>(box.max.x - box.min.x);
@@ -25,11 +25,12 @@ class SegmentGrid {
     first_.assign(static_cast<size_t>(columns_) * rows_, -1);
   }
 
+  /// Adds the segment ab with a number.
   void Add(Point a, Point b, int32_t segment) {
     if (a.y > b.y) std::swap(a, b);
     const int32_t top = Row(static_cast<double>(b.y));
     for (int32_t row = Row(static_cast<double>(a.y)); row <= top; ++row) {
-      // The segment's x where it enters and leaves the row, a little outwards for rounding.
+      // The range of the segment's x within the row, slightly widened for rounding.
       const double low = std::max(RowStart(row), static_cast<double>(a.y));
       const double high = std::min(RowStart(row + 1), static_cast<double>(b.y));
       const double slope =
@@ -49,8 +50,8 @@ class SegmentGrid {
     }
   }
 
-  /// Calls visit(segment) for all segments that pass within `reach` of the box of a and b, some of
-  /// them several times, and others.
+  /// Calls visit(segment) for all segments that pass within `reach` of the box of a and b, for some
+  /// of them several times, and also for some other segments.
   template <typename Visit>
   void ForEachNear(Point a, Point b, double reach, Visit visit) const {
     const auto [left, right] = std::minmax(a.x, b.x);
