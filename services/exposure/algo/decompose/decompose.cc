@@ -84,7 +84,7 @@ std::optional<CornerIndex> InsideRepeat(const CutRegion& region) {
   return inside && inside->ring == 0 ? inside : FirstReflex(region);
 }
 
-/// Cuts regions until each region is done.
+/// Decomposition of regions: cuts each region until all its parts are finished.
 class Cutter {
  public:
   Cutter(const DecomposeOptions& options, const CancelToken& cancel, ConvexPieces& result)

@@ -282,8 +282,8 @@ bool BorderGrid::IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const {
          IsInside({(from.x() + to.x()) / 2, (from.y() + to.y()) / 2});
 }
 
-/// A part of the segment far from the border does not cross it: the part is inside if its middle is
-/// inside.
+/// Tests the parts of the segment far from the border. Such a part does not cross the border: it is
+/// inside if its middle is inside.
 bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const {
   if (RunsAlongEdge(a, b, distance_nm) || IsInsideButEnds(a, b, distance_nm)) return true;
   const Vector2 way = b - a;

@@ -14,7 +14,7 @@ namespace slicefarm::exposure {
 /// Returns the hatch lines of a region in the order and direction of scanning, two points each.
 ///
 ///   kHatch    lines through the whole region; neighbouring lines form serpentines;
-///   kStripes  lines of at most a stripe's width; in odd stripes they are shifted by half a distance;
+///   kStripes  lines of at most a stripe's width; shifted by half a distance in odd stripes;
 ///   kIslands  squares with lines along `angle_deg` in even squares and across it in odd ones.
 /// Stripes and squares reach half of `overlap_nm` beyond their borders. Distances are counted from
 /// the origin, so that the lines of neighbouring regions, layers and copies continue each other.

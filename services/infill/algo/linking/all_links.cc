@@ -6,7 +6,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Returns the stretches of one ring of the edge, beginning with a given end.
+/// Returns the edge parts of one ring, beginning with a given end.
 std::vector<int32_t> StretchesFrom(const EdgeEnds& ends, int32_t first) {
   std::vector<int32_t> stretches;
   int32_t at = first;
@@ -17,10 +17,10 @@ std::vector<int32_t> StretchesFrom(const EdgeEnds& ends, int32_t first) {
   return stretches;
 }
 
-/// Every second stretch of a ring.
+/// Every second edge part.
 struct Choice {
   std::vector<int32_t> stretches;
-  int too_long = 0;  ///< number of stretches omitted because of their length
+  int too_long = 0;  ///< number of edge parts omitted because of their length
   double length_nm = 0;
 };
 

@@ -14,8 +14,9 @@ namespace slicefarm::infill {
 inline constexpr int32_t kNoEnd = -1;
 
 /// Ends of pieces in their order along the edge of their region. Ends 2i and 2i + 1 belong to piece
-/// i, so that e ^ 1 is the other end of the same piece. A stretch is the part of a ring from one
-/// end forwards to the next end. It has the number of the end at which it begins.
+/// i, so that e ^ 1 is the other end of the same piece. An edge part (`Stretch` in names) is the
+/// part of a ring from one end forwards to the next end. It has the number of the end at which it
+/// begins.
 class EdgeEnds {
  public:
   /// Sorts the ends; the whole edge is free. `region` and `pieces` must outlive this object. Cost:
@@ -36,19 +37,19 @@ class EdgeEnds {
   /// edge.
   int32_t Next(int32_t end) const { return At(end).next; }
   int32_t Previous(int32_t end) const { return At(end).previous; }
-  /// Returns the length of a stretch in nm. REQUIRES: on the edge.
+  /// Returns the length of an edge part in nm. REQUIRES: on the edge.
   double StretchLength(int32_t end) const { return At(end).stretch_nm; }
-  /// Returns the length of a link along a stretch in nm, or infinity if another bead blocks it.
+  /// Returns the length of a link along an edge part in nm, or infinity if another bead blocks it.
   /// REQUIRES: on the edge.
   double LinkLength(int32_t end) const {
     return At(end).room.links ? At(end).stretch_nm : std::numeric_limits<double>::infinity();
   }
-  /// Returns the free space for beads along a stretch. REQUIRES: on the edge.
+  /// Returns the free space for beads along an edge part. REQUIRES: on the edge.
   const StretchRoom& RoomOf(int32_t end) const { return At(end).room; }
 
   /// Returns the position of an end.
   Point PlaceOf(int32_t end) const;
-  /// Returns the points of a stretch, including the positions of its two ends.
+  /// Returns the points of an edge part, including the positions of its two ends.
   Polyline StretchPoints(int32_t end) const;
 
  private:
@@ -58,7 +59,7 @@ class EdgeEnds {
     int32_t previous = kNoEnd;
     double along_nm = 0;  ///< distance along the ring from its first point
     double stretch_nm = 0;
-    StretchRoom room{};  ///< free space along the stretch
+    StretchRoom room{};  ///< free space along the edge part
   };
 
   const End& At(int32_t end) const { return ends_[static_cast<size_t>(end)]; }

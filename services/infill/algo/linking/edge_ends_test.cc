@@ -20,7 +20,7 @@ std::vector<Piece> Lines(double angle) {
   return *StraightPieces(Region(), families);
 }
 
-// The stretches of every ring follow each other, and their total length is the ring's length.
+// The edge parts of every ring follow each other, and their total length is the ring's length.
 TEST(EdgeEnds, StretchesPartTheRings) {
   for (const double angle : {0.0, 0.5, 1.2}) {
     const std::vector<Piece> pieces = Lines(angle);

@@ -7,7 +7,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Number and length of links without common ends, in a chain of consecutive stretches.
+/// Number and length of links without common ends, in a chain of consecutive edge parts.
 struct ChainLinks {
   int count = 0;
   double length_nm = 0;
@@ -17,7 +17,7 @@ struct ChainLinks {
   }
 };
 
-/// Stretches of a ring in order, and their lengths as links.
+/// Edge parts of a ring in order, and their lengths as links.
 struct StretchRing {
   std::vector<int32_t> stretches;
   std::vector<double> length_nm;
@@ -30,12 +30,12 @@ class RingMatcher {
   RingMatcher(const StretchRing& ring, double max_link_nm)
       : ring_(ring), max_link_nm_(max_link_nm) {}
 
-  /// Returns the stretches that are links, as indices on the ring.
+  /// Returns the edge parts that are links, as indices on the ring.
   std::vector<size_t> Match() const {
     const size_t count = ring_.size();
     if (count < 2) return {};
-    // Without the last stretch the ring is a chain. With it, the two stretches that share its ends
-    // are excluded.
+    // Without the last edge part the ring is a chain. With it, the two edge parts that share its
+    // ends are excluded.
     Chosen without = OfChain(0, count - 1);
     if (!IsLink(count - 1)) return std::move(without.places);
     Chosen with = OfChain(1, count - 2);
@@ -54,7 +54,7 @@ class RingMatcher {
 
   bool IsLink(size_t place) const { return ring_.length_nm[place] <= max_link_nm_; }
 
-  /// Returns the best links among the stretches from `first` up to, but not including, `last`.
+  /// Returns the best links among the edge parts from `first` up to, but not including, `last`.
   Chosen OfChain(size_t first, size_t last) const {
     std::vector<ChainLinks> best(2);  // of so many stretches, less one that is none
     std::vector<bool> taken(2, false);

@@ -36,7 +36,7 @@ class Chooser {
   int32_t Neighbour(int32_t end, Way way) const {
     return way == Way::kForward ? ends_.Next(end) : ends_.Previous(end);
   }
-  /// Returns the stretch from an end to its neighbour.
+  /// Returns the edge part from an end to its neighbour.
   int32_t Stretch(int32_t end, Way way) const {
     return way == Way::kForward ? end : ends_.Previous(end);
   }
@@ -116,12 +116,12 @@ class Chooser {
   };
   struct Step {
     StepKind kind = StepKind::kMeets;
-    int32_t made = 0;  ///< stretch that becomes a link
-    int32_t lost = 0;  ///< stretch that is no longer a link
+    int32_t made = 0;  ///< edge part that becomes a link
+    int32_t lost = 0;  ///< edge part that is no longer a link
     int32_t end = 0;   ///< new end of the path
   };
 
-  /// Returns the step from a loose end, or nothing if the stretch is too long or a ring would
+  /// Returns the step from a loose end, or nothing if the edge part is too long or a ring would
   /// result. `tail`: the path's other end.
   std::optional<Step> StepFrom(int32_t end, int32_t tail, Way way) {
     const int32_t near = Neighbour(end, way);

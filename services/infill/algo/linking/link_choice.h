@@ -6,15 +6,15 @@
 
 namespace slicefarm::infill {
 
-/// Stretches of a region's edge that are links: for each end, true if the stretch from it to the
-/// next end is a link. No two links have a common end, and none joins a path to a ring.
+/// Parts of a region's edge that are links: for each end, true if the edge part from it to the next
+/// end is a link. No two links have a common end, and none joins a path to a ring.
 using Links = std::vector<bool>;
 
 /// Returns the end to which `end` is linked, or kNoEnd.
 int32_t LinkedTo(const EdgeEnds& ends, const Links& links, int32_t end);
 
-/// Joins pieces to as few paths as the search finds, by stretches no longer than `max_link_nm`. The
-/// shortest stretches are linked first. Then loose ends are moved along the edge, from link to
+/// Joins pieces to as few paths as the search finds, by edge parts no longer than `max_link_nm`.
+/// The shortest edge parts are linked first. Then loose ends are moved along the edge, from link to
 /// link, as long as this joins paths.
 ///
 /// A move takes a loose end e past the link of its neighbours n and p: e is linked with n, and p

@@ -120,7 +120,7 @@ class Assembler {
     }
   }
 
-  /// Returns the points of the stretch beside an end, beginning at the end.
+  /// Returns the points of the edge part beside an end, beginning at the end.
   Polyline WayFrom(int32_t end, bool forward) const {
     if (forward) return ends_.StretchPoints(end);
     Polyline way = ends_.StretchPoints(ends_.Previous(end));
@@ -142,8 +142,8 @@ class Assembler {
     return Shortened(way, all, 0, all - length);
   }
 
-  /// Returns the length available for an anchor along a stretch, of which `free_nm` are free. If
-  /// the stretch's other end is loose too, each anchor gets half of the stretch.
+  /// Returns the length available for an anchor along an edge part, of which `free_nm` are free. If
+  /// the edge part's other end is loose too, each anchor gets half of the edge part.
   double RoomFor(int32_t end, int32_t stretch, double free_nm, int32_t neighbour) const {
     if (links_[static_cast<size_t>(stretch)]) return 0;
     const bool is_shared = neighbour == end || LinkedTo(ends_, links_, neighbour) == kNoEnd;

@@ -38,8 +38,8 @@ struct LinkOptions {
 /// each other become one (LinkRings), which changes no length. If open paths are fewer, they are
 /// used instead.
 ///
-/// Every piece is in exactly one path, and no stretch of the edge is used twice. Closed pieces do
-/// not change. Cost: as ChooseLinks and SplicedPaths, and O(n + k) with n points of the region.
+/// Every piece is in exactly one path, and no edge part is used twice. Closed pieces do not change.
+/// Cost: as ChooseLinks and SplicedPaths, and O(n + k) with n points of the region.
 std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
                               const LinkOptions& options);
 

@@ -104,7 +104,7 @@ class Mover {
   const EdgeEnds& ends_;
   const double max_link_nm_;
   Links links_;
-  std::vector<int32_t> flipped_;  ///< flipped stretches, in order
+  std::vector<int32_t> flipped_;  ///< flipped edge parts, in order
   double least_ = 0;  ///< least sum of the distances between paths and the added length of links
 };
 

@@ -33,8 +33,8 @@ struct SerpentinePath {
 /// boundary, so that the paths stay in the region. If `monotonic`, the paths are in the order of
 /// printing; otherwise their order has no meaning.
 ///
-/// Every piece is in exactly one path, and no stretch of the boundary is used twice. Cost: O(n +
-/// k), n points of the region, k pieces (O(n + k log k) if monotonic).
+/// Every piece is in exactly one path, and no edge part is used twice. Cost: O(n + k), n points of
+/// the region, k pieces (O(n + k log k) if monotonic).
 std::vector<SerpentinePath> Serpentine(const ScanLines& lines, const SerpentineOptions& options);
 
 }  // namespace slicefarm::infill

@@ -24,15 +24,15 @@ struct TakenSpan {
 std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
                                               std::span<const Piece> pieces, double width_nm);
 
-/// Free space for beads along a stretch of a ring.
+/// Free space for beads along an edge part.
 struct StretchRoom {
-  /// True: a bead fits along the whole stretch; it may overlap another bead for one width.
+  /// True: a bead fits along the whole edge part; it may overlap another bead for one width.
   bool links = true;
-  double ahead_nm = 0;   ///< free length from the stretch's start
-  double behind_nm = 0;  ///< free length back from the stretch's end
+  double ahead_nm = 0;   ///< free length from the edge part's start
+  double behind_nm = 0;  ///< free length back from the edge part's end
 };
 
-/// Returns the free space of the stretch that begins at `from_nm`. `taken`: occupied parts of the
+/// Returns the free space of the edge part that begins at `from_nm`. `taken`: occupied parts of the
 /// ring, which is `ring_nm` long.
 StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
                       double length_nm, double width_nm);

@@ -16,7 +16,7 @@ TEST(RoomAlong, StopsAtWhatIsTaken) {
   EXPECT_FALSE(blocked.links);
   EXPECT_EQ(blocked.ahead_nm, 5e6);
   EXPECT_EQ(blocked.behind_nm, 13e6);
-  // The stretch passes the ring's first point.
+  // The edge part passes the ring's first point.
   const StretchRoom around = RoomAlong(taken, 60e6, 50e6, 22e6, kWidth);
   EXPECT_FALSE(around.links);
   EXPECT_EQ(around.ahead_nm, 5e6);
