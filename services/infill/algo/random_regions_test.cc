@@ -16,7 +16,7 @@
 /// Tests of all patterns on random regions: with holes, islands in holes, slivers, parts that
 /// touch. Environment:
 ///   SLICEFARM_FILL_REGIONS   number of regions for each pattern (40)
-///   SLICEFARM_FILL_SEED      seed of the first region (1); repeat a failure with its seed, 1 region
+///   SLICEFARM_FILL_SEED      first seed (1); to repeat a failure: its seed, and 1 region
 namespace slicefarm::infill::random_regions_test {
 namespace {
 

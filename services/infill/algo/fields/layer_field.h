@@ -24,6 +24,7 @@ struct LayerField {
     if (density == nullptr) return plain_density;
     return density->At({x_mm, y_mm, z_mm}, to_surface == nullptr ? 0 : to_surface->At(x_mm, y_mm));
   }
+  /// Returns the density at a point in nm.
   double DensityAt(Point p) const {
     return DensityAt(ToMm(static_cast<double>(p.x)), ToMm(static_cast<double>(p.y)));
   }

@@ -44,6 +44,7 @@ struct ScanLines {
   int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
   double VOf(int32_t line) const { return first_v + pitch * line; }
+  /// Returns the position of a crossing.
   Point PlaceOf(const Crossing& crossing) const;
   /// Returns the length of one piece, in nm.
   double PieceLength(int32_t piece) const;

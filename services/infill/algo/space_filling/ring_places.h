@@ -16,14 +16,17 @@ namespace slicefarm::infill {
 /// near a point.
 class RingPlaces {
  public:
+  /// Position on a ring, with its distance from a given point.
   struct Near {
     double place = 0;
     double distance = 0;
   };
+  /// Ring near a given point, with its distance.
   struct NearRing {
     int32_t ring = 0;
     double distance = 0;
   };
+  /// Edge of a ring.
   struct Edge {
     Point from, to;
     int32_t ring = 0;
