@@ -100,7 +100,8 @@ TEST(ExposeLayer, TheRegionIsCovered) {
 TEST(ExposeLayer, NoColumnIsMeltedTwiceInMostLayers) {
   constexpr int32_t kLayers = 60;
   for (const ScanStrategy strategy : kStrategies) {
-    // Rings leave no corner unmelted in small parts: that would leave too large a share open.
+    // In small parts every ring reaches into the corners, because otherwise too large a share would
+    // stay open. Therefore rings are tested on a larger part.
     const MultiPolygon cube =
         MakePolygonsOrDie(IsRings(strategy) ? "(0 0, 10 0, 10 10, 0 10)" : "(0 0, 4 0, 4 4, 0 4)");
     ExposureOptions options;

@@ -46,8 +46,8 @@ struct Visit {
   friend bool operator==(const Visit&, const Visit&) = default;
 };
 
-/// Returns an order and direction of all `legs` with little travel. Up to kFewLegs legs, the order
-/// is the best one (few_legs.h). For more legs the nearest-neighbour order is improved by
+/// Returns an order and direction of all `legs` with little travel. For up to kFewLegs legs, the
+/// order is the best one (few_legs.h). For more legs the nearest-neighbour order is improved by
 /// TourSearch, with a number of exchanges in proportion to the legs, or until `budget` is spent.
 /// Without budget, the result is the nearest-neighbour order. Finally the same moves are tried
 /// around each travel that crosses the barrier, and each crossing counts as kCrossingNm of travel.

@@ -11,8 +11,8 @@ namespace slicefarm::exposure {
 /// area between them, both edges are removed. A ring that touches nothing is unchanged.
 ///
 /// Errors: REQUEST_MALFORMED, with the position, if edges cross or overlap in the same direction, a
-/// ring has the wrong direction, or an island is inside another island. Exact. Cost: O(n log n),
-/// and if anything touches the pairs of edges that overlap in x.
+/// ring has the wrong direction, or an island is inside another island. Exact. Cost: O(n log n). If
+/// rings touch, the number of pairs of edges that overlap in x is added.
 absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands);
 
 }  // namespace slicefarm::exposure

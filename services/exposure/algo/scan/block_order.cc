@@ -35,7 +35,8 @@ class EntryGrid {
       cells_[Index(Column(entry.at), Row(entry.at))].push_back(entry);
   }
 
-  /// Returns the nearest entry of a remaining block. Both entries of this block are removed later.
+  /// Returns the nearest entry of a block for which `is_left` is true. Removes the entries of
+  /// finished blocks that it meets.
   template <typename IsLeft>
   std::optional<Entry> Nearest(Point from, IsLeft is_left) {
     const int64_t column = Column(from), row = Row(from);

@@ -34,8 +34,8 @@ class BorderGrid {
   bool KeepsOn(Point a, Point b, double distance_nm) const;
 
   /// Returns true if no point of the segment ab is outside of the region by more than `beyond_nm`.
-  /// For lines on the border itself, where rounding decides the side. REQUIRES: 0 < beyond_nm <=
-  /// reach. Cost: O(1) far from the border.
+  /// The test is for lines on the border itself, where rounding decides the side. REQUIRES: 0 <
+  /// beyond_nm <= reach. Cost: O(1) far from the border.
   bool Stays(Point a, Point b, double beyond_nm) const;
 
   /// Returns true if the border is nearer to p than `distance_nm`. REQUIRES: distance_nm <= reach.

@@ -196,8 +196,9 @@ Spine SpineOf(const ConvexRing& ring) {
 Spine SpineOf(const ConvexRing& ring, double spot_nm) {
   const Base base = BaseOf(ring);
   const Spine middle = Chord(ring, base, base.width / 2);
-  // The line moves down as long as the spot still reaches the top and does not reach beyond the
-  // base. It keeps off the base itself, because rounding could leave nothing of it.
+  // Lowest height at which the spot still reaches the top. It is at most half a spot, so that the
+  // spot also reaches the base. It is at least 5 % of the width, because rounding could leave
+  // nothing of a line on the base.
   const double least = 0.05 * base.width;
   const double height = std::clamp(base.width - spot_nm / 2, least, std::max(least, spot_nm / 2));
   const Spine low = Chord(ring, base, height);

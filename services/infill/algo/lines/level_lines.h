@@ -23,7 +23,8 @@ struct LevelLine {
 /// of `count` squares per period. Points are the crossings of the lines and the grid. In a square
 /// with four crossings the sign in its middle decides. Zero counts as positive.
 ///
-/// REQUIRES: count >= 2. Cost: O(count^2) calls, and about 8 for each point.
+/// REQUIRES: count >= 2. Cost: O(count^2) calls of the function, and about 8 further calls for each
+/// point.
 std::vector<LevelLine> LevelLines(const std::function<double(Vector2)>& function, int count);
 
 }  // namespace slicefarm::infill

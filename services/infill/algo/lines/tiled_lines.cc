@@ -106,7 +106,8 @@ class Tiler {
     const int sign = (by_u ? line.step_u : line.step_v) > 0 ? 1 : -1;
     const double copies = std::floor((to - from) / step) + 1;
     for (int r = 0; r < step; ++r) {
-      // Copy k is at from + r + k * step along, and k * aside across.
+      // Copy k is at from + r + k * step on the main axis, and shifted by k * aside on the other
+      // axis.
       const double drift = sign * aside * copies;
       const double low = by_u ? box_.min_v - reach.max_v : box_.min_u - reach.max_u;
       const double high = by_u ? box_.max_v - reach.min_v : box_.max_u - reach.min_u;

@@ -10,11 +10,11 @@ namespace slicefarm::infill {
 /// layers deviate: the gyroid -5.9 to +12.8 %, Schwarz' D -7 to +16 %, Fischer and Koch's S -11 to
 /// +13 %.
 
-/// sin x cos y + sin y cos z + sin z cos x
+/// Gyroid: f = sin x cos y + sin y cos z + sin z cos x.
 MakePattern Gyroid;
-/// cos x cos y cos z - sin x sin y sin z
+/// Schwarz' D surface: f = cos x cos y cos z - sin x sin y sin z.
 MakePattern SchwarzD;
-/// cos 2x sin y cos z + cos 2y sin z cos x + cos 2z sin x cos y
+/// Fischer and Koch's S surface: f = cos 2x sin y cos z + cos 2y sin z cos x + cos 2z sin x cos y.
 MakePattern FischerKochS;
 
 }  // namespace slicefarm::infill

@@ -44,13 +44,14 @@ struct Skins {
 /// outline of `cover` covers it.
 ///
 /// A part that an outline does not cover counts if it is at least 0.3 of a bead wide and as large
-/// as a dot of a bead. The width may be so small because the part continues under the walls. It
-/// grows by two beads into the sparse region, so that its lines have supported ends. With partial
-/// shells, such parts must be at least three beads wide. With disabled shells, only a part that a
-/// nearer outline still covers counts, if it is a bead wide. Slopes with treads narrower than a
-/// bead from layer to layer then stay sparse. Sparse parts narrower than four beads become solid up
-/// to this distance from skins, because their lines would be short bits. Narrow parts that are only
-/// beside walls stay sparse. A part beside a bridge that is too narrow for a bead joins the bridge.
+/// as a dot of a bead. The width may be so small because the part continues under the walls. Each
+/// such part grows by two beads into the sparse region, so that its lines have supported ends. With
+/// partial shells, such parts must be at least three beads wide. With disabled shells, only a part
+/// that a nearer outline still covers counts, if it is a bead wide. Slopes with treads narrower
+/// than a bead from layer to layer then stay sparse. Sparse parts narrower than four beads become
+/// solid up to this distance from skins, because their lines would be short bits. Narrow parts that
+/// are only beside walls stay sparse. A part beside a bridge that is too narrow for a bead joins
+/// the bridge.
 ///
 /// Only widths, distances and areas decide: noise of some tens of nanometres in an operand moves
 /// edges by as much, and changes dots where a width is exactly at its limit.

@@ -20,13 +20,13 @@ struct StepRing {
 ///
 /// Two rings become one where they face each other: a piece as long as the spacing is cut out of
 /// both, and their ends are linked. This keeps the length, and the spacing of the lines. If all
-/// rings are of one step, which need not be a spacing apart, the pieces are as long as the distance
-/// between the rings, where there is space for them. Links are made along a spanning tree of the
-/// rings, in the order of steps. The cut for a ring's child begins at the cut for its parent. A
-/// chain of nested rings therefore becomes a double spiral, in which odd rings lead inwards and
-/// even rings outwards. Source: Zhao et al., "Connected Fermat Spirals for Layered Fabrication",
-/// SIGGRAPH 2016. Here the links are perpendicular to the rings; the original links are nearer to
-/// the rings than the spacing.
+/// rings are of one step, they need not be a spacing apart. The pieces are then as long as the
+/// distance between the rings, where there is space for them. Links are made along a spanning tree
+/// of the rings, in the order of steps. The cut for a ring's child begins at the cut for its
+/// parent. A chain of nested rings therefore becomes a double spiral, in which odd rings lead
+/// inwards and even rings outwards. Source: Zhao et al., "Connected Fermat Spirals for Layered
+/// Fabrication", SIGGRAPH 2016. Here the links are perpendicular to the rings; the original links
+/// are nearer to the rings than the spacing.
 ///
 /// Each path starts and ends a spacing apart, at the first link of its first ring. A single ring is
 /// closed (its last point is its first). Links cross nothing. Points are rounded to nm. REQUIRES:
