@@ -106,7 +106,7 @@ TEST(ExposeLayer, NoColumnIsMeltedTwiceInMostLayers) {
         MakePolygonsOrDie(IsRings(strategy) ? "(0 0, 10 0, 10 10, 0 10)" : "(0 0, 4 0, 4 4, 0 4)");
     ExposureOptions options;
     options.strategy = strategy;
-    options.link_rings = false;  // each ring is a line, which melts a place once
+    options.link_rings = false;  // each ring is a line, which melts a point once
     MeltedRaster shifted(cube, 37'000), still(cube, 37'000);
     for (const bool shifts : {true, false}) {
       options.shift_grids = options.turn_rings = shifts;
@@ -428,7 +428,7 @@ TEST(ExposeLayer, CopiesAreVisitedOnceEach) {
       {0, {50'000'000, 0}}, {1, {9, 9}}, {0, {10'000'000, 0}}, {0, {30'000'000, 0}}};
   const auto layer = Expose(layers, 0, {ExposureOptions{}}, copies);
   ASSERT_TRUE(layer.ok());
-  ASSERT_EQ(layer->visits.size(), 3u);  // object 1 has nothing here
+  ASSERT_EQ(layer->visits.size(), 3u);  // object 1 has no section in this layer
   EXPECT_EQ(layer->visits[0].copy, 2);
   EXPECT_EQ(layer->visits[1].copy, 3);
   EXPECT_EQ(layer->visits[2].copy, 0);

@@ -29,7 +29,7 @@ class Counter {
     kind.energy_j += style.power_w * LaserOnS(length, style);
     kind.time_s +=
         exposed + static_cast<double>(line.size() - 2) * options.jump.polygon_delay_us * kMicro;
-    if (group.run_nm > 0) {  // runs out at full speed instead of waiting
+    if (group.run_nm > 0) {  // a run at full speed replaces the delay
       report_.jump_mm += 2 * ToMm(static_cast<double>(group.run_nm));
       report_.jump_time_s += 2 * ToMm(static_cast<double>(group.run_nm)) / style.speed_mm_s;
     } else {

@@ -66,7 +66,7 @@ TEST(ReportOf, SkywritingIsWayWithoutExposure) {
   const ExposureReport report = ReportOf(layer, std::vector{options});
   EXPECT_DOUBLE_EQ(report.kinds[kHatch].length_mm, plain.kinds[kHatch].length_mm);
   EXPECT_DOUBLE_EQ(report.kinds[kHatch].time_s, 20.0 / 1000);  // no mark delay
-  EXPECT_DOUBLE_EQ(report.jump_mm, plain.jump_mm + 4 * 0.5);   // both ends run out on the same side
+  EXPECT_DOUBLE_EQ(report.jump_mm, plain.jump_mm + 4 * 0.5);   // both runs are on the same side
 }
 
 TEST(ReportOf, CopiesCountAndReportsAddUp) {

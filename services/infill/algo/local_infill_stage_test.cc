@@ -161,7 +161,7 @@ TEST(LocalInfill, BridgesRunFromWallToWallOverThinOnes) {
         for (size_t i = 1; i < path.points.size(); ++i) {
           const Point by = path.points[i] - path.points[i - 1];
           EXPECT_EQ(path.feature, Feature::kBridgeInfill);
-          if (std::abs(by.x) + std::abs(by.y) < FromMm(1)) continue;  // to the next line
+          if (std::abs(by.x) + std::abs(by.y) < FromMm(1)) continue;  // link to the next line
           EXPECT_EQ(by.y, 0) << first;
           ++lines;
         }

@@ -464,7 +464,7 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
   if (const ObjectSection* own = objects.Find(walled.stack.id, walled.layer); own != nullptr)
     view.z_nm = own->z_nm - own->height_nm / 2;
   FilledSection filled{walled.stack, walled.layer, walled.height_nm, {}};
-  std::map<int32_t, RegionFill> fillers;  // by row
+  std::map<int32_t, RegionFill> fillers;  // indexed by row
   for (WalledIsland& island : walled.islands) {
     FilledIsland result;
     result.walls = std::move(island.walls);

@@ -247,7 +247,7 @@ TEST(FillSection, FollowsWhatIsPlanned) {
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_EQ(EndOf(paths[0]), (Point{FromMm(8), FromMm(10)}));
   EXPECT_TRUE(PathsOf(options, {}).empty());
-  plan.settings = 1;  // of another region
+  plan.settings = 1;  // plan of another region
   EXPECT_TRUE(PathsOf(options, std::span(&plan, 1)).empty());
 }
 

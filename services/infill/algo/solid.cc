@@ -33,7 +33,7 @@ constexpr double kLinkedShare = 0.36, kFreeShare = 0.25;
 constexpr double kLinkShare = 0.15;
 /// Largest total length of links between curves, as a share of the curves' length.
 constexpr double kMostLinkShare = 0.01;
-constexpr double kDepthPrecision = 0.001;  // of a spacing
+constexpr double kDepthPrecision = 0.001;  // in spacings
 
 /// Returns the distance of lines' ends from the region's edge.
 Coord EndDistance(Coord spacing, Coord overlap) {

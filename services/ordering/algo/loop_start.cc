@@ -23,7 +23,7 @@ constexpr double kSameNm = 50'000;
 constexpr double kAsNearNm = 20'000;
 /// Length in nm of the arms before and after a corner, between which the turn is measured.
 constexpr double kArmNm = 300'000;
-constexpr double kCornerCosine = 0.906;  // of 25 degrees
+constexpr double kCornerCosine = 0.906;  // cosine of 25 degrees
 
 /// Returns the first point of the loop that is at least an arm away from `vertex`. `step`: 1
 /// (forward) or size - 1 (backward).

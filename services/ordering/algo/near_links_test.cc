@@ -47,7 +47,7 @@ Path Stroke(Feature feature, Point from, Point to) {
   return path;
 }
 
-double VolumeMm3(const Path& path) {  // of one width
+double VolumeMm3(const Path& path) {  // REQUIRES: one width
   return SectionMm2(path.widths_nm[0], kHeight) * ToMm(PathLength(path));
 }
 

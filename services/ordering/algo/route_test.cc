@@ -72,7 +72,7 @@ TEST(Route, LinksWhatLiesNearWithinAnIsland) {
   route.Enter({nullptr, &nothing});  // another island
   route.Print(stroke(10'400'000));
   EXPECT_EQ(route.paths().size(), 4);
-  route.Enter({});  // whose outline is not known
+  route.Enter({});  // its outline is unknown
   route.Print(stroke(15'600'000));
   route.Print(stroke(20'800'000));
   EXPECT_EQ(route.paths().size(), 6);

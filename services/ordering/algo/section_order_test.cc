@@ -155,7 +155,7 @@ TEST(OrderSection, InfillFirst) {
 
 TEST(OrderSection, LoopsRunTheWayThatIsAskedFor) {
   FilledSection section = Section();
-  Path hole = Wall(8, 3, 4, 0);  // of the second island
+  Path hole = Wall(8, 3, 4, 0);  // wall of the second island
   std::ranges::reverse(hole.points);
   section.islands[1].walls.push_back(hole);
   const auto turns = [&](bool clockwise) {

@@ -106,7 +106,7 @@ TEST(TravelOrder, FindsTheOptimumOfSmallSets) {
     Journey journey{{50 * kNmPerMm, 0}, {}};
     if (set % 2 == 1) journey.to = Point{0, 70 * kNmPerMm};
     const double length = TravelLength(journey, legs, Order(journey, legs));
-    EXPECT_NEAR(length, Optimum(journey, legs), 10) << "set " << set;  // of rounded nanometres
+    EXPECT_NEAR(length, Optimum(journey, legs), 10) << "set " << set;  // rounding to nm
   }
 }
 
@@ -138,7 +138,7 @@ TEST_P(TsplibTest, TourIsWithinSevenPercent) {
   for (size_t i = 1; i < cities.size(); ++i) legs.push_back({cities[i], cities[i]});
   const std::vector<Visit> visits = Order({cities[0], cities[0]}, legs);
   ExpectEachLegOnce(visits, legs);
-  int64_t length = 0;  // EUC_2D: each distance rounded
+  int64_t length = 0;  // EUC_2D rounds each distance
   Point at = cities[0];
   for (const Visit& visit : visits) {
     length += std::llround(ToMm(Distance(at, legs[visit.leg].start)));

@@ -116,7 +116,7 @@ bool LinkChoice::Sees(Vector2 at) {
         (from == 0 && on_way(edge.from)) || (to == 0 && on_way(edge.to)) ||
         (from * to < 0 && edge.origin_side * CrossSign(edge.to - edge.from, at - edge.from) < 0);
     if (!blocks) continue;
-    std::swap(edges_[i], edges_[i / 2]);  // what blocks often moves to the front
+    std::swap(edges_[i], edges_[i / 2]);  // edges that often block move to the front
     return false;
   }
   return true;

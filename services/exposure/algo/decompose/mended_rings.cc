@@ -98,7 +98,7 @@ absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
 /// Returns true if a clockwise turn from direction `from` meets `a` before `b`. REQUIRES: no two
 /// directions are equal.
 bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
-  const auto half = [&](Vector2 v) {  // 0: to the right of `from`; 1: to its left, or behind
+  const auto half = [&](Vector2 v) {  // 0: right of `from`; 1: opposite; 2: left
     const int side = CrossSign(from, v);
     return side < 0 ? 0 : side > 0 ? 2 : 1;
   };

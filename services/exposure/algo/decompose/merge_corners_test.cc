@@ -17,7 +17,7 @@ MultiPolygon Dented(Coord depth) {
 }
 
 TEST(MergeCorners, WithinBothLimits) {
-  const double area = 0.5 * 100e6 * 1000;  // of the dent
+  const double area = 0.5 * 100e6 * 1000;  // area of the dent
   EXPECT_EQ(MergeCorners(Dented(1000), {1001, area + 1})[0].outer.size(), 4u);
   EXPECT_EQ(MergeCorners(Dented(1000), {999, area + 1})[0].outer.size(), 5u);
   EXPECT_EQ(MergeCorners(Dented(1000), {1001, area - 1})[0].outer.size(), 5u);

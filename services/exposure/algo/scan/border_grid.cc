@@ -311,7 +311,7 @@ bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) cons
 template <typename Visit>
 bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
   const Vector2 way = b - a;
-  const Vector2 per_way{1 / way.x(), 1 / way.y()};  // infinite across an axis: never left that way
+  const Vector2 per_way{1 / way.x(), 1 / way.y()};  // infinite: never leaves on this axis
   const double jump = square_ / std::max(std::abs(way.x()), std::abs(way.y()));
   const int32_t ahead_x = way.x() >= 0 ? 1 : 0, ahead_y = way.y() >= 0 ? 1 : 0;
   const Square end = At(b);
@@ -324,7 +324,7 @@ bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
     const bool leaves_aside = !(next_y <= next_x);
     const double next = leaves_aside ? next_x : next_y;
     if (!(next < 1)) return true;
-    if (room_[index] > 1) {  // over to where this square knows nothing of
+    if (room_[index] > 1) {  // jump to the end of the known free area
       const double far = next + (room_[index] - 1) * jump;
       if (!(far < 1)) return true;
       at = At({a.x() + far * way.x(), a.y() + far * way.y()});

@@ -21,9 +21,9 @@ TEST(BorderGrid, OfAFrame) {
   EXPECT_TRUE(keeps(4, 15, 4, 15, 4e6));
   EXPECT_FALSE(keeps(4, 15, 4, 15, 4.000001e6));
   EXPECT_TRUE(keeps(4, 4, 4, 26, 4e6));
-  EXPECT_FALSE(keeps(4, 15, 26, 15, 0));      // over the hole
-  EXPECT_FALSE(keeps(11, 15, 19, 15, 0));     // in it
-  EXPECT_FALSE(keeps(25, 15, 35, 15, 0));     // out
+  EXPECT_FALSE(keeps(4, 15, 26, 15, 0));      // across the hole
+  EXPECT_FALSE(keeps(11, 15, 19, 15, 0));     // in the hole
+  EXPECT_FALSE(keeps(25, 15, 35, 15, 0));     // from inside to outside
   EXPECT_FALSE(keeps(-9, 15, -8, 15, 0));     // outside
   EXPECT_TRUE(keeps(4, 12, 12, 4, 2.828e6));  // past the hole's corner
   EXPECT_FALSE(keeps(4, 12, 12, 4, 2.829e6));
@@ -67,9 +67,9 @@ TEST(BorderGrid, StaysWhereALineRunsAlongTheBorder) {
   EXPECT_TRUE(stays(-0.002, -0.002, 30.002, -0.002));
   EXPECT_FALSE(stays(-0.004, 0, 30, 0));
   EXPECT_TRUE(stays(0, 10, 30, 10));      // along a side of the hole
-  EXPECT_TRUE(stays(0, 10.002, 30, 10));  // a little in it
-  EXPECT_FALSE(stays(0, 10.02, 30, 10));  // more
-  EXPECT_FALSE(stays(0, 15, 30, 15));     // over it, with both ends on the border
+  EXPECT_TRUE(stays(0, 10.002, 30, 10));  // slightly inside the hole
+  EXPECT_FALSE(stays(0, 10.02, 30, 10));  // too far inside the hole
+  EXPECT_FALSE(stays(0, 15, 30, 15));     // across the hole, ends on the border
   EXPECT_FALSE(stays(10, 10, 20, 20));    // from corner to corner
   EXPECT_TRUE(stays(5, 15, 5, 15));
   EXPECT_FALSE(stays(15, 15, 15, 15));

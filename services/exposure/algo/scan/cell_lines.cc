@@ -118,7 +118,7 @@ void AppendBlocks(Family& family, bool alternate, LineBlocks& blocks) {
     blocks.begin.push_back(blocks.points.size());
     blocks.odd.push_back(family.odd);
     for (bool forward = true; i < end; forward = !forward || !alternate) {
-      size_t last = i;  // of the same line
+      size_t last = i;  // end of the pieces of this line
       while (last < end && family.lines[last].line == family.lines[i].line) ++last;
       for (size_t k = i; k < last; ++k) {
         const CellLine& line = family.lines[forward ? k : i + last - 1 - k];

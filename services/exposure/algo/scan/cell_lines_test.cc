@@ -27,7 +27,7 @@ TEST(CellBlocks, StripesEvenOnesFirst) {
     const Coord stripe = b < 3 ? 2 * static_cast<Coord>(b) : 2 * static_cast<Coord>(b - 3) + 1;
     EXPECT_EQ(box.min.x, std::max<Coord>(0, stripe * 2'000'000 - 50'000));
     EXPECT_EQ(box.max.x, std::min<Coord>(10'000'000, (stripe + 1) * 2'000'000 + 50'000));
-    EXPECT_EQ(box.min.y, b < 3 ? 0 : 40'000);  // half a distance further on
+    EXPECT_EQ(box.min.y, b < 3 ? 0 : 40'000);  // shifted by half a distance
   }
 }
 

@@ -64,7 +64,7 @@ ConvexRing ConvexInsets::At(double distance) {
     size_t edge = 0;
   };
   std::vector<Line> lines;
-  std::vector<Vector2> corners;  // corners[i]: of lines[i] and lines[i + 1]
+  std::vector<Vector2> corners;  // corners[i] is between lines[i] and lines[i + 1]
   lines.reserve(edges_.size());
   corners.reserve(edges_.size());
   size_t front = 0;
@@ -89,7 +89,7 @@ ConvexRing ConvexInsets::At(double distance) {
       const double turn = Cross(lines.back().way, line.way);
       if (turn < -kParallel || (turn <= kParallel && Dot(lines.back().way, line.way) < 0))
         return {};
-      if (turn <= kParallel) {  // the same direction: the inner one counts
+      if (turn <= kParallel) {  // same direction: the inner line counts
         if (outside(lines.back(), line.at)) continue;
         lines.pop_back();
         if (lines.size() > front) corners.pop_back();
@@ -235,7 +235,7 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   ConvexInsets insets(piece, scale);
   // Depth up to which the rings melt. Deeper areas are not melted yet.
   double reached = fill.first_nm - fill.pitch_nm / 2;
-  ConvexRing gap;  // where a ring ends to melt, around the next one
+  ConvexRing gap;  // border of the area melted so far, around the next ring
   for (int64_t k = 0;; ++k) {
     ConvexInsets before = insets;
     const double distance = fill.first_nm + static_cast<double>(k) * fill.pitch_nm -

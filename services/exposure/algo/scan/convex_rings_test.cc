@@ -76,7 +76,7 @@ TEST(ConvexRings, OfATurnFitTheMiddle) {
     }
     where.insert(nearer);
   }
-  EXPECT_EQ(where.size(), 45u);  // each of them in its turn
+  EXPECT_EQ(where.size(), 45u);  // each position occurs once
 }
 
 TEST(ConvexRings, EveryFifthOfATurnReachesIntoCorners) {

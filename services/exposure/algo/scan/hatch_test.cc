@@ -76,12 +76,12 @@ TEST(Hatch, DistancesAreExact) {
 TEST(Hatch, LinesOfAHatchAreNeighboursAtTheDistance) {
   const auto points =
       HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), 0, With(ScanStrategy::kHatch));
-  ASSERT_EQ(points.size() / 2, 125u);  // from 0 to 9.92
+  ASSERT_EQ(points.size() / 2, 125u);  // lines from 0 to 9.92
   for (size_t i = 0; i + 2 < points.size(); i += 2) {
     EXPECT_EQ(points[i + 2].y - points[i].y, 80'000);
     EXPECT_EQ(points[i].y, points[i + 1].y);
     EXPECT_EQ(std::abs(points[i + 1].x - points[i].x), 10'000'000);
-    EXPECT_EQ(points[i + 1].x, points[i + 2].x);  // there and back
+    EXPECT_EQ(points[i + 1].x, points[i + 2].x);  // to and fro
   }
 }
 

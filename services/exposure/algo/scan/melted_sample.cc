@@ -56,7 +56,7 @@ class Probes {
     const Box box = Bounds(outline);
     low_ = static_cast<double>(box.min.y);
     step_ = static_cast<double>(box.max.y - box.min.y) / kProbes;
-    share_ = RingStart(layer + 1);  // not 0: that is the border
+    share_ = RingStart(layer + 1);  // not 0, which would be the border
     if (step_ <= 0) return;
     for (int i = 0; i < kProbes; ++i) {
       const auto inside =

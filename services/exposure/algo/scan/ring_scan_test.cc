@@ -41,13 +41,13 @@ TEST(ScanByRings, OneLineAPieceIfLinkedElseOneARing) {
 TEST(ScanByRings, LinksAreShort) {
   ExposureOptions options;
   options.fill_corners = false;
-  options.ring_overlap_nm = 0;  // the outermost ring lies half a distance inside
+  options.ring_overlap_nm = 0;  // the outermost ring is half a distance inside
   const ExposureGroup group = Scan(MakePolygonsOrDie("(0 0, 8 0, 8 8, 0 8)"), options);
   const double link = 80'000 * std::sqrt(2.0) + 2;
   int short_edges = 0;
   for (size_t i = 1; i < group.points.size(); ++i)
     short_edges += Distance(group.points[i - 1], group.points[i]) <= link ? 1 : 0;
-  EXPECT_EQ(short_edges, 49 + 4);  // between 50 rings; and the innermost ring has sides of 80 um
+  EXPECT_EQ(short_edges, 49 + 4);  // links of 50 rings, and 4 sides of 80 um of the innermost ring
 }
 
 /// Returns the area that a spot can melt without leaving the region: the region's opening by the
@@ -75,7 +75,7 @@ TEST(ScanByRings, CornersStayOpenUnlessTheyAreFilled) {
   for (const bool fill : {false, true}) {
     ExposureOptions options;
     options.fill_corners = fill;
-    options.turn_rings = false;  // links melt some corners, too
+    options.turn_rings = false;  // links would melt some corners too
     MeltedRaster raster(Reachable(triangle, 80'000), 7'000);
     Scan(triangle, options).ForEachLine([&](std::span<const Point> line) {
       raster.Add(line, 80'000);

@@ -61,7 +61,7 @@ RingPlace CrossingPlace(const Polyline& ring, Point in, Point out) {
   std::optional<RingPlace> place;
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const double from = Cross(out - in, a - in), to = Cross(out - in, b - in);
-    if (from > 0 || to <= 0) return;  // a convex ring passes from right to left where it is left
+    if (from > 0 || to <= 0) return;  // a convex ring is left from right to left
     const double t = from / (from - to);
     place = {edge, a + Point{std::llround(t * static_cast<double>(b.x - a.x)),
                              std::llround(t * static_cast<double>(b.y - a.y))}};

@@ -40,7 +40,7 @@ TEST(OwnCode, WithoutTemplatesIsEmpty) {
 
 TEST(OwnCode, TellsWhatFails) {
   ExposureOutput output;
-  output.layer_gcode = "{1 / layer_num}";  // of layer 0
+  output.layer_gcode = "{1 / layer_num}";  // division by zero in layer 0
   const auto code = FillIn(output, TwoLayers());
   EXPECT_EQ(DetailOf(code.status()).reason, Reason::kSettingMalformed);
   EXPECT_EQ(DetailOf(code.status()).metadata.at("setting"), "layer_gcode");

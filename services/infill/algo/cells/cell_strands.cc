@@ -79,7 +79,7 @@ void StrandTile::LayCourses() {
 /// Joins two curves that share a doubled edge by crossing their lines there. The shortest suitable
 /// edges are used.
 void StrandTile::JoinCourses() {
-  DisjointSets curves(static_cast<int32_t>(tile_.edges.size()));  // of edges that are walked once
+  DisjointSets curves(static_cast<int32_t>(tile_.edges.size()));  // edges used once
   const auto join = [&curves](int32_t a, int32_t b) { return curves.Join(a / 2, b / 2); };
   for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
   std::vector<size_t> pairs;

@@ -35,7 +35,7 @@ double MeanOver(const MultiPolygon& region, const DensityField& density) {
 TEST(LevelParts, HoldTheDensityAskedForOverASwing) {
   for (const double asked : {0.004, 0.05, 0.11, 0.2, 0.33, 0.6}) {
     const DensityField density = GridField(41, 40, [=](double, double y) {
-      return y > 39 ? 0.6 : asked;  // a line of nodes at the edge has the greatest
+      return y > 39 ? 0.6 : asked;  // the nodes at the edge have the greatest density
     });
     EXPECT_NEAR(MeanOver(Square(0, 0.5), density) / asked, 1, 0.03) << asked;
   }

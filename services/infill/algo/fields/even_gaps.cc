@@ -224,7 +224,7 @@ void EvenGaps(const std::function<double(Vector2)>& separation_mm, std::vector<S
     const double turn = TurnOf(next);
     nodes = std::move(next);
     if (turn <= kMostTurn) continue;
-    for (NodeLine& line : nodes)  // as far along this way as the turn allows
+    for (NodeLine& line : nodes)  // as far in this direction as the turn permits
       for (Node& node : line.nodes) node.shift *= kMostTurn / turn;
     break;
   }

@@ -147,7 +147,7 @@ absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, Fil
   const double greatest = field.density->Greatest();
   if (greatest <= 0) return std::vector<Piece>{};
   const auto spacing = static_cast<double>(place.spacing_nm);
-  PatternPlace upright = place;  // graded lines lean as all of them do, and no pattern its own way
+  PatternPlace upright = place;  // all graded lines lean alike, no pattern by itself
   upright.pitch_nm = spacing / greatest;
   upright.z_nm = 0;
   return GradedPieces(region, Leaning(LineFamiliesOf(pattern, upright), place.z_nm), field,

@@ -22,7 +22,7 @@ TEST(RankOf, HalvesAgainAndAgain) {
   const double eighths[] = {0, 4, 2, 6, 1, 5, 3, 7};
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(RankOf(i), eighths[i] / 8, 1e-9) << i;
   for (int first : {-1000, -3, 0, 77}) {
-    int below = 0;  // of any 64 in a row, a quarter
+    int below = 0;  // a quarter of 64 consecutive lines
     for (int i = 0; i < 64; ++i) below += RankOf(first + i) < 0.25;
     EXPECT_EQ(below, 16) << first;
   }

@@ -71,7 +71,7 @@ absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t 
         distances_.try_emplace({row, object}, layers_, object, field.density->ReachMm())
             .first->second;
     const MapOf wanted{row, object, own_layer};
-    if (!distances.Has(own_layer)) return field;  // an object that is not sliced is all surface
+    if (!distances.Has(own_layer)) return field;  // an object without layers is all surface
     if (map_of_ != wanted) {
       auto map = distances.Of(own_layer);
       if (!map.ok()) return map.status();

@@ -249,7 +249,7 @@ TEST(Streamlines, OfABeamFollowTheGreaterStressAndTheOther) {
 }
 
 TEST(Streamlines, LeaveNoGapOfTwoSeparations) {
-  const auto spread = [](double x, double y) { return std::pair(x + 5, y - 32); };  // from a point
+  const auto spread = [](double x, double y) { return std::pair(x + 5, y - 32); };  // radial
   const auto curves = Lines(Along(spread), 2);
   const auto samples = SamplesOf(curves, 0.25);
   for (double y = 4; y < 60; y += 1.3) {

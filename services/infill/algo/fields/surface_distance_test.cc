@@ -47,7 +47,7 @@ TEST(SurfaceDistances, LookPastEdgesOfOtherLayers) {
   std::fill(outlines.begin() + 10, outlines.end(), P("(0 0, 10 0, 10 20, 0 20)"));
   const auto layers = LayersOf(outlines);
   SurfaceDistances distances(layers, 3, 6);
-  const DistanceMap map = *distances.Of(7);  // at 3.75, the step lies at 5
+  const DistanceMap map = *distances.Of(7);  // height 3.75; the step is at 5
   EXPECT_NEAR(map.At(20, 10), 1.25, 0.1);
   EXPECT_NEAR(map.At(7, 10), 3.25, 0.3) << "the edge of the step, over 3 and up 1.25";
 }

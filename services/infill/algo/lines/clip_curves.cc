@@ -108,7 +108,7 @@ class Clipper {
   }
 
   void Finish(const Curve& curve) {
-    if (state_ == State::kUnknown) {  // met no edge
+    if (state_ == State::kUnknown) {  // no edge was met
       const Point p = curve.points[0];
       for (const PolygonWithHoles& island : region_) {
         if (Locate(p, island) == Side::kOutside) continue;

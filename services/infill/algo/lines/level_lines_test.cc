@@ -64,7 +64,7 @@ TEST(LevelLines, SaddlesAreTakenByTheirMiddle) {
       return std::sin(kTurn * p.x()) * std::sin(kTurn * p.y()) + level;
     };
     const auto lines = LevelLines(f, 10);
-    EXPECT_EQ(lines.size(), 2u) << level;  // round the two maxima, or the two minima
+    EXPECT_EQ(lines.size(), 2u) << level;  // around the two maxima or minima
     for (const LevelLine& line : lines) EXPECT_TRUE(line.IsClosed());
   }
 }

@@ -25,7 +25,7 @@ using Kernel = std::array<double, kKernelReach + 1>;
 /// Returns the Green's function of 1 - l^2 D2 + l^4 D4 on points l / 2 apart, by its Fourier
 /// series.
 Kernel GreensFunction() {
-  constexpr double kLength = kStepsPerLength;  // in steps
+  constexpr double kLength = kStepsPerLength;  // length in steps
   Kernel kernel{};
   for (int wave = 0; wave < kPeriod; ++wave) {
     const double turn = 2 * std::numbers::pi * wave / kPeriod;

@@ -71,7 +71,7 @@ TEST(TiledLines, CoverEveryPeriodOnce) {
   struct Case {
     const char* name;
     LevelLine line;
-    size_t curves;  // inside the box
+    size_t curves;  // number of curves inside the box
     double length;
   };
   const Case cases[] = {{"Straight", straight, 6, 1},

@@ -37,7 +37,7 @@ TEST(LinkAllEnds, LeavesNoneLoose) {
   const Linked linked =
       LinkAll("(0 0, 10 0, 10 10, 0 10) (4 4, 4 6, 6 6, 6 4)", {0, 0.5e6, 1e6}, 50e6);
   EXPECT_EQ(linked.loose, 0);
-  EXPECT_EQ(linked.links, 12);  // 8 whole lines, and two in two pieces each
+  EXPECT_EQ(linked.links, 12);  // 8 whole lines, and two lines in two pieces each
 }
 
 TEST(LinkAllEnds, TakesTheShorterHalf) {

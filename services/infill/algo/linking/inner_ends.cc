@@ -193,7 +193,7 @@ class Matching {
       of_[U(joints[i].a)].push_back(static_cast<int32_t>(i));
       of_[U(joints[i].b)].push_back(static_cast<int32_t>(i));
     }
-    for (const bool rings : {false, true})  // rings are no fewer paths, but others may take them in
+    for (const bool rings : {false, true})  // rings last: a path may still include them
       for (size_t i = 0; i < joints.size(); ++i)
         if (CanMake(joints[i], rings)) Make(static_cast<int32_t>(i));
     for (int32_t end = 0; end < ends.size(); ++end)
@@ -245,7 +245,7 @@ class Matching {
   void MakeRoomFor(int32_t end) {
     for (const int32_t wanted : of_[U(end)]) {
       const int32_t partner = joints_[U(wanted)].Other(end);
-      if (made_[U(partner)] == kNone) continue;  // the joint would lie on another
+      if (made_[U(partner)] == kNone) continue;  // the joint would overlap another
       const int32_t left = joints_[U(made_[U(partner)])].Other(partner);
       for (const int32_t other : of_[U(left)]) {
         const int32_t last = joints_[U(other)].Other(left);

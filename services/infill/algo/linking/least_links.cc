@@ -56,7 +56,7 @@ class RingMatcher {
 
   /// Returns the best links among the edge parts from `first` up to, but not including, `last`.
   Chosen OfChain(size_t first, size_t last) const {
-    std::vector<ChainLinks> best(2);  // of so many stretches, less one that is none
+    std::vector<ChainLinks> best(2);  // best[i + 1]: of the first i edge parts
     std::vector<bool> taken(2, false);
     for (size_t place = first; place < last; ++place) {
       ChainLinks with = best[best.size() - 2];

@@ -150,9 +150,9 @@ class Chooser {
   /// Moves a loose end along its ring to the position with the fewest paths. Returns true if the
   /// number of paths is reduced; otherwise nothing changes.
   bool Move(int32_t end, Way way) {
-    std::vector<int32_t> flipped;  // stretches, in order
+    std::vector<int32_t> flipped;  // edge parts, in order
     size_t best_flips = 0;
-    int paths = 0, fewest = 0;  // compared with now
+    int paths = 0, fewest = 0;  // differences from the current number
     const int32_t start = end;
     do {
       const int32_t stretch = Stretch(end, way);
@@ -191,8 +191,8 @@ class Chooser {
     for (int32_t at = end;;) {
       --work_left_;
       const int32_t out = at ^ 1;
-      if (out == near) return 1;  // from here to `near` becomes a ring
-      if (out == far) return 0;   // turns round what lies between
+      if (out == near) return 1;  // the part up to `near` becomes a ring
+      if (out == far) return 0;   // reverses the part between
       const int32_t next = Partner(out);
       if (next == kNoEnd) break;
       at = next;

@@ -67,7 +67,7 @@ class Mover {
     const auto stretch = [&](int32_t of) { return forward ? of : ends_.Previous(of); };
     flipped_.clear();
     size_t keep = 0;
-    double longer_nm = 0;  // links, than before
+    double longer_nm = 0;  // added length of links
     int32_t best_end = end;
     for (int step = 0; step < kReach; ++step) {
       const int32_t near = neighbour(end);

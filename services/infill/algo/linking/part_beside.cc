@@ -39,7 +39,7 @@ std::optional<SegmentPart> PartBeside(Point a, Point b, Point c, Point d, double
     return std::nullopt;
   const double along0 = Dot(way, c - a) / length_nm;
   const double along1 = Dot(way, d - a) / length_nm;
-  Share share;  // of cd
+  Share share;  // share of cd
   Narrow(Cross(way, c - a) / length_nm, Cross(way, d - a) / length_nm, -near_nm, near_nm, share);
   Narrow(along0, along1, 0, length_nm, share);
   if (share.from >= share.to) return std::nullopt;

@@ -41,7 +41,7 @@ TEST(Serpentine, TellsPiecesFromLinks) {
   ASSERT_EQ(paths.size(), 1u);
   ASSERT_EQ(paths[0].pieces.size(), 2u);
   for (const int32_t i : paths[0].pieces) EXPECT_EQ(paths[0].points[i].y, paths[0].points[i + 1].y);
-  EXPECT_EQ(paths[0].pieces[1], 3);  // the link's corner lies between
+  EXPECT_EQ(paths[0].pieces[1], 3);  // the link's corner is between
 }
 
 TEST(Serpentine, LinksFollowTheBoundary) {

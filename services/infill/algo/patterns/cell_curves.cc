@@ -111,7 +111,7 @@ class CellWalker {
         const bool inner = k > 0 && k + 1 < cells_.size();
         if (inner && cells_[k - 1].i + cells_[k + 1].i == 2 * cells_[k].i &&
             cells_[k - 1].j + cells_[k + 1].j == 2 * cells_[k].j)
-          continue;  // no corner
+          continue;  // not a corner
         curve.points.push_back(frame_.At((static_cast<double>(cells_[k].i) + 0.5) * pitch_,
                                          (static_cast<double>(cells_[k].j) + 0.5) * pitch_));
       }

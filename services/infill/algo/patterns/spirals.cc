@@ -82,7 +82,7 @@ absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region, const Pa
     const double r = i % 2 == 0 ? 1 : inner;
     star[static_cast<size_t>(i)] = {r * Cos(kTurn * i / kCorners), r * Sin(kTurn * i / kCorners)};
   }
-  const double growth = place.pitch_nm / edge;  // of the outer corners, a turn
+  const double growth = place.pitch_nm / edge;  // growth of the outer corners per turn
   const Radii radii = RadiiOf(region, frame);
   const double last = std::ceil(radii.most / (inner * growth)) + 2;
   if (absl::Status ok = CheckLineCount(last * kCorners); !ok.ok()) return ok;

@@ -101,7 +101,7 @@ TEST(Skins, SmallSparseRegionsBecomeSolidIfAsked) {
 
 TEST(Skins, OverhangingStepHasABridge) {
   const Skins skins = PartFillArea(kFill, kWhole, {{&kWhole}, {&kLeftHalf}, false}, {});
-  EXPECT_NEAR(Mm2(skins.bridge), (9 + 0.9) * 18, 0.01);  // and two beads of what bears it
+  EXPECT_NEAR(Mm2(skins.bridge), (9 + 0.9) * 18, 0.01);  // with two beads of the support
   ExpectPartition(skins, kFill);
 }
 
@@ -200,7 +200,7 @@ TEST(Skins, SlopeTakesTheFarthestLayer) {
   cover.below = {&kWhole};
   const Skins skins = PartFillArea(kFill, kWhole, cover, {});
   EXPECT_NEAR(Mm2(skins.top), 1.5 * 18, 0.01);                 // beyond 17.5
-  EXPECT_NEAR(Mm2(skins.sparse), (7.5 - 1 - 0.9) * 18, 0.01);  // up to 7.5, less the anchor
+  EXPECT_NEAR(Mm2(skins.sparse), (7.5 - 1 - 0.9) * 18, 0.01);  // up to 7.5, minus the anchor
   ExpectPartition(skins, kFill);
 }
 

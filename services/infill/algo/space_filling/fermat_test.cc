@@ -77,7 +77,7 @@ TEST(FermatDisc, IsADoubleSpiralOfConstantSpacing) {
   for (int ray = 0; ray < 12; ++ray) {
     const double t = 0.1 + ray * std::numbers::pi / 6;
     const Point end = {FromMm(21 * std::cos(t)), FromMm(21 * std::sin(t))};
-    std::vector<std::pair<double, bool>> met;  // radius, on the way in
+    std::vector<std::pair<double, bool>> met;  // radius; true if the line leads inwards
     double length = 0;
     for (size_t i = 1; i < paths[0].size(); ++i) {
       const Point a = paths[0][i - 1], b = paths[0][i];

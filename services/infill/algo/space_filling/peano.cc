@@ -15,7 +15,7 @@ uint32_t MirroredIf(uint64_t odd, uint32_t digit) { return odd % 2 == 1 ? 2 - di
 
 CurveCell PeanoCell(int order, uint64_t index) {
   CurveCell cell;
-  uint64_t sum_x = 0, sum_y = 0;  // of the index's digits for either axis
+  uint64_t sum_x = 0, sum_y = 0;  // sums of the index's digits per axis
   uint64_t unit = PowerOf3(2 * order);
   for (int level = 0; level < order; ++level) {
     unit /= 3;

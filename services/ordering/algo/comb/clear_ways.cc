@@ -165,7 +165,7 @@ class ClearWays::Search {
     double length;  ///< length of the path up to `to`
     uint32_t from, to;
 
-    bool operator<(const Step& other) const {  // the queue's top is the greatest
+    bool operator<(const Step& other) const {  // the greatest step is the queue's top
       return std::tie(other.bound, other.to, other.from) < std::tie(bound, to, from);
     }
   };

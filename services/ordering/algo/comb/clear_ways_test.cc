@@ -155,7 +155,7 @@ TEST_P(RandomWays, FromTheOuterWallStayInside) {
     const Polygon& to = rings[random_() % rings.size()];
     const Point a = from[random_() % from.size()], b = to[random_() % to.size()];
     const auto corners = Find(ways, a, b);
-    if (!corners) continue;  // the wall is made of pieces that no lane joins
+    if (!corners) continue;  // no lane joins the wall's pieces
     const std::vector<Point> way = Whole(a, *corners, b);
     for (size_t k = 1; k < way.size(); ++k) EXPECT_FALSE(MeetsAnEdge(way[k - 1], way[k], {island_}));
   }

@@ -61,7 +61,7 @@ class RandomEdges : public testing::TestWithParam<int> {
   Segment Something() { return {Somewhere(), Somewhere()}; }
 
   std::mt19937 random_{static_cast<uint32_t>(GetParam())};
-  Coord size_ = GetParam() % 2 == 0 ? 9 : 20'000;  // small ones meet at corners and along each other
+  Coord size_ = GetParam() % 2 == 0 ? 9 : 20'000;  // small rings share corners and edges
 };
 
 TEST_P(RandomEdges, AreMetAndCrossedAsAllOfThemSay) {

@@ -37,7 +37,7 @@ TEST(ArrayTour, TurnsAStretch) {
 
 TEST(ArrayTour, TurnsTheRestIfThatIsShorter) {
   ArrayTour tour({0, 1, 2, 3, 4, 5});
-  tour.TurnRound(1, 5);  // one node is left: nothing to do
+  tour.TurnRound(1, 5);  // one node is outside: nothing changes
   EXPECT_THAT(tour.order(), ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
@@ -54,7 +54,7 @@ TEST(ArrayTour, ATurnIsATwoOptMoveAndUndoesItself) {
       const int32_t from = tour.Previous(a);
       const int32_t to = tour.Next(b);
       auto expected = EdgesOf(before);
-      if (from == b) continue;  // all of it
+      if (from == b) continue;  // the whole tour
       expected.erase(std::minmax(from, a));
       expected.erase(std::minmax(b, to));
       expected.insert(std::minmax(from, b));

@@ -118,7 +118,7 @@ Tour GreedyEdgeTour(const Costs& costs, const Neighbours& neighbours,
 Tour InsertionTour(const Costs& costs) {
   Tour left(static_cast<size_t>(costs.size() - 1));
   std::iota(left.begin(), left.end(), 1);
-  std::vector<int64_t> away(static_cast<size_t>(costs.size()), kFar);  // from the tour
+  std::vector<int64_t> away(static_cast<size_t>(costs.size()), kFar);  // distance from the tour
   Tour tour = {0};
   int32_t newest = 0;
   while (!left.empty()) {

@@ -34,7 +34,7 @@ Costs TableOf(const Costs& costs) {
 }
 
 TEST(Neighbours, AreTheNearestOfPlacesAndTables) {
-  const Costs places = RandomCosts(60, 1, 40);  // so few that some coincide
+  const Costs places = RandomCosts(60, 1, 40);  // a small range, so that some places are equal
   for (const Costs& costs : {places, TableOf(places)}) {
     const Neighbours neighbours(costs, 7, 0);
     for (int32_t node = 0; node < costs.size(); ++node) {

@@ -42,7 +42,7 @@ TEST(PlaceTree, NoPlaceIsItsOwnNeighbour) {
 
 TEST(PlaceTree, AgreesWithLookingAtAll) {
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> coord(-50, 50);  // small, so that places coincide
+  std::uniform_int_distribution<int> coord(-50, 50);  // small, so that some places are equal
   std::vector<Vector2> places(300);
   for (Vector2& place : places) place = {1.0 * coord(random), 1.0 * coord(random)};
   PlaceTree tree(places);

@@ -70,7 +70,7 @@ bool Keeps(const Tour& tour, int32_t size, const TourRules& rules) {
     if (node < 0 || node >= size || rank[static_cast<size_t>(node)] >= 0) return false;
     rank[static_cast<size_t>(node)] = static_cast<int32_t>(i);
   }
-  const auto ahead = [&](int32_t from, int32_t node) {  // steps forward
+  const auto ahead = [&](int32_t from, int32_t node) {  // number of steps forward
     const int32_t steps = rank[static_cast<size_t>(node)] - rank[static_cast<size_t>(from)];
     return steps < 0 ? steps + size : steps;
   };
