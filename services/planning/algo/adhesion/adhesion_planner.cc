@@ -24,10 +24,11 @@ namespace {
 
 constexpr int64_t kMaxSkirtPoints = 20'000'000;
 
-/// Regions that border on each other as one.
+/// Merges regions that share a border.
 MultiPolygon Joined(const MultiPolygon& regions) { return OffsetTwice(regions, kGlueNm, -kGlueNm); }
 
-/// The regions of a plate lie apart, each in its own place.
+/// Merges the regions of the plate. They are disjoint, because each region belongs to other
+/// objects.
 MultiPolygon WholeOf(const std::vector<Region>& regions) {
   MultiPolygon all;
   for (const Region& region : regions) Append(region.outlines, all);

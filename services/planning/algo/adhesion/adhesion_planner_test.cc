@@ -25,7 +25,7 @@ Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
 double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
 
-/// The least distance from the corners of a region to another, and the other way round.
+/// Returns the least distance between two regions, measured from the corners of each.
 double Gap(const MultiPolygon& a, const MultiPolygon& b) {
   double gap = INFINITY;
   ForEachRing(a, [&](const Polygon& ring) {
@@ -68,7 +68,7 @@ TEST(AdhesionPlanner, TheSkirtGoesRoundAllCopiesAndAllItsLayers) {
   EXPECT_EQ(skirt.layers, 2);
   ASSERT_THAT(skirt.loops, SizeIs(2));
   EXPECT_EQ(skirt.loops[0].settings, 3);
-  // The second layer is wider: all loops keep away from both.
+  // The second layer is wider. All loops keep their distance from both layers.
   EXPECT_EQ(Bounds(skirt.loops[1].points).min.x, FromMm(100 - 9 - 6 - 0.2));
   EXPECT_EQ(Bounds(skirt.loops[1].points).max.x, FromMm(150 + 9 + 6 + 0.2));
 }
@@ -120,7 +120,7 @@ TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
   EXPECT_EQ(plan.plan.stacks[0].stack, Stack(1, 0, StackKind::kBrim));
   const ObjectSection& section = plan.plan.stacks[0].sections[0];
   EXPECT_EQ(Bounds(OutlineOf(section)).max.x, FromMm(5 + 2.1)) << "around the object's origin";
-  // What stands on the plate is the same.
+  // The outlines on the plate are the same as before.
   options.sequence.complete_objects = true;
   std::vector<PlacedCopy> placed = copies;
   for (PlacedCopy& copy : placed)
@@ -134,7 +134,7 @@ TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
     for (const PolygonWithHoles& island : Moved(OutlineOf(section), copy.shift))
       moved.push_back(island);
   const MultiPolygon& on_plate = OutlineOf(shared.plan.stacks[0].sections[0]);
-  // Offsets round to nanometres, not everywhere alike.
+  // Offsets are rounded to nanometres, and the rounding depends on the position.
   EXPECT_LT(Area(Difference(moved, on_plate)), 1e6);
   EXPECT_LT(Area(Difference(on_plate, moved)), 1e6);
 }

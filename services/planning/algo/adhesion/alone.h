@@ -9,14 +9,14 @@
 
 namespace slicefarm::planning {
 
-/// The room that a copy takes of the plate, with what is put around it.
+/// Room on the plate that one copy needs together with its brim or raft.
 struct TakenRoom {
   int32_t object = 0;
   Box box;
 };
 
-/// The objects none of whose copies meets the room of another copy or the edge of the bed: what is
-/// put around them is their own. Cost: O(copies^2).
+/// Returns the objects that keep their brim or raft to themselves. No copy of such an object meets
+/// the room of another copy or the edge of the bed. Cost: O(copies^2).
 std::set<int32_t> ObjectsAlone(std::span<const TakenRoom> copies, const MultiPolygon& bed);
 
 }  // namespace slicefarm::planning

@@ -10,16 +10,16 @@ namespace {
 
 constexpr double kLeastMm = 5;
 constexpr double kMostMm = 18;
-constexpr double kThinWallMm = 1.1;  ///< area by length of the outlines
+constexpr double kThinWallMm = 1.1;  ///< area divided by the length of the outlines
 constexpr double kTallMm = 10;
 
-/// Moments of an area up to the second order, mm.
+/// Moments of an area up to the second order, in mm.
 struct Moments {
   double area = 0;
   double x = 0, y = 0;
-  double xx = 0, yy = 0;  ///< of x^2 and y^2
+  double xx = 0, yy = 0;  ///< integrals of x^2 and y^2
 
-  /// Holes, which run the other way, are taken off.
+  /// Adds the moments of a ring. Holes run clockwise, so their moments are subtracted.
   void Add(const Polygon& ring) {
     Point before = ring.back();
     for (const Point next : ring) {
@@ -36,7 +36,7 @@ struct Moments {
     }
   }
 
-  /// About the middle of the area.
+  /// Second moment about the centroid of the area.
   double OverX() const { return yy - y * y / area; }
   double OverY() const { return xx - x * x / area; }
 };

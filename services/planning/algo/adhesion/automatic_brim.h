@@ -5,13 +5,17 @@
 
 namespace slicefarm::planning {
 
-/// How wide a brim an object needs: the wider, the taller it is by what resists its falling over
-/// (the second moments of its first layer) and the faster it is printed, and the longer it is by
-/// what its material stands without warping; 0, or 5 to 18 mm, but no more than the object's own
-/// size. Thin walls higher than 10 mm get 5 mm where they would get none.
-/// `first_layer`: its outlines; empty: 0. `height_nm`: of the whole object.
-/// Source: the rule of Bambu Studio and OrcaSlicer for auto_brim, by object (there by groups of
-/// parts, and the last sentence by island).
+/// Returns the brim width that an object needs: 0 or 5 to 18 mm, but no more than the object's own
+/// size.
+///
+/// The width grows with the risk of falling over: the height against the second moments of the
+/// first layer, times the print speed. The width also grows with the risk of warping: the length
+/// against the length that the material tolerates. Thin walls higher than 10 mm get 5 mm if this
+/// rule gives them no brim.
+///
+/// `first_layer`: outlines of the first layer; the width is 0 if empty. `height_nm`: height of the
+/// whole object. Source: the auto_brim rule of Bambu Studio and OrcaSlicer, applied by object. They
+/// apply it by group of parts, and the rule for thin walls by island.
 Coord AutomaticBrimWidth(const AutomaticBrim& brim, const MultiPolygon& first_layer,
                          Coord height_nm);
 

@@ -27,8 +27,9 @@ TEST_P(AutomaticBrimTest, WidthInMm) {
 constexpr char kBlock[] = "(0 0, 20 0, 20 20, 0 20)";
 const AutomaticBrim kPla{true, 200, 1, 200};
 
-// Moments of a square of side a: a^4 / 12. A block of 20 mm falls over by
-// h / 13333 * 20 * h / 1920 * 200 = h^2 / 6400, warps by 28.3 * 8 / 200 = 1.1 mm.
+// The second moment of a square of side a is a^4 / 12. For a block of 20 mm and height h the width
+// against falling over is h / 13333 * 20 * h / 1920 * 200 = h^2 / 6400. The width against warping
+// is 28.3 * 8 / 200 = 1.1 mm.
 INSTANTIATE_TEST_SUITE_P(
     Shapes, AutomaticBrimTest,
     testing::Values(

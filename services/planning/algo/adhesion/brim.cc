@@ -22,7 +22,7 @@ bool HasBrim(const BrimOptions& options) {
   return options.type != BrimType::kNone && options.width_nm > 0;
 }
 
-/// Region without holes.
+/// Returns the region with its holes filled.
 MultiPolygon Filled(const MultiPolygon& outlines) {
   std::vector<Polygon> outers;
   outers.reserve(outlines.size());
@@ -30,14 +30,14 @@ MultiPolygon Filled(const MultiPolygon& outlines) {
   return Union(outers, FillRule::kNonZero);
 }
 
-/// Without what is thinner than half a line. Never more than the region.
+/// Removes the pieces that are thinner than half a line. The result never exceeds the region.
 MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord line_width_nm) {
   const Coord radius_nm = line_width_nm / 4;
   if (radius_nm <= 0 || region.empty()) return region;
   return Intersection(OffsetTwice(region, -radius_nm, radius_nm), region);
 }
 
-/// Whether the interior angle at b is below the limit; false on a reflex corner.
+/// Returns true if the interior angle at b is below the limit; false for a reflex corner.
 bool IsSharp(Point a, Point b, Point c, double max_angle_rad) {
   const Point back = a - b, on = c - b;
   if (Cross(on, back) <= 0) return false;
@@ -57,7 +57,8 @@ Polygon Disc(Point center, Coord radius_nm) {
   return disc;
 }
 
-/// By halves: united all at once, discs that cover each other would cross too often.
+/// Unites discs by halves. One union of all discs would compute too many crossings, as the discs
+/// cover each other.
 MultiPolygon United(std::span<const Polygon> discs) {
   constexpr size_t kFew = 8;
   if (discs.size() <= kFew)
@@ -66,7 +67,7 @@ MultiPolygon United(std::span<const Polygon> discs) {
   return Union(United(discs.first(half)), United(discs.subspan(half)));
 }
 
-/// Discs around the sharp corners of islands without holes.
+/// Returns discs around the sharp corners of islands without holes.
 MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
   std::vector<Polygon> discs;
   for (const PolygonWithHoles& island : filled) {
@@ -80,7 +81,8 @@ MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
   return United(discs);
 }
 
-/// Where the brim may lie for all that its own object's rings say; the part itself included.
+/// Returns the zone of the brim that follows from the object's own rings. The zone may include the
+/// part itself.
 MultiPolygon Zone(const BrimObject& object) {
   const BrimOptions& options = object.options;
   const MultiPolygon filled = Filled(object.outlines);
@@ -91,15 +93,15 @@ MultiPolygon Zone(const BrimObject& object) {
                                               : Intersection(wide, filled);
 }
 
-/// One object while the brims are worked out.
+/// Intermediate data of one object.
 struct Work {
-  MultiPolygon keep_out;  ///< no brim here
-  MultiPolygon brim;      ///< what it could have if it were alone to have one
+  MultiPolygon keep_out;  ///< region without any brim
+  MultiPolygon brim;  ///< brim of the object if no other object had one
   Box keep_out_box;
   Box brim_box;
 };
 
-/// The pieces that reach the keep-out region of their own object.
+/// Keeps the pieces that reach the keep-out region of their own object.
 MultiPolygon Attached(MultiPolygon pieces, const BrimObject& object) {
   if (pieces.empty()) return pieces;
   const MultiPolygon reach = Offset(
@@ -122,7 +124,8 @@ MultiPolygon Candidate(std::span<const BrimObject> objects, const std::vector<Wo
   return Attached(std::move(brim), objects[i]);
 }
 
-/// What a cut has left of a region that is too thin to keep, without the crumbs of rounding.
+/// Returns the pieces of `rest` that are too thin and so are not in `kept`. Crumbs from rounding
+/// are left out.
 MultiPolygon Slivers(const MultiPolygon& rest, const MultiPolygon& kept) {
   MultiPolygon slivers = Difference(rest, kept);
   std::erase_if(slivers,
@@ -148,7 +151,7 @@ void GiveBack(const PolygonWithHoles& sliver, std::vector<Work>& works,
   }
 }
 
-/// Takes from i's brim what the ones before it have.
+/// Removes from i's brim the area of the brims of earlier objects.
 void GiveWay(std::vector<Work>& works, size_t i, Coord line_width_nm) {
   std::vector<size_t> before;
   for (size_t j = 0; j < i; ++j) {
@@ -167,7 +170,7 @@ void GiveWay(std::vector<Work>& works, size_t i, Coord line_width_nm) {
   for (const PolygonWithHoles& sliver : slivers) GiveBack(sliver, works, before, free);
 }
 
-/// Takes off what rounding has left: crumbs of pieces, and overlaps with parts.
+/// Removes rounding errors: tiny pieces and overlaps with parts.
 MultiPolygon Finished(MultiPolygon brim, const std::vector<Work>& works, Coord line_width_nm) {
   const Box box = Bounds(brim);
   for (const Work& work : works) {

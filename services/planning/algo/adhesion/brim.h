@@ -10,36 +10,40 @@
 
 namespace slicefarm::planning {
 
-/// Closes the cracks that rounding leaves between regions with a common border.
+/// Offset that closes the cracks that rounding leaves between regions with a common border.
 constexpr Coord kGlueNm = 500;
 
-/// One object on the plate.
+/// One object on the plate, as input of BrimRegions.
 struct BrimObject {
-  MultiPolygon outlines;  ///< what its first layer prints, elephant foot compensation applied
+  MultiPolygon outlines;  ///< outlines of its first layer, after elephant foot compensation
   BrimOptions options;
 };
 
-/// The regions that the objects' brims cover, one for each object, disjoint.
+/// Returns the brim regions of the objects: one per object, all disjoint.
 ///
-/// An object's brim is what lies farther than its separation, and no farther than separation +
-/// width, from its outlines: on the outside of its outer rings, in its holes, or both. What stands
-/// in a hole of the same object counts as inside: kOuterOnly gives it none. Another object that
-/// stands there is an object like any other.
-/// - No brim comes closer to any object than that object's separation (its brim or no brim).
-/// - A piece that lost its own object, such as in the hole of a part beside it, is left out.
-/// - Where brims overlap, the object that comes first in `objects` has the place; the seam between
-///   two leaves no piece thinner than half a line, the first one takes that too.
-/// - What is thinner than half a line is left out.
-/// - Nothing lies outside of `bed`; an empty one is no limit.
+/// An object's brim is the area at a distance between separation and separation + width from its
+/// outlines. The brim is outside the outer rings, in the holes, or both. An island inside a hole of
+/// the same object counts as inside, so kOuterOnly gives this island no brim. Another object inside
+/// the hole is treated like any other object.
+/// - No brim is closer to an object than the separation of this object, whether the object has a
+///   brim or not.
+/// - A piece that lost contact with its own object is left out. An example is a piece in the hole
+///   of a neighbouring part.
+/// - Where brims overlap, the object that is first in `objects` gets the area. A remaining piece
+///   thinner than half a line goes to the first object too.
+/// - Pieces thinner than half a line are left out.
+/// - No brim leaves `bed`. An empty `bed` is no limit.
 ///
-/// Shapes: objects may touch or overlap. Units: nm, in plate coordinates; distances are exact to
-/// 0.008 mm, joins round. Negative width or separation count as 0.
-/// Errors: Cancelled, polled once an object.
-/// Cost: O(n log n) an object and its neighbours.
-/// Source: measured, PrusaSlicer 2.5.0, box, frame, and frame with a pin in it: the brim starts at
-/// brim_separation from the compensated outline, floor(width / spacing) lines, the outermost
-/// printed first; outer_only gives a pin in the frame's hole nothing, inner_only and
-/// outer_and_inner give it its ring; no brim with a raft. Here the region is as wide as asked.
+/// Shapes: objects may touch or overlap. Units: nm, in plate coordinates. Distances are exact to
+/// 0.008 mm and joins are round. A negative width or separation counts as 0. Errors: Cancelled,
+/// polled once per object. Cost: O(n log n) for an object and its neighbours. Source: measured with
+/// PrusaSlicer 2.5.0: a box, a frame, and a frame with a pin in it.
+/// - The brim starts at brim_separation from the compensated outline. It has floor(width / spacing)
+///   lines, and the outermost line is printed first.
+/// - outer_only gives a pin in the frame's hole no brim. inner_only and outer_and_inner give the
+///   pin its ring.
+/// - An object with a raft gets no brim.
+/// - The region here has exactly the requested width.
 absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
                                                       const MultiPolygon& bed,
                                                       const CancelToken& cancel = {});

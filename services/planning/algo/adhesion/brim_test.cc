@@ -51,11 +51,11 @@ struct Case {
   double mm2;
 };
 
-/// Around a square: width w beyond a separation s.
+/// Returns the area of a brim of width w and separation s around a square, in mm2.
 double AroundMm2(double side, double s, double w) {
   return 4 * side * w + kPi * ((s + w) * (s + w) - s * s);
 }
-/// Inside a square hole.
+/// Returns the area of a brim inside a square hole, in mm2.
 double InsideMm2(double side, double s, double w) {
   return (side - 2 * s) * (side - 2 * s) - (side - 2 * s - 2 * w) * (side - 2 * s - 2 * w);
 }
@@ -105,12 +105,12 @@ TEST(BrimRegions, EarsAtSharpConvexCornersOnly) {
   BrimOptions ears = Options(BrimType::kEars, 3);
   ears.ear_detection_nm = 50'000;
   EXPECT_NEAR(Mm2(Brims({{P(kBox), ears}})[0]), 4 * ear, 0.15);
-  // An L has five convex corners.
+  // An L shape has five convex corners.
   const MultiPolygon bracket = P("(0 0, 30 0, 30 10, 10 10, 10 30, 0 30)");
   EXPECT_NEAR(Mm2(Brims({{bracket, ears}})[0]), 5 * ear, 0.15);
   ears.ear_max_angle_rad = 1.5;
   EXPECT_TRUE(Brims({{P(kBox), ears}})[0].empty());
-  // No ears in the hole, nor where a fine outline turns slowly.
+  // There are no ears in the hole, and none where a fine outline turns slowly.
   ears.ear_max_angle_rad = 2.18;
   EXPECT_NEAR(Mm2(Brims({{P(kFrame), ears}})[0]), 4 * ear, 0.15);
   Polygon circle;
@@ -130,7 +130,7 @@ TEST(BrimRegions, NeighboursShareWhatLiesBetween) {
   EXPECT_NEAR(Mm2(Intersection(brims[0], brims[1])), 0, 1e-6);
   const auto alone = Brims({{Union(left, right), Outer(4)}});
   EXPECT_NEAR(Mm2(Union(brims[0], brims[1])), Mm2(alone[0]), 0.02);
-  // The first one has the place.
+  // The first object gets the area.
   EXPECT_TRUE(Inside({FromMm(23), FromMm(10)}, brims[0]));
 }
 
@@ -151,7 +151,7 @@ TEST(BrimRegions, AnObjectInAHoleHasItsOuterBrim) {
 }
 
 TEST(BrimRegions, PiecesBehindAnotherPartAreLeftOut) {
-  // The brim of the box would reach through the frame's wall, 1 mm thick, into its hole.
+  // The box's brim would reach through the frame's wall, 1 mm thick, into the frame's hole.
   const MultiPolygon box = P("(-21 0, -1 0, -1 20, -21 20)");
   const MultiPolygon frame = P("(0 0, 40 0, 40 40, 0 40) (1 1, 39 1, 39 39, 1 39)");
   const auto brims = Brims({{box, Outer(8)}, {frame, Options(BrimType::kNone, 0)}});
@@ -180,7 +180,7 @@ TEST(BrimRegions, SurviveHostileInput) {
   EXPECT_TRUE(Brims({{{}, Outer(4)}})[0].empty());
   const MultiPolygon crumb = {{{{0, 0}, {1, 0}, {1, 1}}, {}}};
   EXPECT_LT(Mm2(Brims({{crumb, Outer(4)}})[0]), kPi * 16 + 0.1);
-  // Touching along a side and at a corner, overlapping, the same twice.
+  // Squares that touch along a side or at a corner, overlap, or are identical.
   for (const char* other : {"(20 0, 40 0, 40 20, 20 20)", "(20 20, 40 20, 40 40, 20 40)",
                             "(10 10, 30 10, 30 30, 10 30)", kBox}) {
     const auto brims = Brims({{P(kBox), Outer(3)}, {P(other), Outer(3)}});
@@ -190,7 +190,7 @@ TEST(BrimRegions, SurviveHostileInput) {
                 Mm2(Brims({{Union(P(kBox), P(other)), Outer(3)}})[0]), 0.05)
         << other;
   }
-  // A sliver of a part, 10 nm thin.
+  // A part that is only 10 nm thin.
   const auto thin = Brims({{P("(0 0, 20 0, 20 0.00001, 0 0.00001)"), Outer(3)}});
   EXPECT_NEAR(Mm2(thin[0]), 2 * 20 * 3 + kPi * 9, 0.05);
 }
@@ -222,7 +222,8 @@ Plate RandomPlate(std::mt19937& random, bool only_outer) {
   return plate;
 }
 
-/// Distances of a point of i's brim: separation from all, width from its own.
+/// Checks a point of i's brim: it has the separation from all objects and is within the width of
+/// its own object.
 void ExpectInPlace(const Plate& plate, size_t i, Point p, int trial) {
   constexpr double kOff = 10'000;
   for (const BrimObject& other : plate.objects) {
@@ -231,7 +232,8 @@ void ExpectInPlace(const Plate& plate, size_t i, Point p, int trial) {
               static_cast<double>(other.options.separation_nm) - kOff)
         << trial;
   }
-  // What is too thin for its own brim may have gone to a neighbour's: any of them reaches here.
+  // A piece too thin for its own brim may belong to a neighbour's brim, so any object may reach
+  // this point.
   bool reached = false;
   for (size_t k = i; k < plate.objects.size(); ++k) {
     const BrimObject& own = plate.objects[k];
@@ -265,7 +267,8 @@ MultiPolygon All(const std::vector<MultiPolygon>& brims) {
   return all;
 }
 
-/// Whether the nearest object's outer brim must be at p, `slack` away from every limit.
+/// Returns true if the nearest object's outer brim must be at p. The point p is at least `slack`
+/// away from every limit.
 bool MustBeCovered(const Plate& plate, Point p, double slack) {
   double nearest = INFINITY;
   const BrimObject* owner = nullptr;
@@ -292,7 +295,7 @@ TEST(BrimRegions, CoverAllThatIsAskedForOnRandomPlates) {
     const Box box = Bounds(plate.Parts()).Grown(FromMm(8));
     for (int k = 0; k < 60; ++k) {
       const Point p = RandomPoint(random, box);
-      // 0.16 mm: the half of half a line, at a corner.
+      // A quarter of a line, measured at a corner, is 0.16 mm.
       if (!MustBeCovered(plate, p, 0.16e6)) continue;
       ++covered;
       ASSERT_TRUE(Inside(p, brims)) << trial << " " << ToText(p);
@@ -308,7 +311,7 @@ TEST(BrimRegions, OfOneObjectAreExactlyWideOnRandomParts) {
     const double width = Uniform(random, 0.3, 8), separation = Uniform(random, 0, 0.5);
     const MultiPolygon brim = Brims({{part, Outer(width, separation)}})[0];
     ASSERT_FALSE(brim.empty());
-    // The largest; others lie in bays that are closed for a line.
+    // Takes the largest piece. The remaining pieces are in bays that are too narrow for a line.
     const auto around = std::max_element(brim.begin(), brim.end(),
                                          [](const PolygonWithHoles& a, const PolygonWithHoles& b) {
                                            return SignedArea(a.outer) < SignedArea(b.outer);
@@ -325,7 +328,7 @@ TEST(BrimRegions, NothingIsThinnerThanHalfALine) {
     const Plate plate = RandomPlate(random, false);
     for (const MultiPolygon& brim : Brims(plate.objects)) {
       for (const PolygonWithHoles& piece : brim) {
-        // A disc of half of half a line fits in.
+        // A disc with a diameter of half a line fits into the piece.
         bool fits = false;
         for (int k = 0; k < 4000 && !fits; ++k) {
           const Point p = RandomPoint(random, Bounds(piece.outer));
@@ -341,7 +344,7 @@ TEST(BrimRegions, FollowThePlate) {
   std::mt19937 random(25);
   for (int trial = 0; trial < 100; ++trial) {
     Plate plate = RandomPlate(random, false);
-    // Which corners a simplified outline keeps may depend on how it lies.
+    // A simplified outline may keep other corners when the object is moved.
     for (BrimObject& object : plate.objects) object.options.ear_detection_nm = 0;
     const auto brims = Brims(plate.objects);
     EXPECT_EQ(Brims(plate.objects), brims);

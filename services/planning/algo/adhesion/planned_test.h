@@ -13,13 +13,13 @@
 
 namespace slicefarm::planning {
 
-/// What is planned, and the layers of the print.
+/// A plan together with the layers of its print.
 struct Planned {
   JobPlan plan;
   std::vector<SlicedLayer> print;
 };
 
-/// All regions of a role in a layer.
+/// Returns all regions of a role in a layer.
 inline MultiPolygon RegionsOf(const Planned& planned, size_t layer, Role role) {
   MultiPolygon all;
   for (const ObjectSection& section : planned.print[layer].sections)
@@ -50,7 +50,7 @@ inline Planned PlanOrDie(const PlanningOptions& options, const std::vector<Place
   return plan.ok() ? *std::move(plan) : Planned{};
 }
 
-/// On a raft whose rows are 10 and so on.
+/// Returns options of an object on a raft. The raft's rows of settings begin at 10.
 inline ObjectPlanOptions OnRaft(int32_t layers) {
   ObjectPlanOptions object;
   object.raft.heights.layers = layers;
@@ -58,7 +58,8 @@ inline ObjectPlanOptions OnRaft(int32_t layers) {
   return object;
 }
 
-/// Two layers of 0.2 mm. On a raft of two, of 0.2 and 0.3, and 0.1 of air, they end at 0.8 and 1.0.
+/// Returns two layers of 0.2 mm. On a raft of two layers (0.2 and 0.3 mm) and a gap of 0.1 mm they
+/// end at 0.8 and 1.0 mm.
 inline std::vector<SlicedLayer> TwoLayers() {
   return LayersOrDie({"(-5 -5, 5 -5, 5 5, -5 5)", "(-5 -5, 5 -5, 5 5, -5 5)"});
 }

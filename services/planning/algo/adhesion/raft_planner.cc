@@ -11,7 +11,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Between a raft and what does not stand on it.
+/// Clearance between a raft and the objects that are not on it.
 constexpr Coord kClearanceNm = 500'000;
 
 bool SharesRaft(const ObjectPlanOptions& a, const ObjectPlanOptions& b) {
@@ -32,7 +32,7 @@ bool Overlap(const RaftLayer& layer, const ObjectSection& other) {
          other.z_nm - other.height_nm < layer.print_z_nm;
 }
 
-/// How high the rafts of these copies are.
+/// Returns the height of the highest raft of these copies.
 Coord HighestRaft(const PlanningOptions& options, std::span<const PlacedCopy> copies) {
   Coord highest = 0;
   for (const PlacedCopy& copy : copies) {
@@ -114,7 +114,7 @@ void RaftPlanner::Lift(RegionPlan& plan) const {
   plan.lifts_nm.assign(options_.objects.size(), 0);
   for (size_t i = 0; i < options_.objects.size(); ++i)
     plan.lifts_nm[i] = options_.objects[i].raft.heights.LiftNm();
-  // Supports stand on the raft itself: there is no gap between them that would have to break.
+  // Supports rest directly on the raft. Their contact is never broken apart, so they need no gap.
   for (AddedStack& added : plan.stacks) {
     if (added.stack.kind != StackKind::kSupport) continue;
     added.lift_nm = plan.lifts_nm[static_cast<size_t>(added.stack.object)];

@@ -44,7 +44,7 @@ TEST(RaftPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwn) {
   ASSERT_THAT(own.plan.stacks, SizeIs(1));
   EXPECT_EQ(own.plan.stacks[0].stack, Stack(1, 0, StackKind::kRaft));
   EXPECT_EQ(Bounds(RegionsOf(own, 0, Role::kRaft)).max.x, FromMm(5 + 4.5));
-  // Where the bed ends, it is cut for each copy.
+  // The bed's edge cuts the raft of each copy.
   options.bed = {{{Mm(-20, -20), Mm(68, -20), Mm(68, 20), Mm(-20, 20)}, {}}};
   const Planned cut = PlanOrDie(options, copies, TwoLayers());
   ASSERT_THAT(cut.plan.stacks, SizeIs(1));

@@ -25,11 +25,11 @@ struct Case {
   std::string name;
   RaftHeights heights;
   std::vector<double> tops_mm;
-  std::string kinds;  ///< i: interface, b: base, f: first
+  std::string kinds;  ///< one letter per layer: i interface, b base, f first
   double lift_mm;
 };
 
-// Tops and kinds as PrusaSlicer 2.5.0 printed them.
+// Tops and kinds are from G-code of PrusaSlicer 2.5.0.
 TEST(RaftUnder, IsPiledAsPrusaSlicerDoes) {
   const std::vector<Case> cases = {
       {"None", {}, {}, "", 0},

@@ -9,17 +9,19 @@
 
 namespace slicefarm::planning {
 
-/// Returns the bed, or all that has coordinates.
+/// Returns the bed; for an empty bed, a square that contains all valid coordinates.
 inline MultiPolygon RoomOf(const MultiPolygon& bed) {
   constexpr Coord kMost = limits::kMaxCoord;
   if (!bed.empty()) return bed;
   return {{{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}}, {}}};
 }
 
+/// Appends the polygons of `more` to `all`.
 inline void Append(MultiPolygon more, MultiPolygon& all) {
   all.insert(all.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
 }
 
+/// Returns the union of polygons that may overlap.
 inline MultiPolygon United(const MultiPolygon& all) { return Union(all, {}); }
 
 }  // namespace slicefarm::planning

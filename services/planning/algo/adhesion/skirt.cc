@@ -30,13 +30,14 @@ Path SkirtLoop(Polygon ring, const SkirtOptions& options) {
   return path;
 }
 
-/// Of filament, that a loop takes on the first layer.
+/// Returns the length of filament that a loop uses on the first layer, in nm.
 double FilamentNm(const Path& loop, const SkirtOptions& options) {
   return PathLength(loop) * SectionMm2(options.width_nm, options.height_nm) /
          options.filament_area_mm2;
 }
 
-/// Where a segment crosses the bed's edge, from its start (0) to its end (1), ascending.
+/// Returns the positions where a segment crosses the bed's edge, ascending. Position 0 is the start
+/// and 1 the end of the segment.
 std::vector<double> Crossings(Point a, Point b, const MultiPolygon& bed) {
   std::vector<double> at;
   const Point along = b - a;
@@ -53,7 +54,7 @@ std::vector<double> Crossings(Point a, Point b, const MultiPolygon& bed) {
   return at;
 }
 
-/// Collects the pieces of a line that lie within a region.
+/// Collects the pieces of a line that are inside a region.
 class LineClipper {
  public:
   explicit LineClipper(const MultiPolygon& region) : region_(region) {}
@@ -69,7 +70,8 @@ class LineClipper {
     }
   }
 
-  /// Of a closed line; the last piece runs on into the first if they meet.
+  /// Returns the pieces of a closed line. The last piece is joined with the first one if they
+  /// touch.
   std::vector<Polyline> TakePieces() {
     if (pieces_.size() > 1 && pieces_.back().back() == pieces_.front().front()) {
       pieces_.back().insert(pieces_.back().end(), pieces_.front().begin() + 1,

@@ -10,21 +10,22 @@
 
 namespace slicefarm::planning {
 
-/// On how many layers, from the first one, there is a skirt: skirt_height, or all with a draft
-/// shield that is enabled.
+/// Returns the number of layers with a skirt, from the first layer: skirt_height, or all layers
+/// with an enabled draft shield.
 int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count);
 
-/// Which layers of a print a skirt reaches, told from the lowest up. It steps over layers of supports
-/// alone (OnlySupports), which do not count.
+/// Decides layer by layer, from the lowest up, whether the skirt reaches a layer. Layers that
+/// contain supports only (OnlySupports) do not count, so the skirt continues through them.
 class SkirtReach {
  public:
-  /// `options` must outlive this.
+  /// `options` must outlive this object.
   explicit SkirtReach(const SkirtOptions& options) : options_(options) {}
 
-  /// Whether it reaches the next layer: stands on it or, of one of supports alone, passes it.
+  /// Returns true if the skirt reaches the next layer. A layer of supports only is reached if the
+  /// skirt has not ended yet.
   bool Next(const SlicedLayer& layer);
 
-  /// How many layers count so far.
+  /// Returns the number of layers counted so far.
   int32_t layers() const { return layers_; }
 
  private:
@@ -32,37 +33,39 @@ class SkirtReach {
   int32_t layers_ = 0;
 };
 
-/// The loops of a skirt around the convex hull of everything, the outermost first, so that the last
-/// one ends near the parts: PrusaSlicer's order. All layers get the same loops.
+/// Returns the loops of a skirt around the convex hull of all parts and brims. The outermost loop
+/// is first, so that the last one ends near the parts, as in PrusaSlicer. All layers get the same
+/// loops.
 ///
-/// The first loop's inner edge runs `distance` from the hull of parts and brims (with a draft
-/// shield: of the parts alone), with round corners; the next ones follow at the bead's spacing.
-/// Loops are added until the filament that they take on the first layer reaches `min_length`, up to
-/// limits::kMaxSkirtLoops.
+/// The first loop's inner edge is `distance` away from the hull of parts and brims, with round
+/// corners. With a draft shield it is the hull of the parts alone. The next loops follow at the
+/// bead's spacing. Loops are added until their filament on the first layer reaches `min_length`, up
+/// to limits::kMaxSkirtLoops.
 ///
-/// Shapes: `parts` is what is printed on the layers concerned, supports and rafts included: the
-/// first `SkirtLayers` layers' outlines, in any order, overlapping or not. Paths are closed,
-/// counter-clockwise, Feature::kSkirt, object -1, one width, height 0 (the layer's).
-/// Units: nm, in plate coordinates. Distances are exact to 0.008 mm.
-/// Errors: none; no loops if there is nothing to go round, or if lines of this width and height
-/// have no spacing.
-/// Cost: O(n log n), n points, and O(k) for a loop around k points of the hull.
-/// Source: measured, PrusaSlicer 2.5.0, box of 20 mm, width 0.4, height 0.2 (spacing 0.357):
-/// - order, round corners, loops 0.357 apart, min_skirt_length 20 gives 6 loops of 22.3 mm in sum,
-///   and these six on each layer of skirt_height: as here;
-/// - skirts = 0 gives none, with min_skirt_length or draft_shield either: as here;
-/// - draft_shield limited and enabled: distance from the part, brim lines in the way left out;
-/// - its first centre line is distance + spacing from the hull (6.357), so the inner edge is 0.157
-///   farther out than skirt_distance says. Here it is where the setting says.
+/// Shapes: `parts` has the outlines of the first `SkirtLayers` layers, supports and rafts included,
+/// in any order. They may overlap. Paths are closed, counter-clockwise, Feature::kSkirt, object -1,
+/// with one width, and height 0 (the layer's). Units: nm, in plate coordinates. Distances are exact
+/// to 0.008 mm. Errors: none. The result is empty if there are no parts, or if lines of this width
+/// and height have no spacing. Cost: O(n log n) for n points, and O(k) for a loop around k points
+/// of the hull. Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width 0.4, height 0.2
+/// (spacing 0.357):
+/// - Same as here: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6 loops
+///   of 22.3 mm in sum, and the same six on each layer of skirt_height.
+/// - Same as here: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.
+/// - Same as here: with draft_shield limited or enabled, the distance counts from the part. Brim
+///   lines that would overlap the shield are left out.
+/// - Different: its first centre line is distance + spacing from the hull (6.357). So the inner
+///   edge is 0.157 farther out than skirt_distance says. Here the inner edge is at skirt_distance.
 std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
                              const SkirtOptions& options);
 
-/// The loops cut where their lines would leave the bed: a loop that stays within is as it was, what
-/// is left of another are open lines, in its direction and at its place in the order. Cost:
-/// O(points of the loops * points of the bed).
+/// Cuts the loops where their lines would leave the bed. A loop inside the bed is unchanged. The
+/// remaining pieces of a cut loop are open lines, with the loop's direction and position in the
+/// order. Cost: O(points of the loops * points of the bed).
 std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed);
 
-/// What a draft shield's loops cover, edge to edge: brims are cut by it. Empty without a shield.
+/// Returns the band that a draft shield's loops cover, from edge to edge. Brims are cut by this
+/// band. Empty without a shield.
 MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options);
 
 }  // namespace slicefarm::planning

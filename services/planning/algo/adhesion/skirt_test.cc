@@ -32,7 +32,8 @@ struct Case {
   std::string name;
   SkirtOptions options;
   MultiPolygon parts, brims;
-  std::vector<double> distances_mm;  ///< of the centre lines from the 20 mm box, as printed
+  /// distances of the centre lines from the 20 mm box, as printed
+  std::vector<double> distances_mm;
 };
 
 TEST(SkirtLoops, StandWhereTheSettingsSay) {
@@ -82,7 +83,7 @@ TEST(SkirtLoops, GoRoundTheHullOfAll) {
   EXPECT_EQ(SkirtLoops(Union(Box20(), apart), {}, kOne), SkirtLoops(Box20(), {}, kOne));
 }
 
-// PrusaSlicer's count: 6 loops where 20 mm of filament are asked for.
+// PrusaSlicer prints 6 loops for a minimum length of 20 mm of filament.
 TEST(SkirtLoops, AreAddedUntilTheLengthIsReached) {
   const SkirtOptions options{.loops = 1, .min_length_nm = 20'000'000};
   const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
@@ -128,7 +129,8 @@ TEST(SkirtReach, StepsOverLayersOfSupportsAlone) {
 TEST(WithinBed, CutsWhatLeavesTheBed) {
   const MultiPolygon bed = P("(-3 -20, 40 -20, 40 40, -3 40)");
   const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
-  // Of the inner one, at 2.7 mm, half of the line lies within; 2.8 is the most there may be.
+  // Half of the inner loop's line, at 2.7 mm, is inside the bed. The largest allowed distance is
+  // 2.8 mm.
   const std::vector<Path> lines = WithinBed(loops, bed);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_FALSE(lines[0].closed);
@@ -136,7 +138,8 @@ TEST(WithinBed, CutsWhatLeavesTheBed) {
   EXPECT_EQ(lines[1], loops[1]) << "stays as it was";
   for (const Point p : lines[0].points)
     EXPECT_NEAR(DistanceToRegion(p, Box20()), 2.7e6 + 0.357e6, 1e4);
-  // Between two sides of the bed a loop comes to two pieces; a bed that holds all changes nothing.
+  // A bed with two opposite sides inside the loop cuts it into two pieces. A bed that contains the
+  // loop changes nothing.
   EXPECT_EQ(WithinBed(loops, P("(-2.95 -20, 22.95 -20, 22.95 40, -2.95 40)")).size(), 3u);
   EXPECT_EQ(WithinBed(loops, P("(-30 -30, 50 -30, 50 50, -30 50)")), loops);
   EXPECT_TRUE(WithinBed(loops, P("(2 2, 18 2, 18 18, 2 18)")).empty());
@@ -180,7 +183,7 @@ double Reach(const std::vector<Point>& points, double x, double y) {
   return reach;
 }
 
-/// How far the loop stands out beyond the parts in any direction.
+/// Checks the distance of the loop from the parts in every direction.
 void ExpectStandsOut(const Path& loop, const MultiPolygon& parts, double by_nm, int trial) {
   std::vector<Point> points;
   ForEachRing(parts,

@@ -16,10 +16,10 @@
 namespace slicefarm::planning {
 namespace {
 
-/// No section is higher: the most that layer_height may be, and the gap above a raft.
+/// Maximum height of a section: the maximum of layer_height, and the gap above a raft.
 constexpr Coord kHighestSectionNm = 10 * kNmPerMm;
 
-/// What rafts and brims of the plate may meet begins below.
+/// Returns the height below which an object may meet the plate's rafts and brims.
 Coord LowHeight(const PlanningOptions& options) {
   Coord height_nm = 1;
   for (const ObjectPlanOptions& object : options.objects) {
@@ -29,7 +29,7 @@ Coord LowHeight(const PlanningOptions& options) {
   return height_nm;
 }
 
-/// What the lines of loops cover.
+/// Returns the area that the lines of loops cover.
 MultiPolygon CoverOf(std::span<const Path> loops) {
   if (loops.empty()) return {};
   std::vector<Polyline> lines;
@@ -40,7 +40,7 @@ MultiPolygon CoverOf(std::span<const Path> loops) {
   return OffsetLines(lines, loops.front().widths_nm.front() / 2, Cap::kButt);
 }
 
-/// A copy of the object, and another one beside it that stands so.
+/// Returns a pair of copies: one of `object`, and one that is beside it as `beside` says.
 std::pair<size_t, size_t> CopiesThat(int32_t object, const Beside& beside,
                                      std::span<const PlacedCopy> copies) {
   for (size_t i = 0; i < copies.size(); ++i)
@@ -159,7 +159,7 @@ void ConflictPlanner::ComparePlaced(const Slice& slice, const std::vector<Placed
   std::vector<Polygon> rings;
   for (const Placed& other : others)
     for (Polygon& ring : Rings(other.outline)) rings.push_back(std::move(ring));
-  // One operation for all, as there may be a thousand of them.
+  // Tests the union of all first, because there may be a thousand of them.
   if (!MeetingOf(slice.outline, Union(rings, FillRule::kNonZero)).has_value()) return;
   for (const Placed& other : others) {
     const auto place = MeetingOf(slice.outline, other.outline);

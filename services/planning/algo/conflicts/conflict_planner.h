@@ -19,16 +19,17 @@ struct PlanningOptions;
 namespace slicefarm::planning {
 
 /// Refuses jobs in which two things would be printed in the same place: parts and supports of
-/// different copies, rafts, brims, the skirt. What one copy has of its own, such as a part and its
-/// supports, is not looked at.
+/// different copies, rafts, brims, the skirt. Overlaps within one copy are not checked, for example
+/// between a part and its supports.
 ///
 /// Runs after the planner of brims and skirts. Adds nothing to the plan. Errors of Finish:
-/// PATHS_CONFLICT for the lowest place that was found, with the names of both.
-/// Cost: the boxes of sections, and a boolean operation a layer for copies whose sections' boxes
-/// meet there; one for each layer of a raft, a brim, the skirt, of all that is beside it.
+/// PATHS_CONFLICT for the lowest overlap, with the names of both things. Cost: a comparison of the
+/// sections' boxes, and one boolean operation per layer for copies with intersecting boxes. Each
+/// layer of a raft, a brim or the skirt needs one boolean operation with everything beside it.
 class ConflictPlanner : public Planner {
  public:
-  /// All must outlive this. `object_names`: by object; may be fewer.
+  /// All arguments must outlive this planner. `object_names`: names by object; may have fewer
+  /// entries.
   ConflictPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                   std::span<const std::string> object_names);
 
@@ -36,7 +37,7 @@ class ConflictPlanner : public Planner {
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
-  /// A section, in its object's coordinates.
+  /// One section, in its object's coordinates.
   struct Slice {
     Stack stack;
     Coord bottom_nm = 0;
@@ -48,9 +49,9 @@ class ConflictPlanner : public Planner {
       return bottom_nm < other.top_nm && other.bottom_nm < top_nm;
     }
   };
-  using Slices = std::map<int32_t, std::deque<Slice>>;  ///< by object
+  using Slices = std::map<int32_t, std::deque<Slice>>;  ///< slices by object
 
-  /// A copy's slice, at its place on the plate.
+  /// Slice of one copy, at the copy's position on the plate.
   struct Placed {
     Stack stack;
     size_t copy = 0;
@@ -60,11 +61,11 @@ class ConflictPlanner : public Planner {
   static Slice SliceOf(const ObjectSection& section, Coord top_nm);
   void AddToHull(int32_t object, const MultiPolygon& outline);
   void CompareAndKeep(const Slice& slice);
-  /// With what stands beside any of its object's copies.
+  /// Compares a slice with the slices beside any copy of its object.
   void Compare(const Slice& slice, const Slices& kept);
   void CompareBrims(const JobPlan& plan);
   void CompareSkirt(const Skirt& skirt);
-  /// What lies beside a slice of the plate's.
+  /// Returns the low slices whose boxes meet a slice of the plate.
   std::vector<Placed> LowBeside(const Slice& slice) const;
   void ComparePlaced(const Slice& slice, const std::vector<Placed>& others);
   std::string NameOfStack(const Stack& stack, size_t copy) const;
@@ -72,12 +73,13 @@ class ConflictPlanner : public Planner {
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
   const std::span<const std::string> object_names_;
-  Coord low_nm_ = 1;  ///< what begins below may meet what the plate has of its own
+  /// objects that begin below this height may meet rafts, brims and skirt of the plate
+  Coord low_nm_ = 1;
   NearCopies near_;
-  Slices kept_;  ///< of copies near others: what the next sections may meet
-  Slices low_;   ///< what begins below low_nm_, the plate's too
+  Slices kept_;  ///< slices of copies with close neighbours, for comparison with the next sections
+  Slices low_;  ///< slices that begin below low_nm_; the plate has an entry too
   SkirtReach skirt_reach_;
-  std::map<int32_t, Polygon> hulls_;  ///< by object, on layers that the skirt reaches
+  std::map<int32_t, Polygon> hulls_;  ///< hulls by object, on layers that the skirt reaches
   absl::Status found_;
 };
 

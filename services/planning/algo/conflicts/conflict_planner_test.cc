@@ -16,7 +16,7 @@ const std::vector<std::string> kNames = {"cup", "lid"};
 
 Point At(double x_mm, double y_mm = 0) { return {FromMm(x_mm), FromMm(y_mm)}; }
 
-/// A stack's layers, which all have one outline.
+/// Stack of layers that all have the same outline.
 struct Tower {
   Stack stack;
   const char* outline = kSquare;
@@ -25,7 +25,7 @@ struct Tower {
   double height_mm = 1;
 };
 
-/// Layers that end where some tower's layer ends.
+/// Returns layers that end wherever a layer of some tower ends.
 std::vector<SlicedLayer> LayersOf(const std::vector<Tower>& towers) {
   std::map<Coord, std::vector<ObjectSection>> by_top;
   for (const Tower& tower : towers) {
@@ -59,7 +59,7 @@ absl::Status Conflict(const std::vector<Tower>& towers, std::vector<PlacedCopy> 
   return planner.Finish({}, layers, plan);
 }
 
-/// "first | second", or nothing.
+/// Returns "first | second" of the error, or an empty string.
 std::string Met(const absl::Status& status) {
   if (status.ok()) return "";
   const ErrorDetail detail = DetailOf(status);

@@ -8,15 +8,16 @@
 
 namespace slicefarm::planning {
 
-/// What two have in common may be so wide: solids that touch in a drawing are off by as much, and
-/// beads have room for it.
+/// Largest width of a harmless overlap, in nm. Solids that touch in a drawing overlap by as much,
+/// and beads fit in spite of it.
 inline constexpr Coord kSharedWidthNm = 100'000;
 
-/// A point in what both cover, where that is wider than kSharedWidthNm. Cost: a boolean operation if
-/// their boxes meet.
+/// Returns a point of the common area where it is wider than kSharedWidthNm. Cost: one boolean
+/// operation if the boxes meet.
 std::optional<Point> MeetingOf(const MultiPolygon& a, const MultiPolygon& b);
 
-/// PATHS_CONFLICT, INVALID_ARGUMENT: metadata `first`, `second`, `x_mm`, `y_mm`, `z_mm`.
+/// Returns PATHS_CONFLICT, INVALID_ARGUMENT, with metadata `first`, `second`, `x_mm`, `y_mm`,
+/// `z_mm`.
 absl::Status ConflictError(const std::string& first, const std::string& second, Point place,
                            Coord z_nm);
 

@@ -6,7 +6,8 @@
 namespace slicefarm::planning {
 namespace {
 
-/// So much more than it takes is claimed, so that an object which grows slowly is swept rarely.
+/// Extra margin of a claimed box. With this margin an object that grows slowly rarely needs a new
+/// sweep.
 constexpr Coord kSpareNm = 2 * kNmPerMm;
 
 struct Claimed {

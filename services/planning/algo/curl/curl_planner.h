@@ -12,10 +12,10 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Tells ordering where parts curl up, so that travels keep off (avoid_crossing_curled_overhangs).
+/// Plans where parts curl up, so that travels avoid these edges (avoid_crossing_curled_overhangs).
 class CurlPlanner : public Planner {
  public:
-  /// `options` must outlive this.
+  /// `options` must outlive this planner.
   explicit CurlPlanner(const PlanningOptions& options) : options_(options) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;

@@ -22,7 +22,7 @@ PlanningOptions Options(bool avoid_curled = true) {
   return options;
 }
 
-/// By layer.
+/// Returns the curled regions by layer.
 std::vector<MultiPolygon> Curled(const PlanningOptions& options) {
   const std::vector<PlacedCopy> copies = {{0, {}, {}}};
   auto planner = JobPlanner::Make(options, copies);

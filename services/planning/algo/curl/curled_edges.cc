@@ -14,34 +14,36 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Places on an edge lie no further apart.
+/// Largest distance between sampled places on an edge.
 constexpr double kStepNm = 0.5 * kNmPerMm;
-/// How an edge turns is seen over so much on either side: longer than the facets of a round part.
+/// Length on either side over which the turn of an edge is measured. It is longer than the facets
+/// of a round part.
 constexpr double kArmNm = 2.0 * kNmPerMm;
-/// In widths: what hangs over by less rests, and what hangs over by more sags.
+/// Range of overhangs that rise, in widths. A smaller overhang rests on the layer below, and a
+/// larger one sags.
 constexpr double kLeastOut = 0.2, kMostOut = 1.1;
-/// A turn of this radius does not lift what hangs over by a whole width.
+/// Radius at which an overhang of a whole width does not rise.
 constexpr double kStillRadiusNm = 100.0 * kNmPerMm;
-/// In widths: a bead this near to a place that has risen rises with it.
+/// Distance within which a bead rises with a risen place, in widths.
 constexpr double kBeside = 3;
-/// Of its height: a bead presses down what lies under it.
+/// Share of its height by which a bead presses down the layer below.
 constexpr double kPressed = 0.75;
 constexpr double kMostLayers = 10;
-/// What rises by less is no obstacle.
+/// Smallest rise that is an obstacle.
 constexpr double kObstacleNm = 0.1 * kNmPerMm;
 constexpr Coord kToleranceNm = 50'000;
 
 }  // namespace
 
-/// Finds what has risen around a place.
+/// Finds risen pieces near a place.
 class CurledEdges::Places {
  public:
-  /// `risen` must outlive this.
+  /// `risen` must outlive this object.
   Places(const std::vector<Risen>& risen, Coord reach_nm) : reach_nm_(reach_nm) {
     for (const Risen& piece : risen) squares_[SquareOf(piece.from)].push_back(&piece);
   }
 
-  /// The most that has risen within reach; 0: nothing.
+  /// Returns the largest rise within reach; 0 if there is none.
   double MostNear(Point place) const {
     double most = 0;
     const Square square = SquareOf(place);
@@ -68,7 +70,7 @@ class CurledEdges::Places {
   std::map<Square, std::vector<const Risen*>> squares_;
 };
 
-/// Of a place by itself.
+/// Returns the rise of a place, without the rise of its neighbours.
 double CurledEdges::RiseAt(Point place, double radius_nm) const {
   const auto width = static_cast<double>(width_nm_);
   const auto hit = below_->edges.Nearest(place, std::llround(kMostOut * width));
@@ -98,7 +100,7 @@ void CurledEdges::AddRing(const Polygon& ring, const Places& below, const MultiP
   }
 }
 
-/// What stands beside the layer, and is not under it, is as high as it was.
+/// Keeps the height of risen pieces that are beside the layer and not below it.
 void CurledEdges::KeepUncovered(const RegionEdges& edges, Coord height_nm,
                                 std::vector<Risen>& risen) const {
   const auto reach = std::llround(kBeside * static_cast<double>(width_nm_));

@@ -8,22 +8,25 @@
 
 namespace slicefarm::planning {
 
-/// Where the edges of a part's overhangs curl up, layer by layer.
+/// Estimates where the edges of a part's overhangs curl up, layer by layer.
 ///
-/// What hangs over shrinks as it cools. Where the edge turns outwards, it is longer than the wall
-/// that holds it, and shrinking lifts it: with a width w, a place that lies d beyond the layer below,
-/// 0.2 w < d < 1.1 w, on a turn of radius r rises by sqrt(d^2 - w^2 r / 100 mm), if that is real. A
-/// bead that comes to lie beside a place that has risen, within 3 w, rises with it, less three
-/// quarters of its height. Nothing rises by more than ten layers. What supports carry does not rise.
-/// Source: the figures of PrusaSlicer 2.9's estimate of curled heights, which come from prints; in
-/// place of each of its beads the outline rises here.
+/// An overhang shrinks as it cools. Where its edge turns outwards, the edge is longer than the wall
+/// that holds it, and shrinking lifts it. Let w be the width, d the distance of a place beyond the
+/// layer below, and r the radius of the turn. For 0.2 w < d < 1.1 w the place rises by sqrt(d^2 -
+/// w^2 r / 100 mm), if this root is real.
+///
+/// A bead within 3 w of a risen place rises with it, less three quarters of the bead's height. The
+/// rise is at most ten layers. Places on supports do not rise. Source: the constants of the
+/// estimate of curled heights in PrusaSlicer 2.9, which come from prints. PrusaSlicer computes the
+/// rise for each bead; here it is computed for the outline.
 class CurledEdges {
  public:
-  /// `width_nm`: of outer walls. REQUIRES: > 0.
+  /// `width_nm`: width of outer walls. REQUIRES: > 0.
   explicit CurledEdges(Coord width_nm) : width_nm_(width_nm) {}
 
-  /// What stands more than 0.1 mm above the top of the next layer, a width around. `carried`: what
-  /// supports carry of it. Cost: as RegionEdges of the outline, and O(length / 0.5 mm).
+  /// Returns the area that is more than 0.1 mm above the top of the next layer, with a margin of
+  /// one width. `carried`: the part of the outline that rests on supports. Cost: as for RegionEdges
+  /// of the outline, plus O(length / 0.5 mm).
   MultiPolygon Next(const MultiPolygon& outline, const MultiPolygon& carried, Coord height_nm);
 
  private:
@@ -31,7 +34,7 @@ class CurledEdges {
     MultiPolygon outline;
     RegionEdges edges;
   };
-  /// A piece of an edge, and how far it stands above the top of its layer.
+  /// Piece of an edge, and its height above the top of its layer.
   struct Risen {
     Point from, to;
     double rise_nm = 0;
@@ -46,7 +49,7 @@ class CurledEdges {
 
   const Coord width_nm_;
   std::optional<Below> below_;
-  std::vector<Risen> risen_;  ///< of the layer below
+  std::vector<Risen> risen_;  ///< risen pieces of the layer below
 };
 
 }  // namespace slicefarm::planning

@@ -35,7 +35,7 @@ Polygon Circle(double radius, int points = 200) {
 
 MultiPolygon Disc(double radius, int points = 200) { return {{Circle(radius, points), {}}}; }
 
-/// A plate of 40 mm with a hole.
+/// Returns a plate of 40 mm with a hole.
 MultiPolygon Holed(double radius) {
   MultiPolygon plate = Square(20);
   Polygon hole = Circle(radius);
@@ -44,7 +44,7 @@ MultiPolygon Holed(double radius) {
   return plate;
 }
 
-/// The areas of each layer.
+/// Returns the curled areas of each layer.
 std::vector<MultiPolygon> Curled(const std::vector<MultiPolygon>& outlines,
                                  const MultiPolygon& carried = {}) {
   CurledEdges edges(kWidthNm);
@@ -57,7 +57,7 @@ std::vector<MultiPolygon> Curled(const std::vector<MultiPolygon>& outlines,
 struct Case {
   std::string name;
   std::vector<MultiPolygon> outlines;
-  bool curls = false;  ///< in the topmost layer
+  bool curls = false;  ///< expected result in the topmost layer
 };
 
 class CurledEdgesTest : public testing::TestWithParam<Case> {};
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"OnTheBed", {Disc(5)}}, Case{"Upright", {Disc(5), Disc(5)}},
                     Case{"Cone", {Disc(5), Disc(5.3)}, true},
                     Case{"ConeOfAGreatRadius", {Disc(60), Disc(60.3)}},
-                    // Facets of 2.5 mm are no corners.
+                    // The facets are 2.5 mm long, and their corners do not count as corners.
                     Case{"ConeOfFacets", {Disc(60, 150), Disc(60.3, 150)}},
                     Case{"HardlyHangsOver", {Disc(5), Disc(5.08)}},
                     Case{"Narrows", {Disc(5), Disc(4.7)}},
@@ -100,7 +100,7 @@ TEST(CurledEdges, WhatSupportsCarryLiesStill) {
   EXPECT_TRUE(Curled({Disc(5), Disc(5.3)}, Square(20)).back().empty());
 }
 
-// 0.28 mm above its layer: each layer over it presses it down by 0.15 mm.
+// The edge is 0.28 mm above its layer. Each layer over it presses it down by 0.15 mm.
 TEST(CurledEdges, FadesUnderWhatGoesOverIt) {
   const auto areas = Curled({Disc(5), Disc(5.3), Disc(5.3), Disc(5.3)});
   EXPECT_FALSE(areas[1].empty());
@@ -108,15 +108,15 @@ TEST(CurledEdges, FadesUnderWhatGoesOverIt) {
   EXPECT_TRUE(areas[3].empty());
 }
 
-// By 0.08 mm a layer, which the next one presses flat.
+// The edge rises by 0.08 mm per layer, and the next layer presses it flat.
 TEST(CurledEdges, ALittleIsPressedFlat) {
   CurledEdges edges(kWidthNm);
   for (int i = 0; i < 50; ++i)
     EXPECT_TRUE(edges.Next(Disc(10 + 0.16 * i), {}, kHeightNm).empty()) << i;
 }
 
-// By about 0.35 mm a layer, of which the next one leaves 0.2 mm; but by no more than 2 mm in all, which
-// take twelve layers to vanish.
+// The edge rises by about 0.35 mm per layer, and the next layer leaves 0.2 mm of it. The total is
+// at most 2 mm, which vanishes after twelve layers.
 TEST(CurledEdges, GrowsFromLayerToLayerUpToTenOfThem) {
   CurledEdges edges(kWidthNm);
   edges.Next(Disc(10), {}, kHeightNm);

@@ -11,21 +11,24 @@ struct InfillOptions;
 
 namespace slicefarm::planning {
 
-/// What the choice of a pattern looks at.
+/// Size of a region, as input of the choice of a pattern.
 struct PartShape {
-  double height_mm = 0;  ///< of the region
+  double height_mm = 0;  ///< height of the region
   double width_mm =
-      0;  ///< 4 area / perimeter, over all layers: a disc's diameter, twice a thin wall's
+      0;  ///< 4 area / perimeter over all layers: a disc's diameter, twice a wall's thickness
 };
 
+/// Measures the region of a stack. Returns zeros if no layer has the region.
 PartShape ShapeOf(const ObjectStack& stack);
 
+/// Chosen pattern and the reason for it.
 struct PatternChoice {
   FillPattern pattern = FillPattern::kGrid;
-  std::string reason;  ///< in words, without the pattern's name
+  std::string reason;  ///< reason in words, without the pattern's name
 };
 
-/// fill_pattern = auto. Rules, the first that holds; a pitch is a line's width / density:
+/// Chooses the pattern for fill_pattern = auto. The first rule that holds decides. A pitch is a
+/// line's width / density:
 ///
 ///     density 60 % or more             rectilinear
 ///     narrower than 4 pitches          flexibility: concentric, else grid

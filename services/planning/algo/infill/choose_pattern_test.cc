@@ -47,7 +47,7 @@ TEST(ShapeOf, ACylinderIsAsWideAsItsDiameter) {
   const PartShape square = ShapeOf(Prism(50, "(0 0, 20 0, 20 20, 0 20)"));
   EXPECT_NEAR(square.height_mm, 10, 1e-9);
   EXPECT_NEAR(square.width_mm, 20, 1e-9);
-  // A wall is twice as wide as it is thick, less what its ends take.
+  // The measured width is twice the wall's thickness, less the share of the wall's ends.
   EXPECT_NEAR(ShapeOf(Prism(5, "(0 0, 200 0, 200 2, 0 2)")).width_mm, 4, 0.05);
   EXPECT_EQ(ShapeOf({}).width_mm, 0);
 }

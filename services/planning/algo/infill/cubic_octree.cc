@@ -12,12 +12,14 @@ using Cell = CubicOctree::Cell;
 using Cells = CubicOctree::Cells;
 using Shares = CubicOctree::Shares;
 
-// A cube's edges against the plane: each normal has this much along the layer and across it.
+// Components of a plane's unit normal along the layer and across it, for a cube that stands on a
+// corner.
 const double kAlong = std::sqrt(2.0 / 3.0);
 const double kAcross = std::sqrt(1.0 / 3.0);
 constexpr double kThirdTurn = 2 * std::numbers::pi / 3;
 
-/// The cube of double the size in which a cube lies, of the way `by` in which eight make one.
+/// Returns the cube of double size that contains `cell`. `by` is the offset by which eight cubes
+/// form a larger one.
 Cell DoubledCell(const Cell& cell, const Cell& by) {
   return {(cell[0] + by[0]) >> 1, (cell[1] + by[1]) >> 1, (cell[2] + by[2]) >> 1};
 }
@@ -34,8 +36,8 @@ Shares Doubled(const Shares& body, const Cell& by) {
   return doubled;
 }
 
-/// The way in which cubes of double the size hold least of the body; of those that are alike, the
-/// one with fewest cubes, then the first.
+/// Returns the offset for which the doubled cubes contain the least of the body. Ties go to the
+/// offset with the fewest cubes, then to the first.
 Cell LeastFilled(const Cells& cubes, const Shares& body) {
   std::pair<int64_t, size_t> least;
   Cell best{};
@@ -98,7 +100,7 @@ void CubicOctree::AddBody(Point place, Coord z_nm) {
 }
 
 void CubicOctree::Grow() {
-  // No place's coordinate along a normal is greater than this.
+  // Largest coordinate of any place along a normal.
   const double farthest = std::sqrt(3.0) * reach_;
   Cells cubes = std::move(places_);
   Shares body = std::move(body_);
@@ -147,7 +149,8 @@ void CubicOctree::AddLine(int family, int64_t plane, double z_nm,
     if (a != b) lines.push_back({a, b});
   };
   if (level == levels_.size()) return add(-half, half);
-  // At u along the line the other two numbers are mean - u / sqrt 2 and mean + u / sqrt 2.
+  // At position u along the line, the coordinates along the two other normals are mean - u / sqrt 2
+  // and mean + u / sqrt 2.
   const double mean = -(std::sqrt(3.0) * z_nm + static_cast<double>(plane) * distance_) / 2;
   const Level& of = levels_[level];
   const auto exists_at = [&](double u) {

@@ -21,7 +21,7 @@ namespace {
 constexpr double kPitch = 2e6;
 constexpr double kReach = 60e6;
 constexpr int kSkins = 5;
-/// Of neighbouring planes, along a layer: the pattern's law.
+/// Distance of neighbouring planes along a layer, by the pattern's formula.
 constexpr double kLinePitch = 3 * kPitch;
 
 double LengthOf(const std::vector<Polyline>& lines) {
@@ -57,7 +57,7 @@ CubicOctree FullTree(double angle_rad) {
   return tree;
 }
 
-/// As planning lays it out: of roofs alone, or of all surfaces.
+/// Builds the tree as planning does: from roofs alone, or from all surfaces.
 CubicOctree TreeOf(const ObjectStack& stack, bool roofs_alone, double angle_rad = 0.2) {
   CubicOctree tree(kPitch, angle_rad, kReach);
   const auto each = roofs_alone ? ForEachRoofPlace : ForEachSurfacePlace;
@@ -69,14 +69,14 @@ CubicOctree TreeOf(const ObjectStack& stack, bool roofs_alone, double angle_rad 
   return tree;
 }
 
-// Places everywhere: the tree is full, and its lines are those of cubic infill.
+// With places everywhere the tree is full, and its lines equal the lines of cubic infill.
 TEST(CubicOctree, AFullTreeIsCubicInfill) {
   const CubicOctree tree = FullTree(0.4);
   const Box box{{-FromMm(20), -FromMm(20)}, {FromMm(20), FromMm(20)}};
   for (const double z : {3e6, 10.1e6, 17.77e6}) {
     const auto lines = tree.LinesAt(z);
     const double area = 40e6 * 40e6;
-    // A few lines more or less meet the box; none is missing or double.
+    // A few more or fewer lines may meet the box, but no line is missing or double.
     EXPECT_NEAR(LengthIn(lines, box) * kPitch / area, 1, 0.06) << z;
     for (const Polyline& line : lines) {
       const Point way = line[1] - line[0];
@@ -94,7 +94,7 @@ TEST(CubicOctree, AFullTreeIsCubicInfill) {
 TEST(CubicOctree, LinesThinOutAwayFromThePoints) {
   CubicOctree tree(kPitch, 0, kReach);
   const auto step = static_cast<Coord>(tree.StepNm());
-  // A wall at x = -40 mm.
+  // Places on a wall at x = -40 mm.
   for (Coord y = -FromMm(50); y <= FromMm(50); y += step)
     for (Coord z = -FromMm(40); z <= FromMm(40); z += step) tree.Add({-FromMm(40), y}, z, 0);
   tree.Grow();
@@ -113,7 +113,7 @@ TEST(CubicOctree, LinesThinOutAwayFromThePoints) {
   EXPECT_GT(far, 0);
 }
 
-// The order of points shows nowhere, and points in the same step tell nothing new.
+// The order of points has no effect, and neither have further points in the same step.
 TEST(CubicOctree, DependsOnThePointsAlone) {
   std::mt19937 random(3);
   std::vector<std::pair<Point, Coord>> points;
@@ -129,7 +129,7 @@ TEST(CubicOctree, DependsOnThePointsAlone) {
   for (const double z : {0.0, 7e6, 33.3e6}) EXPECT_EQ(one.LinesAt(z), other.LinesAt(z));
 }
 
-// Planes lean by arctan 1 / sqrt 2: each line stands on the one below.
+// Planes lean by arctan 1 / sqrt 2, so each line rests on the line below.
 TEST(CubicOctree, LinesStandOnThoseBelow) {
   const CubicOctree tree = TreeOf(Prism(100, "(-30 -30, 30 -30, 30 30, -30 30)"), false);
   const auto below = tree.LinesAt(8e6), above = tree.LinesAt(8.2e6);
@@ -141,7 +141,7 @@ TEST(CubicOctree, LinesStandOnThoseBelow) {
       nearest = std::min(nearest, DistanceToSegment(middle, other[0], other[1]));
     loose += nearest > 0.2e6 / std::numbers::sqrt2 + 10;
   }
-  // A plane begins where its cube does.
+  // The only loose lines are at the begin of a plane, where its cube begins.
   EXPECT_LE(loose, static_cast<int>(above.size() / 10));
   EXPECT_GT(LengthOf(above), 0);
 }
@@ -173,7 +173,7 @@ std::vector<Shape> Shapes() {
   return shapes;
 }
 
-/// Places on the lines of a full tree that lie in `region` and on no line of `tree`.
+/// Counts the places on lines of a full tree that are in `region` but on no line of `tree`.
 int Missing(const CubicOctree& full, const CubicOctree& tree, const MultiPolygon& region,
             double z_nm, int& looked_at) {
   const auto lines = tree.LinesAt(z_nm);
@@ -195,7 +195,7 @@ int Missing(const CubicOctree& full, const CubicOctree& tree, const MultiPolygon
   return missing;
 }
 
-// Whatever lies on the sparse infill lies on all that cubic infill would have there.
+// A roof on this sparse infill gets the same support as on cubic infill.
 TEST(CubicOctree, CarriesRoofsLikeCubicInfill) {
   const CubicOctree full = FullTree(0.2);
   for (const Shape& shape : Shapes()) {
@@ -205,7 +205,7 @@ TEST(CubicOctree, CarriesRoofsLikeCubicInfill) {
       const CubicOctree tree = TreeOf(shape.stack, roofs_alone);
       int looked_at = 0, missing = 0;
       for (size_t i = 0; i + 1 < areas.size(); ++i) {
-        // What leans more than 45 degrees is not what roofs alone are about.
+        // With `roofs_alone`, surfaces that lean more than 45 degrees do not count.
         const Coord wider = roofs_alone ? kStackHeight + 10'000 : 0;
         const MultiPolygon roof = Difference(areas[i], FastOffset(areas[i + 1], wider));
         if (Area(roof) < 1e12) continue;
@@ -218,7 +218,7 @@ TEST(CubicOctree, CarriesRoofsLikeCubicInfill) {
   }
 }
 
-// A cube of 37 pitches, as one of 100 mm at 15 %.
+// A cube of 37 pitches, which equals a cube of 100 mm at 15 %.
 TEST(CubicOctree, SavesAThirdOfABox) {
   constexpr double kHalf = 18.5 * kPitch;
   const auto half = static_cast<Coord>(kHalf);

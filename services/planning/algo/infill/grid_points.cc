@@ -8,7 +8,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// The first multiple of `step` that is not below `at`, in steps.
+/// Returns the first multiple of `step` that is not below `at`, in steps.
 Coord StepsUp(Coord at, Coord step) { return at >= 0 ? (at + step - 1) / step : -(-at / step); }
 
 }  // namespace

@@ -6,12 +6,13 @@
 namespace slicefarm::planning {
 namespace {
 
-/// What of a region is at least `width_nm` wide.
+/// Returns the parts of a region that are at least `width_nm` wide.
 MultiPolygon Opened(const MultiPolygon& region, Coord width_nm) {
   return FastOffset(FastOffset(region, -width_nm / 2), width_nm / 2);
 }
 
-/// `shared`, and what lies around it but for `least_nm` around what is of `area` beyond that.
+/// Returns `shared`, grown by `least_nm`. Near parts of `area` that are beyond this margin,
+/// `shared` is not grown.
 MultiPolygon WithEdges(const MultiPolygon& shared, const MultiPolygon& area, Coord least_nm) {
   const MultiPolygon around = FastOffset(shared, least_nm);
   const MultiPolygon beyond = Difference(area, around);
@@ -36,7 +37,7 @@ void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const Multi
 void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas,
                    int32_t every_layers, Coord least_nm, std::span<InfillPlaces> places) {
   const auto count = static_cast<size_t>(every_layers);
-  // The first layer lies on the bed, where nothing may be missing.
+  // The first layer is not combined: it is on the bed and must be complete.
   for (size_t first = 1; first + count <= stack.size(); first += count) {
     MultiPolygon shared = areas[first];
     Coord height_nm = 0;

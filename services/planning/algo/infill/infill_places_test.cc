@@ -12,7 +12,8 @@ namespace {
 
 double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
 
-// A tunnel of 4 mm through a block: above it infill stands on solid infill, below it carries some.
+// A tunnel of 4 mm through a block. Above the tunnel, infill rests on solid infill. Below the
+// tunnel, infill supports solid infill.
 TEST(LeaveOutUnneeded, OnlyWhatCarriesSomethingIsLeft) {
   const ObjectStack stack = StackOf(30, [](int i) {
     return MakePolygonsOrDie(i < 20 ? "(0 0, 30 0, 30 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
@@ -21,13 +22,13 @@ TEST(LeaveOutUnneeded, OnlyWhatCarriesSomethingIsLeft) {
   const auto roofs = RoofsOf(areas);
   std::vector<InfillPlaces> places(stack.size());
   LeaveOutUnneeded(areas, roofs, 900'000, 500'000, places);
-  // Everything has a top above it here.
+  // In this model every place has a top above it.
   for (size_t i = 0; i < stack.size(); ++i)
     EXPECT_NEAR(Mm2(Intersection(areas[i], places[i].left_out)), 0, 1e-6) << i;
 }
 
 TEST(LeaveOutUnneeded, ConesThatWidenUpwardsNeedLittleNearTheBed) {
-  // A wedge that opens upwards: what lies right of the narrow foot hangs over the bed.
+  // A wedge that opens upwards. Everything to the right of the narrow foot overhangs the bed.
   const ObjectStack stack = StackOf(40, [](int i) {
     const Coord right = FromMm(10 + 0.2 * i);
     return MultiPolygon{{{{0, 0}, {right, 0}, {right, FromMm(10)}, {0, FromMm(10)}}, {}}};
@@ -49,7 +50,7 @@ TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
   const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {1, 1});
   std::vector<InfillPlaces> places(stack.size());
   CombineLayers(stack, areas, 3, 1'800'000, places);
-  // Stretches: 1-3, 4-6, 7-9; layers 10 and 11 are too few for another one.
+  // Groups: layers 1-3, 4-6, 7-9. Layers 10 and 11 are too few for another group.
   for (const size_t i : {0u, 10u, 11u}) {
     EXPECT_TRUE(places[i].left_out.empty()) << i;
     EXPECT_TRUE(places[i].combined.empty()) << i;
@@ -59,13 +60,13 @@ TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
     EXPECT_EQ(places[i].combined_height_nm, 3 * kStackHeight) << i;
     const double shared = i == 3 ? 18 * 8 : 8 * 8;
     EXPECT_NEAR(Mm2(Intersection(places[i].combined, areas[i])), shared, 1e-6) << i;
-    // The whole room of layer 4 is 10 mm longer; layer 5 has 1 mm more beside its skin, too little.
+    // Layer 4 is 10 mm longer. Layer 5 has 1 mm more beside its skin, which is too narrow.
     for (const size_t k : {i - 1, i - 2})
       EXPECT_NEAR(Mm2(Difference(areas[k], places[k].left_out)), k == 4 ? 10 * 8 : 0, 1e-6) << k;
   }
 }
 
-// On a slope each layer has a strip more than the one above it.
+// On a slope each layer has an extra strip compared with the layer above.
 TEST(CombineLayers, StripsWithoutRoomForLinesGoWithWhatIsBesideThem) {
   const ObjectStack stack = StackOf(12, [](int i) {
     const Coord edge = FromMm(20 - 0.3 * i);

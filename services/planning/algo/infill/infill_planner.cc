@@ -22,21 +22,22 @@ namespace {
 
 using LinesByLayer = std::vector<std::vector<Polyline>>;
 
-/// Solid infill narrower than this many beads needs nothing under it: it rests on both sides.
+/// Width in beads below which solid infill needs no infill under it, because it rests on both
+/// sides.
 constexpr Coord kBridgedWidths = 2;
-/// A strip of so many beads has no room for lines of its own.
+/// Width in beads below which a strip is too narrow for lines of its own.
 constexpr Coord kNarrowWidths = 4;
 
-/// The distance of lines that the density asks for, in layers of the usual height.
+/// Returns the distance of lines for the density, in layers of the greatest height.
 double PitchOf(const InfillOptions& options, const ObjectStack& stack) {
   Coord height_nm = 0;
   for (const StackLayer& layer : stack) height_nm = std::max(height_nm, layer.height_nm);
   return static_cast<double>(Spacing(options.sparse_width_nm, height_nm)) / options.density;
 }
 
-/// The same for the finest cubes of an octree. Planes stand 3 widths / density apart in space, as
-/// in PrusaSlicer (FillAdaptive): the density of a profile that comes from there means the same
-/// cubes, whose lines are as long per area as cubic infill's of 0.74 of that density.
+/// Returns the pitch of an octree's finest cubes. The planes are 3 widths / density apart in space,
+/// as in PrusaSlicer (FillAdaptive). So the density of a PrusaSlicer profile gives the same cubes.
+/// Their lines are as long per area as the lines of cubic infill at 0.74 of that density.
 double OctreePitchOf(const InfillOptions& options) {
   return std::sqrt(1.5) * static_cast<double>(options.sparse_width_nm) / options.density;
 }
@@ -76,7 +77,7 @@ LinesByLayer OctreeLines(FillPattern pattern, const InfillOptions& options,
   return lines;
 }
 
-/// What is worked out once for all that asks where the sparse infill lies.
+/// Areas of sparse infill, computed once for all settings that need them.
 struct SparsePlaces {
   std::vector<MultiPolygon> inner;
   std::vector<MultiPolygon> areas;

@@ -15,23 +15,23 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Decides what of the sparse infill depends on more layers than a few, for each object and each
-/// region's settings that ask for it:
-///   fill_pattern = auto                       which pattern it is (choose_pattern.h)
+/// Plans the properties of sparse infill that depend on many layers. It does so for each object and
+/// each region with one of these settings:
+///   fill_pattern = auto                       the pattern (choose_pattern.h)
 ///   adaptivecubic, supportcubic               lines of an octree (cubic_octree.h)
-///   lightning                                 lines that hang from tops (lightning.h)
-///   infill_only_where_needed, infill_every_layers    places (infill_places.h)
-/// What is decided for a layer is in its plan, in the object's own coordinates.
+///   lightning                                 lines that grow down from tops (lightning.h)
+///   infill_only_where_needed, infill_every_layers    areas (infill_places.h)
+/// The result is in each layer's plan, in the object's own coordinates.
 ///
-/// Memory: the outlines of all layers of those objects.
+/// Memory: the outlines of all layers of these objects.
 class InfillPlanner : public Planner {
  public:
-  /// `options` and `object_names` must outlive this. Sections name rows of `options.infill`; what
-  /// names none is not planned.
+  /// `options` and `object_names` must outlive this planner. Sections refer to rows of
+  /// `options.infill`. A section without a valid row is not planned.
   InfillPlanner(const PlanningOptions& options, std::span<const std::string> object_names)
       : options_(options), object_names_(object_names) {}
 
-  /// Whether there is anything to decide.
+  /// Returns true if some row of settings needs this planner.
   static bool IsNeeded(const PlanningOptions& options);
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
@@ -40,15 +40,16 @@ class InfillPlanner : public Planner {
   int64_t HeldBytes() const override { return held_bytes_; }
 
  private:
-  using Key = std::pair<int32_t, int32_t>;  ///< object, row
+  using Key = std::pair<int32_t, int32_t>;  ///< object and row of settings
 
   void FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers, JobPlan& plan) const;
 
   const PlanningOptions& options_;
   const std::span<const std::string> object_names_;
   int64_t held_bytes_ = 0;
-  std::map<int32_t, ObjectStack> stacks_;                  ///< by object; `region` is not filled in
-  std::map<Key, std::map<size_t, MultiPolygon>> regions_;  ///< by place in the object's stack
+  std::map<int32_t, ObjectStack> stacks_;  ///< layers by object; `region` is not filled in
+  /// outlines by index in the object's stack
+  std::map<Key, std::map<size_t, MultiPolygon>> regions_;
 };
 
 }  // namespace slicefarm::planning

@@ -93,8 +93,8 @@ TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {
   EXPECT_GT(length(adaptive, 20), 1.5 * length(support, 20));
 }
 
-// PrusaSlicer's planes of one direction are 3 widths / density apart in space; by sqrt(1.5) more in
-// a layer.
+// In PrusaSlicer the planes of one direction are 3 widths / density apart in space. Within a layer
+// their distance is larger by sqrt(1.5).
 TEST(InfillPlanner, OctreesHaveTheCubesThatADensityMeansInPrusaSlicer) {
   for (const double density : {0.2, 0.4}) {
     InfillOptions options = Options(FillPattern::kAdaptiveCubic);

@@ -11,7 +11,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// A place that has to be carried, and how far it is from what carries it.
+/// Place that needs support, and its distance from the nearest support.
 struct Burden {
   Point at;
   double distance_nm = 0;

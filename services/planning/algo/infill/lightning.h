@@ -7,22 +7,23 @@
 
 namespace slicefarm::planning {
 
+/// Distances for LightningLines.
 struct LightningRules {
-  double radius_nm = 0;  ///< solid infill is carried at least this near to each of its places
-  double beyond_nm = 0;  ///< how far lines reach into the walls
+  double radius_nm = 0;  ///< each place of solid infill has support within this distance
+  double beyond_nm = 0;  ///< length by which lines extend into the walls
 };
 
-/// Lines that carry solid infill from below, and are as short as possible. From the top down: where
-/// something has to be carried, branches grow from the walls, or from branches that are there,
-/// first to the place that is farthest from both; from layer to layer they shrink into the walls,
-/// at 45 degrees (lightning_trees.h). `areas` and `roofs`: as SparseAreas and RoofsOf give them, one a
-/// layer.
+/// Returns short lines that support solid infill from below. Works from the top down. Where solid
+/// infill needs support, branches grow from the walls or from existing branches. The place that is
+/// farthest from both gets the first branch. From layer to layer the branches shrink towards the
+/// walls, at 45 degrees (lightning_trees.h). `areas` and `roofs`: one per layer, as from
+/// SparseAreas and RoofsOf.
 ///
-/// Precision: places of solid infill are looked at on a grid of half the radius, or coarser where
-/// that has more than kMaxRoofPoints.
-/// Cost: O(places * branches) for each layer with roofs, O(branches * edges) for the others.
-/// Source: the idea is that of T. Tricard, F. Claux, S. Lefebvre, "Ribbed support vaults for 3D
-/// printing of hollowed objects", Computer Graphics Forum 39 (2020), made for lines in layers.
+/// Precision: solid infill is sampled on a grid of half the radius. The grid is coarser if it would
+/// have more than kMaxRoofPoints points. Cost: O(places * branches) for each layer with roofs,
+/// O(branches * edges) for layers without. Source: the idea is from T. Tricard, F. Claux, S.
+/// Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", Computer Graphics Forum
+/// 39 (2020), adapted to lines in layers.
 std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
                                                   std::span<const MultiPolygon> areas,
                                                   std::span<const MultiPolygon> roofs,

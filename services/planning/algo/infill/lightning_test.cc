@@ -47,7 +47,7 @@ Sample SampleOf(ObjectStack stack) {
   return sample;
 }
 
-/// A box, a dome, a cone that widens upwards, random islands that shrink and grow.
+/// Returns a box, a dome, a cone that widens upwards, and random islands that shrink and grow.
 std::vector<Sample> Samples() {
   std::vector<Sample> samples;
   samples.push_back(SampleOf(Prism(60, "(0 0, 30 0, 30 20, 0 20) (12 8, 12 12, 18 12, 18 8)")));
@@ -75,7 +75,7 @@ TEST(LightningLines, EveryRoofIsCarried) {
       for (const Point p : GridPoints(sample.roofs[i], 700'000)) {
         const auto edge = edges.Nearest(p);
         const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i]));
-        // The grid on which places are looked at is half a radius wide.
+        // The sampling grid has a step of half a radius.
         ++checked;
         EXPECT_LE(nearest, 1.75 * kRadius) << i;
       }
@@ -84,7 +84,7 @@ TEST(LightningLines, EveryRoofIsCarried) {
   EXPECT_GT(checked, 1000);
 }
 
-// No point of a line is farther than twice the layer's height from what is below, which carries it.
+// The support below is within twice the layer's height of every point of a line.
 TEST(LightningLines, LinesRestOnWhatIsBelow) {
   int checked = 0;
   for (const Sample& sample : Samples()) {
@@ -127,7 +127,8 @@ TEST(LightningLines, LieInsideAndVanishDownwards) {
   EXPECT_EQ(bottom, 0);  // 27 mm below a roof of 28 mm
 }
 
-/// Pixels of 0.25 mm over a plate of 32 mm, which share nothing with polygons and their offsets.
+/// Raster with pixels of 0.25 mm over a plate of 32 mm. It shares no code with polygons and their
+/// offsets.
 class Raster {
  public:
   static constexpr int kSide = 128;
@@ -142,7 +143,7 @@ class Raster {
   }
   bool operator[](int k) const { return cells_[static_cast<size_t>(k)] != 0; }
 
-  /// Distance from a pixel to the nearest that is set (or is not), up to `most`.
+  /// Returns the distance from a pixel to the nearest pixel that is set (or not set), up to `most`.
   double Away(int k, double most, bool set = true) const {
     double nearest = most;
     const int reach = static_cast<int>(most / kPixel) + 1, x = k % kSide, y = k / kSide;
@@ -157,7 +158,7 @@ class Raster {
     for (int k = 0; k < kSide * kSide; ++k) result.cells_[static_cast<size_t>(k)] = is_set(k);
     return result;
   }
-  /// What discs of a diameter cover that lie in the set pixels.
+  /// Returns the union of all discs of a diameter that fit in the set pixels.
   Raster Opened(double diameter) const {
     const double radius = diameter / 2;
     const Raster core =
@@ -169,8 +170,8 @@ class Raster {
   std::vector<char> cells_;
 };
 
-/// Plates of 30 mm whose tops lie open along a slot that widens upwards, by so much a layer; and a
-/// plate with a pit that a ramp leads into.
+/// Returns plates of 30 mm with tops that are open along a slot. The slot widens upwards by a given
+/// step per layer. The last one is a plate with a pit and a ramp into it.
 std::vector<ObjectStack> Decks() {
   std::vector<ObjectStack> decks;
   for (const double widens : {0.3, 0.6, 0.9, 1.4}) {
@@ -186,8 +187,9 @@ std::vector<ObjectStack> Decks() {
   return decks;
 }
 
-// By pixels: whatever is solid over what is not lies within what the README says of a wall, a line,
-// or solid infill that is as wide as lines are apart; narrower strips may be missing.
+// Checks on pixels that solid infill over a hollow place is close to support. The README defines
+// the distance to a wall, a line, or solid infill as wide as the line distance. Narrower strips may
+// have no support.
 TEST(LightningLines, CarrySkinsOfSlopesByARastersMeasure) {
   for (const ObjectStack& stack : Decks()) {
     const Sample sample = SampleOf(stack);

@@ -8,25 +8,26 @@
 namespace slicefarm::planning {
 namespace {
 
-/// What lies nearer to an edge lies on it.
+/// Distance below which a point counts as on the edge.
 constexpr double kOnEdgeNm = 1'000;
-/// A node nearer than this to the line between its neighbours is not needed.
+/// Distance from the line between its neighbours below which a node is removed.
 constexpr double kIdleNm = 10'000;
 
-/// The point `way` nm from a on the way to b, which is at least as far.
+/// Returns the point at `way` nm from a towards b. REQUIRES: b is at least that far.
 Point Towards(Point a, Point b, double way) {
   const double share = way / Distance(a, b);
   return a + Point{std::llround(share * static_cast<double>(b.x - a.x)),
                    std::llround(share * static_cast<double>(b.y - a.y))};
 }
 
-/// A stretch of a line, by the distances of its ends from the line's first point.
+/// Piece of a line, given by the distances of its ends from the line's first point.
 struct Stretch {
   double from_nm = 0;
   double to_nm = 0;
 };
 
-/// What of the line from a to b lies inside. What is on the edge at either end counts as that end.
+/// Returns the pieces of the line from a to b that are inside. A crossing near either end counts as
+/// that end.
 std::vector<Stretch> InsideStretches(const RegionEdges& region, Point a, Point b) {
   const double length = Distance(a, b);
   std::vector<double> cuts = {0, length};
@@ -178,8 +179,8 @@ void LightningTrees::Refit(const RegionEdges& region) {
   const size_t count = nodes_.size();
   std::vector<char> kept(count, 0);
   std::vector<LightningNode> old = nodes_;
-  // Each edge leaves what of it lies inside: next to its inner end, next to its outer one, or a
-  // piece between two places on the region's edge.
+  // Each tree edge keeps its inside pieces. A piece touches the inner end, the outer end, or
+  // neither of them.
   for (size_t i = 0; i < count; ++i) {
     if (old[i].parent < 0) continue;
     const auto parent = static_cast<size_t>(old[i].parent);

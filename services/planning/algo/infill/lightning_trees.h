@@ -10,13 +10,13 @@
 
 namespace slicefarm::planning {
 
-/// A place on something, and how far it is from where it was asked for.
+/// Place on a tree or edge, and its distance from the queried point.
 struct Nearest {
   Point at;
   double distance_nm = 0;
 };
 
-/// A point of a tree that grows from the edge of a region. Roots have no parent.
+/// Node of a tree that grows from the edge of a region. Roots have no parent.
 struct LightningNode {
   Point at;
   int32_t parent = -1;
@@ -24,30 +24,31 @@ struct LightningNode {
   friend bool operator==(const LightningNode&, const LightningNode&) = default;
 };
 
-/// Trees in a layer. From a layer to the one below they shrink: what is there can carry what is
-/// above, as no point of the upper trees is farther than twice the layer's height from the lower
-/// ones or from the region's edge.
+/// Trees in one layer. They shrink from a layer to the one below. The lower trees can support the
+/// upper ones: no point of an upper tree is farther than twice the layer's height from a lower tree
+/// or from the region's edge.
 class LightningTrees {
  public:
   const std::vector<LightningNode>& nodes() const { return nodes_; }
 
-  /// The nearest place on a tree, with the node at its outer end. None: there is no tree.
+  /// Returns the nearest place on a tree, with the node at the outer end of its edge; nothing if
+  /// there is no tree.
   std::optional<std::pair<Nearest, int32_t>> NearestTo(Point p) const;
 
-  /// A straight branch from the nearest place on a tree, or on the edge of `region` if that is
-  /// nearer, to `tip`: so it lies inside. `from`: where it starts.
+  /// Adds a straight branch that ends at `tip`. The branch starts at the nearest place on a tree or
+  /// on the edge of `region`, so it is inside. Returns the start.
   Point GrowTo(Point tip, const RegionEdges& region);
 
-  /// What is there one layer below: tips are cut back by `step_nm`, other nodes move to between
-  /// their neighbours by as much at most. Cost: O(nodes).
+  /// Shrinks the trees to those of the layer below. Tips are cut back by `step_nm`. Other nodes
+  /// move towards the mean of their neighbours, by at most `step_nm`. Cost: O(nodes).
   void Descend(double step_nm);
 
-  /// Ties the trees to another region: what lies outside of it is cut off, and what is left is tied
-  /// to the nearest edge. Cost: O(nodes), and what RegionEdges takes.
+  /// Fits the trees to another region. Pieces outside the region are cut off, and the remaining
+  /// pieces are connected to the nearest edge. Cost: O(nodes), plus the cost of RegionEdges.
   void Refit(const RegionEdges& region);
 
-  /// The trees as lines, each branch once: the longest way from each root, then from each fork.
-  /// Those from roots begin `beyond_nm` before them.
+  /// Returns the trees as lines, each branch once: first the longest path from each root, then from
+  /// each fork. Lines from roots begin `beyond_nm` outside the region.
   std::vector<Polyline> Lines(double beyond_nm) const;
 
  private:
@@ -56,7 +57,7 @@ class LightningTrees {
   void CutTips(double step_nm);
   void Straighten(double step_nm);
   void DropIdleNodes();
-  /// Takes out the nodes that are not kept; whose parent goes becomes a root.
+  /// Removes the nodes that are not kept. A node without its parent becomes a root.
   void Keep(const std::vector<char>& kept);
 
   std::vector<LightningNode> nodes_;

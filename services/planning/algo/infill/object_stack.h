@@ -7,16 +7,16 @@
 
 namespace slicefarm::planning {
 
-/// What planning keeps of one of an object's layers, for the infill of one region.
+/// Data of one layer of an object, kept by planning for the infill of one region.
 struct StackLayer {
   int32_t job_layer = 0;
-  Coord z_nm = 0;  ///< of the top, above the object's bottom
+  Coord z_nm = 0;  ///< top of the layer, above the object's bottom
   Coord height_nm = 0;
-  MultiPolygon whole;   ///< the outlines of all regions
-  MultiPolygon region;  ///< of the one in question
+  MultiPolygon whole;  ///< outlines of all regions
+  MultiPolygon region;  ///< outlines of the planned region
 };
 
-/// An object's layers, bottom up.
+/// All layers of an object, bottom up.
 using ObjectStack = std::vector<StackLayer>;
 
 }  // namespace slicefarm::planning

@@ -8,12 +8,13 @@
 namespace slicefarm::planning {
 namespace {
 
-/// What offsets to and fro may lack of the edge that they came from.
+/// Loss at edges after an inward and an outward offset.
 constexpr Coord kRoundedNm = 10'000;
 
 using Outlines = MultiPolygon StackLayer::*;
 
-/// What is left of `area` below (or above) `count` layers' `outlines`. In a prism all are equal.
+/// Returns the part of `area` that the `outlines` of `count` layers above (or below) cover. In a
+/// prism all outlines are equal, so no intersection is needed.
 MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, Outlines outlines, size_t layer,
                      int32_t step, int32_t count, const SkinSpare& spare) {
   const MultiPolygon* nearer = &(stack[layer].*outlines);

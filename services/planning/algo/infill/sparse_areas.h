@@ -8,33 +8,33 @@
 
 namespace slicefarm::planning {
 
-/// Where a region's sparse infill lies.
+/// Rules for the extent of a region's sparse infill.
 struct SkinRules {
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
   SkinSpare top_spare = {}, bottom_spare = {};
-  bool of_region_alone = false;  ///< skins also where another region lies above or below
+  bool of_region_alone = false;  ///< skins also where another region is above or below
 };
 
-/// What walls of that thickness leave of each layer's region.
-/// Cost: O(n log n) for each layer that is not equal to the one below.
+/// Returns each layer's region without walls of that thickness. Cost: O(n log n) for each layer
+/// that is not equal to the one below.
 std::vector<MultiPolygon> InnerAreas(const ObjectStack& stack, Coord walls_nm);
 
-/// Where sparse infill will lie in each layer, as the outlines alone tell: of `inner`, as
-/// InnerAreas gives it, what is deep enough below and above all that lies open. Beading and infill
-/// decide it to the last line; what planning makes of this is cut to theirs.
-/// Cost: O(n log n) for each pair of layers within reach of the skins that are not equal.
+/// Estimates the sparse infill of each layer from the outlines alone. The result is the part of
+/// `inner` (see InnerAreas) that is deep enough below and above all open surfaces. Beading and
+/// infill decide the exact areas later; the plan is cut to these exact areas. Cost: O(n log n) for
+/// each pair of layers within reach of the skins that are not equal.
 std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, std::vector<MultiPolygon> inner,
                                       const SkinRules& rules);
 
-/// What of the sparse infill lies right below something else: solid infill that it has to carry.
-/// `areas`: as SparseAreas gives them.
+/// Returns the sparse infill directly below solid infill, which it has to support. `areas`: as from
+/// SparseAreas.
 std::vector<MultiPolygon> RoofsOf(const std::vector<MultiPolygon>& areas);
 
-/// Where nothing but walls and sparse infill is sure to carry what lies above: `areas`, and beside
-/// them solid infill narrower than `least_nm`. On slopes that is a strip of each layer's, which
-/// rests on the strip below or is none of the infill stage's.
-/// `inner`, `areas`: as InnerAreas and SparseAreas give them. Cost: O(n log n) for each layer that
+/// Returns the areas where only walls and sparse infill are sure to support the layers above. These
+/// are `areas`, and solid infill beside them that is narrower than `least_nm`. On slopes each layer
+/// has such a strip. The strip rests on the strip below, or the infill stage does not print it at
+/// all. `inner`, `areas`: as from InnerAreas and SparseAreas. Cost: O(n log n) for each layer that
 /// has both.
 std::vector<MultiPolygon> HollowAreas(const std::vector<MultiPolygon>& inner,
                                       const std::vector<MultiPolygon>& areas, Coord least_nm);

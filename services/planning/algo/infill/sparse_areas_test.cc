@@ -12,7 +12,7 @@ namespace {
 double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
 
 TEST(SparseAreas, LieInsideOfWallsAndSkins) {
-  // A plate of 20 mm with a tower of 10 mm on half of it.
+  // A plate of 20 mm with a tower of 10 mm on one half.
   const ObjectStack stack = StackOf(20, [](int i) {
     return MakePolygonsOrDie(i < 10 ? "(0 0, 20 0, 20 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
   });
@@ -38,7 +38,7 @@ TEST(SparseAreas, LayersThatOnlyThicknessAsksForAreLeftOutByTheirHeights) {
   for (size_t i = 0; i < stack.size(); ++i) EXPECT_EQ(areas[i].empty(), i < 3 || i > 5) << i;
 }
 
-// A prism whose right half is another region from layer 5 on.
+// A prism of which the right half is another region from layer 5 up.
 TEST(SparseAreas, OfARegionAloneEndBelowOtherRegions) {
   ObjectStack stack = Prism(10, "(0 0, 20 0, 20 10, 0 10)");
   for (size_t i = 5; i < 10; ++i) stack[i].region = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
@@ -59,7 +59,7 @@ TEST(SparseAreas, WithoutSkinsAllInsideOfTheWalls) {
   EXPECT_TRUE(SparseAreas({}, {}, {}).empty());
 }
 
-// Strips of a slope are none that carry, until they are as wide as asked for.
+// Strips of a slope do not count as support until they have the requested width.
 TEST(HollowAreas, TakeInNarrowSolidInfill) {
   const ObjectStack stack = StackOf(30, [](int i) {
     const MultiPolygon plate = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
@@ -69,7 +69,7 @@ TEST(HollowAreas, TakeInNarrowSolidInfill) {
   for (const double least_mm : {1.5, 3.0}) {
     const auto hollow = HollowAreas(InnerAreas(stack, FromMm(1)), areas, FromMm(least_mm));
     ASSERT_EQ(hollow.size(), areas.size());
-    // Under the opening, which is 2 mm wide.
+    // Below the opening, which is 2 mm wide.
     EXPECT_NEAR(Area(areas[18]) / 1e12, 18 * 18 - 8, 1e-3);
     EXPECT_NEAR(Area(hollow[18]) / 1e12, 18 * 18 - (least_mm < 2 ? 8 : 0), 0.5) << least_mm;
     EXPECT_EQ(hollow[10], areas[10]);

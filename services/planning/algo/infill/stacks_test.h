@@ -10,7 +10,7 @@ namespace slicefarm::planning {
 
 inline constexpr Coord kStackHeight = 200'000;
 
-/// So many layers, each with one region: what `outline` says of it.
+/// Returns `count` layers, each with one region: the result of `outline` for its number.
 inline ObjectStack StackOf(int count, const std::function<MultiPolygon(int)>& outline) {
   ObjectStack stack;
   for (int i = 0; i < count; ++i) {

@@ -11,7 +11,8 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Roofs are looked at on a grid finer by this, as what is told of each place reaches that far.
+/// Factor by which the grid of roofs is finer. The radius of each place has the size of this finer
+/// grid.
 constexpr Coord kRoofSteps = 4;
 
 template <class Take>
@@ -27,17 +28,19 @@ void AlongEdges(const MultiPolygon& outline, Coord step_nm, const Take& take) {
   });
 }
 
-/// The middle of a layer's height, where its lines are laid out.
+/// Returns the middle of a layer's height, where the layer's lines are computed.
 Coord MiddleOf(const StackLayer& layer) { return layer.z_nm - layer.height_nm / 2; }
 
-/// An area that may be narrower than the step: its edge, and a grid within.
+/// Visits points of an area that may be narrower than the step: points along its edge, and a grid
+/// inside.
 template <class Take>
 void Over(const MultiPolygon& area, Coord step_nm, const Take& take) {
   AlongEdges(area, step_nm, take);
   for (const Point p : GridPoints(area, step_nm)) take(p);
 }
 
-/// What of a layer is open towards the next one, `nearer_nm` away from what covers it.
+/// Returns the part of a layer that the next layer does not cover. With `nearer_nm` the result
+/// keeps this distance from the covered part.
 MultiPolygon Open(const ObjectStack& stack, size_t layer, int step, Coord nearer_nm) {
   const int64_t next = static_cast<int64_t>(layer) + step;
   const MultiPolygon& whole = stack[layer].whole;
@@ -47,8 +50,9 @@ MultiPolygon Open(const ObjectStack& stack, size_t layer, int step, Coord nearer
   return Difference(whole, nearer_nm > 0 ? FastOffset(cover, nearer_nm) : cover);
 }
 
-/// What of a layer is open, told where sparse infill ends below it. A place is within 0.71 steps of
-/// a node of the grid, or nearer to the edge, of which points are half a step away.
+/// Visits the open part of a layer as places of a roof, at the height where the sparse infill below
+/// it ends. A place is within 0.71 grid steps of a grid point. Near the edge it is within half a
+/// step of a point on the edge.
 void RoofUnder(const ObjectStack& stack, const SkinLayers& skins, size_t layer,
                const MultiPolygon& open, Coord step_nm, const TakePlace& take) {
   const auto top = static_cast<size_t>(skins.top);

@@ -36,7 +36,8 @@ ObjectStack Step() {
 
 TEST(SurfacePlaces, LieOnSidesAndUnderAndOverSkins) {
   const auto counts = Counts(Step(), ForEachSurfacePlace);
-  // Four times as fine, and reaching as far as they are apart: roofs of the step and of the top.
+  // The grid is four times as fine, and the radius equals its step: roofs of the step and of the
+  // top.
   EXPECT_GE(counts.at(100'000).count, 60 + 160 + 39 * 39);
   EXPECT_GE(counts.at(500'000).count, 40 + 160 + 39 * 39);
   EXPECT_NEAR(counts.at(500'000).around_nm, 302'500, 1);
