@@ -42,8 +42,8 @@ absl::Status CheckRaft(const ObjectPlanOptions& object) {
                    {{"field", "raft_settings"}});
 }
 
-/// All rafts are printed with the first copy. If one were higher than that under a copy that is
-/// printed later, the head would meet it.
+/// Checks that all rafts have the same height if copies are printed one after the other. All rafts
+/// are printed with the first copy, so the head would hit a higher raft of a later copy.
 absl::Status CheckRaftsAreAlike(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                                 std::span<const std::string> names) {
   if (!options.sequence.complete_objects || copies.empty()) return absl::OkStatus();

@@ -9,7 +9,7 @@
 
 namespace slicefarm::planning {
 
-/// One object's section of an own layer, as text; empty: no outline.
+/// Returns one object's section of a layer of its own, from text. Empty text means no outline.
 inline ObjectSection SectionOrDie(int32_t object, int32_t layer, std::string_view outlines) {
   ObjectSection section;
   section.stack = object;
@@ -21,7 +21,7 @@ inline ObjectSection SectionOrDie(int32_t object, int32_t layer, std::string_vie
   return section;
 }
 
-/// Layers of one object, bottom up.
+/// Returns the layers of one object, bottom up.
 inline std::vector<SlicedLayer> LayersOrDie(const std::vector<std::string_view>& texts) {
   std::vector<SlicedLayer> layers(texts.size());
   for (size_t i = 0; i < texts.size(); ++i) {

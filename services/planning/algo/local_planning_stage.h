@@ -7,9 +7,10 @@
 
 namespace slicefarm::planning {
 
-/// The planning stage in this process: a JobPlanner over the layers. Stateless.
-/// Errors: JobPlanner's; Cancelled, polled once a layer and at the end between what lies on the
-/// plate.
+/// Returns the planning stage in this process: a JobPlanner over the layers. The stage is
+/// stateless.
+/// Errors: as JobPlanner; Cancelled, polled once per layer, and at the end between the planners'
+/// objects.
 std::unique_ptr<PlanningStage> MakeLocalPlanning();
 
 }  // namespace slicefarm::planning

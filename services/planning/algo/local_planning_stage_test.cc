@@ -19,7 +19,7 @@ TEST(LocalPlanning, PlansEachLayer) {
   EXPECT_TRUE(plan->stacks.empty());
 }
 
-// What lies on the plate is worked out after the last layer, and may take long.
+// The things on the plate are planned after the last layer, and this may take long.
 TEST(LocalPlanning, IsCancelledAfterTheLastLayer) {
   const auto layers = LayersOrDie({"(0 0, 9 0, 9 9)"});
   const std::vector<PlacedCopy> copies(4, {0, {}, {}});

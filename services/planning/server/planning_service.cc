@@ -26,7 +26,7 @@ absl::Status AnswerLayers(const std::vector<LayerPlan>& layers, Stream& stream) 
                                      });
 }
 
-/// Plans layers as they come, and answers plans as they are settled.
+/// Plans layers as they arrive and writes plans as they are settled.
 template <typename Stream>
 absl::Status PlanLayers(JobPlanner& planner, MemoryBudget::Share& memory, const CancelToken& cancel,
                         Stream& stream) {
@@ -43,7 +43,7 @@ absl::Status PlanLayers(JobPlanner& planner, MemoryBudget::Share& memory, const 
   });
 }
 
-/// The stack, then its sections.
+/// Writes the stack, then its sections.
 template <typename Stream>
 absl::Status AnswerStack(const AddedStack& added, Stream& stream) {
   v1::PlanResponse head;

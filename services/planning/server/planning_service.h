@@ -8,8 +8,8 @@
 
 namespace slicefarm::planning {
 
-/// Translates slicefarm.v1.Planning to a JobPlanner and back. Layers are planned as they come and
-/// their plans answered at once: what is kept is what the planners keep.
+/// Translates slicefarm.v1.Planning to a JobPlanner and back. Layers are planned as they arrive,
+/// and their plans are sent at once. Only the data that the planners keep stays in memory.
 /// `gate` must outlive the service.
 std::unique_ptr<grpc::Service> MakePlanningService(rpc::CallGate& gate);
 

@@ -34,9 +34,9 @@ namespace slicefarm::planning {
 /// at skirt_height. An enabled draft shield ends at the last layer that has outlines. No brim or
 /// skirt leaves the bed.
 ///
-/// Memory: the outlines on the bed, and the convex hulls of the objects inside the skirt. Errors:
-/// REQUEST_TOO_LARGE for a skirt of more than 20 million points on all layers; Cancelled, polled
-/// for each brim.
+/// Memory: the outlines on the bed, and the convex hulls of the objects inside the skirt.
+/// Errors: REQUEST_TOO_LARGE for a skirt of more than 20 million points on all layers; Cancelled,
+/// polled for each brim.
 class AdhesionPlanner : public Planner {
  public:
   /// `options` and `copies` must outlive this planner. `options` has an entry for the object of
@@ -81,7 +81,7 @@ class AdhesionPlanner : public Planner {
   const bool wanted_;
   std::map<int32_t, Seen> seen_;  ///< data by object; the plate has an entry too
   SkirtReach skirt_reach_;
-  /// number of layers that count for the skirt, up to the last one with outlines of parts
+  /// Number of layers that count for the skirt, up to the last one with outlines of parts.
   int32_t layers_ = 0;
   Coord first_height_nm_ = 0;
 };

@@ -120,7 +120,7 @@ TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
   EXPECT_EQ(plan.plan.stacks[0].stack, Stack(1, 0, StackKind::kBrim));
   const ObjectSection& section = plan.plan.stacks[0].sections[0];
   EXPECT_EQ(Bounds(OutlineOf(section)).max.x, FromMm(5 + 2.1)) << "around the object's origin";
-  // The outlines on the plate are the same as before.
+  // The outlines on the plate do not change.
   options.sequence.complete_objects = true;
   std::vector<PlacedCopy> placed = copies;
   for (PlacedCopy& copy : placed)

@@ -14,8 +14,9 @@ namespace slicefarm::planning {
 /// rule gives them no brim.
 ///
 /// `first_layer`: outlines of the first layer; the width is 0 if empty. `height_nm`: height of the
-/// whole object. Source: the auto_brim rule of Bambu Studio and OrcaSlicer, applied by object. They
-/// apply it by group of parts, and the rule for thin walls by island.
+/// whole object.
+/// Source: the auto_brim rule of Bambu Studio and OrcaSlicer, applied by object. They apply it by
+/// group of parts, and the rule for thin walls by island.
 Coord AutomaticBrimWidth(const AutomaticBrim& brim, const MultiPolygon& first_layer,
                          Coord height_nm);
 

@@ -35,9 +35,10 @@ struct BrimObject {
 /// - No brim leaves `bed`. An empty `bed` is no limit.
 ///
 /// Shapes: objects may touch or overlap. Units: nm, in plate coordinates. Distances are exact to
-/// 0.008 mm and joins are round. A negative width or separation counts as 0. Errors: Cancelled,
-/// polled once per object. Cost: O(n log n) for an object and its neighbours. Source: measured with
-/// PrusaSlicer 2.5.0: a box, a frame, and a frame with a pin in it.
+/// 0.008 mm and joins are round. A negative width or separation counts as 0.
+/// Errors: Cancelled, polled once per object.
+/// Cost: O(n log n) for an object and its neighbours.
+/// Source: measured with PrusaSlicer 2.5.0: a box, a frame, and a frame with a pin in it.
 /// - The brim starts at brim_separation from the compensated outline. It has floor(width / spacing)
 ///   lines, and the outermost line is printed first.
 /// - outer_only gives a pin in the frame's hole no brim. inner_only and outer_and_inner give the

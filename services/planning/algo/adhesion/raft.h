@@ -34,8 +34,9 @@ struct RaftLayer {
 /// raft_first_layer_expansion. A raft of one layer is B alone, as interface. Density and angle of
 /// the lines: common/config/table/adhesion_rows.h.
 ///
-/// Units: nm, in plate coordinates. Joins are round and distances are exact to 0.008 mm. Errors:
-/// none. The result is empty if `carried` is empty or the raft has no layers. Cost: three offsets.
+/// Units: nm, in plate coordinates. Joins are round and distances are exact to 0.008 mm.
+/// Errors: none. The result is empty if `carried` is empty or the raft has no layers.
+/// Cost: three offsets.
 /// Source: measured with PrusaSlicer 2.5.0 on a box of 20 mm and on spot.stl:
 /// - Settings: raft_layers 1, 2, 3, 4, 5, 6; first_layer_height 0.2, 0.3, 0.35; layer_height 0.1,
 ///   0.2, 0.35; nozzle 0.4, 0.6; raft_contact_distance 0, 0.1, 0.25.

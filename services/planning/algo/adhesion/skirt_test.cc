@@ -32,7 +32,7 @@ struct Case {
   std::string name;
   SkirtOptions options;
   MultiPolygon parts, brims;
-  /// distances of the centre lines from the 20 mm box, as printed
+  /// Distances of the centre lines from the 20 mm box, as printed.
   std::vector<double> distances_mm;
 };
 

@@ -23,9 +23,10 @@ namespace slicefarm::planning {
 /// between a part and its supports.
 ///
 /// Runs after the planner of brims and skirts. Adds nothing to the plan. Errors of Finish:
-/// PATHS_CONFLICT for the lowest overlap, with the names of both things. Cost: a comparison of the
-/// sections' boxes, and one boolean operation per layer for copies with intersecting boxes. Each
-/// layer of a raft, a brim or the skirt needs one boolean operation with everything beside it.
+/// PATHS_CONFLICT for the lowest overlap, with the names of both things.
+/// Cost: a comparison of the sections' boxes, and one boolean operation per layer for copies with
+/// intersecting boxes. Each layer of a raft, a brim or the skirt needs one boolean operation with
+/// everything beside it.
 class ConflictPlanner : public Planner {
  public:
   /// All arguments must outlive this planner. `object_names`: names by object; may have fewer
@@ -65,7 +66,7 @@ class ConflictPlanner : public Planner {
   void Compare(const Slice& slice, const Slices& kept);
   void CompareBrims(const JobPlan& plan);
   void CompareSkirt(const Skirt& skirt);
-  /// Returns the low slices whose boxes meet a slice of the plate.
+  /// Returns the low slices that meet the box of a slice of the plate.
   std::vector<Placed> LowBeside(const Slice& slice) const;
   void ComparePlaced(const Slice& slice, const std::vector<Placed>& others);
   std::string NameOfStack(const Stack& stack, size_t copy) const;
@@ -73,7 +74,7 @@ class ConflictPlanner : public Planner {
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
   const std::span<const std::string> object_names_;
-  /// objects that begin below this height may meet rafts, brims and skirt of the plate
+  /// Objects that begin below this height may meet rafts, brims and skirt of the plate.
   Coord low_nm_ = 1;
   NearCopies near_;
   Slices kept_;  ///< slices of copies with close neighbours, for comparison with the next sections

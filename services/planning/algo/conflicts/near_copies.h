@@ -21,9 +21,9 @@ struct Beside {
 };
 
 /// Finds copies that may share room, from the boxes of their objects so far. The boxes grow layer
-/// by layer. Pairs of copies with the same objects and the same relative position count once. Cost:
-/// O(c log c) for c copies, plus the pairs that are near, each time that an object grows by some
-/// millimetres.
+/// by layer. Pairs of copies with the same objects and the same relative position count once.
+/// Cost: O(c log c) for c copies, plus the pairs that are near, each time that an object grows by
+/// some millimetres.
 class NearCopies {
  public:
   /// `copies` must outlive this object.

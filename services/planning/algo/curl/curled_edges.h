@@ -16,9 +16,9 @@ namespace slicefarm::planning {
 /// w^2 r / 100 mm), if this root is real.
 ///
 /// A bead within 3 w of a risen place rises with it, less three quarters of the bead's height. The
-/// rise is at most ten layers. Places on supports do not rise. Source: the constants of the
-/// estimate of curled heights in PrusaSlicer 2.9, which come from prints. PrusaSlicer computes the
-/// rise for each bead; here it is computed for the outline.
+/// rise is at most ten layers. Places on supports do not rise.
+/// Source: the constants of the estimate of curled heights in PrusaSlicer 2.9, which come from
+/// prints. PrusaSlicer computes the rise for each bead; here it is computed for the outline.
 class CurledEdges {
  public:
   /// `width_nm`: width of outer walls. REQUIRES: > 0.

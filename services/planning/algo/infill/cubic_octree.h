@@ -19,9 +19,9 @@ namespace slicefarm::planning {
 /// density formula of the pattern). In a cube of double size without places they are two pitches
 /// apart, and so on. A plane ends at the sides of its cubes, which are planes of larger cubes.
 ///
-/// Eight cubes of one size can be grouped into a larger cube in eight different ways. The tree
-/// takes the grouping that contains the least of the filled body, so that planes become sparse as
-/// soon as possible. The planes themselves are always those of cubic infill.
+/// Eight cubes of one size can be grouped into a larger cube at eight different offsets. The tree
+/// takes the offset with the least of the filled body inside its cubes, so that planes become
+/// sparse as soon as possible. The planes themselves are always planes of cubic infill.
 class CubicOctree {
  public:
   using Cell = std::array<int32_t, 3>;
@@ -29,7 +29,7 @@ class CubicOctree {
   struct CellHash {
     size_t operator()(const Cell& cell) const;
   };
-  /// set of cells; used for look-ups only, never iterated in order
+  /// Set of cells; used for look-ups only, never iterated in order.
   using Cells = std::unordered_set<Cell, CellHash>;
   using Shares = std::unordered_map<Cell, int64_t, CellHash>;  ///< number of body samples by cube
 

@@ -15,12 +15,12 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Plans the properties of sparse infill that depend on many layers. It does so for each object and
-/// each region with one of these settings:
-///   fill_pattern = auto                       the pattern (choose_pattern.h)
-///   adaptivecubic, supportcubic               lines of an octree (cubic_octree.h)
-///   lightning                                 lines that grow down from tops (lightning.h)
-///   infill_only_where_needed, infill_every_layers    areas (infill_places.h)
+/// Plans the properties of sparse infill that depend on many layers, for each object and each
+/// region with one of these settings.
+///   fill_pattern = auto                       the pattern (choose_pattern.h).
+///   adaptivecubic, supportcubic               lines of an octree (cubic_octree.h).
+///   lightning                                 lines that grow down from tops (lightning.h).
+///   infill_only_where_needed, infill_every_layers    areas (infill_places.h).
 /// The result is in each layer's plan, in the object's own coordinates.
 ///
 /// Memory: the outlines of all layers of these objects.
@@ -48,7 +48,7 @@ class InfillPlanner : public Planner {
   const std::span<const std::string> object_names_;
   int64_t held_bytes_ = 0;
   std::map<int32_t, ObjectStack> stacks_;  ///< layers by object; `region` is not filled in
-  /// outlines by index in the object's stack
+  /// Outlines by index in the object's stack.
   std::map<Key, std::map<size_t, MultiPolygon>> regions_;
 };
 

@@ -20,10 +20,10 @@ struct LightningRules {
 /// SparseAreas and RoofsOf.
 ///
 /// Precision: solid infill is sampled on a grid of half the radius. The grid is coarser if it would
-/// have more than kMaxRoofPoints points. Cost: O(places * branches) for each layer with roofs,
-/// O(branches * edges) for layers without. Source: the idea is from T. Tricard, F. Claux, S.
-/// Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", Computer Graphics Forum
-/// 39 (2020), adapted to lines in layers.
+/// have more than kMaxRoofPoints points.
+/// Cost: O(places * branches) for each layer with roofs, O(branches * edges) for layers without.
+/// Source: the idea is from T. Tricard, F. Claux, S. Lefebvre, "Ribbed support vaults for 3D
+/// printing of hollowed objects", Computer Graphics Forum 39 (2020), adapted to lines in layers.
 std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
                                                   std::span<const MultiPolygon> areas,
                                                   std::span<const MultiPolygon> roofs,

@@ -39,7 +39,7 @@ class LightningTrees {
   /// on the edge of `region`, so it is inside. Returns the start.
   Point GrowTo(Point tip, const RegionEdges& region);
 
-  /// Shrinks the trees to those of the layer below. Tips are cut back by `step_nm`. Other nodes
+  /// Shrinks the trees to the trees of the layer below. Tips are cut back by `step_nm`. Other nodes
   /// move towards the mean of their neighbours, by at most `step_nm`. Cost: O(nodes).
   void Descend(double step_nm);
 

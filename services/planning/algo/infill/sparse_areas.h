@@ -16,14 +16,14 @@ struct SkinRules {
   bool of_region_alone = false;  ///< skins also where another region is above or below
 };
 
-/// Returns each layer's region without walls of that thickness. Cost: O(n log n) for each layer
-/// that is not equal to the one below.
+/// Returns each layer's region without walls of that thickness.
+/// Cost: O(n log n) for each layer that is not equal to the one below.
 std::vector<MultiPolygon> InnerAreas(const ObjectStack& stack, Coord walls_nm);
 
 /// Estimates the sparse infill of each layer from the outlines alone. The result is the part of
 /// `inner` (see InnerAreas) that is deep enough below and above all open surfaces. Beading and
-/// infill decide the exact areas later; the plan is cut to these exact areas. Cost: O(n log n) for
-/// each pair of layers within reach of the skins that are not equal.
+/// infill decide the exact areas later; the plan is cut to these exact areas.
+/// Cost: O(n log n) for each pair of layers within reach of the skins that are not equal.
 std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, std::vector<MultiPolygon> inner,
                                       const SkinRules& rules);
 
@@ -34,8 +34,9 @@ std::vector<MultiPolygon> RoofsOf(const std::vector<MultiPolygon>& areas);
 /// Returns the areas where only walls and sparse infill are sure to support the layers above. These
 /// are `areas`, and solid infill beside them that is narrower than `least_nm`. On slopes each layer
 /// has such a strip. The strip rests on the strip below, or the infill stage does not print it at
-/// all. `inner`, `areas`: as from InnerAreas and SparseAreas. Cost: O(n log n) for each layer that
-/// has both.
+/// all.
+/// `inner`, `areas`: as from InnerAreas and SparseAreas. Cost: O(n log n) for each layer that has
+/// both.
 std::vector<MultiPolygon> HollowAreas(const std::vector<MultiPolygon>& inner,
                                       const std::vector<MultiPolygon>& areas, Coord least_nm);
 

@@ -19,9 +19,10 @@ struct SkinLayers {
 /// Visits places where an object's sparse infill ends, in the middle of the layers' heights:
 /// - roofs, one top skin below each open upper surface;
 /// - floors, one bottom skin above each open lower surface;
-/// - sides, on the outlines. The places of roofs have a radius so large that together they cover
-///   all of the roof. Places of floors and sides are at most `step_nm` apart in both directions,
-///   and their radius is 0.
+/// - sides, on the outlines.
+///
+/// The places of roofs have a radius so large that together they cover all of the roof. Places of
+/// floors and sides are at most `step_nm` apart in both directions, and their radius is 0.
 void ForEachSurfacePlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
                          const TakePlace& take);
 

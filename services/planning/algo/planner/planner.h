@@ -15,21 +15,21 @@
 
 namespace slicefarm::planning {
 
-/// The plans of a job's layers, but for those that are settled and were taken.
+/// Plans of a job's layers, without the settled plans that were already taken.
 class OpenLayers {
  public:
-  /// The plan of the next layer, which is empty.
+  /// Adds an empty plan for the next layer and returns it.
   LayerPlan& Add() { return plans_.emplace_back(); }
 
-  /// REQUIRES: the layer was added, and is not taken.
+  /// Returns the plan of a layer. REQUIRES: the layer was added and not yet taken.
   LayerPlan& At(int32_t layer) { return plans_[static_cast<size_t>(layer - first_)]; }
 
   int32_t first() const { return first_; }
 
-  /// One above the last.
+  /// Returns one more than the index of the last layer.
   int32_t end() const { return first_ + static_cast<int32_t>(plans_.size()); }
 
-  /// The plans below that of `layer`, from the lowest up.
+  /// Takes the plans below that of `layer`, from the lowest up.
   std::vector<LayerPlan> TakeBelow(int32_t layer);
 
  private:
@@ -37,37 +37,39 @@ class OpenLayers {
   int32_t first_ = 0;
 };
 
-/// Decides one thing over a whole job. Planners run one after the other on each layer, bottom up,
-/// and each adds to the plan; see JobPlanner for their order.
+/// Plans one aspect of a whole job. The planners run one after the other on each layer, bottom up,
+/// and each adds to the plan. For their order see JobPlanner.
 class Planner {
  public:
   virtual ~Planner() = default;
 
-  /// Looks at the next layer. `plan` is that layer's.
+  /// Processes the next layer. `plan` is the plan of this layer.
   virtual void Look(const SlicedLayer& layer, LayerPlan& plan) = 0;
 
-  /// After each Look: may add to plans of the layers so far. Below the layer that it answers, the
-  /// planner will not add to any.
+  /// Runs after each Look, and may add to the plans of all layers so far. Returns the lowest layer
+  /// that this planner may still change.
   virtual int32_t Settle(OpenLayers& layers) { return layers.end(); }
 
-  /// After the last layer: adds what depends on more layers than one, to `layers` and to `plan`,
-  /// which has none. May take long, and is Cancelled when `cancel` asks for it.
+  /// Runs after the last layer. Adds results that depend on several layers to `layers` and to
+  /// `plan`, which has no layers. May take long. Returns Cancelled if `cancel` requests it.
   virtual absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
     (void)cancel, (void)layers, (void)plan;
     return absl::OkStatus();
   }
 
-  /// What it keeps of the layers that it has seen, beyond those that are open.
+  /// Returns the memory that the planner keeps for past layers, without the open plans, in bytes.
   virtual int64_t HeldBytes() const { return 0; }
 };
 
-/// The plan of a stack's section in a layer, by its id; made if there is none.
+/// Returns the plan of a stack's section in a layer, by the stack's id. Adds the plan if it is
+/// missing.
 SectionPlan& PlanOf(int32_t stack, LayerPlan& plan);
 
-/// What messages call an object. `names`: by object; may be fewer.
+/// Returns the name of an object for messages. `names`: names by object; may have fewer entries.
 std::string NameOf(int32_t object, std::span<const std::string> names);
 
-/// What messages call a copy: its object, and which copy it is if there are several.
+/// Returns the name of a copy for messages: its object, and the number of the copy if there are
+/// several.
 std::string NameOfCopy(size_t copy, std::span<const PlacedCopy> copies,
                        std::span<const std::string> names);
 

@@ -12,30 +12,32 @@
 
 namespace slicefarm::planning {
 
-/// The stacks that planning adds, as far as they are known.
+/// Stacks that planning has added so far.
 struct RegionPlan {
-  int32_t next_id = 0;              ///< of the stack that comes next
-  std::vector<Coord> lifts_nm;      ///< by object: its part's bottom, above the bed
-  std::vector<AddedStack> stacks;   ///< by ascending id
-  std::vector<std::string> warnings;  ///< for the job's report
-  /// By object and layer of its part: where supports lie right below it.
+  int32_t next_id = 0;  ///< id of the next stack
+  std::vector<Coord> lifts_nm;  ///< height of each object's part above the bed
+  std::vector<AddedStack> stacks;  ///< in ascending order of ids
+  std::vector<std::string> warnings;  ///< texts for the job's report
+  /// Areas directly above supports, by object and layer of its part.
   using Carried = std::map<std::pair<int32_t, int32_t>, MultiPolygon>;
   Carried carried;
 
-  /// A stack without layers yet.
+  /// Adds a stack without layers.
   AddedStack& Add(int32_t object, StackKind kind) {
     stacks.push_back({Stack(next_id++, object, kind), 0, {}});
     return stacks.back();
   }
 };
 
-/// Adds stacks that have layers of their own, before there are layers of the print. Planners run one
-/// after the other, and each sees what those before it added; see JobPlanner for their order.
+/// Adds stacks that have layers of their own, before the layers of the print are known. Planners
+/// run one after the other, and each one sees the stacks that earlier planners added. For their
+/// order see JobPlanner.
 class RegionPlanner {
  public:
   virtual ~RegionPlanner() = default;
 
-  /// `parts`: all layers, from the parts' own bottoms. Cancelled when `cancel` asks for it.
+  /// Adds stacks to `plan`. `parts`: all layers, with heights above the part's own bottom. Returns
+  /// Cancelled if `cancel` requests it.
   virtual absl::Status Plan(std::span<const SlicedLayer> parts, const CancelToken& cancel,
                             RegionPlan& plan) = 0;
 };

@@ -49,14 +49,15 @@ std::optional<RegionEdges::Hit> RegionEdges::Nearest(Point to, Coord reach_nm) c
   if (index_.size() == 0 || !bounds.Grown(reach_nm).Intersects({to, to})) return std::nullopt;
   const auto reach = static_cast<double>(reach_nm);
   Best best{reach * reach, -1, 0};
-  // What is not in the box is further than its half width. Most who ask stand close to an edge.
+  // Searches in growing boxes. Edges outside the box are farther away than its half width. Most
+  // queried points are close to an edge.
   for (Coord half = std::min(index_.square_nm() / 8, reach_nm);;) {
     const Box box = Box{to, to}.Grown(half);
     index_.ForEachNear(box, [&](int32_t edge) { LookAt(edge, to, best); });
     if (half == reach_nm || Holds(box, bounds)) break;
     const double seen = static_cast<double>(half), least = std::sqrt(best.distance2);
     if (best.edge >= 0 && least <= seen) break;
-    // What is found is far; what is nearer lies no further away.
+    // The best edge so far is outside the box. A nearer edge is within a box of its distance.
     const Coord next = best.edge >= 0 ? static_cast<Coord>(least) + 1 : 4 * half;
     half = std::min(next, reach_nm);
   }
@@ -70,7 +71,7 @@ bool RegionEdges::IsInside(Point p, const Best& best) const {
   const Edge& edge = index_.At(best.edge);
   if (best.share > 0 && best.share < 1) return Cross(edge.b - edge.a, p - edge.a) >= 0;
   if (best.distance2 == 0) return true;
-  // Nearest to a corner: from inside only if that points inwards.
+  // The nearest place is a corner. The point is inside only if the corner points inwards.
   if (best.share == 0) return reflex_[static_cast<size_t>(best.edge)];
   const auto ring = static_cast<size_t>(edge.ring);
   const bool is_last = best.edge + 1 == first_edge_[ring + 1];
@@ -93,7 +94,7 @@ bool RegionEdges::IsInside(Point p) const {
   for (const int32_t number : EdgesIn({{bounds.min.x, p.y}, p})) {
     const Edge& edge = index_.At(number);
     if ((edge.a.y > p.y) == (edge.b.y > p.y)) continue;
-    // Whether the edge is crossed on the way to the left.
+    // Tests whether the edge is to the left of the point.
     const bool left = Cross(edge.b - edge.a, p - edge.a) > 0;
     if (left != (edge.b.y > edge.a.y)) inside = !inside;
   }

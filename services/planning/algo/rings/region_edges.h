@@ -10,36 +10,38 @@
 
 namespace slicefarm::planning {
 
-/// The edges of a region, for many questions about what is near.
+/// Index of the edges of a region, for many queries of near edges.
 class RegionEdges {
  public:
   using Edge = EdgeIndex::Edge;
 
-  /// The nearest place on an edge.
+  /// Nearest place on an edge.
   struct Hit {
-    int32_t ring = 0;  ///< by the order of ForEachRing
-    int32_t edge = 0;  ///< of the ring: from this point to the next
-    double share = 0;  ///< where on the edge, in [0, 1]
+    int32_t ring = 0;  ///< index of the ring in the order of ForEachRing
+    /// Index of the edge in the ring: from the point with this index to the next.
+    int32_t edge = 0;
+    double share = 0;  ///< position on the edge, in [0, 1]
     Point at;
     double distance_nm = 0;
-    bool inside = false;  ///< the point that was asked for lies in the region, or on its edge
+    bool inside = false;  ///< true if the queried point is in the region or on its edge
   };
 
   static constexpr Coord kAnyReach = std::numeric_limits<Coord>::max() / 4;
 
-  /// Copies what it needs. Cost: O(edges + squares of a millimetre), of which there are no more than
-  /// a few for each edge.
+  /// Copies the edges. Cost: O(edges + squares of a millimetre). There are only a few squares per
+  /// edge.
   explicit RegionEdges(const MultiPolygon& region);
 
-  /// None if there is no edge within `reach_nm`. The first of equals. Cost: O(edges around, as far
-  /// as the nearest one).
+  /// Returns the nearest place on an edge, or nothing if no edge is within `reach_nm`. Of equally
+  /// near edges the first is returned. Cost: O(edges within the distance of the nearest one).
   std::optional<Hit> Nearest(Point to, Coord reach_nm = kAnyReach) const;
 
-  /// Whether a point lies inside (even-odd); on an edge it may be either. Cost: O(edges in the rows
-  /// of squares that it is in).
+  /// Returns true if a point is inside (even-odd rule). For a point on an edge the result may be
+  /// either. Cost: O(edges in the point's row of squares).
   bool IsInside(Point p) const;
 
-  /// The edges in the squares that the box of a segment touches; each once, in the region's order.
+  /// Returns the edges in the squares that the box of a segment touches, each once, in the region's
+  /// order.
   std::vector<Edge> Near(Point a, Point b) const;
 
  private:
@@ -54,8 +56,10 @@ class RegionEdges {
   std::vector<int32_t> EdgesIn(const Box& box) const;
 
   EdgeIndex index_;
-  std::vector<int32_t> first_edge_;  ///< of each ring; one more at the end
-  std::vector<bool> reflex_;         ///< by edge: the corner where it starts points into the region
+  /// Index of the first edge of each ring, and the number of edges at the end.
+  std::vector<int32_t> first_edge_;
+  /// True for each edge with a corner at its start that points into the region.
+  std::vector<bool> reflex_;
 };
 
 }  // namespace slicefarm::planning

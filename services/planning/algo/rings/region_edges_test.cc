@@ -15,7 +15,7 @@
 namespace slicefarm::planning::region_edges_test {
 namespace {
 
-/// The nearest distance over all edges, and whether the point is in the solid.
+/// Returns the nearest distance over all edges, and true if the point is in the solid.
 std::pair<double, bool> Judged(Point p, const MultiPolygon& outlines) {
   double least = INFINITY;
   bool inside = false;
@@ -94,7 +94,7 @@ TEST(RegionEdges, AnswersAsLookingAtAllEdgesDoes) {
       const Point q = p + Point{FromMm(Uniform(random, -9, 9)), FromMm(Uniform(random, -9, 9))};
       const std::vector<RegionEdges::Edge> near = grid.Near(p, q);
       for (const RegionEdges::Edge& edge : edges) {
-        // No edge that the segment crosses is missing.
+        // No edge that the segment crosses may be missing.
         const bool crosses =
             (Cross(q - p, edge.a - p) > 0) != (Cross(q - p, edge.b - p) > 0) &&
             (Cross(edge.b - edge.a, p - edge.a) > 0) != (Cross(edge.b - edge.a, q - edge.a) > 0);

@@ -10,21 +10,21 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Of rings that are shorter than a few arms.
+/// Largest arm of a short ring, as a share of its length.
 constexpr double kArmOfLength = 1.0 / 8;
-/// Turns below this are no corners.
+/// Smallest turn that counts as a corner.
 constexpr double kLeastTurnRad = std::numbers::pi / 15;
-/// Turns of a rounded corner that count as equal.
+/// Difference up to which turns of a rounded corner count as equal.
 constexpr double kSameTurnRad = std::numbers::pi / 90;
-/// A corner that is longer than this part of its ring is none.
+/// Largest length of a corner, as a share of its ring.
 constexpr double kLongestCorner = 1.0 / 3;
 
-/// tan 22.5 degrees.
+/// Tangent of 22.5 degrees.
 constexpr double kSixteenth = std::numbers::sqrt2 - 1;
-/// cos^2 of kLeastTurnRad.
+/// Square of the cosine of kLeastTurnRad.
 constexpr double kStraightCosine2 = 0.95677;
 
-/// Whether it turns by less than kLeastTurnRad, without the angle.
+/// Returns true if the bend turns by less than kLeastTurnRad, without computing the angle.
 bool IsStraight(const Bend& bend) {
   const double cosine = Dot(bend.in, bend.out);
   return cosine > 0 &&
@@ -66,7 +66,8 @@ Point RingShape::At(double along_nm, size_t& edge) const {
   const double length = ends_[edge + 1] - ends_[edge];
   if (length <= 0) return from;
   const double share = std::clamp((along_nm - ends_[edge]) / length, 0.0, 1.0);
-  // Whole nanometres will do: seams go to the nearest place of a wall anyway.
+  // Truncating to whole nanometres is exact enough, because seams move to the nearest place of a
+  // wall later.
   return {from.x + static_cast<Coord>(share * static_cast<double>(to.x - from.x)),
           from.y + static_cast<Coord>(share * static_cast<double>(to.y - from.y))};
 }
@@ -88,7 +89,7 @@ std::vector<Corner> RingShape::Turns() const {
   all.reserve(n);
   for (const Bend& bend : BendsAt(std::span(ends_).first(n)))
     all.push_back({ends_[all.size()], IsStraight(bend) ? 0 : bend.TurnRad()});
-  // From a straight place on, so that no corner is cut in two.
+  // Starts at a straight place, so that no corner is split.
   const auto is_straight = [](const Corner& corner) {
     return std::abs(corner.turn_rad) < kLeastTurnRad;
   };
@@ -111,7 +112,7 @@ std::vector<Corner> RingShape::Corners() const {
     while (last < turns.size() && same_corner(turns[last - 1], turns[last])) ++last;
     double most = 0;
     for (size_t i = first; i < last; ++i) most = std::max(most, std::abs(turns[i].turn_rad));
-    // The middle of what turns most.
+    // Takes the middle of the points with the largest turn.
     std::vector<size_t> sharpest;
     for (size_t i = first; i < last; ++i)
       if (std::abs(turns[i].turn_rad) >= most - kSameTurnRad) sharpest.push_back(i);

@@ -61,7 +61,7 @@ TEST(RingShape, OutwardIsTheSixteenthOfTheTurnThatTheAngleLiesIn) {
 }
 
 TEST(RingShape, FindsCornersThroughFineFacets) {
-  // A right angle rounded by 0.05 mm in 16 facets.
+  // A right angle, rounded by 0.05 mm in 16 facets.
   Polygon ring = MakeLineOrDie("(0 0, 10 0)");
   for (int i = 0; i <= 16; ++i) {
     const double a = pi / 2 * i / 16;
@@ -76,7 +76,7 @@ TEST(RingShape, FindsCornersThroughFineFacets) {
 }
 
 TEST(RingShape, ACornerIsWholeWhereverTheRingStarts) {
-  // A fillet of 2 mm: its middle is the corner, from whichever point the ring is told.
+  // A fillet of 2 mm. Its middle is the corner, independent of the ring's first point.
   Polygon ring = MakeLineOrDie("(20 0, 20 20, 0 20, 0 2)");
   for (int i = 1; i <= 20; ++i) {
     const double a = pi + pi / 2 * i / 20;

@@ -16,11 +16,12 @@ namespace {
 
 constexpr int32_t kMostCells = 256;  // along each side
 constexpr double kReachMm = 30;
-/// How large the patches of the surface are that are seen alike.
+/// Size of the surface patches that share one visibility, in mm.
 constexpr int32_t kPatchMm = 4;
-/// Outlines with more crossings of rows are taken to hide nothing: a bound on the work.
+/// Upper limit of row crossings, which bounds the work. Outlines with more crossings are ignored.
 constexpr double kMostCrossings = 20e6;
-/// Rays start this far from the middle of the cell, so that the surface in it does not hide itself.
+/// Distance of a ray's start from the middle of the cell, in cells. With this distance the surface
+/// in the cell does not hide itself.
 constexpr double kLiftCells = 1.5;
 constexpr std::array<double, 4> kSideways = {-std::numbers::pi / 3, -std::numbers::pi / 9,
                                              std::numbers::pi / 9, std::numbers::pi / 3};
@@ -28,7 +29,7 @@ constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz by horizontal lengt
 
 Vector2 DirectionOf(double angle_rad) { return {Cos(angle_rad), Sin(angle_rad)}; }
 
-/// Of places with the same direction outwards.
+/// Rays from places with the same outward direction.
 struct Rays {
   Vector2 outward;
   std::array<Vector2, kSideways.size()> sideways;
@@ -52,7 +53,7 @@ int32_t FloorMm(double nm) { return static_cast<int32_t>(std::floor(nm / kNmPerM
 
 int32_t FloorDiv(int32_t a, int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// How many millimetres of y the edges go through, all in all.
+/// Returns the sum of the edges' extents in y, in mm.
 double RowsCrossed(const MultiPolygon& outlines) {
   double rows = 0;
   ForEachRing(outlines, [&](const Polygon& ring) {
@@ -63,7 +64,8 @@ double RowsCrossed(const MultiPolygon& outlines) {
   return rows;
 }
 
-/// Where the edges of all rings cross the middle line of each millimetre of y, in nm.
+/// Returns the positions where edges of all rings cross the middle line of each millimetre of y, in
+/// nm.
 std::map<int32_t, std::vector<double>> Crossings(const MultiPolygon& outlines) {
   std::map<int32_t, std::vector<double>> crossings;
   constexpr double kHalf = 0.5 * kNmPerMm;
@@ -94,7 +96,7 @@ void Occupancy::Add(const MultiPolygon& outlines, Coord top_nm) {
   for (auto& [row, places] : Crossings(outlines)) {
     std::ranges::sort(places);
     for (size_t i = 0; i + 1 < places.size(); i += 2) {
-      // Cells whose middle is inside.
+      // Takes the cells with their middle inside.
       const int32_t first = FloorMm(places[i] + 0.5 * kNmPerMm);
       const int32_t last = FloorMm(places[i + 1] + 0.5 * kNmPerMm);
       if (first < last) runs_.push_back({slab, row, first, last});
@@ -138,7 +140,8 @@ bool Occupancy::IsSolid(Cell cell) const {
   return (solid_[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
-/// In cells.
+/// Returns true if a ray leaves the grid without meeting a solid cell. `from` and `step` are in
+/// cells.
 bool Occupancy::LeadsOut(const double from[3], const double step[3]) const {
   const int steps = static_cast<int>(kReachMm) / cell_mm_;
   for (int i = 0; i <= steps; ++i) {
@@ -169,7 +172,7 @@ double Occupancy::Visibility(Point at, Coord z_nm, int outward) {
   const Cell cell{FloorDiv(FloorMm(static_cast<double>(at.x)) - least_.x, cell_mm_),
                   FloorDiv(FloorMm(static_cast<double>(at.y)) - least_.y, cell_mm_),
                   FloorMm(static_cast<double>(std::max<Coord>(z_nm - 1, 0))) / cell_mm_};
-  // Cells of the surface lie in the grid or beside it.
+  // The surface's cells are in the grid or directly beside it.
   const int32_t patch = std::max(kPatchMm / cell_mm_, 1);
   const auto number = static_cast<uint64_t>((cell.x + 1) / patch) +
                       static_cast<uint64_t>((cell.y + 1) / patch) * 1024 +

@@ -8,22 +8,26 @@
 
 namespace slicefarm::planning {
 
-/// Where an object is, roughly: its outlines stacked up in cells of a millimetre, coarser for
-/// objects of more than 256 mm. Tells how much is seen of a place on its surface.
+/// Coarse model of an object: its outlines stacked in cells of a millimetre. Cells are larger for
+/// objects of more than 256 mm. Computes the visibility of places on the surface.
 class Occupancy {
  public:
-  /// A section whose layer reaches up to `top_nm` above the object's bottom; of those that end in
-  /// one millimetre of height the first counts. Cost: O(edges * millimetres of height in y).
+  /// Adds a section with its top at `top_nm` above the object's bottom. Of several sections with
+  /// tops in the same millimetre only the first counts. Cost: O(edges * millimetres of height in
+  /// y).
   void Add(const MultiPolygon& outlines, Coord top_nm);
 
-  /// To be called after Adds and before Visibility, which then knows them. Cost: O(volume in
-  /// cells).
+  /// Builds the cells from the added sections. Call after Add and before Visibility. Cost: O(volume
+  /// in cells).
   void Build();
 
-  /// Which share of the directions from a place on the surface leads out of the object, or 30 mm
-  /// far: of twelve, up to 60 degrees to the sides and 45 up and down. As seen from the first place
-  /// that was asked for of those in a patch, a cube of 4 mm, with the same direction `outward`
-  /// (Bend::Outward). In [0, 1]. Cost: O(30 mm) for a new patch.
+  /// Returns the visibility of a place on the surface in [0, 1]: the share of directions that leave
+  /// the object or reach 30 mm. There are twelve directions, up to 60 degrees to the sides and 45
+  /// degrees up and down.
+  ///
+  /// All places in a patch (a cube of 4 mm) with the same direction `outward` (Bend::Outward) share
+  /// one value. It is computed from the first queried place of the patch. Cost: O(30 mm) for a new
+  /// patch.
   double Visibility(Point at, Coord z_nm, int outward);
 
  private:
@@ -44,13 +48,13 @@ class Occupancy {
   bool LeadsOut(const double from[3], const double step[3]) const;
   double SeenFrom(Cell cell, int outward) const;
 
-  std::vector<Run> runs_;  ///< of the millimetre grid
+  std::vector<Run> runs_;  ///< solid runs of the millimetre grid
   int32_t last_slab_ = -1;
   int32_t cell_mm_ = 1;
   Cell least_;
   Cell size_;
-  std::vector<uint64_t> solid_;  ///< a bit for each cell
-  absl::flat_hash_map<uint64_t, float> seen_;  ///< by patch and direction
+  std::vector<uint64_t> solid_;  ///< one bit per cell
+  absl::flat_hash_map<uint64_t, float> seen_;  ///< visibility by patch and direction
 };
 
 }  // namespace slicefarm::planning

@@ -16,7 +16,7 @@ Occupancy PrismOf(std::string_view outlines, int layers) {
   return occupancy;
 }
 
-/// Of the direction that holds an angle.
+/// Returns the index of the outward direction that contains an angle.
 int Towards(double degrees) { return static_cast<int>(degrees / 360 * kOutwards); }
 
 TEST(Occupancy, AConvexPartIsInPlainView) {

@@ -9,7 +9,7 @@ namespace slicefarm::planning {
 
 inline Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-/// A ring of `points` on a circle.
+/// Returns a ring of `points` points on a circle.
 inline Polygon CircleRing(Point center, double radius_mm, int points, double phase_rad = 0) {
   Polygon ring;
   for (int i = 0; i < points; ++i) {
@@ -19,7 +19,7 @@ inline Polygon CircleRing(Point center, double radius_mm, int points, double pha
   return ring;
 }
 
-/// A square around the origin, turned.
+/// Returns a rotated square around the origin.
 inline Polygon TurnedSquare(double side_mm, double angle_rad) {
   return CircleRing({}, side_mm / std::numbers::sqrt2, 4, angle_rad + std::numbers::pi / 4);
 }

@@ -10,40 +10,40 @@ namespace {
 
 constexpr double kOuterCorner = 0.5;
 constexpr double kStraight = 3.5;
-/// Turns from here on count as sharp.
+/// Smallest turn of a sharp corner.
 constexpr double kSharpRad = std::numbers::pi / 4;
-/// What a place costs that nobody sees, of one in plain view: corners come first, be they seen or
-/// not.
+/// Cost of an invisible place, as a share of the cost in plain view. So the corner counts more than
+/// the visibility.
 constexpr double kHidden = 0.8;
 constexpr double kSeen = 6;
-/// For `hidden` and `rear`: what corners count yet.
+/// Weight of corners with `hidden` and `rear`.
 constexpr double kLittle = 0.25;
-/// For each mm that a place lies before the rear-most one of its ring.
+/// Cost per mm of distance in y from the rear-most place of the ring.
 constexpr double kFromRear = 4;
-/// Per mm: decide between places that are nearly equal. So the seams of contours one inside the
-/// other, and of holes side by side, lie near to each other, and the way between them is short.
+/// Costs per mm that decide between nearly equal places. So seams of nested contours, and of
+/// neighbouring holes, are close together, and the travel between them is short.
 constexpr double kRearOfEqual = 2e-3;
 constexpr double kLeftOfEqual = 1e-3;
-/// What overhangs cost, in heights of a layer.
+/// Cost of overhangs, from a limit in layer heights up to the next range.
 struct OverhangRange {
   double from = 0;
-  double per_height = 0;  ///< from there on
+  double per_height = 0;  ///< cost per layer height in this range
 };
-/// tan 55 degrees.
+/// Tangent of 55 degrees.
 constexpr double kSteep = 1.43;
-/// Walls that lean are no reason to jump; steep ones are. Where all of a ring hangs over, the seam
-/// is best where it does the least, but what lies in the air by far is not much worse for lying
-/// further.
+/// Cost ranges of overhangs. A slightly leaning wall is no reason for a jump of the seam, but a
+/// steep one is. Where a whole ring overhangs, the seam is best at the smallest overhang. A place
+/// far in the air is hardly better than one still farther.
 constexpr std::array<OverhangRange, 3> kOverhangs{{{0.6, 4}, {kSteep, 20}, {kSteep + 1, 5}}};
-/// More than all others of a job together.
+/// Costs that exceed all remaining costs of a job together.
 constexpr double kBlocked = 1e9;
 constexpr double kNotEnforced = 1e6;
-/// For each mm that an enforced place lies beside the middle of its run, up to so many: more than
-/// to be seen, less than a sharp corner is worth.
+/// Cost per mm between an enforced place and the middle of its run, and its maximum. The maximum
+/// exceeds the cost of visibility, but not the advantage of a sharp corner.
 constexpr double kOffMiddle = 1;
 constexpr double kMostOffMiddle = 2;
 
-/// 0 at a sharp inner corner.
+/// Returns the cost of the shape; 0 at a sharp inner corner.
 double Shape(const SeamPlace& place) {
   const double sharpness = std::min(std::abs(place.turn_rad) / kSharpRad, 1.0);
   const double corner = place.turn_rad < 0 ? 0 : kOuterCorner;
@@ -59,7 +59,8 @@ double Overhang(const SeamPlace& place) {
   return cost;
 }
 
-/// Even bits in, even bits out (splitmix64's finish: Steele, Lea, Flood 2014).
+/// Mixes the bits so that the result is evenly distributed (final steps of splitmix64: Steele, Lea,
+/// Flood 2014).
 uint64_t Mixed(uint64_t bits) {
   bits += 0x9e3779b97f4a7c15;
   bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
@@ -67,7 +68,7 @@ uint64_t Mixed(uint64_t bits) {
   return bits ^ (bits >> 31);
 }
 
-/// In [0, 1).
+/// Returns a pseudo-random number in [0, 1).
 double Random(RingNumber number, size_t place) {
   uint64_t bits = Mixed(static_cast<uint64_t>(number.object));
   bits = Mixed(bits ^ static_cast<uint64_t>(number.layer));

@@ -8,34 +8,40 @@
 
 namespace slicefarm::planning {
 
-/// Which ring of a job it is, for what must differ from ring to ring.
+/// Number of a ring in a job, for results that must differ from ring to ring.
 struct RingNumber {
   int32_t object = 0;
   int32_t layer = 0;
   int32_t ring = 0;
 };
 
-/// How little each place suits a seam: 0 at a sharp inner corner, 0.5 at a sharp outer one, 3.5 on
-/// a straight wall, all in plain view and a fifth less out of it; for each height of the layer that
-/// it hangs over the layer below 4 more from 0.6 heights on, 20 from 1.43 and 5 from 2.43. A step
-/// of a millimetre from layer to layer costs 4, and 4 more if it goes sideways; a jump 40
-/// (StepCostOf).
-///   aligned  corner first, then how much is seen of it; of those that are nearly equal the
-///            rear-most, then left-most
-///   rear     how far it is from the rear
-///   hidden   how much is seen of it first
-///   random   a number that depends on nothing but `number`
-/// Blocked places cost more than anything else, then those that are not enforced where some are. Of
-/// enforced ones those in the middle of their run are better, but for `random`, and corners better
-/// still.
-/// Shapes: one a place; `seen`: of each, in [0, 1]. REQUIRES: not nearest.
+/// Returns the cost of a seam at each place.
+/// - Shape: 0 at a sharp inner corner, 0.5 at a sharp outer corner, 3.5 on a straight wall. These
+///   values are for places in plain view; hidden places cost up to a fifth less.
+/// - Overhang, measured in layer heights beyond the layer below: 4 per height from 0.6 heights on,
+///   20 from 1.43, and 5 from 2.43.
+/// - Steps between layers (StepCostOf): 4 per millimetre, plus 4 per square millimetre sideways. A
+///   jump costs 40.
+///
+/// The seam position selects the main cost:
+///   aligned  first the shape, then the visibility; of nearly equal places the rear-most,
+///            then the left-most.
+///   rear     the distance from the rear.
+///   hidden   first the visibility.
+///   random   a number that depends on `number` and the place alone.
+///
+/// Blocked places have the highest cost. Next are places that are not enforced on a ring with
+/// enforced places. Enforced places are cheaper in the middle of their run (except with `random`),
+/// and still cheaper at corners.
+/// Shapes: one cost per place. `seen`: visibility of each place, in [0, 1]. REQUIRES: the position
+/// is not `nearest`.
 std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
                               SeamPosition position, RingNumber number);
 
-/// What steps cost in this mode: nothing if seams need not be in line.
+/// Returns the costs of steps for a seam position. They are zero if seams need not be in line.
 StepCost StepCostOf(SeamPosition position);
 
-/// Whether it hangs over the layer below at more than 55 degrees from upright.
+/// Returns true if the place overhangs the layer below by more than 55 degrees from upright.
 bool Overhangs(const SeamPlace& place);
 
 }  // namespace slicefarm::planning

@@ -112,7 +112,7 @@ TEST(SeamCosts, WhereAllHangsOverTheLeastIsBest) {
   EXPECT_EQ(Cheapest(places, {1, 1}, SeamPosition::kAligned), 1u);
 }
 
-// As on a screw: no layer of it is steep, and the seam stays in line.
+// Models a screw: none of its layers is steep, and the seam stays in line.
 TEST(SeamCosts, TenLayersThatLeanCostLessThanAJump) {
   std::vector<SeamPlace> places = {PlaceAt(0, 0), PlaceAt(0, 0), PlaceAt(0, 0)};
   places[1].overhang = 1;

@@ -11,18 +11,18 @@ size_t FirstLeast(const std::vector<double>& costs) {
   return static_cast<size_t>(std::ranges::min_element(costs) - costs.begin());
 }
 
-/// The square of what is sideways of a step, in mm^2.
+/// Returns the square of the sideways part of a step, in mm^2.
 double Sideways2(double step_mm, double away_mm) {
   return std::max(step_mm * step_mm - away_mm * away_mm, 0.0);
 }
 
-/// What the tree above a node comes to, by the place of its parent; and the node's place for each.
+/// Cost of the tree above a node for each place of its parent, with the node's best place for each.
 struct Message {
   std::vector<double> costs;
   std::vector<int32_t> best;
 };
 
-/// The places from left to right; the first of equals first.
+/// Returns the places' indices from left to right. Equal places keep their order.
 std::vector<int32_t> ByX(const std::vector<Point>& places) {
   std::vector<int32_t> order(places.size());
   std::iota(order.begin(), order.end(), 0);
@@ -30,8 +30,8 @@ std::vector<int32_t> ByX(const std::vector<Point>& places) {
   return order;
 }
 
-/// `costs`: of the tree from `node` up, by its place. A step leads to a place near to the parent's,
-/// or is a jump to the cheapest of all.
+/// Computes the message of a node to its parent. `costs`: cost of the tree from `node` up, by
+/// place. A step goes to a place near the parent's place, or jumps to the cheapest place of all.
 Message Below(const SeamNode& node, const std::vector<double>& costs, const SeamNode& parent,
               const StepCost& step) {
   const auto x_of = [&](int32_t p) { return node.places[static_cast<size_t>(p)].x; };

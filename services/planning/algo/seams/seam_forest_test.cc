@@ -29,7 +29,7 @@ double CostOf(const std::vector<SeamNode>& nodes, const std::vector<int32_t>& ch
   return cost;
 }
 
-/// Looks at all choices.
+/// Tries all choices.
 double LeastCost(const std::vector<SeamNode>& nodes, const StepCost& step) {
   std::vector<int32_t> chosen(nodes.size(), 0);
   double least = std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
   for (int turn = 0; turn < 300; ++turn) {
     std::vector<SeamNode> nodes(static_cast<size_t>(1 + up_to(7)));
     for (size_t i = 0; i < nodes.size(); ++i) {
-      // Any ring before it: chains, splits, several roots.
+      // The parent is any earlier ring, so there are chains, splits and several roots.
       nodes[i].parent = i == 0 ? -1 : up_to(static_cast<int>(i) + 1) - 1;
       for (int p = up_to(4); p >= 0; --p) {
         nodes[i].places.push_back(Mm(0.25 * up_to(20), 0.25 * up_to(4)));
@@ -84,7 +84,7 @@ TEST(SeamForest, StaysForAFewLayersThatAreBetterElsewhere) {
   EXPECT_THAT(CheapestSeams(nodes, {0.8, 4, 0, 5}), testing::Each(0));
 }
 
-// As on the flat top of a dome: each ring lies a millimetre inside of the one below.
+// Models the flat top of a dome: each ring is a millimetre inside the ring below.
 TEST(SeamForest, StepsThatAWallAsksForAreNoJumps) {
   std::vector<SeamNode> nodes;
   for (int i = 0; i < 8; ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr size_t kReach = 8;  // layers
 
-/// Each line bottom up, as numbers of choices.
+/// Returns the lines as indices of choices, each line bottom up.
 std::vector<std::vector<size_t>> LinesOf(std::span<const SeamChoice> choices) {
   constexpr size_t kNone = SIZE_MAX;
   std::vector<std::vector<size_t>> lines;
@@ -29,8 +29,8 @@ std::vector<std::vector<size_t>> LinesOf(std::span<const SeamChoice> choices) {
   return lines;
 }
 
-/// How far a mean around each choice of a line may reach: neither beyond its ends nor beyond a
-/// fixed one.
+/// Returns the reach of the mean around each choice of a line. The mean does not extend beyond the
+/// line's ends or beyond a fixed choice.
 std::vector<size_t> ReachesOn(const std::vector<size_t>& line,
                               std::span<const SeamChoice> choices) {
   std::vector<size_t> reaches(line.size(), kReach);
@@ -43,7 +43,8 @@ std::vector<size_t> ReachesOn(const std::vector<size_t>& line,
   return reaches;
 }
 
-/// The mean of the seams up to `reach` below and above, the nearer the more.
+/// Returns the weighted mean of the seams up to `reach` below and above. Nearer seams have more
+/// weight.
 Point MeanAround(size_t middle, size_t reach, const std::vector<size_t>& line,
                  std::span<const SeamChoice> choices) {
   Coord x = 0, y = 0;

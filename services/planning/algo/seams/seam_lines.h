@@ -8,21 +8,22 @@
 
 namespace slicefarm::planning {
 
-/// The seam that was chosen for a ring, and how far to either side it may be moved.
+/// Chosen seam of a ring, and the range in which it may move.
 struct SeamChoice {
-  int32_t parent = -1;  ///< the ring below in whose line it stands, which comes before it; -1: none
+  int32_t parent = -1;  ///< ring below in the same line of seams, always earlier; -1: none
   Point at;
-  Point before, after;  ///< on a wall without corners it may lie anywhere on the way from `before`
-                        ///< through `at` to `after`; a seam that has to stay has both at `at`
+  /// Ends of the seam's range. On a wall without corners the seam may move along the line from
+  /// `before` through `at` to `after`. A fixed seam has both ends at `at`.
+  Point before, after;
 
   bool IsFixed() const { return before == at && after == at; }
 };
 
-/// Seams in straight lines up the walls: places stand two millimetres apart, so a line of seams
-/// that leans goes up in steps of about that much; here each seam moves to the mean of those around
-/// it in its line, up to eight below and above. Fixed seams and the ends of lines stay, and no mean
-/// reaches beyond them. Where lines part, the first goes on through the ring below.
-/// Shapes: one a choice. Cost: O(choices).
+/// Straightens lines of seams along the walls. Places are two millimetres apart, so a leaning line
+/// of seams has steps of about this size. Each seam moves to the mean of its neighbours in the
+/// line, up to eight below and above. Fixed seams and the ends of lines stay, and no mean reaches
+/// beyond them. Where a line splits, the first branch continues it.
+/// Shapes: one point per choice. Cost: O(choices).
 std::vector<Point> SmoothSeams(std::span<const SeamChoice> choices);
 
 }  // namespace slicefarm::planning

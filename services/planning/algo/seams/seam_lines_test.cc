@@ -10,7 +10,7 @@
 namespace slicefarm::planning::seam_lines_test {
 namespace {
 
-/// A place on a long straight wall, with neighbours a millimetre to either side.
+/// Returns a choice on a long straight wall, with neighbours a millimetre to either side.
 SeamChoice OnAWall(int32_t parent, double x_mm) {
   return {parent, Mm(x_mm, 0), Mm(x_mm - 1, 0), Mm(x_mm + 1, 0)};
 }
@@ -19,7 +19,7 @@ SeamChoice Fixed(int32_t parent, double x_mm) {
   return {parent, Mm(x_mm, 0), Mm(x_mm, 0), Mm(x_mm, 0)};
 }
 
-/// One line of seams at these places.
+/// Returns one line of seams at the given positions.
 std::vector<SeamChoice> LineOf(const std::vector<double>& x_mm) {
   std::vector<SeamChoice> line;
   for (const double x : x_mm) line.push_back(OnAWall(static_cast<int32_t>(line.size()) - 1, x));

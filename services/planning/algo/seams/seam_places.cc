@@ -18,26 +18,27 @@ constexpr double kPaintedSpacingNm = 250'000;
 constexpr double kMostPlaces = 100;
 constexpr double kMostPaintedPlaces = 400;
 constexpr double kFewestPlaces = 8;
-/// Of rings with more corners the sharpest count.
+/// Largest number of corners per ring. Of more corners the sharpest are kept.
 constexpr size_t kMostCorners = 200;
-/// Rings are linked, and overhangs measured, over this distance in the plane.
+/// Distance in the plane over which rings are linked and overhangs are measured.
 constexpr Coord kReachNm = 2'000'000;
-/// Places that come closer together than this part of the spacing become one.
+/// Share of the spacing below which two places become one.
 constexpr double kTooClose = 0.4;
-/// What is further apart than this many spacings gets a place between.
+/// Number of spacings above which a place is added between two places.
 constexpr double kTooFar = 1.5;
-/// Corners this close to each other are the same.
+/// Distance below which two corners count as one.
 constexpr double kSameCornerNm = 100'000;
 
-/// A place this close to a point of the ring lies on it.
+/// Distance below which a place counts as a point of the ring.
 constexpr double kSamePointNm = 50'000;
 
-/// Why a place should be on a ring, from the least on. A point of the ring over a corner of the
-/// layer below stays beside a corner close to it: of a bevel's two, first the one and then the
-/// other is the sharper by a hair, and a line of seams must be able to stay on either.
+/// Reasons for a place on a ring, the weakest first. kOverCorner is a ring point above a corner of
+/// the layer below. It stays beside a close corner, because the two corners of a bevel are nearly
+/// equally sharp. Either may be the sharper one on a given layer, and a line of seams must be able
+/// to stay on it.
 enum class Wish { kOver, kOverCorner, kCorner };
 
-/// A place to be, by its length along a ring.
+/// Wanted place, given by its length along a ring.
 struct Along {
   double nm = 0;
   Wish wish = Wish::kOver;
@@ -59,7 +60,7 @@ double SpacingOn(const RingShape& shape, bool painted) {
   return std::min(spacing, length / kFewestPlaces);
 }
 
-/// Thins out and fills up: corners stay.
+/// Merges places that are too close and fills gaps that are too wide. Corners stay.
 std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, double spacing) {
   std::ranges::sort(wanted, {}, [](const Along& a) { return std::pair(a.nm, a.wish); });
   std::vector<Along> kept;
@@ -90,8 +91,8 @@ std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, do
   return all;
 }
 
-/// Tells enforced places how far they are from the middle of their run. Rings that are enforced all
-/// around have none. `along`: where the places are; they ascend.
+/// Stores in enforced places their distance from the middle of their run. A ring that is enforced
+/// all around has no runs. `along`: positions of the places, ascending.
 void MeasureRuns(const std::vector<double>& along, double length_nm,
                  std::vector<SeamPlace>& places) {
   const size_t n = places.size();
@@ -109,7 +110,7 @@ void MeasureRuns(const std::vector<double>& along, double length_nm,
   }
 }
 
-/// The rings of one layer while their places are sought.
+/// Rings of one layer, with the places wanted on them so far.
 class LayerRings {
  public:
   explicit LayerRings(const ObjectSection& section)
@@ -128,7 +129,7 @@ class LayerRings {
 
   size_t size() const { return shapes_.size(); }
 
-  /// A place of ring `ring_below` of the layer below wants to go on here.
+  /// Adds a place above a place of ring `ring_below` in the layer below.
   void Continue(int32_t ring_below, bool from_corner, const RegionEdges::Hit& hit) {
     const auto ring = static_cast<size_t>(hit.ring);
     const auto edge = static_cast<size_t>(hit.edge);
@@ -140,7 +141,8 @@ class LayerRings {
     votes_[ring][ring_below] += kReachNm - hit.distance_nm;
   }
 
-  /// The ring below that most places of `ring` come from, the nearer the better; -1: none.
+  /// Returns the ring below with the most places that continue on `ring`, weighted by nearness; -1:
+  /// none.
   int32_t BelowOf(size_t ring) const {
     int32_t best = -1;
     double most = 0;
@@ -177,7 +179,7 @@ class LayerRings {
   const MultiPolygon& outlines_;
   std::vector<RingShape> shapes_;
   std::vector<std::vector<Along>> wanted_;
-  std::vector<std::map<int32_t, double>> votes_;  ///< by ring, then by ring below
+  std::vector<std::map<int32_t, double>> votes_;  ///< votes by ring, then by ring below
 };
 
 }  // namespace
@@ -188,7 +190,7 @@ bool IsCorner(const SeamPlace& place) {
 
 namespace {
 
-/// How a place lies to the layer below, as far as kReachNm.
+/// Measures the overhang of a place and its distance from the layer below, up to kReachNm.
 void MeasureOver(const MultiPolygon& below, const RegionEdges& edges, Coord height_nm,
                  SeamPlace& place) {
   const auto hit = edges.Nearest(place.at, kReachNm);

@@ -9,35 +9,37 @@
 
 namespace slicefarm::planning {
 
-/// A place on a ring where its seam may be, and what speaks for and against it.
+/// Place on a ring for a possible seam, with the properties that decide about it.
 struct SeamPlace {
   Point at;
-  float turn_rad = 0;     ///< Bend::TurnRad
-  float overhang = 0;     ///< how far it hangs over the layer below, in heights of the layer
-  float away_mm = 0;      ///< how far from the outlines of the layer below; 0 without one
-  uint8_t outward = 0;    ///< Bend::Outward
-  float off_middle_mm = 0;  ///< along the ring, from the middle of the run of enforced places
+  float turn_rad = 0;  ///< turn as in Bend::TurnRad
+  float overhang = 0;  ///< distance beyond the layer below, in heights of the layer
+  float away_mm = 0;  ///< distance from the outlines of the layer below; 0 without a layer below
+  uint8_t outward = 0;  ///< direction as in Bend::Outward
+  /// Distance along the ring from the middle of the run of enforced places.
+  float off_middle_mm = 0;
   bool enforced = false;
   bool blocked = false;
 };
 
-/// Corners that count as such: inner ones from 15 degrees on, outer ones from 30.
+/// Returns true if the place is a corner: an inner corner from 15 degrees on, or an outer one from
+/// 30.
 bool IsCorner(const SeamPlace& place);
 
-/// An outline of a layer.
+/// Places on one outline of a layer.
 struct RingPlaces {
   int32_t below =
-      -1;  ///< the ring of the layer below that it continues: its number there; -1: none
-  std::vector<SeamPlace> places;  ///< by length along the ring; one at least
+      -1;  ///< index of the ring that it continues in the layer below; -1: none
+  std::vector<SeamPlace> places;  ///< in order of the length along the ring; at least one
 };
 
-/// Goes up the layers of one object and finds places for seams: corners, places straight above
-/// those of the layer below, so that seams can stand upright on any wall, and others where there
-/// are no such, two millimetres apart, no more than about a hundred on a ring. Where the part is
-/// painted, four times as many. Memory: of one layer.
+/// Finds places for seams, going up the layers of one object. Places are at corners and straight
+/// above the places of the layer below, so that seams can be upright on any wall. Further places
+/// fill gaps, two millimetres apart, up to about a hundred per ring. Painted parts have four times
+/// as many. Memory: one layer.
 class PlaceFinder {
  public:
-  /// The rings of the next section, by the order of ForEachRing.
+  /// Returns the places on the rings of the next section, in the order of ForEachRing.
   std::vector<RingPlaces> Next(const ObjectSection& section);
 
  private:

@@ -45,7 +45,7 @@ TEST(PlaceFinder, PlacesOfARoundWallStandOverEachOther) {
   PlaceFinder finder;
   auto below = finder.Next(SectionOf({{CircleRing({}, 10, 100), {}}}));
   for (int layer = 1; layer < 20; ++layer) {
-    // The facets turn from layer to layer; the places must not.
+    // The facets rotate from layer to layer. The places must not follow them.
     auto here = finder.Next(SectionOf({{CircleRing({}, 10, 100, 0.013 * layer), {}}}, layer));
     EXPECT_EQ(here[0].below, 0);
     size_t upright = 0;
@@ -58,7 +58,7 @@ TEST(PlaceFinder, PlacesOfARoundWallStandOverEachOther) {
 }
 
 TEST(PlaceFinder, LinesCanStayOnEitherEndOfABevel) {
-  // The sharper end is first the one, then the other.
+  // The sharper end alternates between the two corners.
   PlaceFinder finder;
   finder.Next(SectionOrDie(0, 0, "(0 0, 19.84 0, 20 0.13, 20 10, 0 10)"));
   const auto rings = finder.Next(SectionOrDie(0, 1, "(0 0, 19.88 0, 20 0.17, 20 10, 0 10)"));
@@ -120,7 +120,8 @@ TEST(PlaceFinder, PaintedPartsHaveMorePlaces) {
   EXPECT_GE(enforced, 1);
 }
 
-/// Two runs, one of them over the ring's first place; then all around.
+/// The ring has two runs, one of them across the ring's first place. Then the whole ring is
+/// enforced.
 TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
   ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
   section.marks = {{PartRole::kSeamEnforcer,

@@ -10,12 +10,12 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Longer steps are jumps.
+/// Longest step that does not count as a jump.
 constexpr double kJumpMm = 1;
-/// A seam does not move to where the wall hangs over by so many heights of a layer more.
+/// Largest increase of the overhang when a seam moves, in heights of a layer.
 constexpr float kMoreOverhang = 0.1F;
 
-/// Seams on corners and those near paint stay.
+/// Returns the movable range of a seam. Seams on corners and near paint stay.
 SeamChoice ChoiceOf(const std::vector<SeamPlace>& places, int32_t chosen) {
   const auto count = static_cast<int32_t>(places.size());
   const SeamPlace& seam = places[static_cast<size_t>(chosen)];
@@ -130,8 +130,8 @@ void SeamPlanner::SettleBelow(int32_t end, int32_t object, ObjectSeams& seams,
   Forget(i, seams);
 }
 
-/// Of the first `rings` rings the last layer stays, with the seams as their only places: what comes
-/// above follows them.
+/// Removes the first `rings` rings except the last layer of them. The rings of this layer keep
+/// their seam as the only place, because the layers above follow them.
 void SeamPlanner::Forget(size_t rings, ObjectSeams& seams) {
   if (rings == 0) return;
   size_t first = rings;

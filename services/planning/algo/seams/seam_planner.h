@@ -15,20 +15,23 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Where the walls of each ring start, by the object's seam position. `nearest`: nothing is
-/// planned, so each layer decides, but for layers with enforcers or blockers, which are planned as
-/// if `aligned` were asked for. Else: places on each ring (seam_places.h), what they cost
-/// (seam_costs.h), how much is seen of them (occupancy.h), and of all the choice that costs least
-/// over the whole object (seam_forest.h), in straight lines (seam_lines.h).
-/// Where places come to more than `most_places`, the lower half of the layers is settled: with all
-/// that is known by then, though not with what is still to come above.
-/// Cost: O((points + places) * log places) a layer. Memory: about 100 bytes a place, of which there
-/// are one for every two millimetres of outline, but about 100 on a ring.
+/// Plans the seams of each ring by the object's seam position.
+///
+/// With `nearest` nothing is planned, so each layer decides for itself. Only layers with enforcers
+/// or blockers are planned then, as with `aligned`. With every other position the planner finds
+/// places on each ring (seam_places.h). It computes their cost (seam_costs.h) and visibility
+/// (occupancy.h). Then it makes the cheapest choice over the whole object (seam_forest.h) and
+/// straightens the lines of seams (seam_lines.h).
+///
+/// If there are more than `most_places` places, the lower half of the layers is settled. The choice
+/// then uses all layers so far, but not the layers still to come.
+/// Cost: O((points + places) * log places) per layer. Memory: about 100 bytes per place. There is
+/// one place for every two millimetres of outline, up to about 100 per ring.
 class SeamPlanner : public Planner {
  public:
   static constexpr size_t kMostPlaces = 4'000'000;
 
-  /// `options` must outlive this.
+  /// `options` must outlive this planner.
   explicit SeamPlanner(const PlanningOptions& options, size_t most_places = kMostPlaces)
       : options_(options), most_places_(most_places) {}
 
@@ -37,21 +40,22 @@ class SeamPlanner : public Planner {
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
-  /// A ring of the object, as a node of its forest.
+  /// Ring of the object, as a node of its forest.
   struct Ring {
-    int32_t layer = 0;  ///< of the job's
+    int32_t layer = 0;  ///< index of the print's layer
     RingNumber number;
     Coord z_nm = 0;
-    int32_t parent = -1;  ///< among the object's rings
+    int32_t parent = -1;  ///< index among the object's rings
     std::vector<SeamPlace> places;
-    SeamPlace seam = {};  ///< the choice, once it is made
+    SeamPlace seam = {};  ///< chosen seam, once it is known
   };
   struct ObjectSeams {
     PlaceFinder finder;
     Occupancy occupancy;
-    std::vector<Ring> rings;  ///< first those of the last settled layer, each with its seam alone
-    size_t settled = 0;       ///< how many those are
-    int32_t first_below = 0;  ///< of the rings of the layer below
+    /// Rings; first the rings of the last settled layer, which have only their seam.
+    std::vector<Ring> rings;
+    size_t settled = 0;  ///< number of rings of the last settled layer
+    int32_t first_below = 0;  ///< index of the first ring of the layer below
   };
 
   bool IsPlanned(const ObjectSection& section) const;
@@ -59,17 +63,17 @@ class SeamPlanner : public Planner {
   static std::vector<SeamNode> NodesOf(ObjectSeams& seams, SeamPosition position);
   /// Sets `seam` of all rings.
   static void Choose(ObjectSeams& seams, SeamPosition position);
-  /// Chooses the seams of the rings below layer `end`, with a view to all.
+  /// Chooses the seams of the rings below layer `end`, from the data of all layers so far.
   void SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers);
   static void Forget(size_t rings, ObjectSeams& seams);
   void Count(const std::vector<Ring>& rings, const Ring& ring);
 
   const PlanningOptions& options_;
   const size_t most_places_;
-  size_t places_ = 0;  ///< of rings that are not settled
+  size_t places_ = 0;  ///< number of places on rings that are not settled
   SeamQuality quality_;
-  std::map<int32_t, ObjectSeams> objects_;  ///< by object
-  int32_t layers_ = 0;                      ///< seen
+  std::map<int32_t, ObjectSeams> objects_;  ///< seams by object
+  int32_t layers_ = 0;  ///< number of layers so far
 };
 
 }  // namespace slicefarm::planning

@@ -15,7 +15,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// `settled`: how many layers were settled before the end.
+/// Plans the seams of layers. Writes the number of layers settled before the end to `settled`.
 JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPosition> seams,
                      size_t most_places = SeamPlanner::kMostPlaces, size_t* settled = nullptr) {
   PlanningOptions options;
@@ -34,7 +34,7 @@ JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPos
   return plan;
 }
 
-/// Layers of 0.2 mm, one of each ring.
+/// Returns layers of 0.2 mm, one per ring.
 std::vector<SlicedLayer> LayersOf(const std::vector<Polygon>& rings) {
   std::vector<SlicedLayer> layers(rings.size());
   for (size_t i = 0; i < rings.size(); ++i) {
@@ -53,7 +53,7 @@ std::vector<Point> FirstSeams(const JobPlan& plan) {
   return seams;
 }
 
-/// Mean distance of seams from those below.
+/// Returns the mean distance between each seam and the seam below.
 double MeanStepMm(const std::vector<Point>& seams) {
   double sum = 0;
   for (size_t i = 1; i < seams.size(); ++i) sum += ToMm(Distance(seams[i - 1], seams[i]));
@@ -96,7 +96,7 @@ TEST(SeamPlanner, PrefersAnInnerCorner) {
 }
 
 TEST(SeamPlanner, StaysInLineOnARoundPart) {
-  // The facets turn from layer to layer; the seam must not turn along.
+  // The facets rotate from layer to layer. The seam must not rotate with them.
   for (const SeamPosition position :
        {SeamPosition::kAligned, SeamPosition::kRear, SeamPosition::kHidden}) {
     std::vector<Polygon> rings;
@@ -146,7 +146,7 @@ TEST(SeamPlanner, SettlesALayerThatIsTooMuchByItself) {
 }
 
 TEST(SeamPlanner, KeepsAwayFromOverhangs) {
-  // A wall that leans out to the rear, where the corners are that would be taken else.
+  // A wall that leans out to the rear, where the best corners would be without the overhang.
   std::vector<Polygon> rings;
   for (int i = 0; i < 60; ++i) {
     const double rear = 20 + 0.4 * i;

@@ -20,7 +20,7 @@ constexpr auto kInvalid = absl::StatusCode::kInvalidArgument;
 constexpr Coord kTolerance = 1'000;
 constexpr int kMostPasses = 50;
 
-/// An object as the head sees it.
+/// Object as an obstacle for the head.
 struct Standing {
   size_t index = 0;
   Polygon hull;
@@ -112,7 +112,7 @@ absl::Status CheckPairs(std::span<const SequenceItem> items, const std::vector<S
   return absl::OkStatus();
 }
 
-/// A way through points from `start`, to `end` if given.
+/// Short path through points from `start`, to `end` if given.
 class Tour {
  public:
   Tour(Point start, std::optional<Point> end) : start_(start), end_(end) {}
@@ -137,7 +137,7 @@ class Tour {
     }
   }
 
-  /// One pass of 2-opt; whether it found anything.
+  /// Runs one pass of 2-opt. Returns true if the path became shorter.
   bool ReverseParts() {
     bool found = false;
     for (size_t i = 0; i + 1 < stops_.size(); ++i)
@@ -149,7 +149,7 @@ class Tour {
     return found;
   }
 
-  /// How much shorter the way is with stops i..j the other way round, in nm.
+  /// Returns the length saved by reversing stops i..j, in nm.
   double Gain(size_t i, size_t j) const {
     const Point before = i == 0 ? start_ : stops_[i - 1].middle;
     const Point first = stops_[i].middle, last = stops_[j].middle;
@@ -165,7 +165,7 @@ class Tour {
   std::vector<Standing> stops_;
 };
 
-/// Short ones, then tall ones.
+/// Returns the order: first the short objects, then the tall ones.
 std::vector<size_t> Ordered(std::vector<Standing> all, Point start) {
   std::sort(all.begin(), all.end(), [](const Standing& a, const Standing& b) {
     return std::tie(a.tall, a.middle, a.index) < std::tie(b.tall, b.middle, b.index);
@@ -174,7 +174,7 @@ std::vector<size_t> Ordered(std::vector<Standing> all, Point start) {
       std::find_if(all.begin(), all.end(), [](const Standing& s) { return s.tall; });
   std::vector<Standing> tall(tall_begin, all.end());
   all.erase(tall_begin, all.end());
-  // Where the tall ones begin is known beforehand only if there is one.
+  // The start of the tall objects is known in advance only if there is just one.
   const std::optional<Point> end = tall.size() == 1 ? std::optional(tall[0].middle) : std::nullopt;
   all = Tour(start, end).Through(std::move(all));
   const Point between = all.empty() ? start : all.back().middle;

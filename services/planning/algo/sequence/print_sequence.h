@@ -10,48 +10,47 @@
 
 namespace slicefarm::planning {
 
-/// An object that is printed completely before the next one begins.
+/// Object that is printed completely before the next one begins.
 struct SequenceItem {
-  Polygon footprint;  ///< all that is printed of it (brim, supports), where it stands on the plate
+  Polygon footprint;  ///< outline of the whole print of the object (brim, supports) on the plate
   Coord height_nm = 0;
-  std::string name;  ///< for messages
+  std::string name;  ///< name for messages
 };
 
-/// The head, as PrusaSlicer's settings of these names describe it.
+/// Dimensions of the head, as PrusaSlicer's settings of these names define them.
 struct SequenceOptions {
   Coord clearance_radius_nm = 20 * kNmPerMm;  ///< extruder_clearance_radius: around the nozzle
-  Coord clearance_height_nm = 20 * kNmPerMm;  ///< extruder_clearance_height: gantry over nozzle
-  /// How far in y the gantry, a bar along x, reaches to both sides of the nozzle; not given: it
-  /// is over the whole plate.
+  Coord clearance_height_nm = 20 * kNmPerMm;  ///< extruder_clearance_height: gantry above nozzle
+  /// Reach of the gantry, a bar along x, to both sides of the nozzle in y. Without a value the
+  /// gantry covers the whole plate.
   std::optional<Coord> gantry_reach_nm = {};
-  Point start = {};  ///< where the nozzle comes from
+  Point start = {};  ///< position of the nozzle before the print
 };
 
-/// The order in which to print, as indices of `items`: short objects first, with little travel.
+/// Returns the print order as indices of `items`: short objects first, with little travel.
 ///
-/// An order is good if, while an object is printed, no finished one
-///  - lies within clearance_radius_nm of the object's hull: so the hulls of any two objects must be
-///    so far apart, in whichever order (to 1 um: what an arrangement put exactly there is
-///    accepted);
-///  - is taller than clearance_height_nm and within reach of the gantry in y. Without
-///    gantry_reach_nm: only the last object may be taller.
-/// Both are PrusaSlicer's rules up to 2.8 (sequential_print_horizontal_clearance_valid grows each
-/// hull by half the radius less 0.1 um; sequential_print_vertical_clearance_valid), but it takes
-/// the order as it comes and only checks it. 2.9 models the head in slices and asks an SMT solver.
+/// An order is good if no finished object causes one of these conflicts while another object is
+/// printed:
+///  - The finished object is within clearance_radius_nm of the other object's hull. So the hulls of any two objects must be this far apart, in either order. The tolerance is 1 um, so an arrangement at exactly this distance is accepted.
+///  - The finished object is taller than clearance_height_nm and within reach of the gantry in y. Without gantry_reach_nm only the last object may be taller.
+/// Both are PrusaSlicer's rules up to 2.8: sequential_print_horizontal_clearance_valid grows each
+/// hull by half the radius less 0.1 um, and sequential_print_vertical_clearance_valid. PrusaSlicer
+/// keeps the given order and only checks it. Version 2.9 models the head in slices and uses an SMT
+/// solver.
 ///
-/// The first rule does not depend on the order, and by the second a tall object and a short one
-/// are always good with the short one first, and two tall ones that reach each other in y never
-/// are. So an order exists if no pair is in conflict, and then all short objects, followed by all
-/// tall ones, is one. Within both: nearest neighbour, then 2-opt on the distance of the boxes'
-/// middles. Travels between objects must be made above all that stand: the writer's task.
+/// The first rule does not depend on the order. By the second rule a short object before a tall one
+/// is always good, and two tall objects within reach in y are never good. So an order exists if no
+/// pair is in conflict: all short objects, followed by all tall ones. Each group is ordered by
+/// nearest neighbour, then 2-opt on the distance of the boxes' middles. The writer must make
+/// travels between objects above all finished objects.
 ///
-/// Errors:  OBJECTS_COLLIDE, INVALID_ARGUMENT, for the first pair that no order helps: metadata
-///          `first`, `second` (names), `first_index`, `second_index`, `rule` (`clearance` or
+/// Errors:  OBJECTS_COLLIDE, INVALID_ARGUMENT, for the first pair that is in conflict in any order:
+///          metadata `first`, `second` (names), `first_index`, `second_index`, `rule` (`clearance` or
 ///          `gantry`). REQUEST_MALFORMED for no footprint or a negative height, OUT_OF_RANGE for
 ///          coordinates beyond kMaxCoord, REQUEST_TOO_LARGE for more than kMaxObjects,
 ///          SETTING_OUT_OF_RANGE for negative options.
-/// Cost:    O(n^2) and O(corners) for each two objects near each other; 1,000 objects: 20 ms. The
-///          order depends on where things are, not on the order of the input, but for equal ones.
+/// Cost:    O(n^2), plus O(corners) for each two objects near each other; 1,000 objects: 20 ms. The
+///          order depends on positions, not on the order of the input, except for equal objects.
 /// Source:  G. A. Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6
 ///          (1958): 2-opt.
 absl::StatusOr<std::vector<size_t>> PrintSequence(std::span<const SequenceItem> items,

@@ -32,8 +32,9 @@ SequenceItem Item(std::string name, double x, double y, double height_mm) {
   return {Square(x, y), FromMm(height_mm), std::move(name)};
 }
 
-/// What the head sweeps over while an object is printed: the clearance disc moved along its hull,
-/// and the gantry's bar moved over its range of y. Made with Clipper, unlike the product's code.
+/// Area that the head sweeps while an object is printed: the clearance disc moved along its hull,
+/// and the gantry's bar moved over its range of y. It is computed with Clipper, unlike the
+/// product's code.
 struct Swept {
   MultiPolygon disc;
   MultiPolygon bar;
@@ -58,7 +59,7 @@ bool Meets(const MultiPolygon& swept, const SequenceItem& item) {
   return Area(Intersection(swept, {{ConvexHull(item.footprint), {}}})) > 1e6;
 }
 
-/// meets[a][b]: whether the head meets a, finished, while it prints b.
+/// Returns meets[a][b]: true if the head hits the finished object a while it prints b.
 std::vector<std::vector<bool>> AllMeetings(const std::vector<SequenceItem>& items,
                                            const SequenceOptions& options) {
   std::vector meets(items.size(), std::vector<bool>(items.size(), false));

@@ -11,15 +11,16 @@
 
 namespace slicefarm::planning {
 
-/// Gives each copy that prints something a pass of its own, in the order of PrintSequence: by the
-/// hulls of the copies with their supports, and as high as the objects' outlines reach. What is
-/// added to the plate stays in the first pass: brims, rafts and skirts lie before anything stands.
-/// Errors of Finish: those of PrintSequence, with the objects' names and which copies they are;
-/// REQUEST_TOO_LARGE if the copies have more than kMaxLayerPrograms layers together.
-/// Cost: that of PrintSequence, too little to be cancelled. Memory: O(objects).
+/// Gives each printed copy a pass of its own, in the order of PrintSequence. The input is the hulls
+/// of the copies with their supports, and the objects' heights. Things added to the plate (brims,
+/// rafts and skirts) are printed in the first pass, before any copy.
+/// Errors of Finish: the errors of PrintSequence, with the objects' names and the numbers of the
+/// copies; REQUEST_TOO_LARGE if all copies together have more than kMaxLayerPrograms layers.
+/// Cost: as PrintSequence, too little to need cancellation. Memory: O(objects).
 class SequencePlanner : public Planner {
  public:
-  /// All must outlive this. `object_names`: by object; may be fewer.
+  /// All arguments must outlive this planner. `object_names`: names by object; may have fewer
+  /// entries.
   SequencePlanner(const SequencePlanOptions& options, std::span<const PlacedCopy> copies,
                   std::span<const std::string> object_names)
       : options_(options), copies_(copies), object_names_(object_names) {}
@@ -34,13 +35,13 @@ class SequencePlanner : public Planner {
   };
 
   absl::Status CheckLayers() const;
-  /// A copy's place with that of its supports.
+  /// Returns the footprint of a copy, including its supports.
   Polygon FootprintOf(const PlacedCopy& copy, std::span<const AddedStack> added) const;
 
   const SequencePlanOptions& options_;
   const std::span<const PlacedCopy> copies_;
   const std::span<const std::string> object_names_;
-  std::map<int32_t, Printed> printed_;  ///< by object
+  std::map<int32_t, Printed> printed_;  ///< heights and layer counts by object
 };
 
 }  // namespace slicefarm::planning

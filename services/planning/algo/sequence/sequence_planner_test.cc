@@ -15,7 +15,7 @@ PlacedCopy CopyAt(int32_t object, double x_mm) {
   return {object, corner(0, 0), {corner(-5, -5), corner(5, -5), corner(5, 5), corner(-5, 5)}};
 }
 
-/// Objects of that many layers of 0.2 mm.
+/// Returns objects with the given numbers of layers of 0.2 mm.
 std::vector<SlicedLayer> Towers(const std::vector<int32_t>& layer_counts) {
   std::vector<SlicedLayer> layers;
   for (int32_t i = 0; i < *std::ranges::max_element(layer_counts); ++i) {

@@ -20,7 +20,7 @@ absl::Status Refused(std::string why, std::string_view got) {
                    {{"setting", "spiral_vase"}, {"value", "1"}, {"got", std::string(got)}});
 }
 
-/// The only section of a layer that has anything in it; null if there are none or several.
+/// Returns the only section of a layer that is not empty; null if there are none or several.
 const ObjectSection* OnlySection(const SlicedLayer& layer) {
   const ObjectSection* only = nullptr;
   for (const ObjectSection& section : layer.sections) {

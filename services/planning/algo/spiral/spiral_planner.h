@@ -12,42 +12,45 @@
 
 namespace slicefarm::planning {
 
-/// Makes one bead of the layers of a vase (spiral_vase). A hollow layer is a turn where it holds
-/// nothing but one loop (SpiralLoop): no supports, no skirt, no hole, no neck too narrow for two
-/// beads. Turns that follow each other begin where the one below ends, with the filament ready, at
-/// the place of their loop that is nearest to it. Where a hollow layer is no turn it is printed like
-/// any other, and a warning says where.
+/// Plans the layers of a vase as one continuous bead (spiral_vase).
 ///
-/// It has its say after all planners that decide on entries. Cost: one offset a layer.
+/// A hollow layer becomes a turn of the spiral if it has exactly one loop (SpiralLoop). So it has
+/// no supports, no skirt, no hole, and no neck too narrow for two beads. A turn begins at the place
+/// of its loop nearest to the end of the turn below, without a retraction between them. A hollow
+/// layer that is no turn is printed like any other layer, and a warning gives its height.
+///
+/// Runs after all planners that choose entry points. Cost: one offset per layer.
 class SpiralPlanner : public Planner {
  public:
+  /// Returns true if some object is printed as a spiral.
   static bool IsNeeded(const PlanningOptions& options);
 
-  /// InvalidArgument (SETTING_OUT_OF_RANGE) unless all copies are of one object, and one is printed
-  /// after the other.
+  /// Returns InvalidArgument (SETTING_OUT_OF_RANGE) unless all copies are of one object and are
+  /// printed one after the other.
   static absl::Status Check(const PlanningOptions& options, std::span<const PlacedCopy> copies);
 
-  /// Both must outlive this.
+  /// `options` and `copies` must outlive this planner.
   SpiralPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies)
       : options_(options), copies_(copies), skirt_reach_(options.skirt) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  /// The last layer but one is settled: whether its turn is the last is known.
+  /// Settles all layers below the last one. Only the next layer decides whether the last turn ends
+  /// the spiral.
   int32_t Settle(OpenLayers& layers) override;
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
-  /// Nothing: the layer is no turn.
+  /// Returns the loop of a layer, or nothing if the layer is no turn.
   std::optional<Polygon> LoopOf(const SlicedLayer& layer) const;
 
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
   SkirtReach skirt_reach_;
-  int32_t seen_ = 0;                ///< layers
-  std::optional<Point> left_at_;    ///< where the last layer's turn ends
-  bool goes_on_ = false;            ///< the last layer's turn follows another one
+  int32_t seen_ = 0;  ///< number of layers so far
+  std::optional<Point> left_at_;  ///< end of the last layer's turn
+  bool goes_on_ = false;  ///< true if the last layer's turn follows another one
   int64_t hollow_ = 0;
-  std::vector<Coord> no_turns_nm_;  ///< heights of hollow layers that are none
+  std::vector<Coord> no_turns_nm_;  ///< heights of hollow layers that are no turns
 };
 
 }  // namespace slicefarm::planning

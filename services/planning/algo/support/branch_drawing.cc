@@ -15,15 +15,16 @@
 namespace slicefarm::planning {
 namespace {
 
-/// A foot: so much wider than its branch at least, and this high.
+/// Minimum increase of a branch's radius at its foot, and the height of the foot.
 constexpr Coord kFootWiderNm = 600'000;
 constexpr Coord kFootHeightNm = 1'200'000;
 
-/// Necks near the part keep so much more than the gap below it: they carry nothing, and a surface
-/// that is neither at the gap nor far below would only be hard to get off.
+/// Gap between a neck and the part above it, in addition to the support's gap. Necks support
+/// nothing. A surface slightly below the gap would only be hard to remove.
 constexpr Coord kBelowPartNm = 450'000;
 
-/// A polygon around which the circle runs half inside, half outside: the same area.
+/// Returns a polygon with the same area as the disc. The circle is half inside and half outside of
+/// it.
 Polygon Circle(const BranchDisc& disc) {
   const int corners = disc.radius_nm < 700'000 ? 16 : disc.radius_nm < 2'000'000 ? 24 : 36;
   Polygon ring;
@@ -41,8 +42,9 @@ Coord FootRadius(Coord radius_nm, Coord z_nm) {
   return foot - (foot - radius_nm) * z_nm / kFootHeightNm;
 }
 
-/// Discs near the bed grow to feet, as far as there is room and half way to the next disc: where
-/// feet became one outline, the branches that stand inside of it would have nothing below them.
+/// Widens discs near the bed to feet, as far as there is room, and at most half the distance to the
+/// next disc. If feet merged into one outline, the branches inside it would have nothing below
+/// them.
 void GrowFeet(Coord z_nm, const ReachField& field, std::vector<BranchDisc>& discs) {
   const std::vector<BranchDisc> bare = discs;
   for (BranchDisc& disc : discs) {
@@ -56,7 +58,7 @@ void GrowFeet(Coord z_nm, const ReachField& field, std::vector<BranchDisc>& disc
   }
 }
 
-/// The discs of all branches, by layer.
+/// Returns the discs of all branches by layer.
 std::vector<std::vector<BranchDisc>> DiscsByLayer(const Branches& branches, const ReachField& field,
                                                   const SupportHeights& heights) {
   std::vector<std::vector<BranchDisc>> discs(heights.layers.size());
@@ -85,13 +87,13 @@ std::vector<std::vector<BranchDisc>> DiscsByLayer(const Branches& branches, cons
   return discs;
 }
 
-/// The part is too far away to cut it.
+/// Returns true if the part is too far away to cut the disc.
 bool IsClear(const BranchDisc& disc, const ReachField& field, size_t slab) {
-  // Between two slabs a branch is up to a step from a place that the field has looked at.
+  // Between two slabs a branch is up to one step away from a place that the field has checked.
   return field.ToAnywhere(slab, disc.at) > disc.radius_nm + 3 * field.grid().pixel_nm;
 }
 
-/// Returns what a layer's discs and the necks between them cover, cut to what is free.
+/// Returns the area of a layer's discs and the necks between them, cut to the free area.
 MultiPolygon SectionOf(const std::vector<BranchDisc>& discs, const ReachField& field, size_t slab,
                        const SupportHeight& height, const Clearance& clearance) {
   const size_t above = std::min(slab + 1, field.slabs().size() - 1);
@@ -112,7 +114,7 @@ MultiPolygon SectionOf(const std::vector<BranchDisc>& discs, const ReachField& f
   return all.empty() ? whole : Union(all, whole);
 }
 
-/// Returns true if the island is wide enough somewhere for a second loop.
+/// Returns true if some part of the island is wide enough for a second loop.
 bool IsThick(const PolygonWithHoles& island, Coord diameter_nm) {
   const double diameter = static_cast<double>(diameter_nm);
   return Area(island) >= std::numbers::pi * diameter * diameter / 4 &&

@@ -13,18 +13,18 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// What branches cover in a layer of support, free of the part and others.
+/// Area of branches in one layer of support, free of the part and of other objects.
 struct BranchSections {
   MultiPolygon thin;
-  MultiPolygon thick;  ///< with a place as wide as double_wall_diameter_nm
+  MultiPolygon thick;  ///< islands that are double_wall_diameter_nm wide somewhere
 
   friend bool operator==(const BranchSections&, const BranchSections&) = default;
 };
 
-/// The sections of branches, by layer of support: discs at the middle of the layer's height (within
-/// 0.01 mm of round), joined by necks (branch_necks.h), united, and cut to what is free. Near the
-/// bed branches widen to a foot. Cost: a union a layer, and a boolean operation where branches pass
-/// the part closely; on `threads` threads.
+/// Returns the sections of branches, by layer of support. A section is the union of discs and necks
+/// (branch_necks.h) at the middle of the layer's height, cut to the free area. Discs are round
+/// within 0.01 mm. Near the bed branches widen to a foot. Cost: one union per layer, and one
+/// boolean operation where branches are close to the part; on `threads` threads.
 std::vector<BranchSections> DrawBranches(const Branches& branches, const ReachField& field,
                                          const SupportHeights& heights, const Clearance& clearance,
                                          const SupportOptions& options, int threads,

@@ -31,7 +31,7 @@ std::vector<BranchSections> Draw(const SupportProblem& problem, const Branches& 
 
 const TestStack kNothing(kLayers, [](double) { return MultiPolygon(); });
 
-/// From (0, 0) at 6 mm to (2, 0) at 3 mm, then straight down.
+/// Returns a branch from (0, 0) at 6 mm to (2, 0) at 3 mm, then straight down.
 Branches Leaning(Coord radius_nm) {
   Branches branches;
   branches.nodes.push_back({{0, 0}, 6'000'000, radius_nm, 1, 0, true});
@@ -72,7 +72,7 @@ TEST(DrawBranches, ArePutTogetherAndCutToWhatIsFree) {
   EXPECT_EQ(sections, Draw(wall.Problem(), branches, 5));
 }
 
-/// Two upright branches of 1.6 mm, 2.4 mm apart.
+/// Returns two upright branches of 1.6 mm, 2.4 mm apart.
 Branches Pair() {
   Branches branches;
   branches.nodes.push_back({{-1'200'000, 0}, 6'000'000, 800'000, -1, 0, true});

@@ -17,7 +17,7 @@ struct NeckPair {
   friend auto operator<=>(const NeckPair&, const NeckPair&) = default;
 };
 
-/// Returns the pairs that are near enough, the narrowest gaps first.
+/// Returns the pairs of discs that are close enough, the narrowest gaps first.
 std::vector<NeckPair> NearPairs(std::span<const BranchDisc> discs) {
   Coord largest = 0;
   for (const BranchDisc& disc : discs) largest = std::max(largest, disc.radius_nm);
@@ -35,14 +35,14 @@ std::vector<NeckPair> NearPairs(std::span<const BranchDisc> discs) {
   return pairs;
 }
 
-/// Strings of discs, as a forest of their indices.
+/// Chains of discs, stored as a forest of their indices.
 class Strings {
  public:
   explicit Strings(size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), size_t{0});
   }
 
-  /// Joins the strings of both; false if they are one already.
+  /// Joins the chains of both discs. Returns false if both are already in one chain.
   bool Join(size_t a, size_t b) {
     const size_t root_a = Root(a), root_b = Root(b);
     if (root_a == root_b) return false;

@@ -8,7 +8,7 @@
 
 namespace slicefarm::planning {
 
-/// The round section of a branch in one layer.
+/// Round section of a branch in one layer.
 struct BranchDisc {
   Point at;
   Coord radius_nm = 0;
@@ -16,7 +16,7 @@ struct BranchDisc {
   friend auto operator<=>(const BranchDisc&, const BranchDisc&) = default;
 };
 
-/// Indices of two discs that become one outline.
+/// Indices of two discs that are joined into one outline.
 struct BranchNeck {
   size_t a = 0;
   size_t b = 0;
@@ -24,24 +24,24 @@ struct BranchNeck {
   friend auto operator<=>(const BranchNeck&, const BranchNeck&) = default;
 };
 
-/// The widest gap between discs with a neck. Beads span it from disc to disc, so a neck needs
-/// nothing below.
-inline constexpr Coord kMostNeckGapNm = 1'500'000;
-/// Half the width of a neck at most. The loops of the discs above lie on its edges where they cross
+/// Widest gap between two discs with a neck. Beads bridge this gap, so a neck needs nothing below
 /// it.
+inline constexpr Coord kMostNeckGapNm = 1'500'000;
+/// Largest half width of a neck. With this width the loops of the discs above rest on the neck's
+/// edges where they cross it.
 inline constexpr Coord kHalfNeckNm = 900'000;
 
-/// Returns the necks that join neighbouring discs to strings, the narrowest gaps first: one loop
-/// around a string saves the travels between its branches, and branches of a string hold each
-/// other.
+/// Returns the necks that join neighbouring discs into chains, the narrowest gaps first. One loop
+/// around a chain saves the travels between its branches, and the branches of a chain stabilize
+/// each other.
 ///
-/// A disc has two necks at most, and strings do not close to rings: an outline around discs on all
-/// sides would leave the loop of one in their middle without anything below.
+/// A disc has at most two necks, and chains do not close into rings. An outline around discs on all
+/// sides would leave the loop of a disc in their middle without support.
 /// REQUIRES: `discs` ascend. Cost: O(n * discs in a strip as wide as the largest disc and the gap).
 std::vector<BranchNeck> NecksBetween(std::span<const BranchDisc> discs);
 
-/// Returns the rectangle from centre to centre, counter-clockwise, as wide as the smaller disc or a
-/// neck at most. REQUIRES: the centres differ.
+/// Returns the rectangle of a neck from centre to centre, counter-clockwise. Its width is that of
+/// the smaller disc, up to the largest width of a neck. REQUIRES: the centres differ.
 Polygon OutlineOfNeck(const BranchDisc& a, const BranchDisc& b);
 
 }  // namespace slicefarm::planning

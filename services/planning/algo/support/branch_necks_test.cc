@@ -12,7 +12,7 @@ namespace {
 
 struct Case {
   const char* name;
-  std::vector<BranchDisc> discs;  ///< ascending; mm
+  std::vector<BranchDisc> discs;  ///< ascending; in mm
   std::vector<BranchNeck> necks;
 };
 

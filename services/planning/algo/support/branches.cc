@@ -16,40 +16,40 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Branches farther apart than this do not look at each other.
+/// Distance beyond which branches ignore each other.
 constexpr Coord kSightNm = 20'000'000;
-/// A branch looks at so many of the nearest ones.
+/// Number of nearest branches that a branch considers.
 constexpr size_t kNeighbours = 8;
-/// Branches that meet lower than this save nothing.
+/// Height below which a meeting of branches saves no plastic.
 constexpr Coord kLowestMeetingNm = 600'000;
 constexpr double kTipGrowthRad = 6 * std::numbers::pi / 180;
-/// The whole diameter_angle_rad takes more plastic than PrusaSlicer's trees, which have fewer
-/// trunks.
+/// Share of diameter_angle_rad by which branches widen. The whole angle would take more plastic
+/// than PrusaSlicer's trees, which have fewer trunks.
 constexpr double kShareOfAngle = 0.75;
-/// Support may reach this far beyond what carries it.
+/// Distance that a support may extend beyond the support below it.
 constexpr Coord kBeyondNm = 850'000;
-/// On its way to another one a branch makes do with this share of its room.
+/// Share of its radius that a branch needs as free room while it moves towards another branch.
 constexpr double kRoomOnTheWay = 0.45;
 
-/// The way down of one tip, or of several that have met.
+/// Branch that grows down from one tip, or from several tips that have met.
 struct Branch {
   int32_t node = 0;
   Point at;
   Coord z_nm = 0;
-  Coord length_nm = 0;  ///< from its highest tip
+  Coord length_nm = 0;  ///< length from its highest tip
   Coord radius_nm = 0;
-  bool found = false;  ///< the field knows a way from here
+  bool found = false;  ///< true if the field has a path down from here
 };
 
-/// The room that a branch looks for on its way to the bed: it gets away from the part in time to
-/// have a foot.
+/// Returns the free room that a branch needs on its path to the bed. With this room the branch
+/// moves away from the part early enough to have a foot.
 Coord RoomForFoot(Coord z_nm) {
   constexpr double kSlope = 0.8;
   return kFootRadiusNm - std::llround(z_nm * kSlope);
 }
 
-/// What a tip covers around its middle: branch_distance beyond its edge, less if more of what is
-/// carried than usual is to lie on tips.
+/// Returns the radius of the area that a tip supports: branch_distance beyond the tip's edge. The
+/// radius is smaller if the setting requests more contact area than usual.
 Coord TipReach(const TreeOptions& tree) {
   constexpr double kUsualRate = 0.15;
   const double radius = tree.tip_diameter_nm / 2.0;
@@ -112,7 +112,7 @@ class Grower {
     return static_cast<int32_t>(result_.nodes.size()) - 1;
   }
 
-  /// Nothing below: straight down to `foot_nm`.
+  /// Ends a branch straight down at `foot_nm`, without further nodes.
   void End(const Branch& branch, Coord foot_nm, bool on_bed) {
     BranchNode& node = result_.nodes[static_cast<size_t>(branch.node)];
     node.foot_nm = foot_nm;
@@ -123,7 +123,7 @@ class Grower {
     return anywhere ? field_.ToAnywhere(slab, p) : field_.ToBed(slab, p);
   }
 
-  /// Calls visit(p) for pixels that a branch at `from` can go to in `slab`.
+  /// Calls visit(p) for the pixels that a branch at `from` can reach in `slab`.
   template <typename Visit>
   void ForEachStep(size_t slab, Point from, Visit visit) const {
     const int32_t squared = field_.slabs()[slab].step_squared;
@@ -135,8 +135,9 @@ class Grower {
         if ((x - x0) * (x - x0) + (y - y0) * (y - y0) <= squared) visit(grid.Centre(x, y));
   }
 
-  /// The place nearest to `wish` that can be gone to from all of `from`, with room for `radius_nm`;
-  /// if there is none, with the most room, but a tip's at least.
+  /// Returns the place nearest to `wish` that is within one step of all of `from` and has room for
+  /// `radius_nm`. If there is none, returns the place with the most room, but at least a tip's
+  /// radius.
   std::optional<Point> Nearest(size_t slab, std::span<const Point> from, Point wish,
                                Coord radius_nm, bool anywhere) const {
     const bool in_reach =
@@ -164,7 +165,7 @@ class Grower {
     return dx * dx + dy * dy <= field_.slabs()[slab].step_squared;
   }
 
-  /// Moves all branches to the slab: partners that can be at one place there become one.
+  /// Moves all branches down to the slab. Partners that can reach one place are merged.
   void StepBelow(size_t slab) {
     std::vector<Branch> next;
     const Coord z = field_.slabs()[slab].middle_nm();
@@ -190,10 +191,10 @@ class Grower {
 
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
-  /// Where a branch is going.
+  /// Target of a branch.
   struct Goal {
     Point at;
-    size_t partner = kNone;  ///< it comes to the same place
+    size_t partner = kNone;  ///< branch that moves to the same target
   };
 
   struct Pair {
@@ -204,8 +205,8 @@ class Grower {
     friend auto operator<=>(const Pair&, const Pair&) = default;
   };
 
-  /// The nearest branches become partners first, and meet in the middle. A branch whose neighbours
-  /// all have other partners goes where the nearest of them goes.
+  /// Pairs the nearest branches first. Partners meet in the middle. A branch without a free
+  /// neighbour moves to the target of its nearest neighbour.
   std::vector<Goal> Goals(size_t slab, Coord z_nm) const {
     std::vector<Goal> goals(live_.size());
     for (size_t i = 0; i < live_.size(); ++i) goals[i].at = live_[i].at;
@@ -232,7 +233,7 @@ class Grower {
     return {a.at.x + (b.at.x - a.at.x) / 2, a.at.y + (b.at.y - a.at.y) / 2};
   }
 
-  /// The branches that are near enough to meet, the nearest first.
+  /// Returns the pairs of branches that are near enough to meet, the nearest first.
   std::vector<Pair> PairsNearby(Coord z_nm) const {
     const BucketMap buckets = Buckets();
     const double farthest = std::min<double>(kSightNm, 2 * fast_ * (z_nm - kLowestMeetingNm));
@@ -304,8 +305,8 @@ class Grower {
     return std::max(TipRadius(), std::min(radius_nm, Reach(slab, at, anywhere)));
   }
 
-  /// A step towards where a branch is going: as steep as it may lean while it is thin or if it
-  /// would be late else.
+  /// Returns the next place on the path to the target. The step has the steepest allowed lean while
+  /// the branch is thin, or if the branch would arrive too late otherwise.
   Point Towards(Point goal, const Branch& branch, Coord z_nm) const {
     const double way = Distance(branch.at, goal);
     if (way == 0) return goal;
@@ -350,7 +351,8 @@ class Grower {
     return Joined(branch, moved);
   }
 
-  /// A branch without a way ends on what is right below it, if there is something.
+  /// Ends a branch without a path on the surface right below it. Returns false if there is no such
+  /// surface.
   bool EndsOver(size_t slab, const Branch& branch) {
     const bool on_other = field_.OnOther(slab, branch.at);
     if (!branch.found && !on_other && !field_.OnPart(slab, branch.at)) return false;
@@ -367,7 +369,7 @@ class Grower {
     return moved;
   }
 
-  /// Takes out all nodes from which a lost one is reached.
+  /// Removes the lost nodes and all nodes above them.
   void DropLost() {
     if (lost_.empty()) return;
     std::vector<BranchNode>& nodes = result_.nodes;
@@ -400,7 +402,7 @@ class Grower {
   const double fast_;
   TipPlaces tips_;
   std::vector<Branch> live_;
-  std::vector<int32_t> lost_;  ///< nodes
+  std::vector<int32_t> lost_;  ///< indices of nodes
   Branches result_;
 };
 

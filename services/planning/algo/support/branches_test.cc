@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kLayers = 100;  // 20 mm
 
-/// Branches under a square of `side` mm around the origin, below the top of so many layers.
+/// Branches under a square of `side` mm around the origin, below the top of the given number of
+/// layers.
 class Growth {
  public:
   Growth(const SupportProblem& problem, const SupportOptions& options, double side,
@@ -98,7 +99,7 @@ TEST(GrowBranches, NoneLeansMoreThanTheAngle) {
     for (const BranchNode& node : growth.branches().nodes) {
       if (node.below < 0) continue;
       const BranchNode& below = growth.branches().nodes[static_cast<size_t>(node.below)];
-      // Places are pixels: each step may be one pixel's diagonal more.
+      // Places are pixels, so each step may be longer by one pixel's diagonal.
       EXPECT_LE(Distance(node.at, below.at),
                 std::tan(options.tree.angle_rad) * (node.z_nm - below.z_nm) + 600'000);
       EXPECT_LT(below.z_nm, node.z_nm);

@@ -13,21 +13,22 @@
 namespace slicefarm::planning {
 namespace {
 
-/// How far beyond an edge, or an end, something is looked for.
+/// Distance beyond an edge or an end at which the layer below is tested.
 constexpr double kBesideNm = 100'000;
-/// How far a straight wall may lie from its chord.
+/// Largest distance of a straight wall from its chord.
 constexpr double kBendNm = 100'000;
 
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
-/// Inside lies to the left of every edge.
+/// Returns true if nothing of the layer below is beside the edge's outer side. The part is to the
+/// left of every edge.
 bool IsFree(Point a, Point b, const MultiPolygon& below) {
   const Vector2 along = (ToVector(b) - ToVector(a)).normalized();
   return !Covers(below, ToPoint((ToVector(a) + ToVector(b)) / 2 - kBesideNm * TurnedLeft(along)));
 }
 
-/// The chains of a ring's free edges; a ring that is free all around is one that goes round its
-/// first corner again.
+/// Returns the chains of a ring's free edges. If all edges are free, the chain passes its first
+/// corner twice.
 std::vector<Polyline> FreeEdges(const Polygon& ring, const MultiPolygon& below) {
   const size_t size = ring.size();
   std::vector<bool> free(size);
@@ -53,7 +54,8 @@ bool IsStraight(const Polyline& chain) {
       chain, [&](Point p) { return DistanceToSegment(p, chain.front(), chain.back()) <= kBendNm; });
 }
 
-/// A wall hangs from both ends of its chain, or not at all: between corners it turns.
+/// Returns true if both ends of the chain rest on the layer below and the chain is straight. A wall
+/// with corners in between has no support there.
 bool IsHeld(const Polyline& chain, const MultiPolygon& below) {
   if (!IsStraight(chain)) return false;
   const Vector2 from = ToVector(chain.front()), to = ToVector(chain.back());

@@ -6,17 +6,18 @@
 
 namespace slicefarm::planning {
 
-/// What walls cover of an overhang along its free edges: those beyond which nothing lies below.
+/// Walls of an overhang along its free edges. A free edge has nothing of the layer below beyond it.
 struct BridgeWalls {
   MultiPolygon area;
-  /// Of it, what straight walls cover that run from one hold to another. The rest turns in the air.
+  /// Part of `area` with straight walls that rest on the layer below at both ends. The remaining
+  /// walls have turns in the air.
   MultiPolygon held;
 };
 
-/// The walls of `part`, a connected part of what lies beyond `below`, `walls_nm` thick in all. A wall
-/// is straight where it bends by no more than a tenth of a millimetre, and holds where `below` goes
-/// on a tenth of a millimetre beyond its end. Cost: O(edges of the part * edges of `below`), and a
-/// union of the walls.
+/// Returns the walls of `part`, with a total thickness of `walls_nm`. `part` is a connected piece
+/// of the area beyond `below`. A wall is straight if it bends by at most a tenth of a millimetre.
+/// Its end rests on `below` if `below` continues a tenth of a millimetre beyond the end. Cost:
+/// O(edges of the part * edges of `below`), and a union of the walls.
 BridgeWalls WallsOf(const PolygonWithHoles& part, const MultiPolygon& below, Coord walls_nm);
 
 }  // namespace slicefarm::planning

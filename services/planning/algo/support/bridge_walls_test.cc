@@ -13,7 +13,7 @@ struct Case {
   std::string name;
   MultiPolygon above;
   MultiPolygon below;
-  double area_mm2;  ///< of walls, 1 mm thick
+  double area_mm2;  ///< area of walls 1 mm thick
   double held_mm2;
 };
 
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
              Difference(BoxOf(0, 0, 10, 10), BoxOf(3, 3, 7, 7)), 0, 0},
         Case{"HoleOverAPocket", Difference(BoxOf(0, 0, 20, 20), BoxOf(8, 8, 12, 12)),
              Difference(BoxOf(0, 0, 20, 20), BoxOf(2, 2, 18, 18)), 6 * 6 - 4 * 4, 0},
-        // Its edge bends between the posts.
+        // The edge of this part bends between the posts.
         Case{"Bow", MakePolygonsOrDie("(0 0, 10 1, 20 0, 20 4, 0 4)"),
              Union(BoxOf(0, 0, 2, 4), BoxOf(18, 0, 20, 4)), 32, 16}),
     [](const auto& info) { return info.param.name; });

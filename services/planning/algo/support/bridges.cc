@@ -19,18 +19,18 @@ namespace slicefarm::planning {
 namespace {
 
 constexpr int kDirections = 36;
-/// A line's end counts as anchored if the layer below is this far behind it.
+/// Depth of the layer below behind a line's end that counts as an anchor.
 constexpr Coord kProbeNm = 100'000;
-/// The direction must carry this share of what is steep, or the part of the overhang is no bridge:
-/// scraps between supports save nothing.
+/// Smallest share of an overhang that a bridge must cover. Smaller scraps between supports save
+/// nothing.
 constexpr double kLeastShare = 0.2;
 
-/// Turns p so that lines along the unit vector `way` run along x.
+/// Rotates p so that lines along the unit vector `way` become parallel to x.
 Point TurnedToX(Point p, const Vector2& way) {
   return {std::llround(p.x * way.x() + p.y * way.y()), std::llround(p.y * way.x() - p.x * way.y())};
 }
 
-/// Undoes TurnedToX.
+/// Reverses TurnedToX.
 Point TurnedBack(Point p, const Vector2& way) {
   return {std::llround(p.x * way.x() - p.y * way.y()), std::llround(p.x * way.y() + p.y * way.x())};
 }
@@ -41,7 +41,7 @@ struct Span {
   Coord y = 0;
 };
 
-/// Level lines, evenly spaced.
+/// Horizontal lines at even distances.
 struct Lines {
   Coord first_nm = 0;
   Coord pitch_nm = 1;
@@ -50,7 +50,7 @@ struct Lines {
   Coord At(Coord i) const { return first_nm + i * pitch_nm; }
 };
 
-/// Where each line crosses the rings, in order.
+/// Returns the x positions where each line crosses the rings, in order.
 std::vector<std::vector<Coord>> Crossings(std::span<const Polygon> rings, const Lines& lines) {
   std::vector<std::vector<Coord>> xs(static_cast<size_t>(lines.count));
   for (const Polygon& ring : rings) {
@@ -82,7 +82,7 @@ std::vector<Polygon> Turned(const MultiPolygon& region, const Vector2& direction
   return rings;
 }
 
-/// Lines through `part` with both ends on `below`.
+/// Returns the pieces of lines in `part` with both ends on `below`.
 std::vector<Span> AnchoredSpans(const MultiPolygon& part, const MultiPolygon& below,
                                 const Vector2& direction, Coord width_nm) {
   const std::vector<Polygon> rings = Turned(part, direction), anchors = Turned(below, direction);
@@ -120,7 +120,7 @@ double Covered(const std::vector<Span>& spans) {
   return sum;
 }
 
-/// On average no wider than two lines: such a strip is no bridge.
+/// Returns true if the part is on average no wider than two lines. Such a strip is no bridge.
 bool IsNarrow(const PolygonWithHoles& part, Coord width_nm) {
   double edges = 0;
   ForEachRing({part}, [&](const Polygon& ring) { edges += Perimeter(ring); });
@@ -154,7 +154,7 @@ MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below,
     for (Point& p : strip) p = TurnedBack(p, along);
     strips.push_back(std::move(strip));
   }
-  // A single line is carried by its neighbours at best.
+  // The offset removes single lines, as they would rest on their neighbours at best.
   for (Polygon& ring : Rings(walls.held)) strips.push_back(std::move(ring));
   return OffsetTwice(Union(strips, FillRule::kNonZero), -width_nm * 9 / 10, width_nm * 9 / 10);
 }

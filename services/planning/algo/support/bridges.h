@@ -4,24 +4,26 @@
 
 namespace slicefarm::planning {
 
-/// What bridges are printed with.
+/// Dimensions of the beads that bridges are printed with.
 struct BridgeBeads {
-  Coord width_nm = 450'000;  ///< of a line; lines are tried this far apart
-  Coord walls_nm = 0;        ///< of all the walls around them together
+  Coord width_nm = 450'000;  ///< width of a line, and distance between the tested lines
+  Coord walls_nm = 0;  ///< total thickness of the walls
 };
 
-/// What of an overhang straight lines and walls span from one anchored end to the other.
+/// Returns the area of an overhang that straight lines and walls span from one anchored end to the
+/// other.
 ///
-/// hanging:   what lies beyond the layer below
-/// steep:     what of it would need support; only parts of `hanging` with something steep are
-///            looked at
+/// hanging:   the area beyond the layer below
+/// steep:     its part that would need support; a piece of `hanging` without steep area is ignored
 /// below:     the layer below
 ///
-/// For each connected part of `hanging` one direction is chosen of 36 and those of its long edges:
-/// the one whose anchored lines cover most (as infill does it). A line is anchored where it ends on
-/// `below`. Along free edges there are walls instead of lines: those that run straight from hold to
-/// hold are bridges, those around holes, or along what is round, turn in the air. Spans may be of any length, as in PrusaSlicer. Strips narrower than two lines are left
-/// out.
+/// For each connected piece of `hanging` the function tests 36 directions and the directions of its
+/// long edges. It takes the direction with the largest area of anchored lines, as the infill stage
+/// does. A line is anchored if it ends on `below`.
+///
+/// Along free edges there are walls instead of lines. A straight wall with support at both ends is
+/// a bridge. A wall around a hole or along a curve has turns in the air and is no bridge. Spans may
+/// be of any length, as in PrusaSlicer. Strips narrower than two lines are left out.
 /// Cost: O(36 * lines * edges of the part).
 MultiPolygon BridgesOf(const MultiPolygon& hanging, const MultiPolygon& steep,
                        const MultiPolygon& below, const BridgeBeads& beads);

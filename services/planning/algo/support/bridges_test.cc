@@ -11,7 +11,7 @@ struct Case {
   std::string name;
   MultiPolygon above;
   MultiPolygon below;
-  double bridged;  ///< share of what hangs
+  double bridged;  ///< share of the overhang that is bridged
 };
 
 class BridgesTest : public testing::TestWithParam<Case> {};
@@ -31,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Shelf", BoxOf(0, 0, 10, 10), BoxOf(0, 0, 5, 10), 0},
         Case{"Roof", BoxOf(-3, -3, 13, 13), BoxOf(0, 0, 10, 10), 0},
         Case{"Hole", BoxOf(0, 0, 10, 10), Difference(BoxOf(0, 0, 10, 10), BoxOf(3, 3, 7, 7)), 1},
-        // Lines between the legs in front and at the back, or those left and right, and walls.
+        // Lines between the front and rear legs, or between the left and right legs, and walls.
         Case{"FourLegs", BoxOf(0, 0, 20, 20),
              Union(Union(BoxOf(0, 0, 4, 4), BoxOf(16, 0, 20, 4)),
                    Union(BoxOf(0, 16, 4, 20), BoxOf(16, 16, 20, 20))),
@@ -39,11 +39,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"CornerOfAWall", BoxOf(0, 0, 10, 10), Union(BoxOf(0, 0, 10, 2), BoxOf(0, 0, 2, 10)),
              6.65 * 6.65 / 2 / 64},
         Case{"Beam", BoxOf(0, 0, 14, 2), Union(BoxOf(0, 0, 2, 2), BoxOf(12, 0, 14, 2)), 1},
-        // The walls around the hole turn in the air, and so do lines that end on them.
+        // The walls around the hole turn in the air, so lines that end on them have no anchor.
         Case{"HoleInARoof", Difference(BoxOf(0, 0, 20, 20), BoxOf(8, 8, 12, 12)),
              Difference(BoxOf(0, 0, 20, 20), BoxOf(2, 2, 18, 18)),
              1 - (16 * 6.7 - 16) / (256. - 16)},
-        // Bars between slots, as wide as their walls, and a frame around them.
+        // Bars between slots, as wide as their walls, with a frame around them.
         Case{"Grating",
              Difference(BoxOf(0, 0, 30, 30),
                         Union(Union(BoxOf(6, 6, 10, 24), BoxOf(12, 6, 16, 24)), BoxOf(18, 6, 24, 24))),

@@ -14,7 +14,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Boxes are cut this far from what is looked at.
+/// Margin around a region within which the outlines of obstacles are used.
 constexpr Coord kMarginNm = 1'000'000;
 
 }  // namespace

@@ -12,12 +12,13 @@ struct Case {
   std::string name;
   Coord bottom_nm;
   Coord top_nm;
-  double left_mm;  ///< where free space begins, right of a box that ends at 5 mm; 10: nowhere
+  /// Start of free space, to the right of a box that ends at 5 mm; 10: no free space.
+  double left_mm;
 };
 
 class ClearanceTest : public testing::TestWithParam<Case> {};
 
-/// A box from 0 to 5 mm, 2 to 4 mm high; gap 0.2 above, 0.3 below supports.
+/// A box from 0 to 5 mm, 2 to 4 mm high. The gap is 0.2 above and 0.3 below supports.
 TEST_P(ClearanceTest, IsExact) {
   const TestStack box(20, [](double z) { return z > 2 ? BoxOf(0, 0, 5, 5) : MultiPolygon(); });
   const SupportProblem problem = box.Problem();

@@ -20,30 +20,30 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Above a top that carries nothing the part is not nearer than this beyond the gap: what lies
-/// nearer would look like a contact, at the wrong distance.
+/// Distance beyond the gap that an unused top keeps from the part above. A nearer top would
+/// resemble a contact at the wrong distance.
 constexpr Coord kUselessNm = 500'000;
-/// Islands of columns with less are left out: no bead fits in.
+/// Smallest area of a column's island. No bead fits into less.
 constexpr double kLeastAreaNm2 = 0.05e12;
 constexpr double kMostPixels = 2'000'000;
-/// Going down, so often columns are looked at for slender ones: walls of one bead fall over.
+/// Height between two checks for slender columns. A wall of one bead falls over.
 constexpr Coord kSlenderStepNm = 2'000'000;
-/// Layers that are worked on together; their pixels are kept at once.
+/// Number of layers that are processed together. Their pixels are in memory at the same time.
 constexpr size_t kLayersAtOnce = 32;
 
-/// One layer on its way.
+/// Pixels of one layer during the computation.
 struct RasterLayer {
   explicit RasterLayer(const PixelGrid& grid)
       : contact(grid), beside(grid), blocked(grid), useless(grid), column(grid) {}
 
-  Bitmap contact;  ///< new in this layer
-  Bitmap beside;   ///< what columns of this contact are to be besides
-  Bitmap blocked;  ///< what is not free
-  Bitmap useless;  ///< what is so near below the part that it would look like a contact
-  Bitmap column;   ///< what stands here, but for contacts of the layers just above
+  Bitmap contact;  ///< contacts that are new in this layer
+  Bitmap beside;  ///< wanted columns around this contact
+  Bitmap blocked;  ///< pixels that are not free
+  Bitmap useless;  ///< pixels so near below the part that a top would resemble a contact
+  Bitmap column;  ///< columns in this layer, without contacts of the layers just above
 };
 
-/// The pixels within `radius_nm` of set ones.
+/// Returns the pixels within `radius_nm` of set ones.
 Bitmap Grown(const Bitmap& bitmap, Coord radius_nm) {
   const PixelGrid& grid = bitmap.grid();
   Bitmap grown(grid);
@@ -61,7 +61,7 @@ Bitmap Grown(const Bitmap& bitmap, Coord radius_nm) {
   return grown;
 }
 
-/// Grown and shrunk again.
+/// Returns the bitmap grown and shrunk again, which closes narrow gaps.
 Bitmap Closed(const Bitmap& bitmap, Coord radius_nm) {
   Bitmap outside = Grown(bitmap, radius_nm);
   const size_t size = bitmap.grid().size();
@@ -71,7 +71,7 @@ Bitmap Closed(const Bitmap& bitmap, Coord radius_nm) {
   return closed;
 }
 
-/// The squares of the plane, `side` pixels wide, that hold a set pixel.
+/// Returns the squares of the plane, `side` pixels wide, that contain a set pixel.
 Bitmap Cells(const Bitmap& bitmap, int32_t side) {
   const PixelGrid& grid = bitmap.grid();
   const auto first = [&](Coord at) {  // pixel at which the first whole square begins
@@ -93,7 +93,7 @@ Bitmap Cells(const Bitmap& bitmap, int32_t side) {
   return cells;
 }
 
-/// Columns of one style, some layers at a time, downwards.
+/// Computes columns of one style, a block of layers at a time, from the top down.
 class ColumnMaker {
  public:
   ColumnMaker(const SupportProblem& problem, const SupportHeights& heights,
@@ -138,8 +138,8 @@ class ColumnMaker {
   }
 
  private:
-  /// What is new in a layer. Squares leave stairs, at each of whose corners a printer slows down:
-  /// closing makes slopes of them.
+  /// Marks the new contacts of a layer and the columns around them. Squares have stair-shaped
+  /// edges, and a printer slows down at each corner. Closing turns the stairs into slopes.
   void Begin(size_t index, RasterLayer& layer) const {
     layer.contact.Fill(contacts_[index]);
     layer.contact.FillEdges(contacts_[index]);  // so that the thinnest has a column
@@ -167,7 +167,8 @@ class ColumnMaker {
     return highest_start_.empty() || static_cast<int32_t>(layer) <= highest_start_[pixel];
   }
 
-  /// Columns may not begin over what they must not stand on.
+  /// Finds the highest layer at which a column may begin, for each pixel above a forbidden surface.
+  /// Removes the contacts that no column may reach.
   void LeaveOutForbidden() {
     highest_start_.assign(grid_.size(), std::numeric_limits<int32_t>::max());
     SupportProblem forbidden;
@@ -186,7 +187,8 @@ class ColumnMaker {
     }
   }
 
-  /// A step down. The state of a pixel: 0 nothing, 1 column, n + 1 column in n layers.
+  /// Updates the state of each pixel for the next layer down: 0 nothing, 1 column, n + 1 column in
+  /// n layers.
   void GoDown(RasterLayer& layer) {
     const uint8_t *contact = layer.contact.Row(0), *beside = layer.beside.Row(0);
     const uint8_t *blocked = layer.blocked.Row(0), *useless = layer.useless.Row(0);
@@ -197,7 +199,7 @@ class ColumnMaker {
       wanted_[i] = static_cast<uint8_t>((wanted_[i] | beside[i]) & (blocked[i] ^ 1));
       if (wanted_[i] & (useless[i] ^ 1)) state = 1;
       if (blocked[i]) state = 0;
-      // Beside the part a pixel that holds a contact may be free only below.
+      // Beside the part, the pixel of a contact may be free only in a lower layer.
       if (contact[i] && state == 0) state = support::kExactLayers + 1;
       state_[i] = state;
       column[i] = state == 1 ? 1 : 0;
@@ -205,7 +207,8 @@ class ColumnMaker {
     FillCracks(layer);
   }
 
-  /// Pixels between two of the column on both sides: what of steps of contacts was between pixels.
+  /// Fills pixels with column pixels on both sides. Such cracks occur where steps of contacts meet
+  /// between pixels.
   void FillCracks(RasterLayer& layer) {
     for (int32_t y = 1; y + 1 < grid_.height; ++y) {
       const uint8_t *row = layer.column.Row(y), *up = layer.column.Row(y + 1);
@@ -219,7 +222,8 @@ class ColumnMaker {
     for (size_t i = 0; i < grid_.size(); ++i) layer.column.Row(0)[i] = state_[i] == 1 ? 1 : 0;
   }
 
-  /// From here down, columns that have been slender since the last look are to be wide enough for a closed cell.
+  /// Widens columns that have been slender since the last check, so that a closed cell fits into
+  /// them from here down.
   void WidenSlender(size_t index, const Bitmap& column) {
     if (heights_.layers[index].top_nm > next_look_nm_) return;
     next_look_nm_ = heights_.layers[index].top_nm - kSlenderStepNm;
@@ -229,7 +233,8 @@ class ColumnMaker {
     stood_ = column;
   }
 
-  /// The column with its exact edges: a pixel more towards what is not free, less that.
+  /// Returns the column with its exact edges: its pixels, one pixel more towards blocked areas,
+  /// without the blocked areas.
   MultiPolygon Drawn(const RasterLayer& layer, size_t index) const {
     Bitmap wide = layer.column;
     for (int32_t y = 0; y < grid_.height; ++y) {
@@ -243,7 +248,7 @@ class ColumnMaker {
       if (simple.size() >= 3) rings.push_back(std::move(simple));
     }
     for (size_t i = index; i < std::min(contacts_.size(), index + support::kExactLayers); ++i)
-      // Those of higher steps a little more, so that none is apart from the next.
+      // Contacts of higher layers are grown slightly, so that no step is separated from the next.
       for (Polygon& ring : Rings(i == index ? contacts_[i] : FastOffset(contacts_[i], 2 * kEdgeNm)))
         rings.push_back(std::move(ring));
     const SupportHeight& height = heights_.layers[index];
@@ -270,10 +275,12 @@ class ColumnMaker {
   const SupportOptions& options_;
   const PixelGrid grid_;
   const int threads_;
-  std::vector<uint8_t> state_;          ///< by pixel; see GoDown
-  std::vector<uint8_t> wanted_;         ///< by pixel: to be column as soon as it is not useless
-  std::vector<int32_t> highest_start_;  ///< by pixel; empty: anywhere
-  Bitmap stood_;                        ///< the columns where WidenSlender looked last
+  std::vector<uint8_t> state_;  ///< state by pixel, see GoDown
+  /// True for pixels that need a column as soon as they are not useless.
+  std::vector<uint8_t> wanted_;
+  /// Highest layer at which a column may begin, by pixel; empty: no limit.
+  std::vector<int32_t> highest_start_;
+  Bitmap stood_;  ///< columns at the last check of WidenSlender
   Coord next_look_nm_ = std::numeric_limits<Coord>::max();
 };
 

@@ -14,25 +14,27 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// What supports lie against, by layer of support: what is free of all contacts on it.
+/// Contact areas of supports, by layer of support: the free part of all contacts on the layer.
 using Contacts = std::vector<MultiPolygon>;
 
-/// Upright columns under contacts, by layer of support: at each layer what stood above and what is
-/// new there, less what is not free. They end on the bed or on the part.
+/// Returns upright columns under contacts, by layer of support. Each layer has the columns of the
+/// layer above and its new contacts, without the blocked areas. Columns end on the bed or on the
+/// part.
 ///
-/// Snug: new contacts are grown by a line's width, and gaps between them narrower than twice the
-/// closing radius are closed. Grid: they are grown to cells of half the spacing, in which they are
-/// alike over many layers. Neither goes where the part's underside is near and nothing is to be
-/// carried, so that all tops near the part are at the distance asked for.
-/// A column that stays too slender for a closed cell of lines is made wider from 2 to 4 mm below its top on, where there
-/// is room.
-/// With bed_only nothing of a column stands on the part; on other objects none ever does: what
-/// would is left out from its top down.
+/// Snug style: new contacts are grown by a line's width, and gaps narrower than twice the closing
+/// radius are closed. Grid style: new contacts are grown to cells of half the spacing, so that
+/// columns keep the same shape over many layers. Neither style grows into the area close below an
+/// unsupported underside of the part, so that all tops near the part are at the requested distance.
 ///
-/// What stood above is known as pixels of kColumnPixelNm, or more on parts over 300 mm; contacts,
-/// and the edges towards the part, are exact.
+/// A column that stays too slender for a closed cell of lines is widened, from 2 to 4 mm below its
+/// top down, if there is room.
+/// With bed_only no part of a column rests on the part. No column ever rests on other objects. Such
+/// columns are left out from the top down.
+///
+/// The area of the layer above is stored as pixels of kColumnPixelNm, or larger for parts over 300
+/// mm. Contacts, and the edges towards the part, are exact.
 /// Errors: Cancelled.
-/// Cost: some 2 ns a pixel and layer, and a boolean operation a layer, on `threads` threads.
+/// Cost: some 2 ns per pixel and layer, and one boolean operation per layer, on `threads` threads.
 absl::StatusOr<std::vector<MultiPolygon>> Columns(const SupportProblem& problem,
                                                   const SupportHeights& heights,
                                                   const Contacts& contacts,

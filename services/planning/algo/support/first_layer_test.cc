@@ -10,7 +10,7 @@ namespace {
 
 constexpr Coord kWidthNm = 400'000;
 
-/// A layer on the bed with a branch of 4 x 4 mm around the origin.
+/// Returns a layer on the bed with a branch of 4 x 4 mm around the origin.
 SupportLayer Branch() {
   return {200'000, 200'000, true, {{SupportRole::kBranch, BoxOf(-2, -2, 2, 2)}}};
 }

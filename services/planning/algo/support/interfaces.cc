@@ -14,9 +14,10 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Below it branches have spread by less than they are apart.
+/// Height of a plinth. Below this height branches have spread by less than the distance between
+/// them.
 constexpr Coord kPlinthNm = 2'000'000;
-/// Less is a dot that comes off with the nozzle.
+/// Smallest area of a region. A smaller dot would stick to the nozzle and come off.
 constexpr double kLeastBeadNm2 = 0.08e12;
 
 MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size_t to) {
@@ -47,19 +48,20 @@ std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
   return layers;
 }
 
-/// Returns the region without what is narrower than `narrow_nm`. Where pixels met the part columns have such teeth, and
-/// between what is not free there are such slits: beads there are dust that nothing holds.
+/// Returns the region without parts narrower than `narrow_nm`. Columns have such teeth where pixels
+/// meet the part, and such slits between blocked areas. Beads there would be loose crumbs.
 MultiPolygon WithoutTeeth(const MultiPolygon& region, Coord narrow_nm) {
   const MultiPolygon core = FastOffset(region, -narrow_nm / 2);
   return core.empty() ? core : Intersection(region, FastOffset(core, narrow_nm * 9 / 16));
 }
 
-/// A base is as wide as this, and a sheet, where the part is near on both sides.
+/// Smallest widths of a base and of a sheet, where the part is near on both sides.
 constexpr Coord LeastBase(Coord width_nm) { return width_nm * 2 / 3; }
 constexpr Coord LeastSheet(Coord width_nm) { return width_nm * 2 / 5; }
 
-/// Returns the islands that are smaller than a cell of the base's lines, grown to more than its size: the first layer of
-/// a sheet that small may lie between two lines, and would be printed into the air.
+/// Returns the islands that are smaller than a cell of the base's lines, grown to more than its
+/// size. Otherwise the first layer of such a small sheet could be between two lines and be printed
+/// into the air.
 MultiPolygon OverALine(const MultiPolygon& sheet, Coord spacing_nm) {
   MultiPolygon small;
   for (const PolygonWithHoles& island : sheet) {
@@ -69,9 +71,10 @@ MultiPolygon OverALine(const MultiPolygon& sheet, Coord spacing_nm) {
   return small.empty() ? small : FastOffset(small, spacing_nm / 2);
 }
 
-/// Moves islands of the base to `top` that a base's lines may miss: those right under contacts,
-/// narrower than the lines' distance. A column holds a line all along; what has a contact's own
-/// outline may not, and the interface would be printed into the air.
+/// Moves islands of the base to `top` if the base's lines may miss them. Such islands are right
+/// under contacts and narrower than the lines' distance. A full column always contains a line. An
+/// island with only a contact's outline may contain none, and the interface would be printed into
+/// the air.
 void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& base,
                 MultiPolygon& top) {
   MultiPolygon narrow;
@@ -85,8 +88,8 @@ void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& ba
   if (!narrow.empty()) top = top.empty() ? narrow : Union(top, narrow);
 }
 
-/// What of the bodies lies on outlines of the part. Body by body: few have the part below them, and
-/// what is near one of them is little of the part.
+/// Returns the areas of the bodies that rest on outlines of the part. Bodies are processed one by
+/// one: few have the part below them, and only a small piece of the part is near each.
 MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPolygon& bodies) {
   MultiPolygon lying;
   for (const PolygonWithHoles& body : bodies) {
@@ -104,13 +107,13 @@ bool Carries(const PolygonWithHoles& column, const MultiPolygon& above) {
   return !above.empty() && Area(Intersection({column}, above)) >= support::kLeastRegionNm2;
 }
 
-/// Takes away what is left of columns beside their sheets and carries nothing above these.
+/// Removes the remains of columns beside their sheets if they support nothing above these sheets.
 void DropSpent(const MultiPolygon& columns_above, MultiPolygon& base) {
   std::erase_if(base,
                 [&](const PolygonWithHoles& island) { return !Carries(island, columns_above); });
 }
 
-/// Contacts of this layer and of the n - 1 above.
+/// Returns the end of the contacts of this layer and the n - 1 layers above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
 }
@@ -126,7 +129,7 @@ std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& 
     if (cancel.Cancelled()) return;
     MultiPolygon all = contacts[i];
     const MultiPolygon higher = UnionOf(contacts, i + 1, EndOfSheet(i, count, options));
-    // A little more of it, so that no step is apart from the next.
+    // Contacts of higher layers are grown slightly, so that no step is separated from the next.
     if (!higher.empty()) all = Union(all, FastOffset(higher, 2 * kEdgeNm));
     const SupportHeight& height = heights.layers[i];
     sheets[i] = clearance.Free(all, height.bottom_nm, height.top_nm);

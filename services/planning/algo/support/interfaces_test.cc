@@ -55,7 +55,7 @@ TEST_F(InterfacesTest, OfColumns) {
   }
 }
 
-/// Between a part's walls a column may be a slit. Beads in it would be dust that nothing holds.
+/// Between a part's walls a column may be a slit. Beads in it would be loose crumbs.
 TEST_F(InterfacesTest, SlitsHaveNeitherBaseNorSheet) {
   SupportOptions options;
   for (MultiPolygon& body : bodies_) body = Union(BoxOf(0, 0, 4, 10), BoxOf(6, 0, 6.12, 10));
@@ -72,7 +72,8 @@ TEST_F(InterfacesTest, SlitsHaveNeitherBaseNorSheet) {
   }
 }
 
-/// A sheet of less than a millimetre may lie between two lines of the base: its first layer reaches over one of them.
+/// A sheet of less than a millimetre may be between two lines of the base. Its first layer extends
+/// over one of them.
 TEST_F(InterfacesTest, TheFirstLayerOfASmallSheetReachesOverALine) {
   SupportOptions options;
   for (MultiPolygon& body : bodies_) body = BoxOf(0, 0, 10, 10);
@@ -86,7 +87,7 @@ TEST_F(InterfacesTest, TheFirstLayerOfASmallSheetReachesOverALine) {
   EXPECT_LT(AreaOf(layers, kLayers - 1, SupportRole::kTopInterface), 2) << "what the part lies on";
 }
 
-// What is left of a column beside its contact carries nothing any more.
+// The rest of a column beside its contact supports nothing any more.
 TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
   SupportOptions options;
   options.top_interface_layers = 2;
@@ -106,7 +107,7 @@ TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
   }
 }
 
-// Where the part has cut them off from what they stood under.
+// The part has cut these columns off from the contacts above them.
 TEST(DropUseless, TakesNarrowColumnsThatCarryNothing) {
   const PolygonWithHoles carries = BoxOf(0, 0, 1, 4).front(), cut = BoxOf(5, 0, 6, 4).front(),
                          wide = BoxOf(10, 0, 20, 10).front();
@@ -118,7 +119,7 @@ TEST(DropUseless, TakesNarrowColumnsThatCarryNothing) {
   EXPECT_EQ(columns[0], (MultiPolygon{carries, wide})) << "wide ones are not looked at";
 }
 
-// The lines of a base may pass a narrow island by, and the interface would have nothing below it.
+// The lines of a base may miss a narrow island, and the interface would have nothing below it.
 TEST_F(InterfacesTest, NarrowIslandsUnderContactsAreInterface) {
   SupportOptions options;
   options.top_interface_layers = 2;

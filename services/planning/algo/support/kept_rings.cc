@@ -17,11 +17,11 @@ namespace {
 
 constexpr Coord kRingPixelNm = 200'000;
 constexpr double kMostRingPixels = 2'000'000;
-/// A loop lies on what is so near below it.
+/// Distance below which a loop rests on the pixels under it.
 constexpr Coord kNearNm = 800'000;
-/// Loops are looked at in steps of this length.
+/// Step along a loop between tested points.
 constexpr Coord kStepNm = 300'000;
-/// Smaller holes have no loop around them.
+/// Smallest area of a hole with a loop around it.
 constexpr double kLeastHoleNm2 = 0.05e12;
 
 int Loops(SupportRole role) { return role == SupportRole::kThickBranch ? 2 : 1; }
@@ -31,7 +31,7 @@ bool IsHollow(const SupportLayer& layer, const SupportRegion& region) {
          (region.role == SupportRole::kBranch || region.role == SupportRole::kThickBranch);
 }
 
-/// The pixels near to what carries a layer.
+/// Pixels near the support of a layer.
 struct Carried {
   PixelGrid grid;
   std::vector<PixelDistance> near;
@@ -41,7 +41,7 @@ struct Carried {
   }
 };
 
-/// True if no stretch of the ring that is not carried is too long to span its gap.
+/// Returns true if every unsupported run of the ring is short enough to bridge its gap.
 bool LiesOn(const Polygon& ring, const Carried& carried) {
   constexpr double kMost = kBridgedNm - 2 * kNearNm;
   double first = -1, run = 0, longest = 0;  // `first`: the run that the ring starts with
@@ -62,7 +62,7 @@ bool LiesOn(const Polygon& ring, const Carried& carried) {
   return first >= 0 && std::max(longest, first + run) <= kMost;
 }
 
-/// The ring shrunk by `by_nm`; by less if that leaves nothing.
+/// Returns the ring shrunk by `by_nm`, or by less if the result would be empty.
 MultiPolygon Inside(const Polygon& ring, Coord by_nm) {
   MultiPolygon inside;
   for (Coord by = by_nm; by >= by_nm / 4 && Area(inside) < kLeastHoleNm2; by /= 2)
@@ -76,10 +76,11 @@ class Keeper {
          std::vector<SupportLayer>& layers)
       : problem_(problem), options_(options), layers_(layers), doubtful_(layers.size(), 0) {}
 
-  /// Sees whether all loops of the layer are carried by those below, as they are.
+  /// Marks the layer if some of its loops have no support from the layer below in its current
+  /// state.
   void Look(size_t index) { doubtful_[index] = !NotCarried(index, true).empty(); }
 
-  /// Cuts holes into the layer below for loops that are not carried. REQUIRES: called downwards.
+  /// Cuts holes into the layer below for unsupported loops. REQUIRES: called from the top down.
   void Keep(size_t index) {
     if (!doubtful_[index] || index == 0) return;
     const MultiPolygon holes = NotCarried(index, false);
@@ -91,7 +92,7 @@ class Keeper {
   }
 
  private:
-  /// The areas that the loops run around which are not carried; only the first one with `one`.
+  /// Returns the areas inside unsupported loops; with `one`, only the first of them.
   MultiPolygon NotCarried(size_t index, bool one) const {
     const SupportLayer& layer = layers_[index];
     Box box;
@@ -132,7 +133,7 @@ class Keeper {
     return {bitmap.grid(), MostWithin(set, bitmap.grid(), reach * reach)};
   }
 
-  /// Cuts what there is room for beside the loops that are there.
+  /// Cuts the holes as far as there is room beside the existing loops.
   bool Cut(const MultiPolygon& holes, SupportRegion& region) const {
     bool changed = false;
     MultiPolygon outlines;

@@ -13,14 +13,14 @@ struct SupportOptions;
 namespace slicefarm::planning {
 
 /// Cuts holes into branches, from the top down, where the loops of the layer above would be printed
-/// into the air: branches are hollow, so where several have become one outline, the loops that lie
-/// inside of it have nothing below. The loop around such a hole is what they lie on, down to where
-/// an outline, a sheet, the part or the bed carries it.
+/// into the air. Branches are hollow. Where several branches have merged into one outline, the
+/// loops inside this outline have nothing below them. The loop around such a hole supports them.
+/// Holes continue down to an outline, a sheet, the part or the bed.
 ///
-/// Stretches of a loop up to kBridgedNm between two carried places span their gap by themselves.
+/// A run of a loop up to kBridgedNm between two supported places bridges its gap without a hole.
 /// Layers must follow each other without gaps in height.
-/// Cost: a raster of each layer on `threads` threads; boolean operations where a loop is not
-/// carried.
+/// Cost: a raster of each layer on `threads` threads; boolean operations where a loop has no
+/// support.
 void KeepRings(const SupportProblem& problem, const SupportOptions& options, int threads,
                const CancelToken& cancel, std::vector<SupportLayer>& layers);
 

@@ -19,7 +19,7 @@ MultiPolygon Disc(double x, double y, double radius) {
   return {{ring, {}}};
 }
 
-/// Layers of branches, upwards; the first one lies on the bed.
+/// Returns layers of branches, bottom up. The first layer is on the bed.
 std::vector<SupportLayer> Layers(const std::vector<MultiPolygon>& outlines) {
   std::vector<SupportLayer> layers;
   for (size_t i = 0; i < outlines.size(); ++i)
@@ -51,7 +51,7 @@ TEST(KeepRings, LeavesWhatIsCarried) {
 }
 
 TEST(KeepRings, LeavesShortSpans) {
-  // Two branches that become one: between them a loop spans a gap of about two millimetres.
+  // Two branches that become one. Between them a loop spans a gap of about two millimetres.
   const auto layers =
       Layers({Union(Disc(0, 0, 2), Disc(3.7, 0, 2)), Union(Disc(0, 0, 2), Disc(3.8, 0, 2)),
               Union(Disc(0, 0, 1.9), Disc(3.9, 0, 1.9))});
@@ -64,7 +64,7 @@ TEST(KeepRings, CutsAHoleForALoopInside) {
   EXPECT_EQ(Holes(layers[0]), 0u) << "the first layer is filled";
   for (const size_t i : {1u, 2u}) {
     ASSERT_EQ(Holes(layers[i]), 1u) << i;
-    // The loop around the hole lies where the branch's own loop does.
+    // The loop around the hole is at the position of the branch's own loop.
     const Polygon& hole = layers[i].regions[0].outlines[0].holes[0];
     EXPECT_NEAR(-SignedArea(hole) * 1e-12, std::numbers::pi * 1.6 * 1.6, 0.15);
     EXPECT_NEAR(ToMm(Centroid(hole).x), 2, 1e-3);

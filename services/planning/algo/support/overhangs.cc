@@ -16,10 +16,10 @@
 namespace slicefarm::planning {
 namespace {
 
-/// What is steep where it is enforced.
+/// Overhang that counts as steep where supports are enforced.
 constexpr Coord kEnforcedNm = 50'000;
-/// Along a step, supports go this far beyond what is steep: steps that are now and then a little
-/// narrower than the threshold would have supports in pieces.
+/// Distance along a step that supports extend beyond the steep area. A step that is sometimes a
+/// little narrower than the threshold would otherwise have supports in pieces.
 constexpr Coord kAlongNm = 500'000;
 constexpr OffsetOptions kRound = {.join = Join::kRound, .arc_tolerance_nm = 10'000};
 
@@ -27,10 +27,11 @@ const MultiPolygon& Below(const SupportProblem& problem, size_t index) {
   return *problem.part[index - 1].outlines;
 }
 
-/// `hanging` (what lies beyond `below`) farther than `distance_nm` from it.
+/// Returns the parts of `hanging` (the area beyond `below`) that are farther than `distance_nm`
+/// from `below`.
 MultiPolygon FartherThan(const MultiPolygon& hanging, const MultiPolygon& below,
                          Coord distance_nm) {
-  // Mitred, the layer below covers no less: what is left of nothing needs no round joins.
+  // Offsets only the rings near each island. An island without such rings is far as a whole.
   MultiPolygon far;
   for (const PolygonWithHoles& island : hanging) {
     const Box box = Bounds(island.outer).Grown(2 * distance_nm);
@@ -50,8 +51,8 @@ MultiPolygon FartherThan(const MultiPolygon& hanging, const MultiPolygon& below,
   return far;
 }
 
-/// Whether some point of the island may be farther than `distance_nm` from the rest of its layer: a
-/// strip along the layer below that is nowhere wider than that has too little area for its length.
+/// Returns true if some point of the island may be farther than `distance_nm` from the rest of its
+/// layer. A small or thin island cannot.
 bool MayReach(const PolygonWithHoles& island, Coord distance_nm) {
   const Box box = Bounds(island.outer);
   return std::max(box.max.x - box.min.x, box.max.y - box.min.y) > distance_nm &&

@@ -13,7 +13,7 @@
 namespace slicefarm::planning::overhangs_test {
 namespace {
 
-/// A box of 10 x 10 mm under one that reaches `by_mm` farther to the right.
+/// Returns a box of 10 x 10 mm under one that extends `by_mm` farther to the right.
 TestStack Step(double by_mm) {
   return TestStack(4, [by_mm](double z) { return BoxOf(0, 0, z < 0.4 ? 10 : 10 + by_mm, 10); });
 }
@@ -77,8 +77,8 @@ TEST(IslandsInAirOf, TouchNothingBelow) {
   EXPECT_EQ(IslandsInAirOf(pair.Problem(), 0).size(), 0u);
 }
 
-/// Random outlines: what is steep is exactly what is inside, and farther than the threshold from
-/// the layer below.
+/// Tests random outlines: the steep area is exactly the area inside the layer and farther than the
+/// threshold from the layer below.
 TEST(OverhangOf, EqualsBruteForce) {
   std::mt19937 random(11);
   const auto blob = [&](double radius) {

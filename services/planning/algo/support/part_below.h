@@ -6,9 +6,9 @@
 
 namespace slicefarm::planning {
 
-/// Calls visit(outlines) with the layers of the part that carry a layer of support whose bottom
-/// lies at `bottom_nm`: those whose top is at most a layer and the lower gap below it. None with
-/// bed_only.
+/// Calls visit(outlines) with the layers of the part that support a layer of support with its
+/// bottom at `bottom_nm`. Their tops are at most one layer plus the lower gap below it. There are
+/// none with bed_only.
 template <typename Visit>
 void ForEachPartBelow(const SupportProblem& problem, const SupportOptions& options, Coord bottom_nm,
                       Visit visit) {

@@ -13,12 +13,12 @@
 
 namespace slicefarm::planning {
 
-/// A stack of layers of 0.2 mm that keeps its outlines, and problems made of it.
+/// Stack of layers of 0.2 mm that stores its outlines and makes problems from them.
 class TestStack {
  public:
   static constexpr Coord kHeightNm = 200'000;
 
-  /// `outline`: of the layer whose middle lies at a height, mm.
+  /// `outline`: returns the outline of a layer from the height of its middle, in mm.
   TestStack(int layers, const std::function<MultiPolygon(double)>& outline) {
     for (int i = 0; i < layers; ++i) outlines_.push_back(outline(0.2 * i + 0.1));
   }
@@ -55,7 +55,7 @@ inline MultiPolygon BoxOf(double x0, double y0, double x1, double y1) {
 
 inline double AreaMm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
 
-/// All support of the layer whose top lies there.
+/// Returns all support of the layer with its top at `top_nm`.
 inline MultiPolygon SupportAt(const SupportPlan& plan, Coord top_nm) {
   MultiPolygon all;
   for (const SupportLayer& layer : plan.layers)

@@ -8,9 +8,9 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr int kReach = 31;  ///< pixels; see kFarthest
+constexpr int kReach = 31;  ///< search distance in pixels; see kFarthest
 constexpr int kBlock =
-    64;  ///< pixels of a row that are worked on together: a fixed number, for the compiler
+    64;  ///< pixels of a row per block; fixed, so that the compiler vectorizes
 
 Coord FloorDiv(Coord a, Coord b) { return a / b - (a % b < 0 ? 1 : 0); }
 
@@ -22,7 +22,7 @@ std::array<PixelDistance, kReach * kReach + 1> MakeRoots() {
   return roots;
 }
 
-/// Distances along columns, up to kReach.
+/// Returns distances along columns, up to kReach.
 std::vector<uint8_t> ColumnDistances(const Bitmap& bitmap) {
   const PixelGrid& grid = bitmap.grid();
   std::vector<uint8_t> far(grid.size(), kReach);
@@ -44,8 +44,8 @@ std::vector<uint8_t> ColumnDistances(const Bitmap& bitmap) {
   return far;
 }
 
-/// The least of squared[x + d] + d^2 for |d| <= kReach, for a block of pixels.
-/// `squared` has kReach pixels more on both sides.
+/// Computes the minimum of squared[x + d] + d^2 for |d| <= kReach, for a block of pixels. `squared`
+/// has kReach more pixels on both sides.
 void LeastSum(const int16_t* squared, int16_t* least) {
   for (int i = 0; i < kBlock; ++i) least[i] = squared[i];
   for (int d = 1; d <= kReach; ++d) {
@@ -86,7 +86,7 @@ PixelGrid GridOver(const Box& box, Coord pixel_nm) {
 void Bitmap::Fill(const MultiPolygon& region) {
   crossings_.resize(static_cast<size_t>(grid_.height));
   int32_t first = grid_.height, last = -1;
-  // The first row whose centres lie at y or above, not cut to the grid.
+  // Returns the first row with its centres at y or above, not clamped to the grid.
   const auto row_from = [&](Coord y) {
     return FloorDiv(y - grid_.origin.y + grid_.pixel_nm - grid_.pixel_nm / 2 - 1, grid_.pixel_nm);
   };
@@ -132,8 +132,8 @@ std::vector<Polygon> Outline(const Bitmap& bitmap) {
   const auto set = [&](int32_t x, int32_t y) {
     return x >= 0 && y >= 0 && x < grid.width && y < grid.height && bitmap.At(x, y);
   };
-  // Edges run with what is set to the left: along the tops of pixels to the left, and so on. Each
-  // ring has an edge along the bottom of a pixel; `traced` knows those edges.
+  // Edges run with the set pixels to their left. Each ring has an edge along the bottom of a pixel,
+  // and `traced` marks these edges.
   std::vector<uint8_t> traced(grid.size(), 0);
   std::vector<Polygon> rings;
   for (int32_t y0 = 0; y0 < grid.height; ++y0) {
@@ -141,13 +141,13 @@ std::vector<Polygon> Outline(const Bitmap& bitmap) {
       if (!set(x0, y0) || set(x0, y0 - 1)) continue;
       if (traced[static_cast<size_t>(y0) * grid.width + x0]) continue;
       Polygon ring;
-      // The corner at which the next edge starts, and its direction.
+      // Start corner of the next edge, and the edge's direction.
       int32_t x = x0, y = y0, dx = 1, dy = 0;
       do {
         if (dx == 1) traced[static_cast<size_t>(y) * grid.width + x] = 1;
         x += dx;
         y += dy;
-        // The two pixels ahead: left and right of the way on.
+        // The two pixels ahead, to the left and to the right of the current direction.
         const int32_t lx = x + (dx - dy - 1) / 2, ly = y + (dx + dy - 1) / 2;
         const int32_t rx = x + (dx + dy - 1) / 2, ry = y + (dy - dx - 1) / 2;
         const int32_t was_dx = dx, was_dy = dy;

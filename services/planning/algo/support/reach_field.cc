@@ -11,15 +11,15 @@
 namespace slicefarm::planning {
 namespace {
 
-/// A branch should get this far in a slab.
+/// Sideways movement of a branch within a slab, in pixels.
 constexpr double kPixelsInSlab = 2.2;
-/// A slab's obstacles are those of this much above and below it too: between the middles of two
-/// slabs a branch leans from one place to the other.
+/// Height above and below a slab in which obstacles also count. Between the middles of two slabs a
+/// branch leans from one place to the other.
 constexpr Coord kOverlapNm = 150'000;
-/// Branches end on the part where it reaches this many pixels around.
+/// Radius in pixels that the part must fill for a branch to end on it.
 constexpr int kFootPixels = 2;
 
-/// The pixels of a layer's outlines that share heights with [bottom, top].
+/// Fills the pixels of the layers that share heights with [bottom, top].
 template <typename Layer>
 void FillBetween(const std::vector<Layer>& stack, Coord bottom_nm, Coord top_nm, Bitmap& bitmap) {
   auto layer = std::partition_point(stack.begin(), stack.end(),
@@ -28,7 +28,7 @@ void FillBetween(const std::vector<Layer>& stack, Coord bottom_nm, Coord top_nm,
     bitmap.Fill(*layer->outlines);
 }
 
-/// The largest squared distance of whole pixels up to `pixels`.
+/// Returns the largest squared distance of whole pixels up to `pixels`.
 int32_t WholeStep(double pixels) {
   int32_t best = 0;
   const int most = static_cast<int>(pixels);
@@ -38,7 +38,7 @@ int32_t WholeStep(double pixels) {
   return best;
 }
 
-/// Distances less `by` pixels' steps.
+/// Subtracts `by` distance steps from all distances.
 void Subtract(std::vector<PixelDistance>& distances, int by) {
   const auto less = static_cast<PixelDistance>(std::clamp(by, 0, 255));
   for (PixelDistance& d : distances) d = static_cast<PixelDistance>(d > less ? d - less : 0);
@@ -71,7 +71,7 @@ class FieldMaker {
     return clear;
   }
 
-  /// What is in the way in a slab, at the pixels themselves.
+  /// Marks the pixels that the part, and other obstacles, occupy in a slab.
   void MarkSolid(const Slab& slab, std::vector<bool>& part, std::vector<bool>& other) const {
     Bitmap bitmap(grid_);
     FillBetween(problem_.part, slab.bottom_nm, slab.top_nm, bitmap);
@@ -82,7 +82,7 @@ class FieldMaker {
     other = Bits(bitmap);
   }
 
-  /// Where the part below a slab is wide enough to stand on.
+  /// Returns the pixels where the part below a slab is wide enough for a foot.
   std::vector<bool> Floor(const Slab& below, const Slab& slab) const {
     Bitmap solid(grid_);
     FillBetween(problem_.part, below.bottom_nm - kOverlapNm, slab.bottom_nm, solid);
@@ -101,7 +101,8 @@ class FieldMaker {
   Bitmap off_bed_;
 };
 
-/// The grid over `box` whose fields take no more than they may.
+/// Returns the grid over `box` with the smallest pixels for which the fields stay within the memory
+/// limit.
 PixelGrid GridFor(const SupportHeights& heights, const Box& box, const SupportOptions& options) {
   const int fields = options.bed_only ? 1 : 2;
   Coord pixel = ReachField::kPixelNm;

@@ -15,40 +15,41 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Consecutive layers of support that branches pass in one step.
+/// Consecutive layers of support that a branch passes in one step.
 struct Slab {
-  int32_t first_layer = 0;  ///< of support
+  int32_t first_layer = 0;  ///< first layer of support in the slab
   int32_t last_layer = 0;
   Coord bottom_nm = 0;
   Coord top_nm = 0;
-  /// How far, in squared pixels, a branch may go from the slab above (in this one) to here: the
-  /// pixels in a disc. What the angle allows and whole pixels do not is carried over to the next.
+  /// Largest squared distance in pixels from a place in the slab above to a place in this slab. The
+  /// distances form a disc of whole pixels. The remainder below a whole pixel is added to the next
+  /// slab's step.
   int32_t step_squared = 0;
 
   Coord middle_nm() const { return (bottom_nm + top_nm) / 2; }
 };
 
-/// Layers in slabs of about two pixels' way, upwards.
+/// Groups layers into slabs in which a branch moves about two pixels, bottom up.
 std::vector<Slab> SlabsOf(const SupportHeights& heights, double angle_rad, Coord pixel_nm);
 
-/// Where branches can go, as one number for each place and slab: the radius of the thickest branch
-/// that gets from there to where it may end.
+/// Field of the places that branches can reach. It stores one number per place and slab: the radius
+/// of the thickest branch that gets from there to a valid end.
 ///
-///   bed:     R_s = min(d_s, max of R_(s-1) within a step), R_0 = d_0
-///   anywhere: the same, and d_s where a level enough piece of the part lies right below
+///   bed:     R_s = min(d_s, max of R_(s-1) within a step), R_0 = d_0.
+///   anywhere: the same, and d_s where a level enough piece of the part is right below.
 ///
-/// d_s is the distance to what is not free in the slab (and a little above and below it): the part
-/// and others, and off the bed, less the xy spacing. So one sweep answers for all radii.
-/// Distances beyond 7.7 mm (at 0.25 mm pixels) count as that.
+/// d_s is the distance to the blocked area in the slab and slightly above and below it, less the xy
+/// spacing. The part, other objects, and the area off the bed are blocked. So one sweep is enough
+/// for all radii. Distances are limited to 7.7 mm (at 0.25 mm pixels).
 ///
-/// Pixels are kPixelNm, or more where the field would take over kMaxFieldBytes.
-/// Cost: about 5 ns for a pixel and slab, most of it on `threads` threads.
+/// Pixels are kPixelNm, or larger if the field would take over kMaxFieldBytes.
+/// Cost: about 5 ns per pixel and slab, most of it on `threads` threads.
 class ReachField {
  public:
   static constexpr Coord kPixelNm = 250'000;
   static constexpr int64_t kMaxFieldBytes = int64_t{192} << 20;
 
-  /// Errors: Cancelled.
+  /// Computes the field within `box`. Errors: Cancelled.
   static absl::StatusOr<ReachField> Make(const SupportProblem& problem,
                                          const SupportHeights& heights, const Box& box,
                                          const SupportOptions& options, int threads,
@@ -57,13 +58,15 @@ class ReachField {
   const PixelGrid& grid() const { return grid_; }
   const std::vector<Slab>& slabs() const { return slabs_; }
 
-  /// Radii, nm, at the pixel of a place.
+  /// Returns the radius of the thickest branch with a path to the bed from a place, in nm.
   Coord ToBed(size_t slab, Point p) const { return At(to_bed_, slab, p); }
+  /// Returns the radius of the thickest branch with a path to the bed or the part, in nm.
   Coord ToAnywhere(size_t slab, Point p) const {
     return to_part_.empty() ? ToBed(slab, p) : At(to_part_, slab, p);
   }
-  /// What is in the way at the pixel itself, somewhere in the slab's height.
+  /// Returns true if the part occupies the pixel at some height of the slab.
   bool OnPart(size_t slab, Point p) const { return part_[slab][Index(p)]; }
+  /// Returns true if another object occupies the pixel in the slab, or the pixel is off the bed.
   bool OnOther(size_t slab, Point p) const { return other_[slab][Index(p)]; }
 
  private:
@@ -79,12 +82,13 @@ class ReachField {
   PixelGrid grid_;
   std::vector<Slab> slabs_;
   std::vector<Plane> to_bed_;
-  std::vector<Plane> to_part_;  ///< empty where branches may end on the bed alone
+  std::vector<Plane> to_part_;  ///< empty if branches may end only on the bed
   std::vector<std::vector<bool>> part_;
-  std::vector<std::vector<bool>> other_;  ///< and what is not on the bed
+  std::vector<std::vector<bool>> other_;  ///< other objects, and pixels off the bed
 };
 
-/// max over the pixels within sqrt(step_squared) of each. Cost: O(pixels * step).
+/// Returns for each pixel the maximum over the pixels within sqrt(step_squared). Cost: O(pixels *
+/// step).
 std::vector<PixelDistance> MostWithin(const std::vector<PixelDistance>& values,
                                       const PixelGrid& grid, int32_t step_squared);
 

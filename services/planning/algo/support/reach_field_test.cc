@@ -67,7 +67,7 @@ TEST(ReachField, FreeSpaceReachesTheBedEverywhere) {
   EXPECT_GT(field->ToBed(field->slabs().size() - 1, At(3, 4)), FromMm(7));
 }
 
-/// A plate of 20 x 20 mm, 4 to 6 mm above the bed, and what is above it.
+/// A plate of 20 x 20 mm, 4 to 6 mm above the bed, and the supports above it.
 class PlateTest : public testing::Test {
  protected:
   const TestStack plate_{

@@ -9,11 +9,12 @@
 namespace slicefarm::planning {
 namespace {
 
-/// A connected piece of a bitmap: pixels that share an edge.
+/// Connected piece of a bitmap. Its pixels share edges.
 struct Piece {
   std::vector<int32_t> pixels;  ///< indices into the grid
   bool stood = false;
-  PixelDistance deepest = 0;  ///< the largest distance from one of its pixels to what is not set
+  /// Largest distance from a pixel of the piece to a pixel that is not set.
+  PixelDistance deepest = 0;
 };
 
 /// Visits the pieces of a bitmap one by one.
@@ -62,11 +63,11 @@ class Pieces {
 
   const PixelGrid& grid_;
   const uint8_t* stood_;
-  std::vector<uint8_t> open_;  ///< set, and of no piece yet
+  std::vector<uint8_t> open_;  ///< set pixels that are not yet in a piece
   std::vector<PixelDistance> depth_;
 };
 
-/// Sets the pixels within `reach` of those of a piece.
+/// Sets the pixels within `reach` of a piece.
 void SetAround(const Piece& piece, int32_t reach, Bitmap& around) {
   const PixelGrid& grid = around.grid();
   for (const int32_t pixel : piece.pixels) {

@@ -29,7 +29,7 @@ MultiPolygon Frame() { return Difference(BoxOf(0, 0, 20, 20), BoxOf(1, 1, 19, 19
 struct Case {
   std::string name;
   MultiPolygon piece;
-  double widened_mm;  ///< what there is around it on each side; 0: it stays
+  double widened_mm;  ///< width added on each side; 0: unchanged
 };
 
 class AroundSlenderTest : public testing::TestWithParam<Case> {};

@@ -17,10 +17,11 @@ namespace slicefarm::planning {
 namespace {
 
 constexpr Coord kPixelNm = 250'000;
-/// Sheets on tips reach to where their edge would be if discs so wide were rolled along it: they
-/// span between two tips, and reach beyond the outer ones by kReachNm.
+/// Radius of the disc that defines the extent of sheets on tips. The sheet's edge is the envelope
+/// of such a disc rolled along the tips. So sheets span between two tips and extend beyond the
+/// outer tips by kReachNm.
 constexpr Coord kHalfSpanNm = 1'600'000;
-/// Rounding of boolean operations may take away as much.
+/// Area that rounding in boolean operations may remove.
 constexpr double kUnchangedNm2 = 1e9;
 constexpr double kMostPixels = 2'000'000;
 
@@ -36,7 +37,8 @@ class Standing {
            std::vector<SupportLayer>& layers)
       : problem_(problem), options_(options), layers_(layers), doubtful_(layers.size(), 0) {}
 
-  /// Whether each island of the layer is seen to be carried by those below, as they are.
+  /// Marks the layer as doubtful unless each of its islands clearly rests on the layer below in its
+  /// current state.
   void Look(size_t index) {
     const SupportLayer& layer = layers_[index];
     if (layer.first) return;
@@ -51,7 +53,7 @@ class Standing {
         if (!SeenToStand(island, rest, near)) doubtful_[index] = 1;
   }
 
-  /// Takes away what is not carried. REQUIRES: called upwards.
+  /// Removes unsupported areas. REQUIRES: called from the bed up.
   void Cut(size_t index) {
     if (!doubtful_[index]) return;
     SupportLayer& layer = layers_[index];
@@ -75,7 +77,7 @@ class Standing {
   }
 
  private:
-  /// Calls visit(outlines) with all that a layer may lie on.
+  /// Calls visit(outlines) with everything that a layer may rest on.
   template <typename Visit>
   void ForEachCarrier(size_t index, Visit visit) const {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
@@ -84,10 +86,10 @@ class Standing {
     ForEachPartBelow(problem_, options_, bottom, visit);
   }
 
-  /// Sheets span from tip to tip.
+  /// Returns true if sheets span from tip to tip.
   bool Spans() const { return options_.style == SupportStyle::kTree; }
 
-  /// The pixels, not 0, within reach of what carries them.
+  /// Returns a map that is not 0 for pixels within reach of their support.
   std::vector<PixelDistance> Near(const Bitmap& rest) const {
     const PixelGrid& grid = rest.grid();
     const auto reach = static_cast<int32_t>(kReachNm / grid.pixel_nm);
@@ -118,11 +120,11 @@ class Standing {
     return touches;
   }
 
-  /// All regions of a layer, joined where they touch.
+  /// Returns all regions of a layer, joined where they touch.
   static MultiPolygon Whole(const SupportLayer& layer) {
     MultiPolygon all;
     for (const SupportRegion& region : layer.regions) {
-      // A little more, so that what lies side by side is one.
+      // Regions are grown slightly, so that neighbouring regions merge.
       const MultiPolygon wide = FastOffset(region.outlines, 2'000);
       all = Union(all, wide);
     }

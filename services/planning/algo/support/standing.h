@@ -12,12 +12,13 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Takes from layers of support, from the bed up, what nothing carries: islands that lie on neither
-/// support nor part, and what reaches more than kReachNm beyond what they lie on.
+/// Removes unsupported areas from layers of support, from the bed up. These are islands that rest
+/// on neither support nor part, and areas more than kReachNm beyond their support.
 ///
-/// A part carries a layer whose bottom is at most a layer and the lower gap above it, unless
+/// A part supports a layer with its bottom at most one layer plus the lower gap above it, unless
 /// bed_only is set. Layers must follow each other without gaps in height.
-/// Cost: a raster of each layer on `threads` threads; boolean operations where there is doubt.
+/// Cost: a raster of each layer on `threads` threads; boolean operations where the raster leaves a
+/// doubt.
 void KeepStanding(const SupportProblem& problem, const SupportOptions& options, int threads,
                   const CancelToken& cancel, std::vector<SupportLayer>& layers);
 

@@ -9,16 +9,16 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Tops that differ by less are one.
+/// Difference below which two tops count as equal.
 constexpr Coord kSameNm = 1'000;
 
-/// A layer between contacts takes the height of a layer of the part that is so near; a contact only
-/// goes down, and by less.
+/// Distances within which a top snaps to a layer of the part. A layer between contacts may move up
+/// or down. A contact moves only down, and by less.
 constexpr Coord kSnapNm = 20'000, kSnapContactNm = 8'000;
 
-/// The top of a layer of the part in [top_nm - below_nm, top_nm + above_nm], the nearest to
-/// `top_nm`; else `top_nm`. A layer of the print for each of two heights that near would be printed
-/// for nothing.
+/// Returns the top of the part's layer nearest to `top_nm` in [top_nm - below_nm, top_nm +
+/// above_nm], or `top_nm` if there is none. Otherwise two nearly equal heights would add a useless
+/// layer to the print.
 Coord Snapped(Coord top_nm, Coord below_nm, Coord above_nm, const SupportProblem& problem) {
   const auto from =
       std::ranges::lower_bound(problem.part, top_nm - below_nm, {}, &PartLayer::top_nm);
@@ -47,7 +47,8 @@ void FillEvenly(Coord top_nm, const SupportProblem& problem, const SupportOption
   layers.push_back({layers.back().top_nm, top_nm});
 }
 
-/// Adds layers that end with the part's, as far as there is room for one that ends at `top_nm`.
+/// Adds layers that end with the part's layers, as long as a layer that ends at `top_nm` still fits
+/// above.
 void FollowPart(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
                 std::vector<SupportHeight>& layers) {
   const Coord from = layers.back().top_nm;
@@ -62,8 +63,8 @@ void FollowPart(Coord top_nm, const SupportProblem& problem, const SupportOption
   }
 }
 
-/// Adds layers from the top of the last one to `top_nm`. The first one is as high as the part's
-/// own: no nozzle prints lower.
+/// Adds layers from the top of the last one to `top_nm`. The first layer is as high as the part's
+/// first layer, because the nozzle prints no lower layer.
 void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions& options,
               std::vector<SupportHeight>& layers) {
   if (layers.empty()) layers.push_back({0, options.first_layer_height_nm});
@@ -71,14 +72,15 @@ void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions&
   FillEvenly(top_nm, problem, options, layers);
 }
 
-/// How far a contact may go down to the top of a layer of the part. Branches go down by half a
-/// layer, so that trees add no layers to the print where the gap is no multiple of the part's
-/// layers.
+/// Returns the distance that a contact may move down to the top of a layer of the part. Branches
+/// move down by up to half a layer. So trees add no layers to the print if the gap is no multiple
+/// of the part's layers.
 Coord LowerBy(const SupportOptions& options) {
   return options.style == SupportStyle::kTree ? options.layer_height_nm / 2 : kSnapContactNm;
 }
 
-/// The tops that overhangs ask for: by height, each with the layers of the part that ask for it.
+/// Returns the tops that overhangs require, by height, each with the layer of the part that
+/// requires it.
 std::vector<std::pair<Coord, size_t>> TopsWanted(const SupportProblem& problem,
                                                  const std::vector<Overhang>& overhangs,
                                                  const SupportOptions& options) {
@@ -99,7 +101,7 @@ std::vector<std::pair<Coord, size_t>> TopsWanted(const SupportProblem& problem,
   return tops;
 }
 
-/// Layers at the part's own heights up to `top_nm`.
+/// Returns layers at the part's own heights up to `top_nm`.
 std::vector<SupportHeight> PartHeights(const SupportProblem& problem, Coord top_nm) {
   std::vector<SupportHeight> layers;
   for (const PartLayer& layer : problem.part)

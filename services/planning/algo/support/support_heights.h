@@ -11,6 +11,7 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
+/// Bottom and top of one layer of support, above the bed.
 struct SupportHeight {
   Coord bottom_nm = 0;
   Coord top_nm = 0;
@@ -18,23 +19,26 @@ struct SupportHeight {
   friend bool operator==(const SupportHeight&, const SupportHeight&) = default;
 };
 
-/// The layers of support, upwards from the bed without gaps, and which of them each overhang lies
-/// on.
+/// Layers of support, from the bed up without gaps, and the layer below each overhang.
 struct SupportHeights {
   std::vector<SupportHeight> layers;
-  std::vector<int32_t> under;  ///< by layer of the part; -1: no overhang, or no room under it
+  /// Index of the support layer, by layer of the part; -1: no overhang, or no room under it.
+  std::vector<int32_t> under;
 
   friend bool operator==(const SupportHeights&, const SupportHeights&) = default;
 };
 
-/// Layers with a top top_gap_nm below each layer of the part that hangs over. Tops that
-/// are nearer than min_layer_height_nm to each other become the lower one. Between them layers are
-/// as high as can be up to layer_height_nm, or a tenth more where that is the top of a layer of the
-/// part; the first one is first_layer_height_nm, as the part's own.
-/// Layers of branches end where the part's do: between contacts always, and below a contact if that
-/// takes no more than half a layer_height_nm from its top.
-/// With synchronize_layers tops are those of the part's layers, the next below what they carry.
-/// Overhangs so low that the first layer does not fit under them have none: the bed is near.
+/// Computes the layers of support. Each overhanging layer of the part has a layer with its top at
+/// top_gap_nm below it.
+/// - Tops closer to each other than min_layer_height_nm become the lower one.
+/// - Layers between tops are as high as possible, up to layer_height_nm. They may be a tenth higher
+///   to end at the top of a layer of the part. The first layer is first_layer_height_nm high, like
+///   the part's own.
+/// - Layers of branches end with the part's layers: always between contacts. Below a contact they
+///   do so if its top moves down by no more than half a layer_height_nm.
+/// - With synchronize_layers all tops are tops of the part's layers: the next top below the
+///   overhang.
+/// - Overhangs too low for the first layer get no support, because the bed is near.
 SupportHeights HeightsFor(const SupportProblem& problem, const std::vector<Overhang>& overhangs,
                           const SupportOptions& options);
 

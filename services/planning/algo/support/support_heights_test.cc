@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Overhangs in some layers of a part.
+/// Returns overhangs in some layers of a part.
 std::vector<Overhang> In(size_t layers, const std::vector<size_t>& which) {
   std::vector<Overhang> overhangs(layers);
   for (const size_t i : which) overhangs[i].contact = overhangs[i].steep = BoxOf(0, 0, 1, 1);
@@ -70,7 +70,8 @@ TEST(HeightsFor, NoRoomUnderTheSecondLayer) {
   EXPECT_THAT(Tops(heights), ElementsAre(0.2));
 }
 
-// The nozzle would be too near to the bed, and the part's first layer no first layer any more.
+// A lower layer would bring the nozzle too near to the bed and add a layer below the part's first
+// layer.
 TEST(HeightsFor, TheFirstLayerIsNeverLowerThanThePartsOwn) {
   SupportOptions options;
   options.top_gap_nm = 150'000;
@@ -93,7 +94,8 @@ TEST(HeightsFor, TheFirstLayerIsNeverLowerThanThePartsOwn) {
 TEST(HeightsFor, LayersThatLieNearThePartsAreAtItsHeights) {
   SupportOptions options;
   options.top_gap_nm = 195'000;
-  // 1.005 would be a layer of the print beside 1.0; between, fifths of it.
+  // A top at 1.005 would add a layer of the print beside 1.0. The layers between are fifths of the
+  // distance.
   const SupportHeights heights = HeightsFor(kPart.Problem(), In(20, {6}), options);
   EXPECT_THAT(Tops(heights), ElementsAre(0.2, 0.4, 0.6, 0.8, 1.0));
 }
@@ -130,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(TreeCase{"ALayer", 200'000, {5, 6}, {0.2, 0.4, 0.6, 0.8, 1.0}},
                     TreeCase{"LessThanALayer", 150'000, {5, 6}, {0.2, 0.4, 0.6, 0.8, 1.0}},
                     TreeCase{"HalfALayer", 100'000, {5}, {0.2, 0.4, 0.6, 0.8}},
-                    // What would go down by more keeps its distance, and a height of its own.
+                    // A contact that would move down by more keeps its distance and has a height of
+                    // its own.
                     TreeCase{"LittleMoreThanALayer", 250'000, {5, 9}, {0.2, 0.4, 0.6, 0.75, 0.875, 1.0, 1.2, 1.4, 1.55}},
                     TreeCase{"None", 0, {4}, {0.2, 0.4, 0.6, 0.8}}),
     [](const auto& info) { return info.param.name; });

@@ -7,16 +7,17 @@
 
 namespace slicefarm::planning {
 
-/// What a region of support is for, and so how it is printed.
+/// Purpose of a region of support, which decides how the region is printed.
 enum class SupportRole : uint8_t {
-  kBase,             ///< sparse lines, with a loop around them if a sheath is asked for
-  kBranch,           ///< one loop, nothing in it
-  kThickBranch,      ///< two loops, nothing in them
-  kTopInterface,     ///< dense lines that the part lies on
+  kBase,  ///< sparse lines, with a loop around them if a sheath is set
+  kBranch,  ///< one loop without filling
+  kThickBranch,  ///< two loops without filling
+  kTopInterface,  ///< dense lines below the part
   kBottomInterface,  ///< dense lines on the part
 };
 inline constexpr int kSupportRoleCount = 5;
 
+/// Area of one role in a layer of support.
 struct SupportRegion {
   SupportRole role = SupportRole::kBase;
   MultiPolygon outlines;
@@ -24,36 +25,38 @@ struct SupportRegion {
   friend bool operator==(const SupportRegion&, const SupportRegion&) = default;
 };
 
-/// A layer of support; its heights need not be those of the part's layers.
+/// Layer of support. Its heights may differ from the heights of the part's layers.
 struct SupportLayer {
-  Coord top_nm = 0;     ///< above the bed
-  Coord height_nm = 0;  ///< down to the top of the layer of support below, be it printed or not
-  bool first = false;   ///< it lies on the bed
-  std::vector<SupportRegion> regions;  ///< disjoint, by role; not empty
+  Coord top_nm = 0;  ///< top above the bed
+  Coord height_nm = 0;  ///< height down to the top of the layer of support below, printed or not
+  bool first = false;  ///< true if the layer is on the bed
+  std::vector<SupportRegion> regions;  ///< disjoint, in order of the role; not empty
 
   friend bool operator==(const SupportLayer&, const SupportLayer&) = default;
 };
 
-/// What should be known of an overhang.
+/// Notice about an overhang for the user.
 struct SupportFinding {
   enum class Kind : uint8_t {
-    kNotCarried,   ///< an overhang that no support can reach
-    kStartsInAir,  ///< an island with nothing of the part below it
+    kNotCarried,  ///< overhang that no support can reach
+    kStartsInAir,  ///< island with nothing of the part below it
   };
   Kind kind = Kind::kNotCarried;
-  int32_t layer = 0;    ///< of the part
-  Coord bottom_nm = 0;  ///< of that layer
-  Point place;          ///< in the middle of it, or near
+  int32_t layer = 0;  ///< layer of the part
+  Coord bottom_nm = 0;  ///< bottom of this layer
+  Point place;  ///< in the middle of the overhang, or near it
   double area_mm2 = 0;
-  bool carried = false;  ///< of kStartsInAir: a support carries it
+  bool carried = false;  ///< for kStartsInAir: true if a support is below the island
 
   friend bool operator==(const SupportFinding&, const SupportFinding&) = default;
 };
 
+/// Supports of one object, and the notices about its overhangs.
 struct SupportPlan {
-  std::vector<SupportLayer> layers;      ///< upwards, one for each height
-  std::vector<SupportFinding> findings;  ///< by layer of the part, then place
-  /// By layer of the part: where supports lie right below its underside, grown a line wide.
+  std::vector<SupportLayer> layers;  ///< bottom up, one for each height
+  std::vector<SupportFinding> findings;  ///< in order of the part's layer, then the place
+  /// Areas with supports directly below the underside, grown by a line's width, by layer of the
+  /// part.
   std::vector<MultiPolygon> carried;
 
   friend bool operator==(const SupportPlan&, const SupportPlan&) = default;

@@ -25,12 +25,12 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Branches go this far around what they carry, to the sides.
+/// Sideways reach of branches around the sheets that they support.
 constexpr Coord kAroundNm = 12'000'000;
-/// An overhang is carried where support or part is this near.
+/// Distance within which support or part counts as support of an overhang, for branches.
 constexpr Coord kCarriedTreeNm = 1'000'000;
 constexpr Coord kCarriedNm = 500'000;
-/// Less of an overhang is not worth telling.
+/// Smallest area of an overhang that is reported.
 constexpr double kToldNm2 = 0.05e12;
 
 SupportFinding FindingAt(SupportFinding::Kind kind, const SupportProblem& problem, size_t layer,
@@ -44,7 +44,7 @@ SupportFinding FindingAt(SupportFinding::Kind kind, const SupportProblem& proble
   return finding;
 }
 
-/// One run.
+/// One run of PlanSupports.
 class Planner {
  public:
   Planner(const SupportProblem& problem, const SupportOptions& options, int threads,
@@ -103,7 +103,7 @@ class Planner {
     });
   }
 
-  /// What of a contact somebody has marked.
+  /// Returns the part of a contact that a user has marked.
   MultiPolygon EnforcedContact(size_t part_layer) const {
     const MultiPolygon* enforcers = problem_.part[part_layer].enforcers;
     if (enforcers == nullptr || overhangs_[part_layer].contact.empty()) return {};
@@ -120,8 +120,8 @@ class Planner {
     return absl::OkStatus();
   }
 
-  /// Where supports are to stand on the bed alone, those of marked places may stand on the part:
-  /// who marks a place wants it carried.
+  /// Adds columns under marked areas. With supports on the bed only, these columns may rest on the
+  /// part, because the user has requested support there.
   absl::Status AddEnforced(const Clearance& clearance, std::vector<MultiPolygon>& columns) {
     const auto none = [](const MultiPolygon& contact) { return contact.empty(); };
     if (std::ranges::all_of(enforced_, none)) return absl::OkStatus();
@@ -160,7 +160,7 @@ class Planner {
     return absl::OkStatus();
   }
 
-  /// The pixels of each sheet that no sheet lies below.
+  /// Returns the pixels of each sheet that have no sheet below them.
   std::vector<std::vector<int32_t>> Undersides(const PixelGrid& grid,
                                                const std::vector<MultiPolygon>& sheets) const {
     std::vector<std::vector<int32_t>> undersides(sheets.size());
@@ -176,7 +176,8 @@ class Planner {
     return undersides;
   }
 
-  /// Supports count whose top is at most a layer farther below than the gap: that far threads sag.
+  /// Finds the areas of contacts with a support below. The support's top may be up to one layer
+  /// below the gap, because threads sag by this distance.
   void FindCarried() {
     plan_.carried.resize(overhangs_.size());
     ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
@@ -220,15 +221,16 @@ class Planner {
     return findings;
   }
 
-  /// What of an overhang is farther than it may be from the part's layer below and from support
-  /// right under it. The bed carries what is too near to it for a support.
+  /// Returns the areas of an overhang that are too far from the part's layer below and from support
+  /// right under the overhang. Overhangs too low for a support are excluded, because the bed
+  /// supports them.
   MultiPolygon NotCarried(size_t part_layer) const {
     const MultiPolygon& steep = overhangs_[part_layer].steep;
     const int32_t under = heights_.under[part_layer];
     if (under < 0) return {};
     const Coord reach = options_.style == SupportStyle::kTree ? kCarriedTreeNm : kCarriedNm;
     const Coord top = heights_.layers[static_cast<size_t>(under)].top_nm;
-    // Supports first: they are small, and most of the time enough.
+    // Tests supports first: their outlines are small, and usually enough.
     MultiPolygon left = steep;
     const auto take = [&](const MultiPolygon& carrier) {
       if (left.empty()) return;
@@ -246,13 +248,13 @@ class Planner {
 
   const SupportProblem& problem_;
   const SupportOptions& options_;
-  SupportOptions standing_;  ///< where supports may stand, after all
+  SupportOptions standing_;  ///< options with the final choice of where supports may rest
   const int threads_;
   const CancelToken& cancel_;
   std::vector<Overhang> overhangs_;
   SupportHeights heights_;
   Contacts contacts_;
-  Contacts enforced_;  ///< of these, what is marked, where supports stand on the bed alone
+  Contacts enforced_;  ///< marked parts of `contacts_`, used if supports rest on the bed only
   SupportPlan plan_;
 };
 

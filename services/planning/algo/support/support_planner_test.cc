@@ -103,7 +103,7 @@ class SupportsTest : public testing::TestWithParam<std::tuple<Shape, SupportStyl
     options_.style = std::get<1>(GetParam());
   }
   static const Shape& shape() { return std::get<0>(GetParam()); }
-  /// One layer above the bed leaves no height for supports.
+  /// A part with its overhang one layer above the bed leaves no height for supports.
   static bool has_room() { return shape().name != "FromLayerOne"; }
 
   TestStack stack_;
@@ -158,7 +158,8 @@ TEST_P(SupportsTest, RestOnSomething) {
   }
 }
 
-/// The loops of hollow branches, down the middle of their beads; of what is filled, its outlines.
+/// Returns the loops of hollow branches, along the middle of their beads. For filled regions it
+/// returns the outlines.
 std::vector<Polygon> Beads(const SupportLayer& layer, Coord width_nm) {
   std::vector<Polygon> beads;
   for (const SupportRegion& region : layer.regions) {
@@ -170,7 +171,7 @@ std::vector<Polygon> Beads(const SupportLayer& layer, Coord width_nm) {
   return beads;
 }
 
-/// What the beads of a layer cover: branches are hollow, but on the bed.
+/// Returns the area that the beads of a layer cover. Branches are hollow, except on the bed.
 MultiPolygon Covered(const SupportLayer& layer, Coord width_nm) {
   MultiPolygon covered;
   for (const SupportRegion& region : layer.regions) {
@@ -183,7 +184,7 @@ MultiPolygon Covered(const SupportLayer& layer, Coord width_nm) {
   return covered;
 }
 
-/// The longest stretch of a ring farther than a millimetre from a region.
+/// Returns the longest run of a ring that is farther than a millimetre from a region.
 double LongestOff(const Polygon& ring, const MultiPolygon& region) {
   double run = 0, longest = 0;
   for (int turn = 0; turn < 2; ++turn) {  // twice round: the stretch may pass the ring's start
@@ -196,7 +197,7 @@ double LongestOff(const Polygon& ring, const MultiPolygon& region) {
   return longest;
 }
 
-/// Each bead lies on beads: outlines do not show what is printed of them.
+/// Tests that each bead rests on beads. The outlines alone do not show this.
 TEST_P(SupportsTest, BeadsLieOnBeads) {
   const SupportProblem problem = stack_.Problem();
   const SupportPlan plan = Plan(problem, options_);
@@ -213,7 +214,7 @@ TEST_P(SupportsTest, BeadsLieOnBeads) {
   }
 }
 
-/// By points: whatever is steep has support, or the layer below, near it.
+/// Checks on points that every steep place has support, or the layer below, near it.
 TEST_P(SupportsTest, CarryAllThatIsSteep) {
   options_.skip_bridges = false;
   const SupportProblem problem = stack_.Problem();
@@ -246,7 +247,8 @@ TEST_P(SupportsTest, AreTheSameForAnyThreads) {
   EXPECT_EQ(plan, Plan(problem, options_, 5));
 }
 
-/// Farther, turned and mirrored: as much plastic, but for where pixels and cells lie.
+/// Moves, rotates and mirrors the part: the volume stays the same except for the effect of pixels
+/// and cells.
 TEST_P(SupportsTest, DoNotCareWhereAndHowThePartStands) {
   const double volume = VolumeMm3(Plan(stack_.Problem(), options_));
   const auto changed = [&](auto change) {
@@ -309,7 +311,7 @@ TEST_P(StyleTest, TopsLieAtTheGap) {
   for (const Coord gap : {Coord{0}, Coord{100'000}, Coord{150'000}, Coord{250'000}}) {
     options_.top_gap_nm = gap;
     const SupportPlan plan = Plan(stack.Problem(), options_);
-    // Branches end with a layer of the part, where that is no more than half a layer lower.
+    // Branches end with a layer of the part if this layer is no more than half a layer lower.
     const bool down = options_.style == SupportStyle::kTree && gap > 0 && gap < 200'000;
     EXPECT_EQ(plan.layers.back().top_nm, 10'000'000 - (down ? 200'000 : gap));
     EXPECT_NEAR(AreaMm2(All(plan.layers.back())), 400 - 16, 40) << gap;
@@ -326,7 +328,8 @@ TEST_P(StyleTest, OnBedOnlyLeavesWhatStandsOverThePart) {
   EXPECT_GT(plan.findings[0].area_mm2, 100);
 }
 
-// Who marks a place wants it carried, wherever its supports have to stand. Branches keep to the bed.
+// A marked area gets support even if all supports must rest on the bed. Branches still rest on the
+// bed only.
 TEST_P(StyleTest, OnBedOnlyWhatIsMarkedMayStandOnThePart) {
   const TestStack stack(60, kShapes[5].outline);
   options_.bed_only = true;
@@ -359,7 +362,7 @@ TEST_P(StyleTest, IslandsInTheAirAreToldOf) {
   EXPECT_EQ(IslandsInAir(stack.Problem(), 1, CancelToken()).size(), 1u);
 }
 
-/// The plate of the notes: a wing of one object over a box of another.
+/// The test plate: a wing of one object above a box of another.
 TEST_P(StyleTest, KeepOffOtherObjects) {
   const TestStack wing(60,
                        [](double z) { return z < 10 ? BoxOf(0, 0, 5, 20) : BoxOf(0, 0, 30, 20); });
@@ -430,7 +433,8 @@ TEST_P(StyleTest, CanBeCancelled) {
   }
 }
 
-/// A fin of 0.3 mm, 20 mm long, 16 mm above the bed: a wall of one bead as high would fall over.
+/// A fin of 0.3 mm, 20 mm long, 16 mm above the bed. A wall of one bead of this height would fall
+/// over.
 TEST(SupportPlanner, ColumnsUnderFinsAreClosedCells) {
   const TestStack stack(85, [](double z) {
     const MultiPolygon post = BoxOf(-6, 0, 0, 6);

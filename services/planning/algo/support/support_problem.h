@@ -7,8 +7,8 @@
 
 namespace slicefarm::planning {
 
-/// A layer of something that stands on the plate: it fills `outlines` from top_nm - height_nm to
-/// top_nm, nm above the bed.
+/// Layer of an object on the plate. It fills `outlines` from top_nm - height_nm to top_nm, in nm
+/// above the bed.
 struct SolidLayer {
   Coord top_nm = 0;
   Coord height_nm = 0;
@@ -17,20 +17,20 @@ struct SolidLayer {
   Coord bottom_nm() const { return top_nm - height_nm; }
 };
 
-/// A layer of the part, with what is said of its underside.
+/// Layer of the part, with the marked areas of its underside.
 struct PartLayer : SolidLayer {
-  const MultiPolygon* enforcers = nullptr;  ///< null: none
-  const MultiPolygon* blockers = nullptr;   ///< null: none
+  const MultiPolygon* enforcers = nullptr;  ///< null if there are none
+  const MultiPolygon* blockers = nullptr;  ///< null if there are none
 };
 
-/// What is to be supported, in the coordinates of one object. What stands around its copies is all
-/// put around it, so that one support serves them all.
+/// Input for the supports of one object, in its own coordinates. The neighbours of all copies are
+/// placed around it, so that one support fits every copy.
 struct SupportProblem {
-  std::vector<PartLayer> part;  ///< upwards, without gaps between them
-  /// Other objects, each upwards: supports keep off them and do not stand on them.
+  std::vector<PartLayer> part;  ///< layers bottom up, without gaps between them
+  /// Other objects, each bottom up. Supports keep away from them and do not rest on them.
   std::vector<std::vector<SolidLayer>> others;
-  MultiPolygon bed;  ///< supports stay on it; empty: no bounds
-  /// How far the first layer of branches reaches beyond what stands on it.
+  MultiPolygon bed;  ///< supports stay on it; empty: no limit
+  /// Distance by which the first layer of branches is widened.
   Coord first_layer_expansion_nm = 0;
 };
 

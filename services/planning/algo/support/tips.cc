@@ -13,7 +13,7 @@ int32_t SquaredPixels(Coord length_nm, Coord pixel_nm) {
   return static_cast<int32_t>(pixels * pixels);
 }
 
-/// Beside the line of a span.
+/// Distance from the line between two tips that a span supports.
 constexpr Coord kBesideSpanNm = 800'000;
 
 }  // namespace

@@ -7,23 +7,24 @@
 
 namespace slicefarm::planning {
 
-/// Places under a layer that carry it.
+/// Places tips under a layer so that they support it.
 ///
-/// Of each layer the underside is known as pixels. Carriers that come from above cover what is near
-/// them; where something is left, a tip is put in the middle of what it would cover.
+/// The underside of each layer is given as pixels. Branches from above support the pixels near
+/// them. For the remaining pixels a tip is placed in the middle of the area that it would support.
 class TipPlaces {
  public:
-  /// `reach_nm`: what a tip covers around its middle.
+  /// `reach_nm`: radius of the area that a tip supports.
   TipPlaces(const PixelGrid& grid, Coord reach_nm);
 
-  /// Begins a layer, whose underside are these pixels (indices into the grid, ascending).
+  /// Begins a layer. `underside`: pixels of its underside, as ascending indices into the grid.
   void Begin(const std::vector<int32_t>& underside);
   static constexpr Coord kSpanNm = 3'200'000;
 
-  /// All within `radius_nm` of a place is carried, and what spans from there to the places before.
+  /// Marks the pixels within `radius_nm` of a place as supported, and the spans from there to the
+  /// earlier places.
   void Cover(Point at, Coord radius_nm);
-  /// Puts tips until all is covered; returns their places, in order of the pixels.
-  /// Cost: O(pixels of the underside * pixels that a tip covers) at most, and O(tips * places).
+  /// Places tips until all pixels are supported. Returns the tips in the order of the pixels.
+  /// Cost: at most O(pixels of the underside * pixels that a tip covers), and O(tips * places).
   std::vector<Point> Place();
 
  private:
@@ -32,10 +33,10 @@ class TipPlaces {
     int32_t y = 0;
   };
   Pixel At(int32_t index) const { return {index % grid_.width, index / grid_.width}; }
-  /// The middle of what is open within sqrt(squared) pixels.
+  /// Returns the middle of the open pixels within sqrt(squared) pixels.
   Pixel MiddleAround(Pixel pixel, int32_t squared) const;
   void CoverSpan(Point a, Point b);
-  /// Whether a tip there would cover the pixel.
+  /// Returns true if a tip at `tip` would support `pixel`.
   bool CoversFrom(Pixel tip, Pixel pixel) const;
   template <typename Visit>
   void ForEachWithin(Pixel centre, int32_t squared, Visit visit) const;
@@ -43,9 +44,9 @@ class TipPlaces {
   PixelGrid grid_;
   Coord reach_nm_;
   int32_t reach_squared_;
-  int32_t far_squared_;  ///< the same, of where a tip may be that covers a pixel by a span
+  int32_t far_squared_;  ///< squared distance within which a tip may support a pixel by a span
   std::vector<int32_t> underside_;
-  std::vector<uint8_t> open_;  ///< of the underside, and not yet carried
+  std::vector<uint8_t> open_;  ///< pixels of the underside without support so far
   std::vector<Point> carriers_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Coord kReach = 1'200'000;
 
-/// Pixels of a region.
+/// Returns the pixels of a region.
 std::vector<int32_t> Pixels(const PixelGrid& grid, const MultiPolygon& region) {
   Bitmap bitmap(grid);
   bitmap.Fill(region);
@@ -21,7 +21,8 @@ std::vector<int32_t> Pixels(const PixelGrid& grid, const MultiPolygon& region) {
 
 const PixelGrid kGrid = GridOver({{0, 0}, {20'000'000, 20'000'000}}, 250'000);
 
-/// How far a point is from a tip; 0 near the line between two tips that a sheet spans.
+/// Returns the distance of a point from the nearest tip; 0 near a line between two tips that a
+/// sheet spans.
 double FromTips(Point p, const std::vector<Point>& tips) {
   double nearest = 1e9;
   for (size_t i = 0; i < tips.size(); ++i) {

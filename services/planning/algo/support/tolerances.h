@@ -4,13 +4,14 @@
 
 namespace slicefarm::planning::support {
 
-/// Heights that differ by less are the same.
+/// Difference below which two heights count as equal.
 inline constexpr Coord kSameHeightNm = 1'000;
-/// Regions with less are no regions: no bead fits in.
+/// Smallest area of a region. No bead fits into less.
 inline constexpr double kLeastRegionNm2 = 0.02e12;
 
-/// For so many layers from its top down a contact has its exact outline: there the part is so near
-/// that the edges of pixels would look like contacts at the wrong distance. Then its pixels go on.
+/// Number of layers from its top down in which a contact has its exact outline. The part is so near
+/// there that pixel edges would resemble contacts at the wrong distance. Lower layers use the
+/// pixels.
 inline constexpr int kExactLayers = 4;
 
 }  // namespace slicefarm::planning::support

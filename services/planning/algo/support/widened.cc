@@ -10,7 +10,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Of a strip: its area over half of its edges, all in all.
+/// Returns the mean width of a strip: its area divided by half the length of its edges.
 Coord MeanWidth(const PolygonWithHoles& island) {
   double edges = 0;
   ForEachRing({island}, [&](const Polygon& ring) { edges += Perimeter(ring); });

@@ -4,8 +4,8 @@
 
 namespace slicefarm::planning {
 
-/// The islands that are on average narrower than `width_nm`, made about as wide. Cost: an offset
-/// for each.
+/// Returns the islands that are on average narrower than `width_nm`, widened to about this width.
+/// Cost: an offset for each.
 MultiPolygon Widened(const MultiPolygon& islands, Coord width_nm);
 
 }  // namespace slicefarm::planning

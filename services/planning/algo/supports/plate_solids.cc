@@ -24,7 +24,7 @@ Polygon RingOf(const Box& box) {
 
 Box MovedBox(const Box& box, Point shift) { return {box.min + shift, box.max + shift}; }
 
-/// How far apart two boxes are, along the axis on which they are farther; 0: they meet.
+/// Returns the larger of the gaps between two boxes along x and y; 0 if they meet.
 Coord GapOf(const Box& a, const Box& b) {
   const Coord x = std::max(a.min.x - b.max.x, b.min.x - a.max.x);
   const Coord y = std::max(a.min.y - b.max.y, b.min.y - a.max.y);

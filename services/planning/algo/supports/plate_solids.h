@@ -14,26 +14,26 @@
 
 namespace slicefarm::planning {
 
-/// All that stands on a plate, as supports of one object see it.
+/// Everything on a plate that affects the supports of an object.
 class PlateSolids {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this object.
   PlateSolids(std::span<const SlicedLayer> parts, std::span<const PlacedCopy> copies);
 
-  /// Of an object that supports were added to. `support` must outlive this.
+  /// Adds the supports of an object. `support` must outlive this object.
   void Add(const AddedStack& support);
 
-  /// What is to be supported of `object`, in its own coordinates, with what stands within `room_nm`
-  /// of it around any of its copies; the bed is what all of them have of `bed` there.
-  /// REQUIRES: the object has copies and layers. Cost: O(copies^2) boxes, and the points of what is
-  /// near.
+  /// Returns the support problem of `object` in its own coordinates. It includes the solids within
+  /// `room_nm` of any copy. Its bed is the area near the object that is on `bed` for every copy.
+  /// REQUIRES: the object has copies and layers. Cost: O(copies^2) boxes, and the points of near
+  /// solids.
   SupportProblem ProblemOf(int32_t object, const MultiPolygon& bed, Coord room_nm);
 
  private:
-  /// An object's stacks and what they cover.
+  /// Stacks of an object and their outlines.
   struct Solid {
     std::vector<PartLayer> part;
-    std::vector<std::vector<SolidLayer>> stacks;  ///< the part's too
+    std::vector<std::vector<SolidLayer>> stacks;  ///< stacks including the part's
     Box box;
   };
 
@@ -41,8 +41,8 @@ class PlateSolids {
                  SupportProblem& problem);
 
   const std::span<const PlacedCopy> copies_;
-  std::map<int32_t, Solid> solids_;  ///< by object
-  std::deque<MultiPolygon> moved_;   ///< what problems refer to
+  std::map<int32_t, Solid> solids_;  ///< solids by object
+  std::deque<MultiPolygon> moved_;  ///< moved outlines that problems refer to
 };
 
 }  // namespace slicefarm::planning

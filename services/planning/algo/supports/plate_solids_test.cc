@@ -20,7 +20,7 @@ MultiPolygon Bed(double to_x) {
   return {{{Mm(0, 0), Mm(to_x, 0), Mm(to_x, 200), Mm(0, 200)}, {}}};
 }
 
-/// Layers in which each object is a square of 10 mm.
+/// Returns layers in which each object is a square of 10 mm.
 std::vector<SlicedLayer> Squares(int32_t objects) {
   std::vector<SlicedLayer> layers = LayersOrDie({kSquare, kSquare, kSquare});
   for (int32_t object = 1; object < objects; ++object)

@@ -17,7 +17,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Findings of an object that are told one by one.
+/// Number of findings per object that are reported individually.
 constexpr size_t kToldFindings = 5;
 
 SupportRow RowOf(const SupportLayer& layer, SupportRole role) {
@@ -35,7 +35,7 @@ SupportRow RowOf(const SupportLayer& layer, SupportRole role) {
   return SupportRow::kBase;
 }
 
-/// Adds to the region of the same row and role, if there is one.
+/// Adds outlines to the region with the same row and role, or adds a new region.
 void AddRegion(Role role, int32_t row, MultiPolygon outlines, std::vector<Region>& regions) {
   const auto same = std::ranges::find_if(
       regions, [&](const Region& region) { return region.role == role && region.settings == row; });
@@ -72,7 +72,7 @@ std::string TextOf(const SupportFinding& finding) {
                      ToMm(finding.bottom_nm), what);
 }
 
-/// What a person should look at; places are the object's own.
+/// Adds warnings for the user. Places are in the object's own coordinates.
 void Tell(const std::string& name, std::vector<SupportFinding> findings,
           std::vector<std::string>& warnings) {
   std::erase_if(findings, [](const SupportFinding& finding) { return finding.carried; });
@@ -104,7 +104,7 @@ absl::Status SupportsPlanner::Plan(std::span<const SlicedLayer> parts, const Can
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     const ObjectPlanOptions& options = options_.objects[static_cast<size_t>(object)];
     SupportProblem problem = plate.ProblemOf(object, options_.bed, kRoomNm);
-    // A raft has an expansion of its own below the supports that stand on it.
+    // A raft has its own expansion below the supports that rest on it.
     if (options.raft.heights.layers == 0)
       problem.first_layer_expansion_nm = options.raft.first_layer_expansion_nm;
     auto planned = PlanSupports(problem, options.support, threads_, cancel);

@@ -14,25 +14,28 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Gives objects that ask for it a stack of StackKind::kSupport (support/support_planner.h), in the
-/// object's own coordinates: all copies share it, and it is printed and cancelled with each. So
-/// what stands around any copy, supports of objects before it included, is around all of them;
-/// beyond kRoomNm of the object, or half way to its next copy, there is no support.
+/// Plans supports as a stack of StackKind::kSupport for each object with this setting
+/// (support/support_planner.h).
 ///
-/// Regions of Role::kSupport and kSupportInterface. What no support can carry, and what starts in
-/// the air, is told in RegionPlan::warnings with its place and area.
+/// The supports are in the object's own coordinates. All copies share them, and they are printed
+/// and cancelled with each copy. So the neighbours of any copy limit the supports of all copies.
+/// Supports of earlier objects are neighbours too. No support is more than kRoomNm away from the
+/// object, or beyond half the distance to its next copy.
+///
+/// Output: regions of Role::kSupport and kSupportInterface. RegionPlan::warnings lists the
+/// overhangs that no support can reach and the islands that start in the air, with place and area.
 /// Errors: Cancelled.
 class SupportsPlanner : public RegionPlanner {
  public:
-  /// All must outlive this. Every copy's object has options. `object_names`: by object; may be
-  /// fewer.
+  /// All arguments must outlive this planner. Every copy's object has options. `object_names`:
+  /// names by object; may have fewer entries.
   SupportsPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                   std::span<const std::string> object_names, int threads)
       : options_(options), copies_(copies), object_names_(object_names), threads_(threads) {}
 
   static constexpr Coord kRoomNm = 15 * kNmPerMm;
 
-  /// Whether some object asks for supports.
+  /// Returns true if some object has supports.
   static bool IsNeeded(const PlanningOptions& options, std::span<const PlacedCopy> copies);
 
   absl::Status Plan(std::span<const SlicedLayer> parts, const CancelToken& cancel,

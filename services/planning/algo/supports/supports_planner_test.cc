@@ -24,7 +24,7 @@ Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 constexpr std::string_view kStem = "(-3 -3, 3 -3, 3 3, -3 3)";
 constexpr std::string_view kArm = "(-3 -3, 20 -3, 20 3, -3 3)";
 
-/// A post of 6 mm with an arm that hangs out by 17 mm at a height of 6 mm.
+/// Returns a post of 6 mm with an arm that overhangs by 17 mm at a height of 6 mm.
 std::vector<SlicedLayer> Gallows() {
   std::vector<std::string_view> texts(30, kStem);
   texts.insert(texts.end(), 5, kArm);
@@ -64,7 +64,7 @@ TEST_P(EveryStyle, CarriesTheArmByAStackOfItsObject) {
   const AddedStack& support = plan.stacks[0];
   EXPECT_EQ(support.stack, Stack(1, 0, StackKind::kSupport));
   ASSERT_FALSE(support.sections.empty());
-  // 0.2 mm of air below the arm, which begins at 6 mm.
+  // The gap below the arm, which begins at 6 mm, is 0.2 mm.
   EXPECT_EQ(support.sections.back().z_nm, 5'800'000);
   EXPECT_EQ(support.sections.front().z_nm, support.sections.front().height_nm) << "on the bed";
   int32_t layer = 0;
@@ -85,7 +85,7 @@ TEST_P(EveryStyle, TopsAreInterfaceAndTheFirstLayerHasItsOwnRow) {
   const std::vector<ObjectSection>& sections = plan.stacks[0].sections;
   ASSERT_FALSE(sections.empty());
   for (const Region& region : sections.front().regions) EXPECT_EQ(region.settings, 11);
-  // Cells of a grid may reach beyond the arm; what lies below the arm is interface.
+  // Cells of a grid may extend beyond the arm. The area below the arm is interface.
   const MultiPolygon arm = MakePolygonsOrDie("(4 -3, 20 -3, 20 3, 4 3)");
   MultiPolygon interface;
   for (const Region& region : sections.back().regions) {
@@ -102,7 +102,7 @@ TEST_P(EveryStyle, ASupportDoesNotRunThroughWhatStandsBesideIt) {
     layers[static_cast<size_t>(i)].sections.push_back(SectionOrDie(1, i, kStem));
   PlanningOptions options = With(GetParam(), 2);
   options.objects[1].support.on = false;
-  // The other one stands below the arm.
+  // The second object is below the arm.
   const JobPlan plan =
       PlanOrDie(options, {{0, Mm(100, 100), {}}, {1, Mm(112, 100), {}}}, layers);
   ASSERT_THAT(plan.stacks, SizeIs(1));
@@ -152,7 +152,7 @@ TEST(SupportsPlanner, LayersThatBeginWithASupportDoNotMeetReady) {
 
 TEST(SupportsPlanner, WhatCannotBeCarriedIsTold) {
   PlanningOptions options = With(SupportStyle::kSnug);
-  // A plate all below the arm; nothing may stand on the part.
+  // A plate below the whole arm. No support may rest on the part.
   std::vector<SlicedLayer> layers = Gallows();
   for (size_t i = 0; i < 3; ++i)
     layers[i].sections[0].regions[0].outlines =

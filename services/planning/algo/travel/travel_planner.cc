@@ -10,9 +10,10 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Sections of more islands are visited in the order in which they come.
+/// Largest number of islands that are visited by nearest neighbour. More islands are visited in
+/// their given order.
 constexpr size_t kMaxVisited = 2000;
-/// Objects are entered from the front left, where the nozzle comes from at first.
+/// Objects are entered from the front left, where the nozzle is at first.
 constexpr Point kFrontLeft{-1'000 * kNmPerMm, -1'000 * kNmPerMm};
 
 double DistanceToBox(Point p, const Box& box) {
@@ -26,7 +27,7 @@ Point Nearest(const Polygon& ring, Point to) {
   });
 }
 
-/// A place, and the rings of its island.
+/// Exit point, and the rings of its island.
 struct LikelyExit {
   Point at;
   RingRange rings;
@@ -49,9 +50,9 @@ std::vector<Island> IslandsOf(const MultiPolygon& outlines) {
   return islands;
 }
 
-/// Where a section that is entered at `entry` is left: its islands by nearest neighbour, each left
-/// where it was entered. To guess that fill ends at an island's far side costs up to a quarter more
-/// travel.
+/// Estimates the exit of a section that is entered at `entry`. Islands are visited by nearest
+/// neighbour, and each is left where it was entered. An estimate that fill ends at the far side of
+/// an island gives up to a quarter more travel.
 LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   std::vector<Island> left = IslandsOf(outlines);
   if (left.empty()) return {entry, {}};
@@ -59,7 +60,7 @@ LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   LikelyExit exit{entry, {}};
   Point& at = exit.at;
   while (!left.empty()) {
-    // Of islands one around the other, the inner one.
+    // Takes the inner one of nested islands first.
     const auto next = std::ranges::min_element(left, {}, [&](const Island& island) {
       return std::pair(DistanceToBox(at, island.box), island.box.max.x - island.box.min.x);
     });
@@ -70,10 +71,12 @@ LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   return exit;
 }
 
-/// A wall goes on where its seam lies so near to one of the layer below.
+/// Largest distance between the seam of a wall and a seam of the layer below for the wall to count
+/// as its continuation.
 constexpr double kSeamStepNm = 0.3 * kNmPerMm;
 
-/// The seam of a wall that goes on from one of these, nearest to where the section is entered.
+/// Returns the seam nearest to the section's entry among the walls that continue one of the seams
+/// `below`.
 std::optional<Point> SeamToMeetAt(const SectionPlan& section, std::span<const Point> below) {
   std::optional<Point> nearest;
   for (const Point seam : section.seams) {
@@ -84,7 +87,7 @@ std::optional<Point> SeamToMeetAt(const SectionPlan& section, std::span<const Po
   return nearest;
 }
 
-/// The seams of a section's rings, as far as there are any.
+/// Returns the seams of a section's rings, or nothing if they are not planned.
 std::span<const Point> SeamsOf(const SectionPlan& section, RingRange rings) {
   const auto last = static_cast<size_t>(rings.last);
   if (last > section.seams.size()) return {};

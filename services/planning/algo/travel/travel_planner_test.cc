@@ -59,7 +59,7 @@ TEST(TravelPlanner, AThousandCopiesAreNoBurden) {
   EXPECT_EQ(plans[499].entry, plans[497].entry);
 }
 
-/// Plans after Finish, of layers with these seams each.
+/// Returns the plans after Finish for layers with the given seams.
 OpenLayers Meeting(const std::vector<std::vector<Point>>& seams,
                    const std::vector<PlacedCopy>& copies) {
   TravelPlanner planner(copies);
