@@ -17,7 +17,8 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr Coord kMaxBeadNm = 100 * kNmPerMm;
-/// Lengths become 32-bit micrometres, and 32-bit 1e-5 mm of filament, two of them in one move.
+/// Largest length. Lengths become 32-bit micrometres, and 32-bit 1e-5 mm of filament, two of them
+/// in one move.
 constexpr double kMaxLengthMm = 1e4;
 constexpr double kMaxSetting = 1e9;
 
@@ -78,8 +79,8 @@ bool AreInOrder(const OrderedLayer& layer) {
   return true;
 }
 
-/// A block is built once for all its visits: it cannot be the first of some and not of others. A
-/// layer's only block is the first of all passes.
+/// A block is built once for all its visits, so it cannot be first in some passes and not first in
+/// others. The only block of a layer is the first one of all passes.
 bool CanBeReady(const OrderedLayer& layer) {
   if (!layer.begins_ready && !layer.ends_ready) return true;
   const bool only_block = layer.blocks.size() == 1 && layer.blocks.front().spiral;

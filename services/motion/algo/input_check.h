@@ -9,17 +9,18 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Refuses what no planner can work with: diameters and speeds that are not above 0, numbers that
-/// are not finite, lengths beyond 10 m. Settings are checked in full where they are read; this
-/// keeps a wrong sender from doing harm. Errors: InvalidArgument SETTING_OUT_OF_RANGE naming the
+/// Checks that planners can use the options. Diameters and speeds must be above 0, numbers finite,
+/// and lengths at most 10 m. The settings are checked in full where they are read; this check
+/// limits the damage of a faulty sender. Errors: InvalidArgument SETTING_OUT_OF_RANGE naming the
 /// setting.
 absl::Status CheckOptions(const MotionOptions& options);
 
-/// Refuses paths of fewer than two points, with a wrong number of widths, of a width, height or
-/// place that no printer has, whose settings are in no table, or with a tool other than 0; blocks
-/// without paths; visits of no block, or whose shift is not in whole micrometres; passes that do
-/// not ascend. Errors: InvalidArgument REQUEST_MALFORMED naming the layer. Cost: O(points +
-/// visits).
+/// Checks the paths, blocks and visits of a layer.
+/// - Paths: at least two points, the right number of widths, and a width, height and place that a
+///   printer can have. The settings must have a row, and the tool must be 0.
+/// - Blocks must have paths.
+/// - Visits must have a block, and a shift in whole micrometres. Passes must ascend.
+/// Errors: InvalidArgument REQUEST_MALFORMED naming the layer. Cost: O(points + visits).
 absl::Status CheckLayer(const OrderedLayer& layer, const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -26,7 +26,7 @@ TEST(CheckOptions, NamesTheSetting) {
       {"extrusion_multiplier", [](auto& o) { o.tool().extrusion_multiplier = kNan; }},
       {"retract_length", [](auto& o) { o.tool().retraction.length_mm = -1; }},
       {"retract_lift", [](auto& o) { o.tool().retraction.lift_mm = 1e300; }},
-      // Finite, but more than 32 bits hold.
+      // The value is finite, but too large for 32 bits.
       {"filament_diameter", [](auto& o) { o.tool().filament_diameter_mm = 1.1e4; }},
       {"retract_length", [](auto& o) { o.tool().retraction.length_mm = 1e5; }},
       {"retract_lift", [](auto& o) { o.tool().retraction.lift_mm = 1e8; }},

@@ -35,7 +35,7 @@ namespace {
 constexpr size_t kBytesPerMove = 32;
 constexpr size_t kBytesAround = 512;
 
-/// Keeps a place for code that is filled in later.
+/// Records the position of code that is filled in later.
 void KeepPlace(const CustomCode& code, const GcodeText& out, std::vector<int64_t>& places) {
   if (code.waits) places.push_back(std::ssize(out.text()));
 }
@@ -46,7 +46,7 @@ void WriteHeader(const LayerFrame& frame, const CommentWords& words, const Custo
   out << words.layer_change << '\n' << words.z;
   out.Real(z_mm, 3) << '\n' << words.height;
   out.Real(static_cast<double>(ToUm(frame.height_nm)) / kUmPerMm, 3) << '\n';
-  // Printer hosts look for this pair of lines; many profiles bring it along.
+  // Printer hosts search for this pair of lines, and many profiles write it themselves.
   if (!code.names_layer_change) {
     out << ";BEFORE_LAYER_CHANGE\n;";
     out.Real(z_mm, 3) << '\n';
@@ -55,7 +55,7 @@ void WriteHeader(const LayerFrame& frame, const CommentWords& words, const Custo
   out.Lines(code.before);
 }
 
-/// The second layer goes over from the first layer's temperatures to the others.
+/// Writes the change from the first layer's temperatures to the normal ones, at the second layer.
 void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeText& out) {
   if (layer_index != 1) return;
   if (options.tool().temperature_c != options.tool().first_layer_temperature_c) {
@@ -66,14 +66,14 @@ void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeT
   }
 }
 
-/// A block's moves and what they take, times apart.
+/// Moves of a block, with their statistics except times.
 struct BuiltBlock {
   Toolpath path;
   ProgramStats stats;
   bool ends_retracted = true;
 
-  /// Where the nozzle is at the end: beyond that of the last path if it wipes there, or its seam
-  /// is a scarf.
+  /// Returns the last position of the nozzle. With a wipe or a scarf seam it is beyond the end of
+  /// the last path.
   Point Exit() const {
     const Move& last = path.moves.back();
     return {FromUm(last.x_um), FromUm(last.y_um)};
@@ -89,14 +89,15 @@ const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
   return layer.blocks[static_cast<size_t>(visit.block)];
 }
 
-/// Returns true if supports are all that is visited, or nothing is.
+/// Returns true if only supports are visited, or nothing.
 bool PrintsNoPart(std::span<const BlockVisit> visits, const OrderedLayer& layer) {
   return std::ranges::all_of(visits, [&](const BlockVisit& visit) {
     return BlockOf(visit, layer).stack.kind == StackKind::kSupport;
   });
 }
 
-/// Return true if a block is the first or the last of a layer that meets the one below or above.
+/// Return true if a block is the first or the last one of a layer that meets the layer below or
+/// above with the filament ready.
 bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
   return layer.begins_ready && !layer.visits.empty() &&
          &block == &BlockOf(layer.visits.front(), layer);
@@ -130,7 +131,7 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     }
     Toolpath path = EndsReady(block, layer) ? builder.FinishAt(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
-    // A mix holds for one move.
+    // A mix is used for a whole move, so arcs are not built with mixing.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
       FindArcs(path);
     built.push_back({std::move(path), builder.stats(), builder.retracted()});
@@ -138,13 +139,13 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
   return built;
 }
 
-/// Where the first bead begins: that of a turn of a spiral where the one below ended.
+/// Returns the start of the first bead. A turn of a spiral starts where the turn below ended.
 Point StartOf(const PathBlock& block) {
   if (block.spiral && block.spiral->blends && block.spiral->from) return *block.spiral->from;
   return StartOf(block.paths.front());
 }
 
-/// Plate coordinates of where a visit begins and ends.
+/// Return the plate coordinates of the begin and of the end of a visit.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
   const PathBlock& block = BlockOf(visit, layer);
   const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
@@ -167,10 +168,10 @@ double TravelMm(Point from, std::span<const Point> corners, Point to) {
   return ToMm(length_nm + Distance(from, to));
 }
 
-/// The program of one pass.
+/// Program of one pass.
 class PassProgram {
  public:
-  /// All must outlive this. `visits`: not empty.
+  /// All arguments must outlive this object. `visits`: not empty.
   PassProgram(const OrderedLayer& layer, std::span<const BuiltBlock> built,
               std::span<const BlockVisit> visits, const MotionOptions& options)
       : layer_(layer), visits_(visits), options_(options) {
@@ -223,7 +224,8 @@ class PassProgram {
   }
 
  private:
-  /// Supports between the part's own layers have no part to cool.
+  /// Returns the cooling options. Supports between the part's own layers have no part to cool, so
+  /// they are not slowed down.
   CoolingOptions CoolingOf(std::span<const BlockVisit> visits) const {
     CoolingOptions cooling = options_.tool().cooling;
     if (PrintsNoPart(visits, layer_)) cooling.slowdown_below_layer_time_s = 0;
@@ -236,7 +238,7 @@ class PassProgram {
     return paths_[place_of_.at(visit.block)];
   }
 
-  /// Returns what turns places around a point of the plate into the machine's.
+  /// Returns the shift from coordinates around a point of the plate to machine coordinates.
   ShiftUm OnMachine(Point at) const {
     const Point shift = at - options_.tool().offset;
     return {ToUm(shift.x), ToUm(shift.y)};
@@ -247,7 +249,8 @@ class PassProgram {
     return ways_[static_cast<size_t>(&visit - &visits_.front())];
   }
 
-  /// To the corners on the way from the visit before, on the plate: as the approach goes.
+  /// Returns the moves to the corners of the travel from the visit before, on the plate. They have
+  /// the properties of the approach.
   Toolpath WayTo(const BlockVisit& visit) const {
     Toolpath way;
     if (&visit == &visits_.front()) return way;
@@ -261,8 +264,8 @@ class PassProgram {
     return way;
   }
 
-  /// What is written, in its order. Copies after the first are at their height, unless travels
-  /// rise.
+  /// Returns the written stretches in their order. Copies after the first are already at their
+  /// height, unless travels rise.
   std::vector<Stretch> Stretches() const {
     std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {
@@ -280,7 +283,7 @@ class PassProgram {
     return stretches;
   }
 
-  /// A copy's blocks lie together, under one label.
+  /// Writes a visit. The blocks of a copy follow each other under one label.
   void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts, LayerWriter& writer,
                  GcodeText& out) const {
     const auto copy = static_cast<size_t>(visit.copy);
@@ -295,24 +298,24 @@ class PassProgram {
     writer.EndBlock(out);
     if (!labelled || !ends) return;
     EndCopy(facts.copies[copy], copy, options_, out);
-    // A firmware that leaves the copy out may not do its lines.
+    // A firmware that skips the copy may skip its lines.
     if (options_.labels != ObjectLabels::kNone) writer.Forget();
   }
 
   const OrderedLayer& layer_;
   const std::span<const BlockVisit> visits_;
   const MotionOptions& options_;
-  std::map<int32_t, size_t> place_of_;  ///< in paths_, by block of the layer
+  std::map<int32_t, size_t> place_of_;  ///< index in paths_, by block of the layer
   std::vector<Toolpath> paths_;
-  std::vector<Toolpath> ways_;  ///< by visit
+  std::vector<Toolpath> ways_;  ///< travel to each visit
   ProgramStats stats_;
   LayerEdges edges_;
   Polygon footprint_;
   double silent_time_s_ = 0;
 };
 
-/// Returns what a layer does that prints nothing: it retracts if the layer below has not. The layer
-/// above may begin far away.
+/// Returns the moves of a layer that prints nothing. It retracts if the layer below has not,
+/// because the layer above may begin far away.
 BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
   ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
   if (layer.begins_ready) builder.BeginAsLeft();
@@ -320,7 +323,7 @@ BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
   return {std::move(path), builder.stats(), builder.retracted()};
 }
 
-/// The visits of each pass, in order; one without visits if there are none.
+/// Returns the visits of each pass, in order; one pass without visits if there are none.
 std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> visits) {
   std::vector<std::span<const BlockVisit>> passes;
   size_t first = 0;
@@ -333,8 +336,8 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
   return passes;
 }
 
-/// `index`: of the layer in its pass. A layer in which no part is printed, above the first, leaves
-/// the fan as the part's layer below has it.
+/// Returns the fans and the height of a layer. `index`: index of the layer in its pass. A layer
+/// without parts, above the first one, leaves the fan unchanged.
 LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits, int32_t index,
                    double time_s, const MotionOptions& options) {
   const CoolingOptions& cooling = options.tool().cooling;
@@ -394,7 +397,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   }
   program.gcode = out.Take();
   program.mode_lines = writer.TakeModeLines();
-  // A firmware that leaves a copy out may not do the lines of its layers.
+  // A firmware that skips a copy may skip lines in its layers.
   const bool all_are_done = options.labels == ObjectLabels::kNone || facts.copies.size() < 2;
   if (all_are_done && gcode::LeavesModes(code->before) && gcode::LeavesModes(code->after))
     program.modes_at_end = writer.Modes();

@@ -29,7 +29,7 @@ Path Line(Feature feature, std::string_view points, bool closed = false) {
   return path;
 }
 
-/// A square of 20 mm a side with a line of infill.
+/// Returns a square of 20 mm per side with a line of infill.
 OrderedLayer Square(int32_t index = 2) {
   OrderedLayer layer;
   layer.frame = {index, (index + 1) * 200'000, 200'000};
@@ -42,7 +42,7 @@ OrderedLayer Square(int32_t index = 2) {
   return layer;
 }
 
-/// The square, and a copy of it 50 mm to the right.
+/// Returns the square, and a copy of it 50 mm to the right.
 OrderedLayer TwoSquares(int32_t pass_of_second = 0) {
   OrderedLayer layer = Square();
   layer.visits.push_back({0, 1, pass_of_second, {FromMm(50), 0}});
@@ -57,7 +57,7 @@ MotionOptions Options() {
   return options;
 }
 
-/// What all copies of these layers are called.
+/// Returns the names of all copies in these layers.
 JobFacts Facts() {
   JobFacts facts;
   facts.copies = {{"a", 0, 0, 2}, {"a", 0, 1, 2}};
@@ -78,14 +78,14 @@ std::vector<LayerProgram> Passes(const OrderedLayer& layer,
   return *std::move(programs);
 }
 
-/// Of a layer of one pass.
+/// Returns the program of a layer with one pass.
 LayerProgram Programmed(const OrderedLayer& layer, const MotionOptions& options = Options()) {
   std::vector<LayerProgram> programs = Passes(layer, options);
   EXPECT_EQ(programs.size(), 1);
   return std::move(programs.front());
 }
 
-/// What a printer does with a program that starts retracted.
+/// Simulated result of a program that starts retracted.
 struct Printed {
   double filament_mm = 0;
   double retracted_mm = 0.8;
@@ -180,7 +180,7 @@ TEST(ProgramLayer, ReadsBackAsPlanned) {
   EXPECT_EQ(program.exit, (Point{FromMm(28), FromMm(28)}));
 }
 
-/// `unit_nm`: what coordinates are a multiple of.
+/// `unit_nm`: all coordinates are multiples of this.
 Path RandomPath(std::mt19937& random, Coord unit_nm = 1) {
   Path path;
   path.feature = static_cast<Feature>(random() % kFeatureCount);
@@ -258,7 +258,8 @@ TEST(ProgramLayer, AnEmptyLayerMovesNothing) {
   EXPECT_EQ(program.stats.TimeS(), 0);
 }
 
-// What is set there is that of the part below; supports lie between the part's own layers.
+// The fan stays as in the layer of the part below, because supports are printed between the part's
+// own layers.
 TEST(ProgramLayer, SupportsAloneLeaveTheFanAsItIs) {
   OrderedLayer layer = Square();
   layer.blocks[0].stack.kind = StackKind::kSupport;
@@ -349,7 +350,7 @@ TEST(ProgramLayer, AccelerationsOfCustomCodeEndWithIt) {
               HasSubstr("G1 Z.6 F1200\nM204 S100\nM204 S3000\nG1 X10 Y10"));
 }
 
-// Moves round to micrometres; the head of the layer has to say the same.
+// Moves are rounded to micrometres. The head of the layer must contain the same value.
 TEST(ProgramLayer, AHeightBetweenMicrometresIsSaidOnce) {
   for (const Coord height_nm : {200'500, 200'700, 201'300}) {
     OrderedLayer layer = Square();
@@ -360,7 +361,7 @@ TEST(ProgramLayer, AHeightBetweenMicrometresIsSaidOnce) {
   }
 }
 
-// What depends on the layers before is left out, and its places are told.
+// Templates that depend on earlier layers are left out, and their positions are returned.
 TEST(ProgramLayer, KeepsPlacesForCodeThatWaits) {
   MotionOptions options = Options();
   options.before_layer_gcode = ";BEFORE_LAYER_CHANGE\nM117 {extruded_weight_total}";
@@ -420,7 +421,7 @@ TEST(ProgramLayer, AShiftedCopyIsAsMovedPathsAre) {
   EXPECT_EQ(Programmed(shifted), Programmed(moved));
 }
 
-/// Only the places are others, and those on the plate stay what they are.
+/// Only the coordinates in the G-code change. The places on the plate stay the same.
 TEST(ProgramLayer, TheExtrudersOffsetIsTakenOffAllPlaces) {
   MotionOptions options = Options();
   const LayerProgram plain = Programmed(TwoSquares(), options);
@@ -499,7 +500,7 @@ TEST(ProgramLayer, CopiesAreCountedWithTheWayBetweenThem) {
   EXPECT_GT(two.stats.travel_time_s, 2 * one.stats.travel_time_s - 0.1);
 }
 
-// Where a copy stands must not change what is printed of it: the same moves, and the same speed.
+// The position of a copy must not change its print: it has the same moves and the same speed.
 TEST(ProgramLayer, TheWayToACopyGoesOverItsCorners) {
   const OrderedLayer straight = TwoSquares();
   OrderedLayer round = straight;
@@ -547,7 +548,7 @@ TEST(ProgramLayer, EachPassIsAProgram) {
   EXPECT_EQ(programs[1].entry, (Point{FromMm(60), FromMm(10)}));
 }
 
-// The job's third layer is the second of a copy with layers twice as high.
+// The job's third layer is the second layer of a copy with layers twice as high.
 TEST(ProgramLayer, ACopyInAPassOfItsOwnCountsItsOwnLayers) {
   OrderedLayer layer = TwoSquares(1);
   layer.blocks.push_back(layer.blocks[0]);
@@ -664,7 +665,7 @@ TEST(ProgramLayer, TellsWhatTheLayerBelowMayHaveDone) {
           program.gcode.substr(static_cast<size_t>(line->at), static_cast<size_t>(line->size));
       EXPECT_EQ(text, absl::StrCat(hidden ? "G1 E.8 F2100\n" : "G1 E-.8 F2100\n",
                                    absolute ? "G92 E0\n" : ""));
-      // What follows does not depend on the line's feed rate.
+      // The following lines do not depend on the feed rate of this line.
       const auto end = static_cast<size_t>(line->at + line->size);
       EXPECT_THAT(program.gcode.substr(end, program.gcode.find('\n', end) - end),
                   HasSubstr(hidden ? ";TYPE" : " F"));
@@ -685,7 +686,7 @@ TEST(ProgramLayer, SupportsBetweenThePartsLayersAreNotSlowedDown) {
   EXPECT_NEAR(Programmed(layer, options).stats.TimeS(), 8, 0.03) << "with the part";
 }
 
-/// A turn of a spiral along a square, that begins where the one below ended.
+/// Returns a turn of a spiral along a square. It begins where the turn below ended.
 OrderedLayer Turn() {
   OrderedLayer layer = Square();
   layer.blocks[0].paths.pop_back();

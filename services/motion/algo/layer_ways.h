@@ -13,24 +13,24 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Leads travel between layers round the bed's excluded areas (MotionOptions::room). All places are
-/// the G-code's.
+/// Plans travels between layers around the bed's excluded areas (MotionOptions::room). All places
+/// are coordinates of the G-code.
 class LayerWays {
  public:
-  /// `options` must outlive this.
+  /// `options` must outlive this object.
   explicit LayerWays(const MotionOptions& options);
 
-  /// Returns the corners of the way from `from` to `to`; none: it is straight.
+  /// Returns the corners of the travel from `from` to `to`. A straight travel has none.
   std::vector<Point> Corners(Point from, Point to) const;
 
-  /// Returns the moves to these corners, one a line.
+  /// Returns the moves to these corners, one per line.
   std::string MovesTo(const std::vector<Point>& corners) const;
 
-  /// Returns the moves that lead from `from` towards the layer's entry, at the height of its
-  /// travel; empty if the straight way is free.
+  /// Returns the moves from `from` towards the layer's entry, at the height of its travel; empty if
+  /// the straight travel is free.
   std::string To(const LayerSummary& layer, Point from) const;
 
-  /// Returns where G-code leaves the nozzle that stands at `from` before it.
+  /// Returns the position after running G-code from `from`.
   Point After(std::string_view gcode, Point from) const;
 
  private:

@@ -21,7 +21,7 @@ MultiPolygon Box(double x0, double y0, double x1, double y1) {
   return {{{Mm(x0, y0), Mm(x1, y0), Mm(x1, y1), Mm(x0, y1)}, {}}};
 }
 
-/// A machine with a cutter in its front left corner, whose nozzle is 2 mm behind.
+/// A machine with a cutter in its front left corner and a nozzle offset of 2 mm.
 MotionOptions Options() {
   MotionOptions options;
   options.room = Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28));

@@ -38,7 +38,7 @@ OrderedLayer Squares() {
   return layer;
 }
 
-/// How the extruder's words are asked for.
+/// Settings of the extruder's words.
 struct Asked {
   bool relative = true;
   bool volumetric = false;
@@ -66,7 +66,7 @@ std::string Gcode(const MotionOptions& options, const OrderedLayer& layer = Squa
   return programs->front().gcode;
 }
 
-/// Each line without its E and its comment, and what it pushes in units of its own.
+/// A line without its E word and its comment, and the amount that it pushes in its own units.
 struct Push {
   std::string line;
   double amount = 0;
@@ -121,7 +121,7 @@ TEST(LayerWords, TheExtruderIsAtZeroWhereGcodeOfOthersStands) {
   const std::string gcode = Gcode(Options({.relative = false}));
   const std::string before = gcode.substr(0, gcode.find("M117 layer"));
   EXPECT_THAT(before, Not(HasSubstr(" E")));
-  // Each retraction is followed by a new count.
+  // A new count begins after each retraction.
   size_t resets = 0;
   for (size_t at = gcode.find("G92 E0\n"); at != std::string::npos;
        at = gcode.find("G92 E0\n", at + 1))

@@ -26,9 +26,9 @@ absl::StatusOr<std::optional<MaterialField>> MaterialsOf(const MotionOptions& op
                    {{"setting", "material_field"}});
 }
 
-/// What is made of a job's options, for all its layers.
+/// Data computed once from a job's options, for all its layers.
 struct Preparation {
-  MotionOptions running;  ///< once start_gcode has set what it sets
+  MotionOptions running;  ///< options with the limits that start_gcode sets
   std::optional<MaterialField> materials;
   LayerCode code;
 };

@@ -7,7 +7,8 @@
 
 namespace slicefarm::motion {
 
-/// The motion stage in this process: ProgramLayer for each layer, FrameProgram. Stateless.
+/// Returns the motion stage in this process: ProgramLayer for each layer, FrameProgram. The stage
+/// is stateless.
 std::unique_ptr<MotionStage> MakeLocalMotion();
 
 }  // namespace slicefarm::motion

@@ -14,7 +14,7 @@ using ::testing::SizeIs;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-/// Copies of that many layers of 0.2 mm, 100 mm apart.
+/// Returns copies with the given numbers of layers of 0.2 mm, 100 mm apart.
 ProgramSummary Passes(const std::vector<int32_t>& layer_counts) {
   ProgramSummary summary;
   for (int32_t pass = 0; pass < std::ssize(layer_counts); ++pass)
@@ -74,7 +74,7 @@ TEST(PassChange, RisesBeforeItTravels) {
   EXPECT_EQ(Gcode(Passes({3, 9, 2}), 1, options), "G1 Z2.9 F600\nG1 X200 Y1 F6000\n");
 }
 
-// Whatever it did, the nozzle is high above the bed before it moves along it.
+// The nozzle is high above the bed before it moves along the bed, for any G-code of the user.
 TEST(PassChange, RisesAgainAfterTheUsersGcode) {
   MotionOptions options = Options();
   options.between_objects_gcode = "EJECT 2\nG1 Z0";

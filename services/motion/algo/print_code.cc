@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Goes through the print.
+/// Walks through the print and fills in its templates.
 class CodeWalk {
  public:
   CodeWalk(const macro::JobCode& code, const ProgramSummary& summary, const MotionOptions& options,
@@ -27,7 +27,7 @@ class CodeWalk {
 
   absl::StatusOr<PrintCode> Run(std::span<const PassChange> changes) {
     PrintCode filled;
-    // Before the first layer there is none.
+    // Start G-code is before the first layer, so the layer number is -1.
     Put({.number = -1, .print_z_nm = 0, .top_nm = TopOf(summary_)}, 0);
     if (absl::Status ok = Add(code_.start, filled.start); !ok.ok()) return ok;
     if (absl::Status ok = Add(code_.start_filament, filled.start_filament); !ok.ok()) return ok;
@@ -85,7 +85,7 @@ class CodeWalk {
     return last;
   }
 
-  /// What the templates name from now on.
+  /// Sets the variables for the next templates.
   void Put(const LayerPlace& place, double filament_mm) {
     for (auto& [name, variable] : LayerVariables(place, {})) now_[name] = std::move(variable);
     PutUseSoFar(options_, filament_mm, now_);

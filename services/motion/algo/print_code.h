@@ -16,20 +16,21 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// A job's templates, filled in.
+/// Filled-in templates of a job.
 struct PrintCode {
   std::string start;
   std::string start_filament;
   std::vector<std::string> between;  ///< between_objects_gcode, by pass change
-  /// before_layer_gcode and layer_gcode of each layer if they wait for the others; or none.
+  /// before_layer_gcode and layer_gcode of each layer, if they depend on other layers; otherwise
+  /// empty.
   std::vector<std::string> layers;
   std::string end;
-  std::string file_name;  ///< output_filename_format, as it stands there
+  std::string file_name;  ///< output_filename_format, filled in without further changes
 };
 
-/// Fills them in, in the order of the print, so that global variables and sums go on from each to
-/// the next. `time_s`: of the print, as they name it; `silent_s`: in the machine's silent mode, if
-/// it has one. Errors: those of RunTemplate.
+/// Fills in the templates in the order of the print, so that global variables and sums continue
+/// from each to the next. `time_s`: time of the print for templates. `silent_s`: time in the
+/// machine's silent mode, if it has one. Errors: as RunTemplate.
 absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
                                  std::span<const PassChange> changes, const MotionOptions& options,
                                  double time_s, std::optional<double> silent_s = {});

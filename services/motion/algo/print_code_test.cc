@@ -10,7 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Two passes of two layers, each of 100 mm of filament: 240.528 mm3, 0.298255 g.
+/// Returns two passes of two layers, each of 100 mm of filament: 240.528 mm3, 0.298255 g.
 ProgramSummary Summary() {
   ProgramSummary summary;
   for (int32_t i = 0; i < 4; ++i) {

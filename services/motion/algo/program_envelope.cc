@@ -37,7 +37,7 @@ int64_t MinutesLeft(double done_s, double time_s) {
   return std::lround(std::ceil((time_s - done_s) / 60));
 }
 
-/// Times of the whole print, in the machine's silent mode as well if it has one.
+/// Times of the whole print, including the machine's silent mode if it has one.
 struct ClockedTimes {
   PrintTimes normal;
   std::optional<PrintTimes> silent;
@@ -48,11 +48,11 @@ struct ClockedTimes {
   }
 };
 
-/// Tells how far the print is before each of its layers. A line that would say the same as the one
-/// before is left out.
+/// Writes the progress of the print before each of its layers. A line equal to the previous one is
+/// left out.
 class ProgressLines {
  public:
-  /// Both must outlive this.
+  /// `times` and `firmware` must outlive this object.
   ProgressLines(const ClockedTimes& times, const Firmware& firmware)
       : times_(times),
         firmware_(firmware),
@@ -100,7 +100,7 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
           .first_layer = Bounds(FirstLayerHull(summary))};
 }
 
-/// What readers of files look for before anything else.
+/// Returns the lines that readers of files expect at the beginning.
 std::string Head(const ProgramSummary& summary, const MotionOptions& options, double time_s) {
   GcodeText out;
   FirmwareOf(options.flavor).WriteHead(FactsOf(summary, options, time_s), out);
@@ -108,7 +108,7 @@ std::string Head(const ProgramSummary& summary, const MotionOptions& options, do
   return out.Take();
 }
 
-/// Around the layers of the only copy.
+/// Write the label of the only copy before and after all layers.
 void BeginOnlyCopy(const ProgramSummary& summary, const MotionOptions& options, GcodeText& out) {
   if (LabelIsAroundAll(summary.copies.size(), options))
     BeginCopy(summary.copies.front().name, 0, options, out);
@@ -118,8 +118,8 @@ void EndOnlyCopy(const ProgramSummary& summary, const MotionOptions& options, Gc
     EndCopy(summary.copies.front().name, 0, options, out);
 }
 
-/// Start G-code finds the time and the objects told: printers show the one while they heat, and
-/// macros probe the bed where the others stand.
+/// Returns the text before the layers. Progress and objects are written before the start G-code:
+/// printers show the time while they heat, and macros probe the bed below the objects.
 std::string Prologue(const ProgramSummary& summary, const MotionOptions& options,
                      const ClockedTimes& times, const StartCode& start) {
   const Firmware& firmware = FirmwareOf(options.flavor);
@@ -141,14 +141,15 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   return out.Take();
 }
 
-/// What stands beside the last layer may be higher: end G-code moves above all of it.
+/// Returns a move above the whole print for the end G-code. Objects beside the last layer may be
+/// higher than this layer.
 std::string RiseAboveAll(const ProgramSummary& summary, const MotionOptions& options) {
   const Coord top_nm = TopOf(summary);
   if (summary.layers.empty() || summary.layers.back().frame.print_z_nm == top_nm) return {};
   return MoveToHeight(ClearHeight(top_nm, options), options);
 }
 
-/// What moves after the layers.
+/// Returns the text after the layers.
 std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
                    std::string_view end_gcode) {
   GcodeText out;
@@ -167,7 +168,7 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
   return out.Take();
 }
 
-/// The moves to each layer, from where the one before it ends, that lead round excluded areas.
+/// Returns the moves from the end of each layer to the next one that go around excluded areas.
 std::vector<std::string> WaysBetween(const ProgramSummary& summary, const MotionOptions& options,
                                      std::string_view prologue) {
   std::vector<std::string> moves(summary.layers.size());
@@ -183,18 +184,18 @@ std::vector<std::string> WaysBetween(const ProgramSummary& summary, const Motion
   return moves;
 }
 
-/// All text around the layers, but what tells times.
+/// All text around the layers, without progress lines.
 struct FrameText {
   std::string head;
   std::string prologue;
   std::vector<PassChange> changes;
-  std::vector<std::string> ways;    ///< to each layer, where it is not straight
-  std::vector<std::string> layers;  ///< ProgramEnvelope::layer_code
+  std::vector<std::string> ways;  ///< travel to each layer, if it is not straight
+  std::vector<std::string> layers;  ///< content of ProgramEnvelope::layer_code
   std::string ending;
   std::string file_name;
 };
 
-/// `times`: of the print, for templates.
+/// Returns the text. `times`: times of the print, for templates.
 absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummary& summary,
                                  const MotionOptions& options, const ClockedTimes& times) {
   const double time_s = times.TotalS();
@@ -229,7 +230,8 @@ PrintTimes TimesOf(const ProgramSummary& summary, const FrameText& text,
   return clock.Finish();
 }
 
-/// G-code without the commands that set limits of axes: they are those of the normal mode.
+/// Returns G-code without the commands that set limits of axes. These are limits of the normal
+/// mode.
 std::string WithoutAxisLimits(std::string_view gcode) {
   GcodeText out;
   for (const std::string_view line : Split(gcode, "\n"))
@@ -237,7 +239,8 @@ std::string WithoutAxisLimits(std::string_view gcode) {
   return out.Take();
 }
 
-/// The same in silent mode, by the layers' times in it. What printing is spent on is not known.
+/// Returns the times in silent mode, from the layers' times in this mode. The times by feature are
+/// not known.
 PrintTimes SilentTimes(ProgramSummary summary, FrameText text, MotionOptions options) {
   options.limits = *options.silent_limits;
   summary.total = {};
@@ -270,7 +273,8 @@ double TravelMm(const ProgramSummary& summary, const MotionOptions& options) {
 
 absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
                                              const MotionOptions& options) {
-  // Templates may name the time, which their moves are part of; what they name is the layers'.
+  // Templates may use the print's time, but their own moves are part of it. In the first round they
+  // get the time of the layers only.
   const auto code = macro::ParseJobCode(options);
   if (!code.ok()) return code.status();
   ClockedTimes times;

@@ -10,14 +10,15 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// What stands around the layers, and what the whole print takes.
+/// Returns the text around the layers, and the cost of the whole print.
 ///
-/// The prologue heats up, runs the start G-code and leaves the canonical state that layers begin
-/// in: millimetres, absolute coordinates, relative extrusion, filament retracted. The epilogue
-/// begins in that state. Times: those of the whole program's look-ahead (print_clock.h), its own
-/// G-code included; heating by the settings' rates. The prefix of a pass's first layer brings the
-/// nozzle there over all that stands (pass_change.h); end G-code begins above all of it. Errors:
-/// those of the templates (template_run.h). REQUIRES: CheckOptions holds.
+/// The prologue heats up, runs the start G-code and leaves the canonical state for layers:
+/// millimetres, absolute coordinates, relative extrusion, filament retracted. The epilogue begins
+/// in this state. Times are the look-ahead of the whole program (print_clock.h), its own G-code
+/// included. Heating is computed by the settings' rates. The prefix of a pass's first layer moves
+/// the nozzle there above the whole print (pass_change.h). The end G-code begins above the whole
+/// print.
+/// Errors: errors of the templates (template_run.h). REQUIRES: CheckOptions succeeds.
 absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
                                              const MotionOptions& options);
 

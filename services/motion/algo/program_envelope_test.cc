@@ -23,7 +23,7 @@ using ::testing::StartsWith;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-/// Those of a layer that goes to its entry and ends there.
+/// Returns the edges of a layer that moves to its entry and ends there.
 LayerEdges EdgesAt(int32_t x_mm, int32_t y_mm) {
   LayerEdges edges;
   EdgeMove move;
@@ -39,7 +39,7 @@ LayerEdges EdgesAt(int32_t x_mm, int32_t y_mm) {
   return edges;
 }
 
-/// Three layers of 60 s; from each to the next the nozzle goes 100 mm.
+/// Returns three layers of 60 s, with a travel of 100 mm between them.
 ProgramSummary Summary() {
   ProgramSummary summary;
   for (int32_t i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ MotionOptions Options() {
   return options;
 }
 
-/// What stands around the layers does not move, and rest is rest.
+/// Returns options with no moves around the layers, so that only the layers take time.
 MotionOptions Still() {
   MotionOptions options = Options();
   options.tool().retraction.length_mm = 0;
@@ -113,7 +113,8 @@ TEST(FrameProgram, ProgressIsToldWhereItChanges) {
               ElementsAre("M73 P0 R3\n", "M73 P33 R2\n", ""));
 }
 
-/// The same print with a silent mode in which its layers take twice as long, and travels ten times.
+/// The same print with a silent mode. Its layers take twice as long in this mode, and travels ten
+/// times.
 TEST(FrameProgram, SilentModeHasItsOwnTimes) {
   MotionOptions options = Still();
   options.progress = true;
@@ -230,7 +231,7 @@ TEST(FrameProgram, NamesTheTemplateThatIsWrong) {
   }
 }
 
-/// The same three layers once more for a copy that is printed after the first one.
+/// Returns the same three layers once more for a copy that is printed after the first one.
 ProgramSummary TwoPasses() {
   ProgramSummary summary = Summary();
   for (size_t i = 0; i < 3; ++i) {
@@ -249,7 +250,8 @@ TEST(FrameProgram, PassesAreTravelledBetween) {
   const ProgramEnvelope frame = Framed(TwoPasses(), Still());
   const double way = std::hypot(200, 300);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + way);
-  // Up to 1.6 mm, over to the other copy, and down to the bed with the travel to its layer.
+  // The travel goes up to 1.6 mm, over to the other copy, and down to the bed with the travel to
+  // its layer.
   EXPECT_GT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + way / 100);
   EXPECT_LT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + way / 100 + 0.6);
   EXPECT_GT(frame.times.layer_s[3], frame.times.layer_s[4] + way / 100);

@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, kFeatureCount> kFeatures = {"Outer wall",
                                                                    "Ironing",
                                                                    "Internal solid infill"};
 
-/// Objects are skipped by one bit each of a mask of 64, base64 of its bytes from the lowest.
+/// Number of objects that can be skipped. Each one is a bit of a mask, which is written as base64
+/// of its bytes, the lowest byte first.
 constexpr size_t kMostLabels = 64;
 
 std::string MaskOf(size_t index) {
@@ -70,8 +71,8 @@ class BambuFirmware : public MarlinFirmware {
     return MarlinFirmware::AccelerationFor(printing, limits);
   }
 
-  /// It looks for spaghetti with its camera, and can go on after a loss of power. The layer's number
-  /// (M73 L) is written by layer_gcode of all its profiles.
+  /// Turns on the printer's camera check for failed prints ("spaghetti") and, later, the recovery
+  /// after a power loss. The layer number (M73 L) is in the layer_gcode of all Bambu profiles.
   void WriteLayersBegin(GcodeText& out) const override {
     out << "M981 S1 P20000 ; open spaghetti detector\n";
   }
@@ -88,7 +89,7 @@ class BambuFirmware : public MarlinFirmware {
         << "\n; total layer number: ";
     out.Integer(facts.layers) << "\n; total filament length [mm] : ";
     out.Real(facts.filament_mm, 2) << "\n; total filament volume [cm^3] : ";
-    // In mm3, as Bambu Studio writes it.
+    // The value is in mm3 in spite of the key's unit, as in Bambu Studio.
     out.Real(facts.volume_mm3, 2) << "\n; total filament weight [g] : ";
     out.Real(facts.mass_g, 2) << "\n; filament_density: ";
     out.Real(facts.density_g_cm3, 2) << "\n; filament_diameter: ";
@@ -111,7 +112,7 @@ class BambuFirmware : public MarlinFirmware {
     out << '\n';
   }
   bool LabelsLast() const override { return false; }
-  /// Beyond what the mask holds copies cannot be skipped.
+  /// Copies beyond the size of the mask cannot be skipped.
   void BeginCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
     if (index >= kMostLabels) return;
     out << "; start printing object, unique label id: ";
@@ -124,7 +125,7 @@ class BambuFirmware : public MarlinFirmware {
   }
 
  protected:
-  /// As legacy Marlin: one acceleration for printing and travel.
+  /// Writes the same acceleration for printing and travel, as legacy Marlin does.
   void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const override {
     LimitCommand("M204", out)
         .Set("P", limits.max_acceleration_extruding_mm_s2)

@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Bambu Lab's printers: Marlin's commands, Bambu Studio's comments and labels.
+/// Bambu Lab's printers: Marlin's commands, with the comments and labels of Bambu Studio.
 const Firmware& Bambu();
 
 }  // namespace slicefarm::motion

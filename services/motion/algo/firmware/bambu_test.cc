@@ -81,7 +81,7 @@ TEST(Bambu, LimitsAreThoseOfBambuStudio) {
             "M204 P20000 R5000 T20000\nM205 X9 Y9 Z3 E2.5\n");
 }
 
-// One acceleration for printing and travel.
+// Printing and travel share one acceleration.
 TEST(Bambu, OneAccelerationForAllWays) {
   MachineLimits limits;
   Bambu().ApplyLimits(ParseGcodeLine("M204 S700"), limits);

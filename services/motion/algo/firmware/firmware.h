@@ -16,14 +16,14 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// What decides whether the filament's numbers are absolute.
+/// Commands that switch the filament's coordinate between absolute and relative.
 enum class ExtruderMode {
-  kApart,       ///< M82 and M83 alone
-  kWithAxes,    ///< G90 and G91 set it as well
-  kEitherWise,  ///< relative after G91 as well as after M83
+  kApart,  ///< M82 and M83 only
+  kWithAxes,  ///< G90 and G91 set it as well
+  kEitherWise,  ///< relative after G91 and after M83
 };
 
-/// How the comments begin that tell previewers and hosts what is printed.
+/// Beginnings of the comments that previewers and hosts read.
 struct CommentWords {
   std::string_view layer_change = ";LAYER_CHANGE";
   std::string_view z = ";Z:";
@@ -32,16 +32,17 @@ struct CommentWords {
   std::string_view width = ";WIDTH:";
   std::string_view wipe_start = ";WIPE_START";
   std::string_view wipe_end = ";WIPE_END";
-  // Lines around what the printer runs, and around the settings' own G-code; empty: none.
+  // Lines around the executable part of a program, and around the settings' own G-code; empty:
+  // none.
   std::string_view program_begin = {};
   std::string_view program_end = {};
   std::string_view start_gcode_end = {};
   std::string_view end_gcode_begin = {};
 };
 
-/// What the head of a file may tell of a whole print.
+/// Facts about a whole print for the head of a file.
 struct PrintFacts {
-  double moves_s = 0;  ///< without the settings' own G-code
+  double moves_s = 0;  ///< time of the layers' moves, without the settings' own G-code
   double total_s = 0;
   int64_t layers = 0;
   double filament_mm = 0;
@@ -50,100 +51,107 @@ struct PrintFacts {
   double height_mm = 0;
   double density_g_cm3 = 0;
   double diameter_mm = 0;
-  Box first_layer;  ///< what it covers
+  Box first_layer;  ///< bounds of the first layer
 };
 
-/// The firmware of a printer: what it makes of moves, and the dialect that it reads. One file a
-/// firmware: marlin.cc, klipper.cc, reprap.cc, ... Has no state.
+/// Firmware of a printer: its planning of moves and its G-code dialect. Each firmware is one file:
+/// marlin.cc, klipper.cc, reprap.cc, ... Objects have no state.
 class Firmware {
  public:
   virtual ~Firmware() = default;
 
-  /// The value of gcode_flavor.
+  /// Returns the value of gcode_flavor.
   virtual std::string_view name() const = 0;
 
   // Motion.
 
+  /// Returns a new look-ahead planner of this firmware.
   virtual std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const = 0;
-  /// What the machine is set to for such a move (M204, SET_VELOCITY_LIMIT), before the limits of
-  /// its axes.
+  /// Returns the acceleration that is set in the machine for such a move (M204,
+  /// SET_VELOCITY_LIMIT), before the limits of its axes.
   virtual double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const = 0;
-  /// Whether it comes to rest before and after moves of filament alone.
+  /// Returns true if the machine stops before and after moves of filament only.
   virtual bool StopsForFilament() const { return false; }
-  /// Length of the chords that stand for an arc.
+  /// Returns the length of the chords that the firmware divides an arc into.
   virtual double ArcSegmentMm(double radius_mm, double speed_mm_s) const = 0;
 
-  // What it reads.
+  // Reading of G-code.
 
+  /// Returns the commands that switch the filament between absolute and relative.
   virtual ExtruderMode extruder_mode() const = 0;
-  /// Whether it knows the command.
+  /// Returns true if the firmware supports the command.
   virtual bool Knows(const GcodeLine& line) const = 0;
-  /// Whether a word may have several numbers (`E1:0`), or a text in quotes.
+  /// Returns true if a word may have several numbers (`E1:0`), or a text in quotes.
   virtual bool HasLists() const { return false; }
-  /// Whether a command of any name may be one of the user's macros.
+  /// Returns true if a command of any name may be a user's macro.
   virtual bool has_macros() const { return false; }
-  /// Takes over what a command says of limits; nothing of other commands.
+  /// Applies the limits in a command to `limits`. Other commands are ignored.
   virtual void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const = 0;
-  /// Whether a bead of such a section is refused. `nozzle_mm`: diameter.
+  /// Returns true if the firmware refuses a bead of such a section. `nozzle_mm`: diameter.
   virtual bool RefusesSection(double section_mm2, double nozzle_mm) const;
-  /// Moves of filament alone that are longer are refused; 0: none.
+  /// Returns the longest accepted move of filament only; 0: no limit.
   virtual double LongestExtrusionMm() const { return 0; }
-  /// Whether arcs may be given by radius, and between relative coordinates.
+  /// Return true if arcs may be given by radius, or between relative coordinates.
   virtual bool ArcsByRadius() const { return true; }
   virtual bool RelativeArcs() const { return true; }
 
-  // What is written for it.
+  // Writing of G-code.
 
-  /// Limits of 0 are left as they are.
+  /// Writes the machine limits. Limits of 0 are not written.
   virtual void WriteLimits(const MachineLimits& limits, GcodeText& out) const = 0;
-  /// Whether travels have an acceleration of their own, told once beside that of printing.
+  /// Returns true if travels have an acceleration of their own, which is set separately from the
+  /// printing acceleration.
   virtual bool HasTravelAcceleration() const = 0;
-  /// Whether moves of filament alone have one of their own.
+  /// Returns true if moves of filament only have an acceleration of their own.
   virtual bool HasRetractAcceleration() const { return true; }
-  /// Tells the acceleration of printing, of travels, or both; 0: not told. REQUIRES: not both are
-  /// 0, and `travel_mm_s2` is 0 unless HasTravelAcceleration.
+  /// Writes the acceleration of printing, of travels, or of both; 0 leaves one out. REQUIRES: one
+  /// is not 0, and `travel_mm_s2` is 0 unless HasTravelAcceleration.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
-  /// Pressure advance (linear advance), in the firmware's own unit.
+  /// Writes pressure advance (linear advance), in the firmware's own unit.
   virtual void WritePressureAdvance(double value, GcodeText& out) const;
-  /// `left_min`: minutes left; `layer`: from 1.
+  /// Writes the progress. `left_min`: minutes left; `layer`: from 1.
   virtual void WriteProgress(int64_t percent, int64_t left_min, int64_t layer,
                              GcodeText& out) const;
-  /// The same for the machine's silent mode.
+  /// Writes the progress of the machine's silent mode.
   virtual void WriteSilentProgress(int64_t percent, int64_t left_min, GcodeText& out) const;
-  /// What the printer is asked before anything moves: whether it is the one that the file is for.
+  /// Writes commands that check before the first move that the file is for this printer.
   virtual void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
                            GcodeText& out) const;
-  /// What has to stand at the head of a file, as comments.
+  /// Writes the comments that the firmware needs at the head of a file.
   virtual void WriteHead(const PrintFacts& facts, GcodeText& out) const;
+  /// Returns the firmware's comments.
   virtual const CommentWords& comments() const;
-  /// Writes what the printer is told of the print before the first layer, at the second one, and
-  /// after the last one.
+  /// Write G-code before the first layer, at the second layer, and after the last one.
   virtual void WriteLayersBegin(GcodeText& /*out*/) const {}
   virtual void WriteSecondLayer(GcodeText& /*out*/) const {}
   virtual void WriteLayersEnd(GcodeText& /*out*/) const {}
-  /// What it calls a feature.
+  /// Returns the firmware's name of a feature.
   virtual std::string_view WordsOf(Feature feature) const { return FeatureType(feature); }
 
-  /// Of a mixing extruder: what part of the flow each material has. By M163 for
-  /// each, and M164 to store them as tool 0. REQUIRES: it mixes (CheckMixing of common/config).
+  /// Writes the share of each material for a mixing extruder: M163 for each, and M164 to store them
+  /// as tool 0. REQUIRES: the extruder mixes (CheckMixing of common/config).
   virtual void WriteMix(std::span<const double> shares, GcodeText& out) const;
 
-  /// Of a copy, for gcode_label_objects = firmware. `name`: one line; `index`: of the copy.
+  /// Returns the label of a copy for gcode_label_objects = firmware. `name`: one line; `index`:
+  /// index of the copy.
   virtual std::string LabelOf(std::string_view name, size_t index) const = 0;
+  /// Writes the definitions of all copies.
   virtual void DefineCopies(std::span<const CopySummary> copies,
                             std::span<const std::string> labels, GcodeText& out) const = 0;
+  /// Write the lines before and after a copy.
   virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
   virtual void EndCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
   /// Returns true if a print of one copy has its label once, around all layers.
   virtual bool LabelsLast() const { return false; }
 };
 
-/// That of the settings. Lives for ever.
+/// Returns the firmware of a flavor. The object lives until the program ends.
 const Firmware& FirmwareOf(GcodeFlavor flavor);
 
-/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware; prusabuddy; bambu;
-/// grbl; jerk: none but slicefarm's own planner (jerk.h). Null: no such.
+/// Returns the firmware of this name, or null if there is none. Names: klipper; marlin or marlin2
+/// (both are Marlin 2); rrf or reprapfirmware; prusabuddy; bambu; grbl; jerk (slicefarm's own
+/// planner, jerk.h).
 const Firmware* FindFirmware(std::string_view name);
 
 }  // namespace slicefarm::motion

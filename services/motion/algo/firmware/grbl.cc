@@ -6,13 +6,13 @@
 namespace slicefarm::motion {
 namespace {
 
-// grbl 1.1, doc/markdown/commands.md. G38 and G59 stand for their decimals.
+// Commands of grbl 1.1, doc/markdown/commands.md. G38 and G59 include their decimals.
 constexpr int kGrblG[] = {0,  1,  2,  3,  4,  10, 17, 18, 19, 20, 21, 28, 30, 38, 40, 43,
                           49, 53, 54, 55, 56, 57, 58, 59, 61, 80, 90, 91, 92, 93, 94};
 constexpr int kGrblM[] = {0, 1, 2, 3, 4, 5, 7, 8, 9, 30, 56};
 constexpr KnownCommands kGrblCommands{kGrblG, kGrblM};
 
-/// $11 as grbl ships.
+/// grbl's default value of $11.
 constexpr double kJunctionDeviationMm = 0.01;
 constexpr double kGrblArcSegmentMm = 1;
 
@@ -20,7 +20,7 @@ class GrblFirmware : public Firmware {
  public:
   std::string_view name() const override { return "grbl"; }
 
-  /// Marlin's junction deviation is grbl's.
+  /// grbl uses Marlin's junction deviation.
   std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const override {
     MachineLimits with_deviation = limits;
     if (with_deviation.junction_deviation_mm <= 0)
@@ -37,7 +37,7 @@ class GrblFirmware : public Firmware {
 
   ExtruderMode extruder_mode() const override { return ExtruderMode::kApart; }
   bool Knows(const GcodeLine& line) const override { return kGrblCommands.Contain(line); }
-  /// Limits are settings of the controller ($110 to $122).
+  /// The limits are settings of the controller ($110 to $122), not commands.
   void ApplyLimits(const GcodeLine& /*line*/, MachineLimits& /*limits*/) const override {}
 
   void WriteLimits(const MachineLimits& /*limits*/, GcodeText& /*out*/) const override {}

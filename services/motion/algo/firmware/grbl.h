@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Of machines without extruder. Its programs come from other stages; nothing is written
+/// Firmware of machines without an extruder. Other stages write its programs, so nothing is written
 /// for it here.
 const Firmware& Grbl();
 

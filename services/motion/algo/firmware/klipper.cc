@@ -17,7 +17,7 @@ constexpr int kKlipperM[] = {18,  20,  21,  23,  24,  25,  26,  27,  73,  82,
                              115, 117, 118, 119, 140, 190, 204, 220, 221, 400};
 constexpr KnownCommands kKlipperCommands{kKlipperG, kKlipperM};
 
-/// Those that slicers and start G-code use; others of Klipper's own would pass for macros.
+/// Commands that slicers and start G-code use. Other commands of Klipper would count as macros.
 constexpr std::string_view kNamed[] = {
     "ACTIVATE_EXTRUDER", "BED_MESH_CALIBRATE", "BED_MESH_CLEAR", "BED_MESH_PROFILE",
     "CANCEL_PRINT", "CLEAR_PAUSE", "EXCLUDE_OBJECT", "EXCLUDE_OBJECT_DEFINE",
@@ -28,13 +28,13 @@ constexpr std::string_view kNamed[] = {
     "SET_RETRACTION", "SET_TEMPERATURE_FAN_TARGET", "SET_VELOCITY_LIMIT", "STATUS",
     "TEMPERATURE_WAIT", "TURN_OFF_HEATERS", "TUNING_TOWER", "Z_TILT_ADJUST"};
 
-/// As by default: [gcode_arcs] resolution, [extruder] max_extrude_only_distance and
+/// Klipper's defaults: [gcode_arcs] resolution, [extruder] max_extrude_only_distance and
 /// max_extrude_cross_section.
 constexpr double kKlipperArcSegmentMm = 1;
 constexpr double kLongestExtrusionMm = 50;
 constexpr double kMostSectionsOfNozzle = 4;
 
-/// Klipper takes parameters apart at blanks, quotes and comment signs.
+/// Replaces the characters at which Klipper splits parameters: blanks, quotes and comment signs.
 std::string WithoutSpecials(std::string name) {
   constexpr std::string_view kSpecial = " \"#%&'*-./:;<>\\=[]{}|";
   std::ranges::replace_if(name, [&](char c) { return kSpecial.find(c) != kSpecial.npos; }, '_');

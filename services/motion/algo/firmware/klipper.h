@@ -4,6 +4,7 @@
 
 namespace slicefarm::motion {
 
+/// Klipper, with the limits and macros of its own host.
 const Firmware& Klipper();
 
 }  // namespace slicefarm::motion

@@ -7,11 +7,12 @@
 
 namespace slicefarm::motion {
 
-/// Numbers of the commands that a firmware knows, ascending. Tools (T) all know.
+/// Numbers of the commands that a firmware supports, ascending. Every firmware supports tools (T).
 struct KnownCommands {
   std::span<const int> g;
   std::span<const int> m;
 
+  /// Returns true if the firmware supports the command of the line.
   bool Contain(const GcodeLine& line) const {
     const std::span<const int> numbers = line.letter == 'G' ? g : m;
     return line.letter == 'T' || ((line.letter == 'G' || line.letter == 'M') &&

@@ -97,9 +97,10 @@ TEST(Planner, KlipperCorner) {
   EXPECT_NEAR(profiles[0].exit_mm_s, 5, 1e-9);
 }
 
-/// A move as displacements, asked speed, and the time that Klipper's host code (August 2026) plans
-/// for it with max_accel 3000, square_corner_velocity 5, minimum_cruise_ratio 0.5, z 20 mm/s and
-/// 500 mm/s^2, the extruder 1500 mm/s^2.
+/// Move given by displacements and requested speed, with the time that Klipper's host code (August
+/// 2026) plans for it.
+/// The limits are max_accel 3000, square_corner_velocity 5, minimum_cruise_ratio 0.5, z 20 mm/s and
+/// 500 mm/s^2, extruder 1500 mm/s^2.
 struct Recorded {
   double x, y, z, e;
   double speed_mm_s;
@@ -133,8 +134,8 @@ TEST(Planner, ReproducesKlippersHostCode) {
 }
 
 TEST(Planner, KlipperSavesShortZigzagsTheirPeaks) {
-  // A move from rest to rest that cannot cruise for half its length peaks where half the
-  // acceleration would bring it.
+  // A move from rest to rest may be too short to cruise for half its length. Its peak speed is then
+  // the one that half the acceleration would reach.
   MachineLimits limits = Wide();
   limits.minimum_cruise_ratio = 0.5;
   const auto planner = Klipper().MakePlanner(limits);
@@ -203,8 +204,8 @@ TEST_P(RulesTest, SpeedsAreContinuousAndWithinLimits) {
   }
 }
 
-/// The fastest way along the moves under the junction limits, found on a fine grid: speed limits
-/// from both sides, then the time of each small step.
+/// Returns the shortest time along the moves under the junction limits, found on a fine grid: speed
+/// limits from both sides, then the time of each small step.
 double FineTime(const std::vector<KinematicMove>& moves, const std::vector<double>& junction_v2) {
   constexpr int kSteps = 2000;
   std::vector<double> v2 = {junction_v2[0]};
@@ -229,7 +230,7 @@ double FineTime(const std::vector<KinematicMove>& moves, const std::vector<doubl
   return time;
 }
 
-/// Those that do not lower peaks on purpose.
+/// Rules that do not lower peak speeds on purpose.
 class FullSpeedTest : public testing::TestWithParam<Rules> {};
 
 TEST_P(FullSpeedTest, AgreesWithAFineSimulation) {
@@ -264,7 +265,7 @@ TEST_P(RulesTest, FasterSettingsAreNeverSlower) {
   }
 }
 
-/// Those that do not look at single axes.
+/// Rules that do not depend on single axes.
 class RoundTest : public testing::TestWithParam<Rules> {};
 
 TEST_P(RoundTest, TurningThePathChangesNothing) {

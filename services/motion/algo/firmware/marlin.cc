@@ -7,7 +7,7 @@
 namespace slicefarm::motion {
 namespace {
 
-// Marlin 2.1's and those of Prusa's forks (G80, M74, M555, M572, M862 and others).
+// Commands of Marlin 2.1 and of Prusa's forks (G80, M74, M555, M572, M862 and others).
 constexpr int kMarlinG[] = {0,  1,  2,  3,  4,  5,  6,  10, 11, 12, 17,  18, 19, 20,
                             21, 22, 26, 27, 28, 29, 30, 31, 32, 33, 34,  35, 38, 42,
                             53, 54, 55, 56, 57, 58, 59, 60, 61, 64, 76,  80, 81, 82,
@@ -31,7 +31,7 @@ constexpr KnownCommands kMarlinCommands{kMarlinG, kMarlinM};
 
 constexpr double kMarlinArcSegmentMm = 1;
 
-/// Travels run with the acceleration of printing, which is told alone. M204 is that of
+/// Travels use the acceleration of printing, which is the only one that is set. M204 is the one of
 /// Prusa-Firmware: beside S, T is the acceleration of retractions.
 class LegacyFirmware : public MarlinFirmware {
  public:
@@ -53,7 +53,7 @@ class LegacyFirmware : public MarlinFirmware {
         .Set("S", limits.max_acceleration_extruding_mm_s2)
         .Set("T", limits.max_acceleration_retracting_mm_s2);
   }
-  /// Even if they are 0: the printer may have stored others.
+  /// The rates are written even if they are 0, because the printer may have stored other values.
   void WriteLeastRates(const MachineLimits& limits, GcodeText& out) const override {
     LimitCommand("M205", out)
         .SetEven0("S", limits.min_extruding_rate_mm_s)

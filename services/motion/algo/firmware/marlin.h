@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Marlin 2 and what its forks have in common with it.
+/// Common base of Marlin 2 and its forks.
 class MarlinFirmware : public NumberedObjects {
  public:
   std::string_view name() const override { return "marlin2"; }
@@ -22,13 +22,13 @@ class MarlinFirmware : public NumberedObjects {
   void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override;
 
  protected:
-  /// M204.
+  /// Writes M204.
   virtual void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const;
-  /// M205 S and T.
+  /// Writes M205 S and T.
   virtual void WriteLeastRates(const MachineLimits& limits, GcodeText& out) const;
 };
 
-/// Marlin 2 and its forks, Prusa's among them.
+/// Marlin 2 and its forks, including Prusa's.
 const Firmware& Marlin2();
 /// Marlin 1: one acceleration for printing and travel.
 const Firmware& MarlinLegacy();

@@ -8,25 +8,26 @@
 
 namespace slicefarm::motion {
 
-/// Moves are cut to this length where materials mix, mm: a mix holds for a whole move.
+/// Length of moves while materials mix, in mm. Moves are cut to it because one mix is used for a
+/// whole move.
 inline constexpr double kMixedMoveMm = 1;
 
-/// Tells a mixing extruder what to mix, whenever a share changes by more than the field's step.
+/// Writes the mix of a mixing extruder, whenever a share changes by more than the field's step.
 class MaterialMix {
  public:
-  /// Both must outlive this; `field` null: nothing is mixed.
+  /// `firmware` and `field` must outlive this object. A null `field` turns mixing off.
   MaterialMix(const Firmware& firmware, const MaterialField* field)
       : firmware_(firmware), field_(field) {}
 
-  /// For beads at a place on the plate.
+  /// Writes the mix for beads at a place on the plate, if it has changed.
   void SetFor(const PlaceMm& place_mm, GcodeText& out);
-  /// The mix is told anew.
+  /// Forces the next mix to be written even if it is unchanged.
   void Forget() { told_.clear(); }
 
  private:
   const Firmware& firmware_;
   const MaterialField* field_;
-  std::vector<double> told_;  ///< empty: nothing
+  std::vector<double> told_;  ///< mix written last; empty: none
 };
 
 }  // namespace slicefarm::motion

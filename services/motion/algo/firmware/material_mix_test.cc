@@ -5,7 +5,7 @@
 namespace slicefarm::motion::material_mix_test {
 namespace {
 
-/// From the first material at x = 0 to the second at x = 10.
+/// Returns a field from the first material at x = 0 to the second at x = 10.
 MaterialField Gradient(double step) {
   MaterialField field;
   field.step = step;

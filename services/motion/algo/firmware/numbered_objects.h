@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Firmwares that tell copies apart by number (M486 of Marlin and RepRapFirmware).
+/// Firmwares that identify copies by number (M486 of Marlin and RepRapFirmware).
 class NumberedObjects : public Firmware {
  public:
   std::string LabelOf(std::string_view name, size_t index) const override;

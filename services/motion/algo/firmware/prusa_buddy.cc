@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// What of a model's name may stand between quotes.
+/// Returns the characters of a model's name that may be between quotes.
 std::string Quotable(std::string_view model) {
   std::string plain = CommentLine(model);
   std::erase_if(plain, [](char c) { return c == '"' || c == ';' || c == '\\'; });
@@ -28,7 +28,7 @@ class BuddyFirmware : public MarlinFirmware {
     out.Real(value, 5) << '\n';
   }
 
-  /// Start G-code that checks by itself knows better.
+  /// Checks in the start G-code replace these checks.
   void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
                    GcodeText& out) const override {
     if (!StartCommands(options, {"M862"})) {
@@ -42,7 +42,8 @@ class BuddyFirmware : public MarlinFirmware {
   }
 
  private:
-  /// Where the bed is to be probed: what the first layer covers, to whole millimetres outwards.
+  /// Writes the area to probe: the bounds of the first layer, rounded outwards to whole
+  /// millimetres.
   static void WriteArea(const Box& bounds, GcodeText& out) {
     const auto floor_mm = [](Coord nm) {
       return static_cast<int64_t>(std::floor(ToMm(static_cast<double>(nm))));

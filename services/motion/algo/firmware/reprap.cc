@@ -28,7 +28,8 @@ constexpr int kRepRapM[] = {
 constexpr KnownCommands kRepRapCommands{kRepRapG, kRepRapM};
 
 constexpr double kPerMinute = 1.0 / 60;
-// Arcs: chords no farther from the arc than this, at most so many a second.
+// Limits for the chords of an arc: the largest distance from the arc, and the largest number per
+// second.
 constexpr double kArcDeviationMm = 0.005;
 constexpr double kArcSegmentsPerSecond = 200;
 constexpr double kShortestArcSegmentMm = 0.02;
@@ -65,7 +66,7 @@ class RepRapFirmware : public NumberedObjects {
     if (line.number == 204) ReadM204(line, limits);
   }
 
-  /// Sources: the Duet's G-code dictionary, M567.
+  /// Source: the Duet's G-code dictionary, M567.
   void WriteMix(std::span<const double> shares, GcodeText& out) const override {
     out << "M567 P0 E";
     for (size_t i = 0; i < shares.size(); ++i) {
@@ -83,7 +84,7 @@ class RepRapFirmware : public NumberedObjects {
         .Set("T", limits.max_acceleration_travel_mm_s2);
     LimitCommand("M566", out).SetAxes(limits.max_jerk_mm_s, 1 / kPerMinute);
   }
-  /// What its file list shows, in its own words.
+  /// Writes the values that the printer's file list shows, under its own keys.
   void WriteHead(const PrintFacts& facts, GcodeText& out) const override {
     out << "; num_layers = ";
     out.Integer(facts.layers) << "\n; max_z_height = ";

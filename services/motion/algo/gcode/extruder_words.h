@@ -11,38 +11,40 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// What G-code says of the extruder: relative or absolute, as length or as volume, retractions by
-/// number or left to the firmware. What rounding to the digits of the text leaves is carried on,
-/// so that the sum is exact to the last digit. Absolute numbers count from 0 in each layer, and
-/// again after each retraction, as PrusaSlicer's do.
+/// Writes the extruder's words: relative or absolute, as length or as volume, with retractions by
+/// number or by the firmware. Rounding remainders are added to the next number, so the sum is exact
+/// to the last digit. Absolute numbers begin at 0 in each layer, and again after each retraction,
+/// as in PrusaSlicer.
 class ExtruderWords {
  public:
-  /// Relative lengths.
+  /// Writes relative lengths.
   ExtruderWords() = default;
+  /// Writes the words as the options require.
   explicit ExtruderWords(const MotionOptions& options);
 
-  /// Whether G10 and G11 stand for retractions, whose lengths the machine knows.
+  /// Returns true if retractions are written as G10 and G11. Their lengths are settings of the
+  /// machine.
   bool by_firmware() const { return by_firmware_; }
 
-  /// ` E..` of a move that pushes `filament`, in 1e-5 mm of its length.
+  /// Writes ` E..` of a move that pushes `filament`, in 1e-5 mm of its length.
   void Push(int32_t filament, GcodeText& out);
 
-  /// Counts from 0 again. Writes `G92 E0` where numbers are absolute and not 0.
+  /// Restarts the count at 0. Writes `G92 E0` if numbers are absolute and not 0.
   void Reset(GcodeText& out);
 
-  /// Units, absolute places, and how the extruder counts; it is at 0.
+  /// Writes units, absolute coordinates, and the extruder mode. The extruder is at 0 afterwards.
   void WriteCanonicalState(GcodeText& out) const;
 
-  /// Pulls the filament back at the head of a program; nothing if that is not asked for.
+  /// Retracts the filament at the begin of a program. Writes nothing without retractions.
   void WriteFirstRetraction(const RetractionOptions& retraction, GcodeText& out);
 
  private:
   bool relative_ = true;
   bool by_firmware_ = false;
   bool comments_ = false;
-  double per_unit_ = 1;  ///< what stands in the text for 1 mm of filament
-  int64_t pushed_ = 0;   ///< since it counts from 0, in 1e-5 mm
-  int64_t told_ = 0;     ///< the same in units of the text's last digit
+  double per_unit_ = 1;  ///< value in the text per mm of filament
+  int64_t pushed_ = 0;  ///< pushed since the count began at 0, in 1e-5 mm
+  int64_t told_ = 0;  ///< written so far, in units of the text's last digit
 };
 
 }  // namespace slicefarm::motion

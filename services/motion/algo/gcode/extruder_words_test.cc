@@ -32,7 +32,7 @@ std::string Pushes(const MotionOptions& options) {
 TEST(ExtruderWords, CountAsTheyAreAsked) {
   EXPECT_EQ(Pushes(Options(true, false)), " E1.5 E.50001 E-.8\n E1");
   EXPECT_EQ(Pushes(Options(false, false)), " E1.5 E2.00001 E1.20001\nG92 E0\n E1");
-  // Times 2.405281875 mm2.
+  // The volumes are the lengths times 2.405281875 mm2.
   EXPECT_EQ(Pushes(Options(false, true)), " E3.60792 E4.81059 E2.88636\nG92 E0\n E2.40528");
   EXPECT_EQ(Pushes(Options(true, true)), " E3.60792 E1.20267 E-1.92423\n E2.40528");
 }

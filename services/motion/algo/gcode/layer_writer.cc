@@ -14,9 +14,10 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Along a path of varying width, changes below this are not worth a line, and larger ones are not
-/// on beads that are shorter in proportion: a picture shows no difference. PrusaSlicer's beads of
-/// varying width change in steps of 0.05 mm. The filament is exact.
+/// Smallest change of the width that is written, on beads of at least kSeenLengthUm. On shorter
+/// beads the change must be larger in proportion. A preview shows no difference below this. For
+/// comparison, PrusaSlicer's beads of varying width change in steps of 0.05 mm. The filament is
+/// always exact.
 constexpr int32_t kWidthStepUm = 50;
 constexpr double kSeenLengthUm = 400;
 
@@ -31,7 +32,7 @@ double LengthUm(const Toolpath& path, size_t index) {
   return Hypot(to.x_um - from.x_um, to.y_um - from.y_um);
 }
 
-/// The end of `out` from `begin` on, as a line that sets what it says.
+/// Returns the text of `out` from `begin` on as a mode line. Its value is the text itself.
 ModeLine LineSince(size_t begin, MachineMode mode, const GcodeText& out) {
   std::string line = out.text().substr(begin);
   const auto size = std::ssize(line);
@@ -122,7 +123,7 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   WriteEnd(move, comments_ ? CommentOn(path, arc.first) : "", out);
 }
 
-/// Only what changes: a coordinate that stays is an eighth of a line.
+/// Writes only coordinates that change, because an unchanged coordinate is an eighth of a line.
 void LayerWriter::WritePlace(PlaceUm to, GcodeText& out) {
   const bool stays = at_ == to;
   if (!at_ || stays || at_->x != to.x) (out << " X").Micrometers(to.x);
@@ -169,14 +170,15 @@ void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
   out.Real(static_cast<double>(height_um) / kUmPerMm, 3) << '\n';
 }
 
-/// Absolute numbers start again after what was pulled back, before the nozzle goes on.
+/// Restarts absolute numbers after a retraction, before the next move.
 void LayerWriter::CountAnew(const Move& move, GcodeText& out) {
   const bool pulls = move.kind == MoveKind::kRetract || move.kind == MoveKind::kWipe;
   if (!pulls && pulled_) extruder_.Reset(out);
   pulled_ = pulls;
 }
 
-/// Whether the move is one that the firmware makes by itself, or that a change of colour has made.
+/// Returns true if no move is written. The firmware makes it itself (G10, G11), or a change of
+/// colour has already primed the filament.
 bool LayerWriter::WriteByFirmware(const Move& move, GcodeText& out) {
   const bool restarts = move.kind == MoveKind::kRestart;
   if (restarts && std::exchange(primed_, false)) return true;
@@ -218,7 +220,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   mode_lines_.back().value = PlaceText(*at_);
 }
 
-/// A line that the text around does not depend on.
+/// Writes a line that may be left out later, so the text around it does not depend on it.
 void LayerWriter::WriteIfNeeded(const Toolpath& path, size_t index, GcodeText& out) {
   const size_t begin = out.text().size();
   WriteMove(path, index, {}, out);

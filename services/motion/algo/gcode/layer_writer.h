@@ -19,26 +19,26 @@
 
 namespace slicefarm::motion {
 
-/// A fan that stays as it is.
+/// Value of a fan that stays unchanged.
 inline constexpr int32_t kFanAsBefore = -1;
 
-/// What the head of a layer has told already, and what its fan is to be.
+/// Values that the head of a layer has already written, and the layer's fans.
 struct LayerState {
   int32_t height_um = -1;
-  int32_t fan_percent = 0;                                ///< of the layer; may be kFanAsBefore
-  int32_t bridge_fan_percent = 0;                         ///< for bridges and overhangs
-  std::optional<OverhangFans> overhang_fan_percent = {};  ///< for walls over air
-  ShiftUm to_plate = {};  ///< from places in the G-code to those on the plate
+  int32_t fan_percent = 0;  ///< fan of the layer; may be kFanAsBefore
+  int32_t bridge_fan_percent = 0;  ///< fan for bridges and overhangs
+  std::optional<OverhangFans> overhang_fan_percent = {};  ///< fans for walls over air
+  ShiftUm to_plate = {};  ///< shift from places in the G-code to places on the plate
 };
 
-/// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
-/// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only
-/// where they change, and so do coordinates within a stretch. The toolpath's arcs are written as
-/// such, with the sum of their filament.
+/// Writes moves as G-code, with the comments and modes that previewers and the firmware need:
+/// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates are written
+/// only where they change, and so are coordinates within a stretch. The toolpath's arcs are written
+/// as G2 and G3 with the sum of their filament.
 class LayerWriter {
  public:
-  /// `firmware` must live on. `materials`: what is mixed where; null: nothing. It must outlive the
-  /// writer. `comments`: each line says what it is for.
+  /// `firmware` and `materials` must outlive the writer. `materials`: the mix by place; null turns
+  /// mixing off. `comments`: adds a comment to each line.
   LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
               const MaterialField* materials = nullptr, const ExtruderWords& extruder = {},
               bool comments = false)
@@ -51,37 +51,39 @@ class LayerWriter {
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
-  /// Tells the layer's fan.
+  /// Writes the layer's fan.
   void WriteLayerFan(GcodeText& out);
 
-  /// Appends the moves [first, last), shifted. May be called for one stretch after the other: the
-  /// first move of each says its whole place, whatever text of others stands before it, and whether
-  /// or not the machine has left out the copy before.
+  /// Appends the moves [first, last), shifted. May be called for one stretch after the other. The
+  /// first move of each call has both coordinates. So it does not depend on the text before it, and
+  /// the machine may skip the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
 
-  /// Around a block: its text is the same whatever comes before it, but for accelerations that are
-  /// set already, and fan and height are then as the head of the layer has told them.
+  /// Begin and end a block. The text of a block does not depend on the text before it, except for
+  /// accelerations that are already set. After the block, fan and height are as the head of the
+  /// layer has set them.
   void BeginBlock(GcodeText& out);
   void EndBlock(GcodeText& out);
 
-  /// The filament is ready, whatever the moves say: a change of colour has primed it. The next
-  /// restart is left out.
+  /// Marks the filament as ready in spite of the moves, because a change of colour has primed it.
+  /// The next restart is left out.
   void Prime() { primed_ = true; }
 
-  /// Lines that tell what may be set already, as nothing of it was known: LayerProgram::mode_lines.
+  /// Returns the lines that may repeat a value that is already set, because the earlier value was
+  /// unknown: LayerProgram::mode_lines.
   std::vector<ModeLine> TakeModeLines() { return std::move(mode_lines_); }
-  /// What is set after all that was written; empty values: nothing was told.
+  /// Returns the modes after the written text. Empty values were never set.
   ModeValues Modes() const;
 
-  /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
-  /// that it sets stays as it is.
+  /// Forces feed rate and acceleration to be written again, after inserted G-code that may have set
+  /// them. A fan set by this G-code stays.
   void Forget() {
     feed_rate_.Forget();
     acceleration_ = -1;
     travel_acceleration_ = -1;
   }
 
-  /// After text of others that moves in z: the next travel says its height.
+  /// Forces the next travel to write its height, after inserted G-code that moves in z.
   void ForgetHeight() { z_um_ = std::numeric_limits<int32_t>::min(); }
 
  private:
@@ -108,7 +110,7 @@ class LayerWriter {
   MaterialMix mix_;
   ExtruderWords extruder_;
   bool comments_;
-  // What has been told; -1: nothing.
+  // Values written last; -1: none.
   gcode::Modal<int32_t> feed_rate_;
   int32_t type_ = -1;
   int32_t width_um_ = -1;
@@ -117,15 +119,15 @@ class LayerWriter {
   int32_t z_um_ = -1;
   std::optional<PlaceUm> at_;
   bool wipes_ = false;
-  bool pulled_ = false;  ///< the filament went back, and the extruder has not counted anew since
+  bool pulled_ = false;  ///< the filament was retracted, and the count has not been restarted since
   bool primed_ = false;
   float acceleration_ = -1;
-  float travel_acceleration_ = -1;  ///< what travels have apart; -1: not told
-  bool approached_ = false;         ///< a first move in the plane was written
+  float travel_acceleration_ = -1;  ///< travels' own acceleration; -1: not written
+  bool approached_ = false;  ///< the first move in the plane was written
   std::vector<ModeLine> mode_lines_;
 };
 
-/// `M106 S89`, or `M107` for 0.
+/// Writes `M106 S89`, or `M107` for 0.
 void WriteFan(int32_t percent, GcodeText& out);
 
 }  // namespace slicefarm::motion

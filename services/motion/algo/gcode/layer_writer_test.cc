@@ -110,7 +110,7 @@ TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
   EXPECT_EQ(out.text(), "G1 X1 Y0 F9000\nG1 X2 Y0\nG1 X3 Y0 F9000\n");
 }
 
-// The text between them, a profile's layer_gcode, may hold an M204 of its own.
+// The inserted text, a profile's layer_gcode, may have an M204 of its own.
 TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   Toolpath path;
   path.moves = {Print(1'000, Feature::kPerimeter), Travel(2'000),

@@ -23,7 +23,7 @@ void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out)
 
 namespace {
 
-/// Chooses the tool, unless start G-code has done so.
+/// Selects the tool, unless the start G-code has done so.
 void WriteTool(const MotionOptions& options, std::string_view start_gcode, GcodeText& out) {
   const std::string tool = "T" + std::to_string(options.tool().number);
   if (options.tool().number < 0 || Commands(start_gcode, {tool})) return;

@@ -57,7 +57,8 @@ TEST(WriteStart, LeavesTheStartGcodeItsWay) {
   EXPECT_EQ(Start(""), "M190 S60\nM104 S215\nM109 S215\n");
 }
 
-// A filament that sets its temperature by itself waits for nothing: the print would begin cold.
+// A filament's G-code that sets its temperature does not wait for it. Without heating before, the
+// print would begin cold.
 TEST(WriteStart, HeatsUpBeforeTheFilamentsCode) {
   EXPECT_EQ(Start("G28", "M104 S215\nG4 S2"),
             "M190 S60\nM104 S215\nG28\nM109 S215\nM104 S215\nG4 S2\n");

@@ -6,7 +6,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// What is printed, and how the way to it is called.
+/// Comments for a printed feature and for the travel to it.
 struct MoveWords {
   std::string_view bead;
   std::string_view approach;
@@ -20,7 +20,7 @@ constexpr MoveWords kInterface = {"support material interface",
                                   "move to first support material interface point"};
 constexpr MoveWords kIroning = {"ironing", "move to first ironing point"};
 
-/// By Feature.
+/// Comments by Feature.
 constexpr std::array<MoveWords, kFeatureCount> kCommentWords = {
     kWall,   kWall,  kWall,    kInfill,    kInfill,  kInfill, kInfill,
     kInfill, kSkirt, kSupport, kInterface, kIroning, kInfill,

@@ -7,8 +7,8 @@
 
 namespace slicefarm::motion {
 
-/// What a move is for, in PrusaSlicer's words: "perimeter", "move to first infill point", "lift Z",
-/// "retract". Cost: of a travel, the moves up to the next bead.
+/// Returns the purpose of a move in PrusaSlicer's words: "perimeter", "move to first infill point",
+/// "lift Z", "retract". Cost: for a travel, the moves up to the next bead.
 std::string_view CommentOn(const Toolpath& path, size_t index);
 
 }  // namespace slicefarm::motion

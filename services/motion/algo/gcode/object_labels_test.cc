@@ -52,7 +52,7 @@ TEST(ObjectLabels, AreDefinedForFirmwares) {
   EXPECT_EQ(out.Take(), "");
 }
 
-// The name is the user's and may hold anything.
+// The user chooses the name, so it may contain anything.
 TEST(ObjectLabels, NamesCannotBringCommandsAlong) {
   const CopyName bad{"x\nM112 ;'=\"{a}", 0, 0, 1};
   for (const GcodeFlavor flavor : {GcodeFlavor::kMarlin2, GcodeFlavor::kKlipper}) {

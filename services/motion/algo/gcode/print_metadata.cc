@@ -69,7 +69,8 @@ std::string Quoted(const std::string& text) {
   return quoted + '"';
 }
 
-/// What hosts look for and nobody may have given: one tool, and none of these features.
+/// Keys that hosts search for, with their values if the settings do not have them: one tool, and
+/// none of these features.
 constexpr std::pair<std::string_view, std::string_view> kUnlessGiven[] = {
     {"brim_width", "0"},        {"chamber_temperature", "0"},
     {"filament_abrasive", "0"}, {"ironing", "0"},
@@ -79,7 +80,7 @@ constexpr std::pair<std::string_view, std::string_view> kUnlessGiven[] = {
     {"support_material", "0"},
 };
 
-/// What hosts look for, from the options.
+/// Returns the keys that hosts search for, with values from the options.
 std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSummary& summary) {
   std::vector<Setting> settings;
   const auto height = [&](size_t layer) {
@@ -105,7 +106,8 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
   return settings;
 }
 
-/// By key: a file whose settings are read back from it names them in the same order.
+/// Writes the settings ordered by key. So a file keeps this order if its settings are read back
+/// from it.
 void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, GcodeText& out) {
   std::map<std::string, std::string, std::less<>> settings;
   for (const auto& [key, value] : macro::SettingLines(summary.settings_text))
@@ -121,7 +123,7 @@ void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, 
 
 namespace {
 
-/// Corners in mm; nothing if they are not known.
+/// Writes the corners in mm; nothing if they are not known.
 void WritePolygon(const Polygon& polygon, GcodeText& out) {
   if (polygon.empty()) return;
   std::string_view before = ",\"polygon\":[[";

@@ -42,7 +42,7 @@ ProgramSummary Summary() {
   return summary;
 }
 
-/// So much in all, 100 s of it in each layer.
+/// Returns times with this sum, 100 s of it in each layer.
 PrintTimes Times(double time_s) {
   PrintTimes times;
   times.travel_s = time_s;
@@ -50,7 +50,7 @@ PrintTimes Times(double time_s) {
   return times;
 }
 
-/// The first group of `pattern`, as a host's parser would find it.
+/// Returns the first group of `pattern`, as a host's parser would find it.
 std::string Find(const std::string& text, const std::string& pattern) {
   std::smatch match;
   return std::regex_search(text, match, std::regex(pattern, std::regex::multiline)) ? match[1].str()
@@ -141,7 +141,7 @@ TEST(MetadataTail, NothingPrinted) {
   EXPECT_THAT(MetadataTail(MotionOptions{}, {}, {}), HasSubstr("; total layers count = 0\n"));
 }
 
-// What strangers write must not become a command.
+// Text from other people must not become a command.
 TEST(Metadata, EveryLineIsAComment) {
   const std::string hostile = "x\nM112\rG28\n\vM104 S500\f\x1b[2J\"; \n";
   MotionOptions options = Options();

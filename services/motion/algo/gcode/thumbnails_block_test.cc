@@ -19,8 +19,8 @@ TEST(ThumbnailsBlock, SmallPicture) {
             "; thumbnail begin 2x3 8\n; UE5HIQ==\n; thumbnail end\n;\n");
 }
 
-// As Moonraker reads it: the count of characters, less the line breaks, must be the length of the
-// code.
+// Reads the block as Moonraker does: the count of characters, without the line breaks, must be the
+// length of the code.
 TEST(ThumbnailsBlock, PrinterHostsCanReadIt) {
   std::string png;
   for (int i = 0; i < 5'000; ++i) png += static_cast<char>(i * 7);

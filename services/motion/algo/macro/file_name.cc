@@ -12,7 +12,7 @@ constexpr size_t kMostNameBytes = 240;  // file systems have 255
 constexpr std::string_view kTextEnding = ".gcode";
 constexpr std::string_view kBinaryEnding = ".bgcode";
 
-/// Of those that some file system refuses.
+/// Returns true if all file systems accept the character in a name.
 bool MayStandInName(char c) {
   return !IsControl(c) && std::string_view("/\\:*?\"<>|").find(c) == std::string_view::npos;
 }
@@ -28,7 +28,7 @@ bool EndsWithAnyCase(std::string_view text, std::string_view ending) {
   return true;
 }
 
-/// Without the last bytes, and no character in parts.
+/// Removes the last bytes, without splitting a character.
 void Shorten(size_t most, std::string& text) {
   if (text.size() <= most) return;
   while (most > 0 && (text[most] & 0xc0) == 0x80) --most;

@@ -5,13 +5,14 @@
 
 namespace slicefarm::motion {
 
-/// A duration as names of files have it: "2d3h4m", "1h2m", "17m", "40s"; seconds are rounded into
-/// minutes. Source: PrusaSlicer.
+/// Returns a duration in the form for file names: "2d3h4m", "1h2m", "17m", "40s". Seconds are
+/// rounded into minutes. Source: PrusaSlicer.
 std::string ShortTime(double seconds);
 
-/// The name of a file from output_filename_format, filled in. It names no folder: what cannot stand
-/// in a name becomes `_`. Without an ending it gets ".gcode", or ".bgcode" if the file is binary;
-/// the one becomes the other where the file is. Never empty, and 240 bytes at most.
+/// Returns the name of a file from the filled-in output_filename_format. The name has no folder:
+/// characters that a name cannot contain become `_`. A name without an ending gets ".gcode", or
+/// ".bgcode" if the file is binary; a wrong one of the two is replaced. The name is never empty and
+/// has at most 240 bytes.
 std::string FileName(std::string_view filled_in, bool binary);
 
 }  // namespace slicefarm::motion

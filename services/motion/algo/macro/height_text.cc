@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Files have heights as sums of layer heights, each one rounded.
+/// Tolerance of heights. In files heights are sums of layer heights, each of them rounded.
 constexpr Coord kSameHeightNm = 100;
 
 absl::StatusOr<std::string> TextOfCode(const HeightCode& code, const macro::JobCode& templates,

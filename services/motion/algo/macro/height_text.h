@@ -19,20 +19,21 @@ namespace slicefarm::motion {
 /// Pauses, changes of colour and other G-code at heights of the print, in PrusaSlicer's words.
 class HeightTexts {
  public:
-  /// Errors: SETTING_MALFORMED.
+  /// Reads the codes from the options. Errors: SETTING_MALFORMED.
   static absl::StatusOr<HeightTexts> Of(const MotionOptions& options);
 
   bool empty() const { return codes_.empty(); }
 
-  /// Whether there is any in the layer.
+  /// Returns true if the layer has such a code.
   bool IsAt(const LayerFrame& layer) const { return !CodesIn(layer).empty(); }
 
-  /// Whether such a code leaves the filament ready to print: M600 and its like prime it.
+  /// Returns true if such a code leaves the filament ready to print. M600 and similar commands
+  /// prime it.
   bool PrimesAt(const LayerFrame& layer) const;
 
-  /// That of the codes whose height is in the layer: above the top of the layer below, and not
-  /// above its own. `variables`: as the layer's other templates have them. Errors: those of
-  /// RunTemplate. Cost: O(log codes) of layers without any.
+  /// Returns the text of the codes with a height in the layer: above the top of the layer below,
+  /// and not above the layer's own top. `variables`: as for the layer's other templates. Errors: as
+  /// RunTemplate. Cost: O(log codes) for layers without any.
   absl::StatusOr<std::string> At(const LayerFrame& layer, const macro::JobCode& code,
                                  const macro::TemplateScope& variables,
                                  macro::TemplateMemory& memory) const;
@@ -40,12 +41,12 @@ class HeightTexts {
  private:
   std::span<const HeightCode> CodesIn(const LayerFrame& layer) const;
 
-  std::vector<HeightCode> codes_;  ///< by height
+  std::vector<HeightCode> codes_;  ///< in order of the height
   int32_t tool_ = 0;
 };
 
-/// What stands after the move up to a layer: layer_gcode, then what belongs to its height, each
-/// with its last line ended. Errors: those of RunTemplate.
+/// Returns the code after the move up to a layer: layer_gcode, then the codes of its height, each
+/// ended by a newline. Errors: as RunTemplate.
 absl::StatusOr<std::string> CodeAfterChange(const LayerFrame& layer, const macro::JobCode& code,
                                             const HeightTexts& heights,
                                             const macro::TemplateScope& variables,

@@ -15,25 +15,25 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// before_layer_gcode and layer_gcode, filled in.
+/// before_layer_gcode and layer_gcode of one layer, filled in.
 struct CustomCode {
   std::string before;
-  std::string after;  ///< what stands at the layer's height is the end of it
-  /// They are filled in later, by FrameProgram; the layer keeps their places.
+  std::string after;  ///< includes the codes of the layer's height at its end
+  /// FrameProgram fills in both texts later; the layer records their positions.
   bool waits = false;
   bool names_layer_change = false;  ///< before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
-  bool has_after = false;           ///< `after` is there, filled in or not
-  bool primes = false;              ///< `after` leaves the filament ready to print
-  bool climbs = false;              ///< `after` moves in z
+  bool has_after = false;  ///< `after` is not empty, filled in or not
+  bool primes = false;  ///< `after` leaves the filament ready to print
+  bool climbs = false;  ///< `after` moves in z
 };
 
-/// The templates that stand in layers, parsed once for all of them.
+/// Templates of the layers, parsed once for all of them.
 class LayerCode {
  public:
-  /// Errors: those of ParseTemplate. `options` must outlive it.
+  /// Parses the templates. `options` must outlive the result. Errors: as ParseTemplate.
   static absl::StatusOr<LayerCode> Of(const MotionOptions& options);
 
-  /// Errors: those of RunTemplate.
+  /// Fills in the code of a layer. Errors: as RunTemplate.
   absl::StatusOr<CustomCode> At(const LayerFrame& layer, const LayerPlace& place,
                                 const JobFacts& facts) const;
 

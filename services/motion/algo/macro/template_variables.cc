@@ -22,7 +22,7 @@ using macro::TemplateValue;
 using macro::TemplateVariable;
 using macro::TemplateVariables;
 
-/// What the stage itself works with.
+/// Returns the values that the stage itself uses.
 TemplateVariables OptionVariables(const MotionOptions& options) {
   TemplateVariables variables;
   const auto put = [&](const char* name, TemplateValue value) {
@@ -61,7 +61,7 @@ TemplateVariable Pair(Point point) {
   return TemplateVariable::List({mm(point.x), mm(point.y)});
 }
 
-/// name_min, name_max and name_size, in mm.
+/// Adds name_min, name_max and name_size, in mm.
 void AddBox(const std::string& name, const Box& box, TemplateVariables& variables) {
   const Point min = box.Empty() ? Point{} : box.min;
   const Point max = box.Empty() ? Point{} : box.max;
@@ -70,7 +70,7 @@ void AddBox(const std::string& name, const Box& box, TemplateVariables& variable
   variables[name + "_size"] = Pair(max - min);
 }
 
-/// As "10,20" each corner.
+/// Adds the corners, each as "10,20".
 void AddHull(const Polygon& hull, TemplateVariables& variables) {
   std::vector<TemplateValue> items;
   for (const Point point : hull) {
@@ -86,13 +86,13 @@ void AddTime(double time_s, double silent_s, TemplateVariables& variables) {
 }
 
 void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variables) {
-  // Start G-code may print it, outside of any comment.
+  // Start G-code may print the name outside a comment.
   const std::string name = copies.empty() ? "" : CommentLine(copies.front().name.object_name);
   variables["num_objects"] = variables["num_instances"] = static_cast<int64_t>(copies.size());
   const std::string base = name.substr(0, name.rfind('.'));
   variables["model_name"] = name;
   variables["input_filename_base"] = base;
-  // PrusaSlicer's is the name of what it writes.
+  // PrusaSlicer's value is the name of its output file.
   variables["input_filename"] = base + ".gcode";
   variables["scale"] = TemplateVariable::List({std::string("x:100% y:100% z:100%")});
 }

@@ -14,28 +14,30 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// What templates may name at any place of a job: settings by their names in a config.ini (those
-/// of motion, those in `settings_text`, and PrusaSlicer's defaults of what was not given), and the
-/// tool in use (setting_variables.h).
+/// Returns the variables of templates anywhere in a job. They are settings by their names in a
+/// config.ini, and the tool in use (setting_variables.h). The settings are the settings of motion,
+/// the settings in `settings_text`, and PrusaSlicer's defaults for missing ones.
 macro::TemplateVariables JobVariables(const MotionOptions& options, std::string_view settings_text);
 
-/// What they may name in a layer: layer_num over all passes, layer_z and max_layer_z, the highest
-/// so far (mm), current_object_idx, the number of the pass, and total_layer_count if the facts have
-/// it: as planned, with layers at the very top that turn out to be too thin for a bead.
+/// Returns the variables of templates in a layer:
+/// - layer_num, counted over all passes;
+/// - layer_z and max_layer_z, the highest so far (mm);
+/// - current_object_idx, the number of the pass;
+/// - total_layer_count, if the facts have it. It is the planned number, including top layers that
+///   turn out to be too thin for a bead.
 macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts& facts);
 
-/// What is known once all layers are:
+/// Returns the variables that are known after all layers:
 ///   total_layer_count
-///   first_layer_print_min / _max / _size and first_layer_print_convex_hull, of what the first
-///   layer covers
+///   first_layer_print_min / _max / _size and first_layer_print_convex_hull: area of the first layer
 ///   used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost
-///   print_time, as "1h 2m 3s"; time_s is that of the layers. silent_print_time is silent_s, if the
-///   machine has a silent mode
+///   print_time, as "1h 2m 3s"; time_s is the time of the layers.
+///   silent_print_time, from silent_s, if the machine has a silent mode.
 ///   num_objects, num_instances, input_filename, input_filename_base
 macro::TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
                                         double time_s, std::optional<double> silent_s = {});
 
-/// Puts extruded_volume, extruded_weight and their totals: of what was printed before.
+/// Sets extruded_volume, extruded_weight and their totals for the print so far.
 void PutUseSoFar(const MotionOptions& options, double filament_mm,
                  macro::TemplateVariables& variables);
 

@@ -17,7 +17,7 @@ std::string Filled(std::string_view code, const TemplateVariables& variables) {
   return ExpandTemplate("g", code, variables).value_or("error");
 }
 
-// What the stage works with counts, not what is quoted.
+// The values that the stage uses override the quoted settings.
 TEST(JobVariables, OptionsThenSettingsThenDefaults) {
   MotionOptions options;
   options.tool().first_layer_temperature_c = 215;
@@ -66,7 +66,7 @@ TEST(PutUseSoFar, IsVolumeAndMass) {
   EXPECT_EQ(Filled("{extruded_volume_total} {extruded_weight[0]}", variables), "2405.28 2.98255");
 }
 
-// What is checked before the print is what the print knows.
+// The check before the print uses the same variables as the print.
 TEST(VariablesOfThePrint, AreThoseThatAreFilledIn) {
   TemplateVariables filled = PrintVariables(MotionOptions{}, {}, 0);
   PutUseSoFar(MotionOptions{}, 0, filled);

@@ -22,7 +22,7 @@ std::optional<std::string> FilamentWatch::Add(const ProgramMove& move, bool cust
     if (!wrong) wrong = std::move(more);
   }
   depth_mm_ = std::max(0.0, depth_mm_ - mm);
-  // What a restart leaves out, or rounding, does not add up.
+  // A remainder from a short restart or from rounding is set to 0, so that it does not add up.
   if (mm > 0 && depth_mm_ <= slack_mm_) depth_mm_ = 0;
   if (!custom) last_depth_mm_ = depth_mm_;
   return wrong;

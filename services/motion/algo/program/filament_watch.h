@@ -8,22 +8,23 @@
 
 namespace slicefarm::motion {
 
-/// Follows how deep the filament is retracted, and adds up what is printed.
+/// Tracks the depth of the retraction, and sums the printed filament.
 class FilamentWatch {
  public:
-  /// `restart_extra_mm`: what restarts leave out, if below 0. `longest_mm`: of filament alone; 0: no
-  /// limit.
+  /// `restart_extra_mm`: if below 0, the length that restarts leave out. `longest_mm`: longest move
+  /// of filament only; 0: no limit.
   FilamentWatch(double restart_extra_mm, double longest_mm)
       : slack_mm_(kSlackMm + std::max(0.0, -restart_extra_mm)), longest_mm_(longest_mm) {}
 
-  /// What is wrong with a move; nothing if all is well. `custom`: the user's own, which may prime.
+  /// Returns the error of a move, or nothing. `custom`: the move is in the user's own code, which
+  /// may prime.
   std::optional<std::string> Add(const ProgramMove& move, bool custom);
-  /// Another filament: as at the start of a program. What `custom` code has pulled back before was
-  /// never printed.
+  /// Changes the filament; the state is as at the start of a program. Filament retracted by
+  /// `custom` code before was never printed.
   void ChangeTool(bool custom);
 
-  /// What the slicer prints: net of retractions, without custom code and what that retracts in the
-  /// end.
+  /// Returns the filament that the slicer prints: net of retractions, without custom code and
+  /// without its retraction at the end.
   double PrintedMm() const { return printed_mm_ + last_depth_mm_ - first_depth_mm_; }
 
  private:
@@ -34,12 +35,12 @@ class FilamentWatch {
 
   double slack_mm_;
   double longest_mm_;
-  double depth_mm_ = 0;        ///< retracted by so much
-  double first_depth_mm_ = 0;  ///< when the slicer's code began
-  double last_depth_mm_ = 0;   ///< after the slicer's last move so far
+  double depth_mm_ = 0;  ///< current depth of the retraction
+  double first_depth_mm_ = 0;  ///< depth when the slicer's code began
+  double last_depth_mm_ = 0;  ///< depth after the slicer's last move so far
   double printed_mm_ = 0;
-  bool begun_ = false;         ///< the slicer's code
-  bool fresh_ = true;          ///< nothing printed since the start or the change of tool
+  bool begun_ = false;  ///< true after the begin of the slicer's code
+  bool fresh_ = true;  ///< true until the first print after the start or a change of tool
 };
 
 }  // namespace slicefarm::motion

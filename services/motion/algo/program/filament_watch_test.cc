@@ -44,7 +44,7 @@ TEST(FilamentWatch, CustomCodeIsNotPrintedButItsRetractionStands) {
   EXPECT_NEAR(watch.PrintedMm(), 2, 1e-12);
 }
 
-// As the end G-code does.
+// Models end G-code.
 TEST(FilamentWatch, WhatCustomCodeRetractsInTheEndIsNotPrinted) {
   FilamentWatch watch(0, 0);
   watch.Add(Print(2), false);

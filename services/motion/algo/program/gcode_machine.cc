@@ -12,13 +12,13 @@ namespace {
 
 constexpr char kWords[] = {'X', 'Y', 'Z', 'E'};
 constexpr double kInchMm = 25.4;
-/// Before the first F, as Klipper has it.
+/// Speed before the first F, as in Klipper.
 constexpr double kFirstSpeedMmS = 25;
-/// Less does not move any axis: what is left of sums.
+/// Largest remainder of a sum that does not move an axis.
 constexpr double kNothingMm = 1e-9;
 constexpr double kSecondsPerMinute = 60;
 
-/// Of all words a retraction has at most Marlin's S; with others, G10 sets tools of RepRapFirmware.
+/// Returns true if G10 sets tools of RepRapFirmware. A retraction has at most Marlin's S.
 bool HasOtherWords(const GcodeLine& line) {
   return line.Has('P') || line.Has('L') || line.Has('R') || line.Has('X') || line.Has('Y') ||
          line.Has('Z');
@@ -103,7 +103,7 @@ GcodeAction GcodeMachine::ReadM(const GcodeLine& line) {
     case 702:
       return Rest();
     case 200:
-      // Volumes of filament of this diameter; 0: lengths again.
+      // D is the diameter of filament given by volume; 0 returns to lengths.
       if (const auto d = line['D']) ScaleFilament(flow_factor_, FilamentUnitMm(*d));
       return {};
     case 207:
@@ -216,7 +216,7 @@ GcodeAction GcodeMachine::Retract(bool back) {
     to[kZ] += lift;
     if (lift > 0) Push(to, limits_.max_feedrate_mm_s[kZ]);
   }
-  // To the program, filament and height are where they were.
+  // In the program's coordinates, filament and height are unchanged.
   const double moved = moves_.empty() ? 0 : to[kE] - moves_.front().from[kE];
   origin_[kE] += moved;
   origin_[kZ] += back ? -lift : lift;
@@ -252,7 +252,7 @@ MachineSetup SetupOf(const MotionOptions& options) {
           options.writing.volumetric_e ? options.tool().filament_diameter_mm : 0};
 }
 
-/// What the program takes for the filament's place stays.
+/// Changes the scale. The filament's coordinate in the program stays the same.
 void GcodeMachine::ScaleFilament(double flow, double unit_mm) {
   const double told = (at_[kE] - origin_[kE]) / FilamentFactor();
   flow_factor_ = flow;

@@ -19,19 +19,20 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// The printer, as far as a program's meaning depends on it.
+/// Properties of the printer that the meaning of a program depends on.
 struct MachineSetup {
   MachineLimits limits;
-  RetractionOptions retraction;  ///< of G10 and G11, until M207
+  RetractionOptions retraction;  ///< retraction of G10 and G11, until M207
   HeatingRates heating;
-  double volume_diameter_mm = 0;  ///< E is mm3 of filament of this diameter; 0: mm; until M200
-  double arc_segment_mm = 0;      ///< length of the chords of arcs; 0: the firmware's own
+  /// Diameter if E is in mm3 of filament; 0: E is in mm; until M200.
+  double volume_diameter_mm = 0;
+  double arc_segment_mm = 0;  ///< length of the chords of arcs; 0: the firmware's own
 };
 
-/// That of a job's settings.
+/// Returns the setup from a job's settings.
 MachineSetup SetupOf(const MotionOptions& options);
 
-/// A straight move, in machine coordinates: x, y, z and the filament that went in so far.
+/// Straight move in machine coordinates: x, y, z and the total filament so far.
 struct ProgramMove {
   std::array<double, 4> from = {};
   std::array<double, 4> to = {};
@@ -43,27 +44,27 @@ struct ProgramMove {
   bool Prints() const { return InPlane() && Filament() > 0; }
 };
 
-/// What a line makes the machine do.
+/// Effect of a line on the machine.
 struct GcodeAction {
   enum class Kind {
     kNone,
     kMoves,
-    kDwell,   ///< G4: rests for a time
-    kRest,    ///< comes to rest: waits for heat, homes, changes tools, ...
+    kDwell,  ///< G4: a pause
+    kRest,  ///< stop: waits for heat, homes, changes tools, ...
     kLimits,  ///< limits may have changed
   };
   Kind kind = Kind::kNone;
   std::span<const ProgramMove> moves = {};  ///< valid until the next line
   double dwell_s = 0;
-  std::optional<Arc> arc = {};  ///< of G2 and G3
+  std::optional<Arc> arc = {};  ///< arc of G2 and G3
 };
 
-/// Follows a program line by line, as its firmware would: G0 to G4, G10 and G11, G20 and G21, G28,
-/// G90 to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. Places before G28 or the
-/// first move count from 0. Homing takes an axis to 0.
+/// Runs a program line by line, as its firmware would: G0 to G4, G10 and G11, G20 and G21, G28, G90
+/// to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. Places before G28 or the first
+/// move begin at 0. Homing moves an axis to 0.
 class GcodeMachine {
  public:
-  /// `firmware` must live on.
+  /// `firmware` must outlive this object.
   GcodeMachine(const Firmware& firmware, const MachineSetup& setup)
       : firmware_(firmware),
         limits_(setup.limits),
@@ -71,16 +72,17 @@ class GcodeMachine {
         arc_segment_mm_(setup.arc_segment_mm),
         filament_unit_mm_(FilamentUnitMm(setup.volume_diameter_mm)) {}
 
+  /// Runs one line and returns its effect.
   GcodeAction Read(const GcodeLine& line);
 
-  /// Goes on in a place, with a speed and a printing acceleration that others than this program
-  /// have brought it to.
+  /// Continues at a place, with a speed and a printing acceleration that were set outside this
+  /// program.
   void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }
   const std::array<double, 4>& position() const { return at_; }
   bool relative() const { return relative_; }
-  /// Whether some F was given.
+  /// Returns true if an F was given.
   bool has_speed() const { return speed_mm_s_ > 0; }
 
  private:
@@ -104,23 +106,23 @@ class GcodeMachine {
   RetractionOptions retraction_;
   double arc_segment_mm_;
   std::array<double, 4> at_ = {};
-  std::array<double, 4> origin_ = {};  ///< place of the program's zero
+  std::array<double, 4> origin_ = {};  ///< position of the program's zero
   double unit_mm_ = 1;
   bool relative_ = false;
   bool relative_filament_ = false;
-  bool retracted_ = false;  ///< by G10
-  double speed_mm_s_ = 0;   ///< as given, without the factor
+  bool retracted_ = false;  ///< retracted by G10
+  double speed_mm_s_ = 0;  ///< speed as given, without the factor
   double speed_factor_ = 1;
   double flow_factor_ = 1;
-  double filament_unit_mm_ = 1;  ///< mm of filament that a unit of it stands for: of M200, a volume
+  double filament_unit_mm_ = 1;  ///< mm of filament per unit of E; with M200 the unit is a volume
   std::vector<ProgramMove> moves_;
 };
 
-/// Whether a line is G10 or G11 as firmwares retract and restart by themselves; G10 with a tool's
-/// settings is not.
+/// Returns true if a line is G10 or G11 for a retraction or restart by the firmware. G10 with a
+/// tool's settings is not.
 bool IsFirmwareRetraction(const GcodeLine& line);
 
-/// As planners see it. REQUIRES: something moves.
+/// Converts a move for planners. REQUIRES: something moves.
 KinematicMove ToKinematic(const ProgramMove& move, const Firmware& firmware,
                           const MachineLimits& limits);
 

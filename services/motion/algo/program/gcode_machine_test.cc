@@ -10,7 +10,7 @@
 namespace slicefarm::motion::gcode_machine_test {
 namespace {
 
-/// The end of the last move of a program.
+/// Returns the end of the last move of a program.
 std::array<double, 4> EndOf(const Firmware& firmware, std::vector<const char*> lines,
                             double* speed = nullptr) {
   GcodeMachine machine(firmware, {});

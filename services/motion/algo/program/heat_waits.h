@@ -6,23 +6,23 @@
 
 namespace slicefarm::motion {
 
-/// How fast a printer heats up, in C/s; 0: not known.
+/// Heating rates of a printer, in C/s; 0: not known.
 struct HeatingRates {
   double nozzle_c_s = 0;
   double bed_c_s = 0;
 };
 
-/// Follows what a program asks of nozzle and bed (M104, M109, M140, M190): both begin at 25 C, heat
-/// up at their rates from when they are told to, and cool down at once.
+/// Tracks the temperatures that a program sets for nozzle and bed (M104, M109, M140, M190). Both
+/// begin at 25 C. They heat up at their rates from the time of the command, and cool down at once.
 class HeatWaits {
  public:
   explicit HeatWaits(const HeatingRates& rates) : nozzle_{rates.nozzle_c_s}, bed_{rates.bed_c_s} {}
 
-  /// Whether a line waits for heat.
+  /// Returns true if a line waits for heat.
   static bool Waits(const GcodeLine& line);
 
-  /// `now_s`: when the line is run. How long it waits, in s; 0 if it does not, nothing if it waits
-  /// for something whose rate is not known.
+  /// Runs a line and returns the time that it waits, in s. The result is 0 for a line that does not
+  /// wait, and nothing if the heating rate is not known. `now_s`: time when the line is run.
   std::optional<double> Read(const GcodeLine& line, double now_s);
 
  private:

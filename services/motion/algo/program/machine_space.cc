@@ -11,7 +11,7 @@ namespace {
 
 double Mm(Coord nm) { return ToMm(static_cast<double>(nm)); }
 
-/// Counter-clockwise, without a turn to the right.
+/// Returns true if the ring is counter-clockwise without a turn to the right.
 bool IsConvex(const Polygon& ring) {
   const size_t count = ring.size();
   for (size_t i = 0; i < count; ++i) {

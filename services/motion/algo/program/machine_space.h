@@ -6,19 +6,20 @@
 
 namespace slicefarm::motion {
 
-/// Where the nozzle can go.
+/// Space that the nozzle can reach.
 class MachineSpace {
  public:
-  /// `bed`: empty: everywhere; not convex: its box counts. `max_height_mm` 0: no limit.
+  /// `bed`: an empty bed is unlimited, and a bed that is not convex is replaced by its box.
+  /// `max_height_mm`: 0 is no limit.
   MachineSpace(const Polygon& bed, double max_height_mm, double min_height_mm);
 
-  /// How far, in mm, a place lies outside; at most 0: it does not.
+  /// Returns the distance of a place outside the space, in mm; at most 0 inside.
   double Outside(double x_mm, double y_mm, double z_mm) const;
-  /// The same of a height, wherever it is.
+  /// Returns the distance of a height outside the space, at any x and y.
   double OutsideHeight(double z_mm) const;
 
  private:
-  /// a x + b y <= c inside; (a, b) of length 1.
+  /// Side of the bed: a x + b y <= c inside, with (a, b) of length 1.
   struct Side {
     double a, b, c;
   };

@@ -12,7 +12,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// With which acceleration a layer has reckoned what runs before its first bead.
+/// Returns the acceleration that a layer's own times assume before its first bead.
 double AssumedBy(const LayerEdges& edges) {
   for (size_t i = 1; i < edges.head.size(); ++i)
     if (Prints(edges.head[i - 1], edges.head[i])) return edges.head[i].acceleration_mm_s2;
@@ -49,7 +49,7 @@ void PrintClock::Read(std::string_view gcode, double& part_s) {
   set_mm_s2_ = firmware_.AccelerationFor({1, {1, 0, 0, 0}}, machine_.limits());
 }
 
-/// Goes on in text where moves have ended.
+/// Sets the machine to the state after the last moves, before more text is read.
 void PrintClock::Resume() {
   if (set_mm_s2_ == 0) return;
   machine_.Resume(
@@ -104,7 +104,7 @@ void PrintClock::AddLayer(size_t i) {
   double& part_s = times_.layer_s[i];
   QueueHead(edges, part_s);
   Stop();
-  // The layer has counted its edges already, as if it were alone.
+  // Subtracts the times of the edges, which the layer has counted as if it were alone.
   const std::span<const EdgeMove> head = edges.head;
   const auto approach = static_cast<size_t>(edges.approach);
   Queue(head.first(approach), AssumedBy(edges), part_s);
@@ -156,7 +156,7 @@ void PrintClock::Stop(double sign) {
 
 PrintTimes PrintClock::Finish() {
   Stop();
-  // Of what was added and taken off again, rounding may leave less than nothing.
+  // Rounding may leave a negative sum after additions and subtractions.
   const auto round_up = [](double& sum) { sum = std::max(0.0, sum); };
   std::ranges::for_each(times_.feature_s, round_up);
   std::ranges::for_each(times_.layer_s, round_up);

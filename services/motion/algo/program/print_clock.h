@@ -17,28 +17,31 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// The time of a whole print, put together from its layers' own times and what lies between them.
+/// Computes the time of a whole print from its layers' own times and the moves between the layers.
 ///
 /// A layer's times are from rest to rest, as if it were alone. Where layers meet, the moves at
-/// their edges are planned once more, together with the way between them, and what that differs by
-/// is put right. So the sums are those of the whole program's look-ahead (exactly so where the
-/// firmware stops for the filament), and do not depend on how layers were shared out.
+/// their edges are planned again, together with the travel between them, and the difference is
+/// added. So the sums are equal to the look-ahead of the whole program. They are exact if the
+/// firmware stops for moves of filament. They do not depend on the assignment of layers to workers.
 class PrintClock {
  public:
   PrintClock(const ProgramSummary& summary, const MotionOptions& options);
   PrintClock(const PrintClock&) = delete;
   PrintClock& operator=(const PrintClock&) = delete;
 
-  /// In the order of printing: what stands before the layers, before layer `i`, after the layers.
+  /// Add the text before the layers, before layer `i`, and after the layers. Call in the order of
+  /// printing.
   void ReadBefore(std::string_view gcode) { Read(gcode, times_.before_s); }
   void ReadAt(size_t i, std::string_view gcode) { Read(gcode, times_.layer_s[i]); }
   void ReadAfter(std::string_view gcode) { Read(gcode, times_.after_s); }
+  /// Adds the time of layer `i`, with its connection to the moves before.
   void AddLayer(size_t i);
 
+  /// Returns the times of the whole print.
   PrintTimes Finish();
 
  private:
-  /// The sums that a move's time is added to.
+  /// Sums that include a move's time.
   struct Account {
     double* kind_s;
     double* part_s;
@@ -52,7 +55,7 @@ class PrintClock {
   void Queue(std::span<const EdgeMove> way, double set_mm_s2, double& part_s);
   void QueueHead(const LayerEdges& edges, double& part_s);
   void Queue(const EdgeMove& before, const EdgeMove& move, double set_mm_s2, double& part_s);
-  /// Plans what is queued and adds its times, `sign` times.
+  /// Plans the queued moves and adds their times, multiplied by `sign`.
   void Stop(double sign = 1);
 
   const ProgramSummary& summary_;
@@ -62,7 +65,7 @@ class PrintClock {
   std::unique_ptr<Planner> planner_;
   std::vector<Account> accounts_;
   EdgeMove at_;
-  double set_mm_s2_ = 0;  ///< acceleration that the machine is set to
+  double set_mm_s2_ = 0;  ///< acceleration that is set in the machine
   PrintTimes times_;
 };
 

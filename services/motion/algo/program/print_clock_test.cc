@@ -17,7 +17,7 @@ Path Line(Feature feature, std::string_view points, bool closed = false) {
   return path;
 }
 
-/// Walls and fill of two copies, elsewhere in each layer.
+/// Returns walls and fill of two copies, at other places in each layer.
 OrderedLayer Layer(int32_t index) {
   OrderedLayer layer;
   layer.frame = {index, (index + 1) * 200'000, 200'000};
@@ -39,7 +39,7 @@ struct Case {
   double retraction_mm = 0.8;
   double travel_acceleration_mm_s2 = 0;
   bool told = true;
-  double tolerance_s = 1e-6;  ///< of each sum
+  double tolerance_s = 1e-6;  ///< tolerance of each sum
 };
 
 MotionOptions Options(const Case& c) {
@@ -61,8 +61,7 @@ MotionOptions Options(const Case& c) {
 
 class PrintClockTest : public testing::TestWithParam<Case> {};
 
-// What is put together from layers that know nothing of each other is what the program takes as a
-// whole.
+// The time computed from separate layers is the time of the program as a whole.
 TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
   const MotionOptions options = Options(GetParam());
   ProgramSummary summary;
@@ -114,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{.name = "KlipperWithoutRetraction", .retraction_mm = 0, .tolerance_s = 1e-3},
         Case{.name = "KlipperUntold", .told = false},
         Case{.name = "RepRap", .flavor = GcodeFlavor::kRepRapFirmware, .lift_mm = 0.3},
-        // It never comes to rest between layers.
+        // The machine never stops between layers.
         Case{.name = "Marlin2", .flavor = GcodeFlavor::kMarlin2, .tolerance_s = 2e-3},
         Case{.name = "Marlin1",
              .flavor = GcodeFlavor::kMarlinLegacy,

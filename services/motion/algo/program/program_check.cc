@@ -14,13 +14,15 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Places are given to 0.001 mm.
+/// Resolution of coordinates, 0.001 mm.
 constexpr double kPlaceMm = 0.001;
-/// A bead's section, as a multiple of the nozzle's square.
+/// Largest section of a bead, as a multiple of the nozzle's square.
 constexpr double kMostSections = 4;
-/// Radii of an arc's ends, given to 0.001 mm in four numbers.
+/// Tolerance of the radii at an arc's ends. They depend on four numbers with a resolution of 0.001
+/// mm.
 constexpr double kRadiusMm = 0.005;
-/// Sums of filament: two decimals; what rounding to 1e-5 mm leaves of so many moves.
+/// Tolerances of sums of filament: two decimals of the sum, and the rounding to 1e-5 mm of all
+/// moves.
 constexpr double kSumMm = 0.006;
 constexpr double kSumOfRoundingMm = 3e-5;
 constexpr std::string_view kMoveWords = "XYZEFSHRPABCUVWIJK";
@@ -43,7 +45,7 @@ class Checker {
     if (!line.comment.empty()) ReadComment(line.comment);
     if (line.command.empty()) return;
     const bool is_move = line.letter == 'G' && line.number >= 0 && line.number <= 3;
-    // Vendors' own commands say things twice, as M970.3 of Bambu's start G-code does.
+    // Vendors' own commands may repeat a word, for example M970.3 in Bambu's start G-code.
     const bool vendors = labels_.Custom() && !is_move && line.fault == kWordTwice;
     if (!line.fault.empty() && !vendors) return Find(absl::StrFormat("%s: %s", text, line.fault));
     CheckCommand(line);
@@ -134,7 +136,8 @@ class Checker {
   void CheckMove(const ProgramMove& move) {
     ++report_.moves;
     const bool custom = labels_.Custom();
-    // Where custom G-code has left the nozzle, beside the bed say, the slicer may lift it.
+    // The slicer may lift the nozzle even if custom G-code has left it outside, for example beside
+    // the bed.
     const bool stays = move.to[kX] == move.from[kX] && move.to[kY] == move.from[kY];
     const double outside = stays ? space_.OutsideHeight(move.to[kZ])
                                  : space_.Outside(move.to[kX], move.to[kY], move.to[kZ]);
@@ -156,7 +159,7 @@ class Checker {
     const double z = move.to[kZ] - move.from[kZ];
     const double section = move.Filament() * filament_mm2_ / std::sqrt(x * x + y * y + z * z);
     const double most = kMostSections * setup_.nozzle_mm * setup_.nozzle_mm;
-    // Firmwares let the least amounts pass.
+    // Firmwares accept very small amounts.
     if (section <= most || move.Filament() * filament_mm2_ <= setup_.nozzle_mm * most) return;
     if (custom && !firmware_.RefusesSection(section, setup_.nozzle_mm)) return;
     Find(absl::StrFormat("a bead of %.3f mm2, at most %.3f", section, most));

@@ -33,7 +33,7 @@ std::vector<Finding> Check(const std::string& body, const Firmware& firmware = M
   return CheckProgram(absl::StrCat(kHead, body, kTail), firmware, Machine()).findings;
 }
 
-/// One finding, on the first line of the body.
+/// Matches one finding, on the first line of the body.
 auto One(const std::string& text) {
   return ElementsAre(testing::AllOf(Field(&Finding::line, 13), Field(&Finding::text, HasSubstr(text))));
 }

@@ -6,19 +6,19 @@
 
 namespace slicefarm::motion {
 
-/// What a slicer's comments say of where a program is: the feature (`;TYPE:` of PrusaSlicer, Cura
-/// and us, `; FEATURE:` of Bambu Studio, `;FEATURE:`) and the layer (`;LAYER_CHANGE`, `;LAYER:3`,
-/// `; CHANGE_LAYER`).
+/// Reads from a slicer's comments the current feature (`;TYPE:` of PrusaSlicer, Cura and slicefarm,
+/// `; FEATURE:` of Bambu Studio, `;FEATURE:`) and the layer (`;LAYER_CHANGE`, `;LAYER:3`, `;
+/// CHANGE_LAYER`).
 class ProgramLabels {
  public:
-  /// `comment`: what stands behind `;`. Whether it changed something.
+  /// Reads a comment, without its `;`. Returns true if it was a label.
   bool Read(std::string_view comment);
 
   const std::string& feature() const { return feature_; }
-  /// From 0; -1 before the first.
+  /// Returns the layer, from 0; -1 before the first one.
   int layer() const { return layer_; }
-  /// Whether what is printed is the user's own code: `;TYPE:Custom`, and what no comment names
-  /// before the first layer.
+  /// Returns true in the user's own code: under `;TYPE:Custom`, and in unlabelled code before the
+  /// first layer.
   bool Custom() const { return custom_; }
 
  private:
@@ -27,8 +27,8 @@ class ProgramLabels {
   bool custom_ = true;
 };
 
-/// The value of `; key = value`, as PrusaSlicer and its heirs quote settings and sums; nothing if
-/// the comment does not say that key.
+/// Returns the value of `; key = value`, the form of settings and sums in PrusaSlicer and its
+/// forks. Returns nothing if the comment has another key.
 std::optional<std::string_view> QuotedValue(std::string_view comment, std::string_view key);
 
 }  // namespace slicefarm::motion

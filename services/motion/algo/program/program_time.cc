@@ -49,7 +49,7 @@ class Clock {
   }
 
  private:
-  /// Where a queued move's time goes.
+  /// Sums that include a queued move's time.
   struct Account {
     double* kind_s;
     int layer;
@@ -93,7 +93,7 @@ class Clock {
     accounts_.clear();
   }
 
-  /// Lines in which nothing moves end when those before them do.
+  /// Sets the end time of lines without moves to the end of the line before.
   void FillLines(size_t count) {
     if (time_.line_end_s.size() < count) time_.line_end_s.resize(count, ended_s_);
   }
@@ -113,9 +113,9 @@ class Clock {
   std::unique_ptr<Planner> planner_;
   ProgramLabels labels_;
   std::vector<Account> accounts_;
-  size_t lines_ = 0;             ///< read
-  double ended_s_ = 0;           ///< of what is planned
-  double* feature_s_ = nullptr;  ///< of the labels
+  size_t lines_ = 0;  ///< number of lines read
+  double ended_s_ = 0;  ///< end time of the planned moves
+  double* feature_s_ = nullptr;  ///< sum of the current feature
   ProgramTime time_;
 };
 

@@ -13,7 +13,7 @@ namespace slicefarm::motion {
 /// Returns true if some line of `gcode` is one of the commands, such as "M104".
 bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
 
-/// Returns true if start G-code, the machine's or the filament's, has one of the commands.
+/// Returns true if the start G-code of the machine or of the filament has one of the commands.
 bool StartCommands(const MotionOptions& options, std::initializer_list<std::string_view> commands);
 
 }  // namespace slicefarm::motion

@@ -21,7 +21,7 @@ std::string_view SkipBlanks(std::string_view text) {
   return text;
 }
 
-/// Commands with text behind them: messages, files, names.
+/// Returns true for commands with text after them: messages, files, names.
 bool TakesText(const GcodeLine& line) {
   if (line.letter != 'M') return false;
   switch (line.number) {
@@ -42,12 +42,14 @@ bool TakesText(const GcodeLine& line) {
   }
 }
 
-/// The number at the front of `text`; a sign may be `+`. False: there is none.
+/// Removes the number at the front of `text` and stores it in `value`. The sign may be `+`. Returns
+/// false if there is no number.
 bool TakeNumber(std::string_view& text, double& value) {
   const char* from = text.data();
   const char* const end = from + text.size();
   if (from != end && *from == '+') ++from;
-  // Only digits, a point and a sign: from_chars would read "inf", "1e5" and the like.
+  // Accepts only digits, a point and a sign, because from_chars would also read "inf", "1e5" and
+  // the like.
   const char* to = from;
   if (to != end && *to == '-') ++to;
   while (to != end && (absl::ascii_isdigit(*to) || *to == '.')) ++to;

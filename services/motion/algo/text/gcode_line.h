@@ -9,29 +9,32 @@ namespace slicefarm::motion {
 
 inline constexpr std::string_view kWordTwice = "a word is there twice";
 
-/// One line of G-code, taken apart. Views point into the line.
+/// One parsed line of G-code. Views point into the line.
 ///   G1 X10 Y-.5 E.03     command "G1", letter G, number 1, words X, Y and E
 ///   SET_FAN SPEED=1      command "SET_FAN", letter 0, parameters "SPEED=1"
 ///   ;TYPE:Perimeter      comment "TYPE:Perimeter"
 struct GcodeLine {
-  std::string_view command;     ///< empty: nothing but a comment
-  char letter = 0;              ///< G, M, T, ... of a command of letter and number, else 0
-  int number = -1;              ///< M862.3: 862
-  std::string_view parameters;  ///< what follows the command, up to the comment
-  std::string_view comment;     ///< behind `;`
-  std::string_view fault;       ///< why words cannot be read; empty: they can
-  bool has_lists = false;       ///< a word has several numbers (`E1:0`) or a text in quotes
+  std::string_view command;  ///< empty: only a comment
+  char letter = 0;  ///< G, M, T, ... if the command is a letter and a number, else 0
+  int number = -1;  ///< number after the letter, without decimals; M862.3: 862
+  std::string_view parameters;  ///< text after the command, up to the comment
+  std::string_view comment;  ///< text after `;`
+  std::string_view fault;  ///< reason why words cannot be read; empty: they can
+  bool has_lists = false;  ///< a word has several numbers (`E1:0`) or a text in quotes
 
+  /// Returns true if the line has the command of this letter and number.
   bool Is(char l, int n) const { return letter == l && number == n; }
+  /// Returns true if the line has the word, with or without a number.
   bool Has(char word) const { return (present_ & Bit(word)) != 0; }
-  /// The number of a word, of a list the first; nothing if it is not there, bare as in `G28 X`, or
-  /// a text.
+  /// Returns the number of a word; for a list, the first number. Returns nothing if the word is
+  /// missing, has no number as in `G28 X`, or is a text.
   std::optional<double> operator[](char word) const {
     if ((valued_ & Bit(word)) == 0) return std::nullopt;
     return values_[static_cast<size_t>(word - 'A')];
   }
-  /// The text of `NAME=...` among the parameters.
+  /// Returns the text of `NAME=...` among the parameters.
   std::optional<std::string_view> Named(std::string_view name) const;
+  /// Returns the number of `NAME=...` among the parameters.
   std::optional<double> NamedNumber(std::string_view name) const;
 
  private:
@@ -44,10 +47,10 @@ struct GcodeLine {
   uint32_t valued_ = 0;
 };
 
-/// Takes a line apart, in either case, with or without blanks between words, line numbers (N12) and
-/// checksums (*71). Commands whose parameters are text (M117, M486 A, ...) have no words, nor have
-/// those of more than a letter and a number. Numbers beyond 1e9 are a fault, as are words that are
-/// there twice.
+/// Parses a line, in upper or lower case, with or without blanks between words, line numbers (N12)
+/// and checksums (*71). Commands with text as parameters (M117, M486 A, ...) have no words.
+/// Commands other than a letter and a number have none either. Numbers beyond 1e9 and repeated
+/// words are faults.
 GcodeLine ParseGcodeLine(std::string_view line);
 
 }  // namespace slicefarm::motion

@@ -7,7 +7,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Where neither settings nor machine limits say anything.
+/// Acceleration without settings and machine limits.
 constexpr double kDefaultMmS2 = 1000;
 
 double FirstSet(std::initializer_list<double> values) {
@@ -17,7 +17,8 @@ double FirstSet(std::initializer_list<double> values) {
   return kDefaultMmS2;
 }
 
-/// Whether the firmware takes a move in the plane that pulls filament back for a travel.
+/// Returns true if the firmware treats a wipe as a travel: a move in the plane that retracts
+/// filament.
 bool WipesAreTravels(const Firmware& firmware) {
   MachineLimits limits;
   limits.max_acceleration_extruding_mm_s2 = 1;

@@ -12,31 +12,31 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// With which acceleration each kind of move runs, in mm/s^2, and what of it the G-code has to say.
+/// Accelerations of each kind of move, in mm/s^2, and which of them the G-code must set.
 ///
-/// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, whatever the
-/// features' settings are; the machine limits then say what the firmware's are. Some firmwares keep
-/// travels' acceleration apart from printing's; elsewhere a travel runs as the path before it,
-/// unless travel_acceleration is set and switched to. Klipper has one for all moves: what a
-/// retraction is asked for is what was set last. A wipe is a print or a travel, as the firmware has
-/// it.
+/// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, even if
+/// features have settings. The machine limits then give the firmware's values. Some firmwares have
+/// a separate acceleration for travels. With other firmwares a travel runs as the path before it,
+/// unless travel_acceleration is set. Klipper has one acceleration for all moves, so a retraction
+/// uses the one set last. The firmware decides whether a wipe counts as a print or as a travel.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
-  double travel = 0;   ///< 0: what was set last
-  double short_travel = 0;  ///< of those too short for a retraction; 0: as the others
-  double retract = 0;  ///< of the filament alone; 0: what was set last
-  bool told = false;   ///< the G-code sets them
+  double travel = 0;  ///< 0: the acceleration set last
+  double short_travel = 0;  ///< for travels too short for a retraction; 0: as other travels
+  double retract = 0;  ///< for filament only; 0: the acceleration set last
+  bool told = false;  ///< true if the G-code sets accelerations
   bool told_travel = false;
-  bool one = false;  ///< travels and prints set the same
+  bool one = false;  ///< true if travels and prints share one value in the machine
   bool wipe_travels = false;
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
-  /// Of a travel, where `before` was set last.
+  /// Returns the acceleration of a travel, if `before` was set last.
   double Travel(double before) const { return travel > 0 ? travel : before; }
   double Wipe(double before) const { return wipe_travels ? Travel(before) : before; }
   double Retract(double before) const { return retract > 0 ? retract : before; }
 };
 
+/// Returns the accelerations for beads on such a ground.
 Accelerations AccelerationsFor(const MotionOptions& options, Ground ground);
 
 }  // namespace slicefarm::motion

@@ -9,7 +9,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// More chords than any arc that is printed has: bounds memory for hostile files.
+/// Largest number of chords. It exceeds any printed arc and bounds the memory for hostile files.
 constexpr double kMostChords = 2e4;
 
 }  // namespace

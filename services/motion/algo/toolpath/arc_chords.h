@@ -6,26 +6,28 @@
 
 namespace slicefarm::motion {
 
-/// An arc as G2 and G3 give it.
+/// Arc as given by G2 and G3.
 struct Arc {
   Vector2 from = Vector2::Zero();
   Vector2 to = Vector2::Zero();
   Vector2 centre = Vector2::Zero();
   bool clockwise = false;
 
-  /// Distances of the ends from the centre: equal, but for rounding.
+  /// Return the distances of the ends from the centre. They are equal except for rounding.
   double StartRadius() const;
   double EndRadius() const;
-  /// Angle swept, > 0; a full circle where the ends are the same.
+  /// Returns the swept angle, > 0. Equal ends give a full circle.
   double Angle() const;
 };
 
-/// The centre of the arc of radius |r|, the shorter way round if r > 0, else the longer one. Where
-/// the ends are farther apart than twice the radius, their middle. REQUIRES: from != to.
+/// Returns the centre of the arc of radius |r|: the shorter arc if r > 0, the longer one otherwise.
+/// If the ends are farther apart than twice the radius, the result is their middle. REQUIRES: from
+/// != to.
 Vector2 CentreByRadius(Vector2 from, Vector2 to, double radius, bool clockwise);
 
-/// Ends of the chords that stand for the arc in firmwares: as many as fit with `segment_mm` each,
-/// at least one; the last ends at `arc.to`. `length_mm`: of the arc's way, with what it rises.
+/// Returns the ends of the chords that firmwares replace the arc by. There are as many as fit with
+/// `segment_mm` each, at least one. The last one ends at `arc.to`. `length_mm`: length of the arc
+/// including its rise.
 std::vector<Vector2> ArcChords(const Arc& arc, double length_mm, double segment_mm);
 
 }  // namespace slicefarm::motion

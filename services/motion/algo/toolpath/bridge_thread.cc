@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// How far a bridge's section may lie from that of a thread, as a share of it.
+/// Largest difference between a bridge's section and a thread's section, as a share.
 constexpr double kThreadTolerance = 0.001;
 
 }  // namespace

@@ -9,15 +9,16 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Bridges in the air are round threads, as thick as they leave the nozzle.
+/// Bridges in the air are round threads with the thickness that they have at the nozzle.
 
+/// Returns the area of a disc, in mm2.
 double DiscMm2(double diameter_mm);
 
-/// Diameter of threads by a region's settings.
+/// Returns the diameter of threads from a region's settings, in mm.
 double ThreadMm(const RegionSpeeds& region, double nozzle_mm);
 
-/// Returns the diameter if a path is such a thread, by its plastic; else 0. Infill lays threads as
-/// beads of their layer's height.
+/// Returns the diameter if the path is a thread according to its plastic; otherwise 0. The infill
+/// stage prints threads as beads of their layer's height.
 Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& options);
 
 }  // namespace slicefarm::motion

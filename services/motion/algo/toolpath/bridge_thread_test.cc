@@ -15,7 +15,7 @@ Path Bead(Coord width_nm, Feature feature = Feature::kBridgeInfill) {
   return path;
 }
 
-/// A bead of 0.2 mm height with the plastic of a thread of 0.4 mm.
+/// Returns the width of a bead of 0.2 mm height with the plastic of a thread of 0.4 mm.
 Coord WidthOfThread() { return WidthForSpacing(FromMm(DiscMm2(0.4) / 0.2), 200'000); }
 
 TEST(BridgeThread, IsKnownByItsPlastic) {

@@ -7,7 +7,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// A step from wall to wall is no longer than this many widths (ordering's links).
+/// Longest step from wall to wall, in widths (ordering's links).
 constexpr double kMostLinkWidths = 2.7;
 
 bool IsPieceOfWall(const Path& path) {
@@ -21,7 +21,7 @@ bool IsWallPath(const Path& path) {
   return path.feature == Feature::kExternalPerimeter || path.feature == Feature::kPerimeter;
 }
 
-/// The pieces of walls from `first` on that go on from each other: up to the one returned.
+/// Returns the end of the run of connected pieces of walls that begins at `first`.
 size_t EndOfRun(std::span<const Path> paths, size_t first) {
   size_t end = first + 1;
   while (end < paths.size() && IsPieceOfWall(paths[end]) && GoesOn(paths[end - 1], paths[end]))
@@ -29,7 +29,7 @@ size_t EndOfRun(std::span<const Path> paths, size_t first) {
   return end;
 }
 
-/// Returns true if path i does nothing but lead from a wall to the next.
+/// Returns true if path i only links a wall to the next one.
 bool IsLink(std::span<const Path> paths, size_t i) {
   const Path& path = paths[i];
   return i > 0 && i + 1 < paths.size() && path.points.size() == 2 && IsPieceOfWall(path) &&

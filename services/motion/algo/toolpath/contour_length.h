@@ -7,13 +7,16 @@
 
 namespace slicefarm::motion {
 
-/// Returns true if a path is printed as a loop: it is closed, or has lost no more of its end than a
-/// link takes that leads on from it.
+/// Returns true if a path is printed as a loop. It is closed, or its ends are at most a width apart
+/// because a link follows it.
 bool IsLoop(const Path& path);
 
-/// Returns for each path the length in mm that decides whether it is a small wall: of a loop its
-/// own, of pieces of walls that are printed one after the other that of all together, of a link
-/// between walls that of the next one. Of other paths, their own. `paths`: in the order of printing.
+/// Returns for each path the length in mm that decides if it is a small wall. `paths` are in the
+/// order of printing.
+/// - Loop: its own length.
+/// - Connected pieces of walls: their total length.
+/// - Link between walls: the length of the next wall.
+/// - Any other path: its own length.
 std::vector<double> ContourLengthsMm(std::span<const Path> paths);
 
 }  // namespace slicefarm::motion

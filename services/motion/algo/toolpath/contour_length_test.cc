@@ -38,7 +38,7 @@ TEST(ContourLengths, InfillInBetweenEndsAContour) {
               ElementsAre(10, 9, 20));
 }
 
-// A loop that a link leads on from has lost its end; the link is as fast as the loop after it.
+// A link follows the loop, so the loop's end is missing. The link is as fast as the loop after it.
 TEST(ContourLengths, LinksAreAsTheWallThatTheyLeadTo) {
   const Path inner = Wall("(0 0, 5 0, 5 5, 0 5, 0 0.2)");
   const Path link = Wall("(0 0.2, 0.5 0.5)");

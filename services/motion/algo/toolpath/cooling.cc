@@ -15,21 +15,21 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr int kMaxTrials = 12;
-/// The layer's time may miss the wanted one by this share.
+/// Largest difference of a layer's time from the wanted time, as a share.
 constexpr double kTolerance = 0.002;
 
-/// What may be slowed down: all beads, or, with consistent_surface, those that are not of the two
-/// outermost walls, nor so near before one of them, and then these.
+/// Group of beads to slow down. With consistent_surface, kInner is all beads except the two
+/// outermost walls and the beads just before them; kSurface is the rest. Without it kAll is used.
 enum class Beads : uint8_t { kAll, kInner, kSurface };
 
-/// By move of one toolpath.
+/// Full speeds by move of one toolpath.
 struct FullSpeeds {
   std::vector<int32_t> feed_rates;
-  std::vector<bool> inner;  ///< of Beads::kInner
+  std::vector<bool> inner;  ///< true for beads of Beads::kInner
 };
 
-/// Beads that end no more than `transition_mm` before one of the surface are taken for it: the
-/// nozzle's flow has settled there.
+/// Returns true for the inner beads. Beads that end no more than `transition_mm` before a surface
+/// bead count as surface, because the nozzle's flow settles there.
 std::vector<bool> InnerBeads(const Toolpath& path, double transition_mm) {
   std::vector<bool> inner(path.moves.size(), false);
   double to_surface_mm = std::numeric_limits<double>::infinity();
@@ -65,7 +65,7 @@ bool IsAmong(Beads beads, const FullSpeeds& full, size_t move) {
   return beads == Beads::kAll || full.inner[move] == (beads == Beads::kInner);
 }
 
-/// Sets the feed rates of the beads in question to `share` of the full ones.
+/// Sets the feed rates of the selected beads to `share` of the full ones.
 void SetSpeeds(const FullSpeeds& full, Beads beads, double share, int32_t least, Toolpath& path) {
   for (size_t i = 0; i < full.feed_rates.size(); ++i) {
     Move& move = path.moves[i];
@@ -91,10 +91,10 @@ int32_t FastestBead(const Layer& full, Beads beads, std::span<const Toolpath> pa
   return fastest;
 }
 
-/// Off in the first layers; its share then grows layer by layer.
+/// Returns the fan in the first layers: off at first, then a share that grows layer by layer.
 int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percent) {
   const int32_t full = cooling.full_fan_speed_layer;
-  // A fan that grows begins with none in the first layer.
+  // A growing fan is off in the first layer.
   const int32_t off = std::max(cooling.disable_fan_first_layers, full > 0 ? 1 : 0);
   if (layer_index < off) return 0;
   if (layer_index + 1 >= full) return percent;
@@ -102,7 +102,7 @@ int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percen
   return static_cast<int32_t>(std::lround(percent * share));
 }
 
-/// By the layer's time alone.
+/// Returns the fan from the layer's time alone.
 int32_t FullFan(const CoolingOptions& cooling, double layer_time_s) {
   const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
   if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;
@@ -134,9 +134,10 @@ class Slowing {
         least_(FeedRate(cooling.min_print_speed_mm_s)),
         wanted_s_(cooling.slowdown_below_layer_time_s) {}
 
-  /// Until the layer, which takes `time_s`, takes the wanted time, or they are as slow as they may
-  /// be. Returns the moves' times. Time falls as the share grows. The secant in 1 / share is nearly
-  /// straight; the bounds keep it honest.
+  /// Slows the beads down until the layer takes the wanted time, or they have reached the least
+  /// speed. `time_s`: the layer's time at full speed. Returns the moves' times.
+  /// The time falls as the share grows, and is nearly linear in 1 / share. So the secant method is
+  /// used, with bounds for safety.
   std::span<const double> Slow(Beads beads, double time_s) {
     std::span<const double> times;
     double low = 0;
@@ -157,8 +158,8 @@ class Slowing {
   }
 
  private:
-  /// By the secant in 1 / share through full speed and the last trial: part of the layer's time
-  /// does not depend on the share.
+  /// Returns the next share by the secant in 1 / share through full speed and the last trial. The
+  /// secant is needed because a part of the layer's time does not depend on the share.
   double NextShare(double full_s, double share, double time_s) const {
     const double slope = (time_s - full_s) / (1 / share - 1);
     return slope > 0 ? slope / (wanted_s_ - full_s + slope) : share / 2;

@@ -12,7 +12,7 @@
 namespace slicefarm::motion::cooling_test {
 namespace {
 
-/// `count` squares of 15 mm a side, 40 mm apart.
+/// Returns `count` squares of 15 mm per side, 40 mm apart.
 Toolpath Squares(int count) {
   static const MotionOptions options;
   ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000);
@@ -39,7 +39,7 @@ double Time(const Toolpath& path) {
   return Sum(timing.Times({&whole, 1}));
 }
 
-/// Slows `path` down and gives the time it takes then.
+/// Slows `path` down and returns its new time.
 double Slowed(const CoolingOptions& cooling, Toolpath& path) {
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   const Stretch whole = {&path, 0, path.moves.size(), {}};
@@ -59,7 +59,7 @@ TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
   }
 }
 
-/// A line far inside, one just before the outer wall, and the wall.
+/// Returns a line far inside, a line just before the outer wall, and the wall.
 Toolpath InnerThenSurface() {
   static const MotionOptions options;
   ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000);
@@ -100,14 +100,14 @@ TEST(SlowDown, TheSurfaceStaysAsFastAsItMay) {
   EXPECT_EQ(inner.back(), inner_full.back()) << "just before the surface";
   EXPECT_LT(inner.front(), inner_full.front());
 
-  // What the others cannot take long enough for, the surface does.
+  // The inner beads are not enough, so the surface is slowed down too.
   cooling.slowdown_below_layer_time_s = 9 * full_time;
   path = full;
   Slowed(cooling, path);
   EXPECT_EQ(FeedRates(path, false).front(), FeedRate(10));
   EXPECT_LT(FeedRates(path, true).front(), FeedRates(full, true).front());
 
-  // All alike otherwise.
+  // Without the setting all beads are treated alike.
   cooling.consistent_surface = false;
   cooling.slowdown_below_layer_time_s = 2 * full_time;
   path = full;

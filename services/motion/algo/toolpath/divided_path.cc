@@ -11,11 +11,11 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Shorter edges are not made: each is a command.
+/// Shortest edge. Each edge is a command.
 constexpr double kLeastEdgeNm = 12'500;
-/// The larger section of two edges that follow each other, by the smaller one.
+/// Largest ratio of the sections of two consecutive edges.
 constexpr double kMostStep = 1.27;
-/// The same of the widths of discs: beads narrower than they are high.
+/// Largest ratio of the widths of discs: beads narrower than high.
 constexpr double kMostDiscStep = 1.127;
 
 struct WidePoint {
@@ -28,7 +28,7 @@ WidePoint Between(const WidePoint& a, const WidePoint& b, double share) {
   return {PointBetween(a.point, b.point, share), a.width_nm + std::llround(share * change)};
 }
 
-/// Divides the edges of a path that is told point by point.
+/// Divides the edges of a path, which is given point by point.
 class Divider {
  public:
   Divider(Coord bead_height_nm, Path& path) : bead_height_nm_(bead_height_nm), path_(path) {}
@@ -50,7 +50,7 @@ class Divider {
   }
 
  private:
-  /// Goes there in as few steps as keep the ratio of sections small enough.
+  /// Adds points up to `to`, as few as keep the ratio of sections small enough.
   void GoEvenly(const WidePoint& to) {
     const WidePoint from = at_;
     const auto height = static_cast<double>(bead_height_nm_ - from.width_nm);
@@ -70,9 +70,9 @@ class Divider {
     Put(to);
   }
 
-  /// Where an edge is divided, as shares of its length from its narrower end on. The width of a
-  /// disc and the section of any other bead grow evenly along it, so that each piece is longer than
-  /// the one before by the ratio.
+  /// Returns the division points of an edge, as shares of its length from its narrower end. The
+  /// width of a disc, and the section of any other bead, grow linearly along the edge. So each
+  /// piece is longer than the one before by the ratio.
   std::vector<double> SharesOf(const WidePoint& a, const WidePoint& b) const {
     const auto [narrower, wider] = std::minmax({a.width_nm, b.width_nm});
     const bool disc = narrower < bead_height_nm_;

@@ -84,7 +84,7 @@ TEST(DividedByWidth, EveryBeadIsAsWideAsItsPlace) {
   }
 }
 
-// The closing edge, and steps of the width at one place.
+// Tests the closing edge, and steps of the width at one place.
 TEST(DividedByWidth, Rings) {
   Path ring;
   ring.closed = true;

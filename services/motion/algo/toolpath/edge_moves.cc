@@ -9,7 +9,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Where the program is, then its moves.
+/// Returns the start position of the program, then its moves.
 std::vector<EdgeMove> AllMoves(std::span<const Stretch> stretches, MoveWalk& walk) {
   std::vector<EdgeMove> moves = {walk.at()};
   for (const Stretch& stretch : stretches)

@@ -8,7 +8,7 @@
 namespace slicefarm::motion::edge_moves_test {
 namespace {
 
-/// A square around a place, walls of 10 mm.
+/// Returns a square around a place, with walls of 10 mm.
 Path Square(Coord x, int points = 4) {
   Path path;
   path.feature = Feature::kGapFill;

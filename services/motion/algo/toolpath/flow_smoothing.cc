@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFlowPieceMm = 1;
 
-/// A piece of a bead. Flows squared, (mm^3/s)^2.
+/// Piece of a bead. Flows are squared, in (mm^3/s)^2.
 struct Piece {
   size_t move = 0;
   double volume_mm3 = 0;
@@ -73,7 +73,7 @@ class Smoother {
     pieces_.insert(pieces_.end(), static_cast<size_t>(count), piece);
   }
 
-  /// All pieces of one move; those of the same speed as one.
+  /// Writes all pieces of one move. Pieces of the same speed become one.
   void Write(std::span<const Piece> pieces) {
     const Move& before = path_.moves[pieces.front().move - 1];
     const Move& move = path_.moves[pieces.front().move];

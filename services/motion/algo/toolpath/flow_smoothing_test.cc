@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFilamentMm2 = 2.4;
 
-/// A travel, then beads of 30 mm along x, each of its own speed and 1.2 mm of filament.
+/// Returns a travel, then beads of 30 mm along x, each with its own speed and 1.2 mm of filament.
 Toolpath Beads(std::initializer_list<int32_t> speeds_mm_s) {
   Toolpath path;
   Move move;
@@ -27,8 +27,8 @@ Toolpath Beads(std::initializer_list<int32_t> speeds_mm_s) {
   return path;
 }
 
-/// How much the flow changes at each joint, mm^3/s^2, over the time of the faster piece; speeds are
-/// whole mm/min.
+/// Checks the change of the flow at each joint, in mm^3/s^2, over the time of the faster piece.
+/// Speeds are whole mm/min.
 void ExpectSlopes(const Toolpath& path, const FlowSlopes& slopes) {
   for (size_t i = 2; i < path.moves.size(); ++i) {
     const auto flow = [&](size_t k) {

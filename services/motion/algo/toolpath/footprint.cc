@@ -9,7 +9,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// An end of a bead on the plate.
+/// End of a bead on the plate.
 struct BeadEnd {
   Point place;
   Coord width_nm = 0;

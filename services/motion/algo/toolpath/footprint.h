@@ -8,12 +8,12 @@
 
 namespace slicefarm::motion {
 
-/// Returns the convex hull of what a program prints, in plate coordinates; empty if it prints
-/// nothing. Half the widest bead at the hull's corners stands out around the beads' middles.
+/// Returns the convex hull of a program's beads, in plate coordinates; empty if it prints nothing.
+/// The hull is larger than the beads' centre lines by half the widest bead at its corners.
 /// Cost: O(n log n) for n moves.
 Polygon FootprintOf(std::span<const Stretch> program);
 
-/// Returns the convex hull of what a print's first layer covers, of all its copies.
+/// Returns the convex hull of a print's first layer, with all its copies.
 Polygon FirstLayerHull(const ProgramSummary& summary);
 
 }  // namespace slicefarm::motion

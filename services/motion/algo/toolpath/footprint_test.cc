@@ -16,7 +16,7 @@ Move MoveTo(int32_t x_um, int32_t y_um, MoveKind kind, int32_t width_um = 400) {
   return move;
 }
 
-/// A travel to (10, 10) mm, a bead to (20, 10) mm, a travel far away.
+/// Returns a travel to (10, 10) mm, a bead to (20, 10) mm, and a travel far away.
 Toolpath Bead(int32_t width_um) {
   Toolpath path;
   path.moves = {MoveTo(10'000, 10'000, MoveKind::kTravel),

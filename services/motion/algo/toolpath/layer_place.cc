@@ -12,7 +12,8 @@ LayerPlace PlaceOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   if (place.pass >= std::ssize(facts.passes)) return place;
   const PassFacts& pass = facts.passes[static_cast<size_t>(place.pass)];
   place.top_nm = std::max(place.top_nm, pass.top_before_nm);
-  // A part's layers are counted; what supports have between them counts as if layers were in step.
+  // Only layers of the part are counted. A layer of supports between them is numbered as if it were
+  // a layer of the part.
   const auto part = std::ranges::find_if(visits, [&](const BlockVisit& visit) {
     return layer.blocks[static_cast<size_t>(visit.block)].stack.IsPart();
   });

@@ -8,17 +8,17 @@
 
 namespace slicefarm::motion {
 
-/// Where a layer of a pass stands in the print. If there is one pass, these are the job's layers; if
-/// each copy has its own, the copy's.
+/// Position of a pass's layer in the print. With one pass, layers are counted as the job's layers.
+/// With a pass for each copy, they are counted as the copy's.
 struct LayerPlace {
   int32_t pass = 0;
-  int32_t index = 0;   ///< in its pass: 0 lies on the bed, a raft's layers are counted
-  int32_t number = 0;  ///< in the whole print, as planned
+  int32_t index = 0;  ///< index in its pass; 0 is on the bed, and a raft's layers are counted
+  int32_t number = 0;  ///< planned number in the whole print
   Coord print_z_nm = 0;
-  Coord top_nm = 0;  ///< how high the print reaches by then
+  Coord top_nm = 0;  ///< height of the print so far
 };
 
-/// `visits`: those of the pass, may be empty.
+/// Returns the position of a layer. `visits`: visits of the pass, may be empty.
 LayerPlace PlaceOf(const OrderedLayer& layer, std::span<const BlockVisit> visits,
                    const JobFacts& facts);
 

@@ -5,7 +5,7 @@
 namespace slicefarm::motion::layer_place_test {
 namespace {
 
-/// Layer 5 of the job: the third of object 1 and the plate's.
+/// Returns layer 5 of the job: the third layer of object 1, and a layer of the plate.
 OrderedLayer Layer() {
   OrderedLayer layer;
   layer.frame = {5, 1'200'000, 200'000};
@@ -16,7 +16,7 @@ OrderedLayer Layer() {
 
 struct Case {
   std::string name;
-  size_t first, count;  ///< of the visits
+  size_t first, count;  ///< range of visits
   std::vector<PassFacts> passes;
   LayerPlace want;
 };

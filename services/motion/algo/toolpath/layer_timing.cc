@@ -64,7 +64,7 @@ void LayerTiming::Queue(const KinematicMove& move, size_t place) {
   run_.push_back(place);
 }
 
-/// In the chords that the firmware makes of an arc.
+/// Queues an arc as the chords that the firmware makes of it.
 void LayerTiming::QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveArc& arc,
                            int64_t filament) {
   const Arc way{{Mm(from.x_um), Mm(from.y_um)},

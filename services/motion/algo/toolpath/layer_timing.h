@@ -11,19 +11,18 @@
 
 namespace slicefarm::motion {
 
-/// The time that a layer's moves take, by the planner of the firmware, which must outlive this. The
-/// way to the first entry
-/// is left out: where it begins is not known. What runs with the acceleration of the layer before
-/// runs as the layer's first bead. Both are put right where the print is put together
-/// (print_clock.h).
+/// Computes the time of a layer's moves, by the planner of the firmware, which must outlive this
+/// object. The travel to the first entry is left out, because its start is not known. Moves with
+/// the acceleration of the layer before use the acceleration of the layer's first bead. The
+/// computation for the whole print corrects both (print_clock.h).
 class LayerTiming {
  public:
   LayerTiming(const Firmware& firmware, const MachineLimits& limits)
       : firmware_(firmware), planner_(firmware.MakePlanner(limits)) {}
 
-  /// Time in s of each move of the stretches, in their order: 0 for the first approach and for
-  /// moves that are there already; that of an arc, in the firmware's chords, is its last move's.
-  /// Valid until the next call. Cost: O(moves and chords).
+  /// Returns the time in s of each move of the stretches, in their order. The first approach and
+  /// moves without a distance have 0. The time of an arc, in the firmware's chords, is at its last
+  /// move. Valid until the next call. Cost: O(moves and chords).
   std::span<const double> Times(std::span<const Stretch> stretches);
 
  private:
@@ -33,11 +32,11 @@ class LayerTiming {
 
   const Firmware& firmware_;
   std::unique_ptr<Planner> planner_;
-  std::vector<size_t> run_;  ///< of the moves in the planner: places in times_
+  std::vector<size_t> run_;  ///< indices in times_ of the moves in the planner
   std::vector<double> times_;
 };
 
-/// Adds the times of the stretches' moves: those of beads by feature, all others as travel.
+/// Adds the times of the stretches' moves: beads by feature, all other moves as travel.
 void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
               ProgramStats& stats);
 

@@ -11,7 +11,8 @@
 namespace slicefarm::motion::layer_timing_test {
 namespace {
 
-/// Up by 0.2, over to x = 100 from anywhere, unretract, print 100 mm back, retract.
+/// Returns these moves: up by 0.2, over to x = 100 from anywhere, unretract, print 100 mm back,
+/// retract.
 Toolpath Sample() {
   Toolpath path;
   path.start_z_um = 200;
@@ -59,7 +60,7 @@ TEST(LayerTiming, NothingToDo) {
   EXPECT_TRUE(timing.Times({}).empty());
 }
 
-// From copy to copy the nozzle is where the one before ends.
+// A travel from copy to copy starts where the copy before ends.
 TEST(LayerTiming, KnowsTheWayToOtherCopies) {
   MachineLimits limits;
   limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
@@ -72,7 +73,8 @@ TEST(LayerTiming, KnowsTheWayToOtherCopies) {
   EXPECT_EQ(times[7], times[3]);
 }
 
-// Of one acceleration for all moves, the way to a copy has that of the bead before it.
+// If all moves share one acceleration, the travel to a copy has the acceleration of the bead before
+// it.
 TEST(LayerTiming, MovesWithoutTheirOwnAccelerationHaveTheOneBefore) {
   MachineLimits limits;
   limits.max_acceleration_mm_s2 = {9000, 9000, 9000, 9000};
@@ -89,8 +91,8 @@ TEST(LayerTiming, MovesWithoutTheirOwnAccelerationHaveTheOneBefore) {
   EXPECT_NEAR(times[10], RestToRest(std::hypot(100, 30), 100, 500), 1e-9);
 }
 
-// A firmware cuts an arc to chords of its own: here half a circle of 10 mm, in chords of 1 mm whose
-// corners slow the nozzle down where they may not deviate.
+// A firmware divides an arc into chords of its own. Here half a circle of 10 mm becomes chords of 1
+// mm. Their corners slow the nozzle down if they may not deviate.
 TEST(LayerTiming, ArcsAreTheFirmwaresChords) {
   Toolpath path = Sample();
   Move bead = path.moves[3];

@@ -11,8 +11,8 @@ bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
 /// Returns true if the nozzle rises for a travel after beads of the first layer, or of a top.
 bool RisesAfter(LiftAfter after, bool first_layer, bool top);
 
-/// Returns true if the travel to where a copy begins rises in such a layer. What was printed before
-/// it is not known: it counts as no top.
+/// Returns true if the travel to the start of a copy rises in such a layer. The bead before this
+/// travel is not known, so it does not count as a top.
 bool LiftsToStart(const RetractionOptions& retraction, const LayerFrame& frame);
 
 }  // namespace slicefarm::motion

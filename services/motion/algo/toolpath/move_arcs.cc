@@ -7,7 +7,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Whether two moves print alike, so that an arc may stand for both.
+/// Returns true if two moves have the same bead, so that one arc may replace both.
 bool SameBead(const Move& a, const Move& b) {
   return a.on_arc && b.on_arc && a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint &&
          a.feature == b.feature && a.rest == b.rest && a.width_um == b.width_um &&
@@ -15,7 +15,7 @@ bool SameBead(const Move& a, const Move& b) {
          a.acceleration_mm_s2 == b.acceleration_mm_s2;
 }
 
-/// Those of the moves [first, last), which print alike.
+/// Adds the arcs of the moves [first, last), which have the same bead.
 void AddArcs(size_t first, size_t last, Toolpath& path) {
   std::vector<PlaceUm> points;
   points.reserve(last - first + 1);

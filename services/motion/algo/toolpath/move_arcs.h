@@ -5,8 +5,8 @@
 namespace slicefarm::motion {
 
 /// Finds the beads that are printed as arcs (arc_fit.h): runs of moves of one width, height, speed
-/// and feature. Sets `path.arcs`. To be called when nothing but speeds still changes, and those of
-/// equal moves alike. Cost: as FitArcs.
+/// and feature. Sets `path.arcs`. Call this after all other changes of the moves. Later changes of
+/// speeds must treat equal moves alike. Cost: as FitArcs.
 void FindArcs(Toolpath& path);
 
 }  // namespace slicefarm::motion

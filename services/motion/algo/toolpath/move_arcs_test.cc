@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// A travel to (10, 0), then a quarter of a circle of 10 mm around the origin in 30 moves.
+/// Returns a travel to (10, 0), then a quarter of a circle of 10 mm around the origin in 30 moves.
 Toolpath Quarter() {
   Toolpath path;
   path.moves.push_back({.x_um = 10'000});
@@ -52,7 +52,7 @@ struct BeadCase {
   std::function<void(Move&)> change;
 };
 
-// A move amid the others that prints otherwise ends the arc before it, and no arc has it.
+// A move with another bead ends the arc before it and is in no arc.
 TEST(FindArcs, OfEqualBeadsOnly) {
   const std::vector<BeadCase> cases = {
       {"width", [](Move& m) { m.width_um = 460; }},

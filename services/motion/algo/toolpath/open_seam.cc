@@ -6,7 +6,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// What is left of shorter loops would be mostly gap.
+/// Shortest loop with a gap, in gaps. Most of a shorter loop would be gap.
 constexpr double kLeastGaps = 4;
 
 }  // namespace

@@ -4,8 +4,9 @@
 
 namespace slicefarm::motion {
 
-/// A closed path whose last `gap_nm` stay open: no blob lies on its beginning. Its flow stays, so
-/// that the gap's plastic is left out. A path no longer than four gaps stays closed.
+/// Returns a closed path with its last `gap_nm` left open, so that no blob is printed onto its
+/// beginning. Its flow stays, so the gap's plastic is left out. A path no longer than four gaps
+/// stays closed.
 /// Source: measured, PrusaSlicer 2.5 and 2.9: loops are clipped by seam_gap_distance at their end.
 SimplifiedPath WithOpenSeam(SimplifiedPath simple, Coord gap_nm);
 

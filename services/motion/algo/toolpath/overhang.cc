@@ -11,14 +11,15 @@ namespace {
 
 constexpr Coord kSquareNm = kNmPerMm / 2;
 constexpr double kRestingPieceMm = 1;
-/// Of the width: what rests alike.
+/// Share of the width up to which two pieces count as equally supported.
 constexpr double kAlike = 0.05;
-/// Of the width: less than half a step at both ends on average is air.
+/// Steps per width. A piece counts as air if less than half a step rests on average at its two
+/// ends.
 constexpr double kAirSteps = 20;
-/// A share of a nanometre that is no simple fraction.
+/// Offset from whole nanometres, in nm, that is not a simple fraction.
 constexpr double kAside = 0.3183;
 
-/// Squared distance from a point to an edge, nm^2.
+/// Returns the squared distance from a point to an edge, nm^2.
 double SquaredDistance(Point p, Point from, Point to) {
   const double x = static_cast<double>(to.x - from.x), y = static_cast<double>(to.y - from.y);
   const double px = static_cast<double>(p.x - from.x), py = static_cast<double>(p.y - from.y);
@@ -28,7 +29,8 @@ double SquaredDistance(Point p, Point from, Point to) {
   return dx * dx + dy * dy;
 }
 
-/// Where the edge passes a height; nothing if it does not. Of its two ends one counts.
+/// Returns the position where the edge crosses a height, or nothing. Only one of its two ends
+/// counts as part of it.
 std::optional<double> XAt(double y, Point from, Point to) {
   const auto from_y = static_cast<double>(from.y), to_y = static_cast<double>(to.y);
   if ((from_y > y) == (to_y > y)) return std::nullopt;
@@ -36,12 +38,13 @@ std::optional<double> XAt(double y, Point from, Point to) {
          (y - from_y) / (to_y - from_y) * static_cast<double>(to.x - from.x);
 }
 
-/// The same with x and y in each other's place.
+/// Returns the same as XAt with x and y exchanged.
 std::optional<double> YAt(double x, Point from, Point to) {
   return XAt(x, {from.y, from.x}, {to.y, to.x});
 }
 
-/// Where the line meets the edge, as a share of the line's length; -1: nowhere.
+/// Returns the position where the line meets the edge, as a share of the line's length; -1 if it
+/// does not.
 double Meeting(Point from, Point to, Point a, Point b) {
   const auto cross = [](Point u, Point v) {
     return static_cast<double>(u.x) * static_cast<double>(v.y) -
@@ -61,8 +64,8 @@ LayerBelow::LayerBelow(const MultiPolygon& outlines) : edges_(outlines, kSquareN
   if (edges_.size() > 0) FindMiddlesInside();
 }
 
-/// The middle of a square, aside of whole nanometres: no corner of an outline lies on lines through
-/// it.
+/// Returns the middle of a square. It is offset from whole nanometres, so that no corner of an
+/// outline is on the horizontal or vertical line through it.
 Vector2 LayerBelow::MiddleOf(int32_t row, int32_t column) const {
   const auto square = static_cast<double>(edges_.square_nm());
   const Point least = edges_.bounds().min;
@@ -70,7 +73,7 @@ Vector2 LayerBelow::MiddleOf(int32_t row, int32_t column) const {
           static_cast<double>(least.y) + (row + 0.5) * square + kAside};
 }
 
-/// Counts what lies to the left of middles, row by row.
+/// Finds the square middles inside the outlines, by counting edges to their left, row by row.
 void LayerBelow::FindMiddlesInside() {
   const Box& box = edges_.bounds();
   columns_ = edges_.Column(box.max.x) + 1;
@@ -110,8 +113,7 @@ double LayerBelow::RestOf(Point point, Coord width_nm) const {
   return std::clamp(0.5 - out / static_cast<double>(width_nm), 0.0, 1.0);
 }
 
-/// By what lies between the point and the middle of its square: upwards or downwards first, then
-/// sideways.
+/// Counts the edges between the point and the middle of its square, first along y, then along x.
 bool LayerBelow::Covers(Point point) const {
   const Box& box = edges_.bounds();
   if (edges_.size() == 0 || point.x < box.min.x || point.x > box.max.x || point.y < box.min.y ||
@@ -140,7 +142,7 @@ std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
     const double share = Meeting(from, to, edges_.At(i).a, edges_.At(i).b);
     if (share >= 0) shares.push_back(share);
   });
-  // An edge is in all squares that it passes.
+  // An edge may be in several squares, so its share may be found more than once.
   std::ranges::sort(shares);
   shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
   return shares;
@@ -148,7 +150,8 @@ std::vector<double> LayerBelow::EdgesOn(Point from, Point to) const {
 
 namespace {
 
-/// Looks once at a point that is the end of a segment and the beginning of the next one.
+/// Caches the result for a point, because it is the end of one segment and the beginning of the
+/// next one.
 class Look {
  public:
   Look(const LayerBelow& below, RestSteps steps) : below_(below), steps_(steps) {}
@@ -157,7 +160,7 @@ class Look {
     if (point != at_ || width_nm != width_nm_) {
       at_ = point;
       width_nm_ = width_nm;
-      // What lies within the outlines rests by half at least, however near to their edge.
+      // A point within the outlines rests by at least half, even near their edge.
       const bool is_enough = steps_ == RestSteps::kAirAlone && below_.Covers(point);
       rest_ = is_enough ? 1 : below_.RestOf(point, width_nm);
     }
@@ -168,11 +171,11 @@ class Look {
   const LayerBelow& below_;
   const RestSteps steps_;
   Point at_;
-  Coord width_nm_ = -1;  ///< none: no point was looked at
+  Coord width_nm_ = -1;  ///< -1: no point so far
   double rest_ = 0;
 };
 
-/// Pieces that rest alike, as far as they have come.
+/// Range of the pieces so far that count as equally supported.
 struct Alike {
   double least = 0, most = 0;
 
@@ -190,7 +193,7 @@ struct Alike {
   static bool IsEnd(double rest) { return rest == 0 || rest == 1; }
 };
 
-/// Of a piece, by what rests at its ends. What is next to nothing is nothing, the same with all.
+/// Returns the rest of a piece from the rest at its ends. Values close to 0 or 1 become 0 or 1.
 double RestBetween(double from, double to, RestSteps steps) {
   if (steps == RestSteps::kAirAlone)
     return std::lround(from * kAirSteps) + std::lround(to * kAirSteps) < 2 ? 0 : 1;

@@ -14,21 +14,22 @@
 
 namespace slicefarm::motion {
 
-/// What lies below a layer's beads.
+/// Outlines below a layer's beads.
 class LayerBelow {
  public:
   /// `outlines`: disjoint polygons. Cost: O(edges + squares).
   explicit LayerBelow(const MultiPolygon& outlines);
 
-  /// The share of a bead of `width_nm` around a point of its middle that rests: 1 half a width
-  /// within the outlines, 0.5 on them, 0 half a width outside. Cost: O(edges beside the point).
+  /// Returns the share of a bead that rests on the outlines at a point of its centre line. The
+  /// share is 1 at half a width inside the outlines, 0.5 on them, and 0 at half a width outside.
+  /// Cost: O(edges beside the point).
   double RestOf(Point point, Coord width_nm) const;
 
-  /// Whether the point lies within the outlines. Cost: O(edges beside the point).
+  /// Returns true if the point is within the outlines. Cost: O(edges beside the point).
   bool Covers(Point point) const;
 
-  /// Where a line from point to point meets edges, as shares of its length, upwards. Cost: O(edges
-  /// beside the line).
+  /// Returns the positions where a line crosses edges, as ascending shares of its length. Cost:
+  /// O(edges beside the line).
   std::vector<double> EdgesOn(Point from, Point to) const;
 
  private:
@@ -38,31 +39,33 @@ class LayerBelow {
 
   EdgeIndex edges_;
   int32_t columns_ = 0;
-  std::vector<bool> middle_inside_;  ///< by square: whether its middle lies within the outlines
+  std::vector<bool> middle_inside_;  ///< true for squares with their middle within the outlines
 };
 
-/// A piece of a segment that rests alike.
+/// Piece of a segment with one value of rest.
 struct RestingPiece {
   size_t segment = 0;
   Point to;
   uint8_t rest = kFullRest;
 };
 
-/// What is told apart of how beads rest.
+/// Resolution of the rest of beads.
 enum class RestSteps {
   kAll,
-  kAirAlone,  ///< nothing rests, or all of it is taken to
+  kAirAlone,  ///< only two values: nothing rests, or everything
 };
 
-/// The segments of a wall in pieces of at least about 1 mm, or as long as the segment.
-/// Pieces that follow each other and rest alike within 5 % of the width have one rest, midway:
-/// along a wall that hangs over evenly, chords of a curve on chords of another one do not make the
-/// speed flicker. Nothing and all of it are told by themselves. Cost: one look below at each end.
+/// Divides the segments of a wall into pieces of at most about 1 mm.
+///
+/// Consecutive pieces with a rest that differs by at most 5 % of the width get one common rest, the
+/// middle of their range. So the speed of an evenly overhanging wall does not flicker where the
+/// chords of a curve are above the chords of another one. A rest of 0 or of 1 is never averaged.
+/// Cost: one query of the layer below at each end.
 std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
                                      std::span<const PathSegment> segments);
 
-/// A value that is told for rests of 0, 25, 50 and 75 %, in between and up to `full` at 100 % in
-/// proportion.
+/// Interpolates a value that is given for rests of 0, 25, 50 and 75 %. At 100 % the value is
+/// `full`.
 double ByRest(const std::array<double, kOverhangDegrees>& told, double full, uint8_t rest);
 
 }  // namespace slicefarm::motion

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Coord kWidth = 400'000;
 
-/// 20 x 20 mm with a hole of 4 x 4 mm in the middle.
+/// Returns a square of 20 x 20 mm with a hole of 4 x 4 mm in the middle.
 MultiPolygon Frame() {
   const auto square = [](double low, double high) {
     return Polygon{{FromMm(low), FromMm(low)},
@@ -41,7 +41,8 @@ TEST(LayerBelow, BeadsRestByTheirPlace) {
   EXPECT_EQ(below.RestOf(Mm(10, 20.1), kWidth), 0.25);
 }
 
-/// Teeth, a slanted hole and an island in it; corners in whole quarters of a millimetre.
+/// Returns teeth, a slanted hole and an island in it. All corners are at whole quarters of a
+/// millimetre.
 MultiPolygon Comb() {
   Polygon outer = {{FromMm(-3), FromMm(-2)}, {FromMm(33), FromMm(-2)}};
   for (int tooth = 10; tooth >= 0; --tooth) {
@@ -77,7 +78,7 @@ TEST(LayerBelow, CoversWhatLiesInTheOutlines) {
 
 TEST(LayerBelow, OverAirNothingRests) { EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0), kWidth), 0); }
 
-/// Of a straight wall.
+/// Returns the pieces of a straight wall.
 std::vector<RestingPiece> PiecesOf(const LayerBelow& below, RestSteps steps, Point from, Point to,
                                    Coord width_nm = kWidth) {
   const PathSegment wall = {from, to, width_nm};
@@ -110,7 +111,7 @@ TEST(PiecesOver, CutsWhereNothingRestsIfThatIsAll) {
   EXPECT_EQ(over[2].rest, kFullRest);
 }
 
-/// Along the outer edge, now a little nearer to it and now a little farther.
+/// Returns a line along the outer edge that alternates between two distances from it.
 std::vector<PathSegment> Wavering(double out_mm, double by_mm) {
   std::vector<PathSegment> wall;
   Point from = Mm(1, -out_mm);
@@ -136,7 +137,7 @@ TEST(PiecesOver, AWallThatHangsOverEvenlyRestsAlike) {
   EXPECT_LT(least.rest, most.rest) << "more than that is told apart";
 }
 
-/// The wall's own bridge, and what needs no slowing down, begin where they did.
+/// The wall's own bridge, and the part without slow-down, begin at the same places as before.
 TEST(PiecesOver, NothingAndAllAreNotAveraged) {
   const LayerBelow below(Frame());
   const std::vector<PathSegment> wall = {{Mm(1, -0.2), Mm(2, -0.2), kWidth},

@@ -10,7 +10,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Where neither the settings nor the machine give a limit.
+/// Speed without settings and machine limits.
 constexpr double kDefaultSpeedMmS = 60;
 constexpr double kMaxFeedRate = 1e6;
 
@@ -66,7 +66,7 @@ double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {
 
 int32_t PrintSpeeds::WithinFlow(int32_t feed_rate, double section_mm2) const {
   const double fastest = 60 * LimitedByFlow(kMaxFeedRate, section_mm2);
-  // Whole mm/min that are off by less would flicker.
+  // Tolerance of the flow limit. Without it, speeds in whole mm/min would alternate.
   constexpr double kSlack = 1.001;
   if (feed_rate <= kSlack * fastest) return feed_rate;
   return std::max(1, static_cast<int32_t>(fastest));

@@ -9,25 +9,26 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Walls of no more than this length count as small: loops of a radius of 6.5 mm.
+/// Largest length of a small wall: loops of a radius of 6.5 mm.
 inline constexpr double kSmallLoopMm = 40.840704496667314;
 
-/// How fast a path may be printed, in mm/s, by its region's settings: the feature's speed, that of
-/// small walls, that of the first layer on the bed or on a raft; never above max_print_speed where
-/// the settings leave it open, nor above max_volumetric_speed. `section_mm2`: of its bead, flow
-/// included.
+/// Speeds of paths in mm/s, by their region's settings: the feature's speed, the speed of small
+/// walls, and the speed of the first layer on the bed or on a raft. Speeds that the settings leave
+/// open are limited by max_print_speed. All are limited by max_volumetric_speed. `section_mm2`:
+/// section of the bead, flow included.
 class PrintSpeeds {
  public:
   PrintSpeeds(const MotionOptions& options, Ground ground) : options_(options), ground_(ground) {}
 
-  /// Without regard to the volume. `length_mm`: of a wall, that of the contour that it is a piece of
-  /// (contour_length.h). REQUIRES: the path's settings have a row.
+  /// Returns the speed of a path without the limit of the volume. `length_mm`: for a wall, the
+  /// length of its contour (contour_length.h). REQUIRES: the path's settings have a row.
   double Of(const Path& path, double length_mm) const;
-  /// What is left of it where only `rest` of a wall's width has something below.
+  /// Returns the reduced speed if only a part of a wall's width (`rest`) has something below.
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
-  /// `speed_mm_s`, lowered until no more than the greatest volume flows.
+  /// Returns `speed_mm_s`, lowered to the largest volumetric flow.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;
-  /// The same for feed rates, in mm/min, but for what makes less than 0.1 % of the volume.
+  /// Returns a feed rate in mm/min, lowered to the largest volumetric flow with a tolerance of 0.1
+  /// %.
   int32_t WithinFlow(int32_t feed_rate, double section_mm2) const;
 
  private:
@@ -37,12 +38,14 @@ class PrintSpeeds {
   Ground ground_;
 };
 
-/// Speed of travels, on the first layer if `first_layer`, and of z moves, in mm/s.
+/// Return the speeds of travels and of z moves, in mm/s. `first_layer`: selects the travel speed of
+/// the first layer.
 double TravelSpeed(const MotionOptions& options, bool first_layer = false);
 double TravelSpeedZ(const MotionOptions& options);
 
-/// Feed rates stand in the G-code as whole mm/min, at least 1.
+/// Returns a speed as a feed rate of the G-code: whole mm/min, at least 1.
 int32_t FeedRate(double speed_mm_s);
+/// Returns a feed rate as a speed in mm/s.
 inline double SpeedOf(int32_t feed_rate) { return feed_rate / 60.0; }
 
 }  // namespace slicefarm::motion

@@ -9,12 +9,12 @@
 namespace slicefarm::motion {
 namespace {
 
-/// A loop's start is at a corner if it turns there by more than 30 degrees, between the points half
-/// a millimetre before and after.
+/// Distance before and after a loop's start at which its turn is measured. A turn of more than 30
+/// degrees makes the start a corner.
 constexpr double kArmNm = 500'000;
 constexpr double kSmoothCosine = 0.866;
 
-/// The points of a loop from its start, its start again at the end, and widths of the same shape.
+/// Points of a loop from its start to its start again, and widths of the same shape.
 struct OpenedLine {
   std::vector<Point> points;
   std::vector<Coord> widths_nm;
@@ -30,7 +30,7 @@ OpenedLine Opened(const Path& path) {
   return line;
 }
 
-/// The point so far along the line, or its end.
+/// Returns the point at this length along the line, or its end.
 Point Along(const std::vector<Point>& line, double length_nm) {
   for (size_t i = 0; i + 1 < line.size(); ++i) {
     const double edge = Distance(line[i], line[i + 1]);
@@ -48,8 +48,8 @@ bool StartsAtCorner(const Path& path) {
   return Dot(in, out) < kSmoothCosine * Norm(in) * Norm(out);
 }
 
-/// Cuts the first `length_nm` of a line into pieces: at its points and so that none is longer than
-/// `longest_nm`. Calls visit(to, width, middle, end): the last two by the length along the line.
+/// Cuts the first `length_nm` of a line into pieces: at its points and so that no piece is longer
+/// than `longest_nm`. Calls visit(to, width, middle, end). The last two are lengths along the line.
 template <typename Visit>
 void CutIntoPieces(const OpenedLine& line, double length_nm, double longest_nm,
                    const Visit& visit) {
@@ -76,7 +76,7 @@ void CutIntoPieces(const OpenedLine& line, double length_nm, double longest_nm,
   }
 }
 
-/// What is left of a line after its first `length_nm`, as pieces of a full bead.
+/// Appends the rest of a line after its first `length_nm`, as pieces of a full bead.
 void AppendRest(const OpenedLine& line, double length_nm, std::vector<ScarfPiece>& pieces) {
   double from = 0;
   for (size_t i = 0; i + 1 < line.points.size(); ++i) {

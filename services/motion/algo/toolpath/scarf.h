@@ -7,23 +7,25 @@
 
 namespace slicefarm::motion {
 
-/// A straight piece of a loop that is printed with a scarf.
+/// Straight piece of a loop with a scarf.
 struct ScarfPiece {
   Point to;
   Coord width_nm = 0;
-  double rise = 1;  ///< how high in its layer the nozzle is at the end of the piece: 1 is its top
-  double flow = 1;  ///< of a full bead's
+  /// Height of the nozzle in its layer at the end of the piece; 1 is the layer's top.
+  double rise = 1;
+  double flow = 1;  ///< flow relative to a full bead
 };
 
-/// Whether this loop gets a scarf: its feature, whether it runs around an island or a hole, and
-/// whether it starts at a corner.
+/// Returns true if this loop gets a scarf. This depends on its feature, on its direction around an
+/// island or a hole, and on a corner at its start.
 bool HasScarf(const Path& path, const ScarfOptions& options);
 
-/// A loop from its start, once around and on over its beginning. On the first pass over the scarf
-/// the nozzle rises evenly from start_height_ratio of the layer to its top, and the flow is what
-/// fits below it: of each piece, that of its middle. On the second one the nozzle stays and the
-/// flow is what the first one left out, so that both together are one bead. A loop that is shorter
-/// than the scarf has one of its own length. REQUIRES: HasScarf.
+/// Returns a loop from its start, once around and on over its beginning. On the first pass over the
+/// scarf the nozzle rises evenly from start_height_ratio of the layer to its top. The flow of each
+/// piece is the amount that fits below the nozzle at the piece's middle. On the second pass the
+/// nozzle stays at the top. The flow is then the amount missing from the first pass, so that both
+/// together are one bead. A loop shorter than the scarf gets a scarf of its own length. REQUIRES:
+/// HasScarf.
 std::vector<ScarfPiece> ScarfedLoop(const Path& path, const ScarfOptions& options);
 
 }  // namespace slicefarm::motion

@@ -12,7 +12,7 @@
 namespace slicefarm::motion::scarf_test {
 namespace {
 
-/// A loop of 100 mm that starts in the middle of an edge.
+/// Returns a loop of 100 mm that starts in the middle of an edge.
 Path Loop(std::string_view points = "(15 0, 30 0, 30 20, 0 20, 0 0)") {
   Path path = MakePathOrDie(points, true);
   path.feature = Feature::kExternalPerimeter;
@@ -25,7 +25,7 @@ ScarfOptions Everywhere() {
   return options;
 }
 
-/// What lies at each tenth of a millimetre of the loop: the sum over both passes.
+/// Returns the amount printed at each tenth of a millimetre of the loop: the sum over both passes.
 std::vector<double> FlowAlong(const Path& path, const std::vector<ScarfPiece>& pieces) {
   const auto length = static_cast<size_t>(PathLength(path) / 1e5 + 0.5);
   std::vector<double> flow(length, 0);

@@ -20,43 +20,44 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr size_t kMostNodes = 256;
-/// More than beads of real walls stand for.
+/// Number of nodes before the farthest one that still lead on. Beads of real walls replace fewer
+/// nodes than this.
 constexpr size_t kLastNodes = 16;
 constexpr double kLeastShare = 0.95;
-/// Lengths are of points before they are rounded.
+/// Tolerance of lengths, because they are measured before points are rounded.
 constexpr double kLengthSlackUm = 2;
-/// Places in whole um are so near to others.
+/// Largest distance between a place and its rounded place in whole um.
 constexpr double kWholeUm = 0.75;
-/// A corner turns by more than 30 degrees; it stays where it is.
+/// Cosine of 30 degrees. A corner turns by more than this and stays at its place.
 constexpr double kCornerCosine = 0.866;
 constexpr double kNmPerUm = 1000;
-/// How far the widths of short beads may lie from the path's, as a share of it.
+/// Largest difference between the widths of short beads and the path's, as a share.
 constexpr double kShortBeadShare = 0.05, kInnerShortBeadShare = 0.1;
-/// What rounding of doubles may do to a distance.
+/// Rounding error of a distance in double precision.
 constexpr double kSlackUm = 1e-3;
 
-/// As std::round, without a call.
+/// Rounds like std::round, without a function call.
 double Rounded(double um) {
   return static_cast<double>(static_cast<int64_t>(um < 0 ? um - 0.5 : um + 0.5));
 }
 
-/// A place to which the path leads in the text. What leads there is said of the way from the node
-/// before.
+/// Place on the path, rounded as in the text. Widths, length and area describe the path from the
+/// node before.
 struct Node {
-  Point point;                      ///< of the path
-  Vector2 place = Vector2::Zero();  ///< whole um
+  Point point;  ///< point of the path
+  Vector2 place = Vector2::Zero();  ///< in whole um
   Coord narrowest_nm = 0, widest_nm = 0;
-  double along = 0;  ///< length from the start, um
-  double area = 0;   ///< width times length, from the start
-  /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
-  /// longer. The same as `place` at corners and ends, and where none could be longer.
+  double along = 0;  ///< length from the start, in um
+  double area = 0;  ///< width times length, from the start
+  /// Alternative end of a bead, outside the curve. Beads that run on both sides of a curve are
+  /// longer. Equal to `place` at corners, at ends, and where longer beads are impossible.
   Vector2 outside = Vector2::Zero();
-  bool stays = true;  ///< no bead passes it
+  bool stays = true;  ///< true if no bead passes this node
 
   Coord MeanWidthNm() const { return (narrowest_nm + widest_nm) / 2; }
 };
 
-/// Nodes of a path, its start once more at the end of a closed one.
+/// Returns the nodes of a path. A closed path has its start again at the end.
 std::vector<Node> NodesOf(const Path& path) {
   const auto node_at = [&](size_t i) {
     const Point point = path.points[i];
@@ -83,8 +84,8 @@ std::vector<Node> NodesOf(const Path& path) {
   return nodes;
 }
 
-/// Says which nodes no bead passes: a node and those on both sides of it lie in no strip that is
-/// twice the tolerance wide. Most of solid infill are such nodes.
+/// Marks the nodes that no bead passes. Such a node and its two neighbours do not fit into a strip
+/// of twice the tolerance. Most nodes of solid infill are of this kind.
 void FindStays(double tolerance_um, std::vector<Node>& nodes) {
   for (size_t i = 1; i + 1 < nodes.size(); ++i) {
     const Vector2 in = nodes[i].place - nodes[i - 1].place;
@@ -96,7 +97,7 @@ void FindStays(double tolerance_um, std::vector<Node>& nodes) {
   }
 }
 
-/// Says where beads may end outside of curves.
+/// Sets the alternative ends of beads outside curves.
 void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
   const double away = tolerance_um - kWholeUm;
   if (away <= 0) return;
@@ -113,15 +114,17 @@ void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
   }
 }
 
-/// The directions of rays from a point that pass discs. Told by cross products: there are as many
-/// discs as a bead could stand for nodes, for each node, and divisions would be most of the work.
+/// Set of directions of rays from a point that pass all given discs. It uses cross products instead
+/// of divisions, because each node tests as many discs as a bead may replace nodes. Divisions would
+/// take most of the time.
 class Cone {
  public:
-  /// Leaves those that pass the disc around `centre`, seen from the point, which lies outside.
+  /// Removes the directions that miss the disc around `centre`. Coordinates are relative to the
+  /// point, which is outside the disc.
   void Narrow(Vector2 centre, double radius) {
     if (!told_) axis_ = centre;
     told_ = true;
-    // Tangents, as long as they come.
+    // Tangents, not normalized.
     const double c = std::sqrt(Dot(centre, centre) - radius * radius);
     const Vector2 right = {centre.x() * c + centre.y() * radius,
                            centre.y() * c - centre.x() * radius};
@@ -141,7 +144,7 @@ class Cone {
   }
 
  private:
-  /// Tangent of the angle from the axis, as a fraction; without end where `ahead` is 0.
+  /// Tangent of the angle from the axis, as a fraction; infinite if `ahead` is 0.
   struct Slope {
     double aside = 0;
     double ahead = 0;  ///< not less than 0
@@ -151,7 +154,8 @@ class Cone {
     }
   };
 
-  /// Without end where the angle is a right one or more. So a cone that lies behind leaves nothing.
+  /// Returns the slope of a direction; infinite from a right angle on. So a cone to the rear leaves
+  /// no directions.
   Slope SlopeOf(Vector2 direction) const {
     const double ahead = Dot(axis_, direction), aside = Cross(axis_, direction);
     if (ahead > 0) return {aside, ahead};
@@ -159,16 +163,16 @@ class Cone {
   }
 
   bool told_ = false;
-  Vector2 axis_ = Vector2::Zero();  ///< the first disc's direction, which all others are seen from
+  Vector2 axis_ = Vector2::Zero();  ///< direction of the first disc; angles are measured from it
   Slope least_ = {-1, 0};
   Slope most_ = {1, 0};
 };
 
-/// How far beads may lie from the path's.
+/// Largest differences between beads and the path.
 struct Tolerance {
   double place_um = 0;
   double width_share = 0;
-  double short_share = 0;  ///< on beads shorter than kShortBeadNm
+  double short_share = 0;  ///< share on beads shorter than kShortBeadNm
 
   Coord OfWidth(Coord width_nm, double length_um) const {
     const double share =
@@ -180,14 +184,14 @@ struct Tolerance {
   }
 };
 
-/// The beads that may stand for what begins at one node, grown node by node.
+/// Beads that may replace the path from one node on, extended node by node.
 class Reach {
  public:
-  /// `begin`: where they begin.
+  /// `begin`: start of the beads.
   Reach(const Node& from, Vector2 begin, const Tolerance& tolerance)
       : from_(from), begin_(begin), tolerance_(tolerance) {}
 
-  /// Goes on to the next node.
+  /// Extends the beads to the next node.
   void Take(const Node& to) {
     even_ = widest_ == 0;  // one edge may always be a bead
     narrowest_ = std::min(narrowest_, to.narrowest_nm);
@@ -205,8 +209,8 @@ class Reach {
     even_ = area >= least * length_ && area < most * length_;
   }
 
-  /// The squared deviations of the nodes passed from a bead to `end`, at or beside the node taken
-  /// last; nothing if it may not stand for them.
+  /// Returns the sum of squared deviations of the passed nodes from a bead that ends at `end`.
+  /// `end` is at or beside the last node. Returns nothing if the bead may not replace the nodes.
   std::optional<double> DeviationTo(Vector2 end) const {
     const Vector2 way = end - begin_;
     const double squared = Dot(way, way);
@@ -217,7 +221,7 @@ class Reach {
            squared;
   }
 
-  /// Lets beads pass the node taken last. False if none may.
+  /// Requires beads to pass the last node within the tolerance. Returns false if no bead can.
   bool Pass(Vector2 place) {
     const Vector2 way = place - begin_;
     const double squared = Dot(way, way);
@@ -239,25 +243,26 @@ class Reach {
   Cone cone_;
   Coord narrowest_ = std::numeric_limits<Coord>::max();
   Coord widest_ = 0;
-  double length_ = 0;    ///< of what is stood for
-  bool even_ = false;    ///< whether one width may stand for all
-  double farthest_ = 0;  ///< squared distance of what was passed: beads must not end before it
-  double xx_ = 0, xy_ = 0, yy_ = 0;  ///< moments of what was passed, around the beginning
+  double length_ = 0;  ///< length of the replaced path
+  bool even_ = false;  ///< true if one width may replace all widths
+  /// Largest squared distance of a passed node; beads must not end before it.
+  double farthest_ = 0;
+  double xx_ = 0, xy_ = 0, yy_ = 0;  ///< moments of the passed nodes around the beginning
 };
 
-/// Where a bead ends: at a node or outside of it.
+/// End of a bead: at a node or outside it.
 struct Stop {
   size_t node = 0;
   bool outside = false;
-  bool on_arc = false;  ///< the bead is a piece of an arc
+  bool on_arc = false;  ///< true if the bead is a piece of an arc
 };
 
 Vector2 EndAt(const Node& node, bool outside) { return outside ? node.outside : node.place; }
 
-/// The best way to a stop that is known.
+/// Best known sequence of beads to a stop.
 struct Way {
   size_t beads = std::numeric_limits<size_t>::max();
-  double deviation = 0;  ///< squared, of all nodes
+  double deviation = 0;  ///< sum of squared deviations of all nodes
   Stop before;
 
   friend bool operator<(const Way& a, const Way& b) {
@@ -265,9 +270,10 @@ struct Way {
   }
 };
 
-/// The fewest beads from the first of some nodes to the last: the best way to each stop, stop by
-/// stop. Of the nodes that take as many beads, only the farthest lead on, which bounds the cost;
-/// with two of them results differ by 0.1 % of all moves, with 17 by none.
+/// Finds the fewest beads from the first to the last of some nodes, by the best sequence to each
+/// stop. Of the nodes with the same number of beads only the farthest ones are extended, which
+/// bounds the cost. With two of them the results differ by 0.1 % of all moves; with 17 there is no
+/// difference.
 class FewestBeads {
  public:
   FewestBeads(std::span<const Node> nodes, const Tolerance& tolerance)
@@ -283,7 +289,7 @@ class FewestBeads {
     }
   }
 
-  /// Where they end, from the first on.
+  /// Returns the ends of the beads, from the first on.
   std::vector<Stop> Stops() const {
     std::vector<Stop> stops;
     for (Stop at = {nodes_.size() - 1}; at.node != 0; at = WayTo(at).before) stops.push_back(at);
@@ -322,17 +328,18 @@ class FewestBeads {
 
   const std::span<const Node> nodes_;
   const Tolerance tolerance_;
-  std::vector<std::array<Way, 2>> ways_;  ///< by node, and whether outside of it
-  std::vector<size_t> farthest_;          ///< node by number of beads
+  /// Best sequence to each node, and to the place outside it.
+  std::vector<std::array<Way, 2>> ways_;
+  std::vector<size_t> farthest_;  ///< farthest node by number of beads
 };
 
-/// Nodes [first, last] which one arc may stand for.
+/// Nodes [first, last] that one arc may replace.
 struct NodeArc {
   size_t first = 0;
   size_t last = 0;
 };
 
-/// Of beads that are equally wide, in um.
+/// Returns the arcs of beads with equal widths, in um.
 std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   std::vector<NodeArc> arcs;
   for (size_t first = 0; first + 1 < nodes.size();) {
@@ -355,7 +362,7 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   return arcs;
 }
 
-/// The last nodes of the beads that stand for all: as few as can be between arcs.
+/// Returns the ends of the beads: as few as possible between arcs.
 std::vector<Stop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
                           const Tolerance& tolerance) {
   std::vector<Stop> stops;
@@ -386,7 +393,7 @@ double Plastic(const Path& path, Coord bead_height_nm) {
   return plastic;
 }
 
-/// The points and widths of beads from stop to stop, of which the first one begins at the first
+/// Appends the points and widths of beads from stop to stop. The first bead begins at the first
 /// node.
 void PutBeads(std::span<const Node> nodes, std::span<const Stop> stops, SimplifiedPath& simple) {
   Path& path = simple.path;

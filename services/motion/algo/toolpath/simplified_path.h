@@ -6,40 +6,51 @@
 
 namespace slicefarm::motion {
 
+/// Limits for Simplified.
 struct SimplifyOptions {
-  Coord tolerance_nm = 0;    ///< of places; 0: nothing is simplified
-  Coord bead_height_nm = 0;  ///< of the path
-  bool keep_arcs = false;    ///< whether all points stay of what an arc may stand for (arc_fit.h)
-  /// Share of a path's width by which a bead's may differ, where that is more than the tolerance.
+  Coord tolerance_nm = 0;  ///< tolerance of places; 0: the path is not simplified
+  Coord bead_height_nm = 0;  ///< bead height of the path
+  bool keep_arcs = false;  ///< keeps all points of pieces that an arc may replace (arc_fit.h)
+  /// Largest difference between a bead's width and the path's, as a share, if this is more than the
+  /// tolerance.
   double width_share = 0;
-  bool inside = false;  ///< other beads lie around the path's: nobody sees the edges of short ones
+  /// True if other beads surround the path, so that the edges of short beads are invisible.
+  bool inside = false;
 };
 
+/// Result of Simplified.
 struct SimplifiedPath {
   Path path;
-  double flow = 1;  ///< by which its beads make the original's plastic
-  /// By edge, of a closed path the one back to the start included: whether an arc may stand for it
-  /// and its neighbours.
+  double flow = 1;  ///< flow factor that keeps the plastic of the original path
+  /// True for each edge that an arc may replace together with its neighbours. A closed path has the
+  /// edge back to the start too.
   std::vector<bool> on_arc;
 };
 
-/// The path in as few straight beads as possible, each of one width, that begin and end at points
-/// of the path or, where it is curved, beside them on the outside: so beads run on either side of
-/// a curve, and are longer by 1.4. As they are written, in whole micrometres, and at every place of
-/// either:
-///   they lie within the tolerance of the path's beads, and these of them;
-///   their widths lie within kWidthToleranceNm (divided_path.h) of the path's, on beads longer than
-///   kLongBeadNm within kLongWidthToleranceNm, within 5 % on beads shorter than kShortBeadNm, 10 %
-///   inside, or within the share of options. An edge on its own may be a bead of the mean width of
-///   its ends, however much that changes: DividedByWidth comes first;
-///   no bead is more than 5 % shorter than what it stands for, so that nothing that goes to and fro
-///   is lost.
-/// Ends, the start of a closed path, and corners of more than 30 degrees where beads meet stay in
-/// their places, and the plastic of the whole path stays. Of the ways with the fewest beads, it is
-/// the one with the least squared deviations of points. Where the width changes, two points in a
-/// row are equal; a closed path whose width changes at its start ends there with a point of its
-/// own. A path of no length, and a ring that would be less than a triangle, stay as they are.
-/// Cost: O(n k) for beads that stand for up to k edges, 256 at most.
+/// Returns the path with as few straight beads as possible, each of one width. Beads begin and end
+/// at points of the path or, where it is curved, beside them on the outside. So beads run on both
+/// sides of a curve, and are longer by a factor of 1.4.
+///
+/// The result in whole micrometres meets these conditions at every place:
+/// - The beads are within the tolerance of the path's beads, and the path's beads are within the
+///   tolerance of them.
+/// - Widths are within kWidthToleranceNm (divided_path.h) of the path's.
+/// - On beads longer than kLongBeadNm, widths are within kLongWidthToleranceNm.
+/// - On beads shorter than kShortBeadNm, widths are within 5 %, or 10 % with `inside`. The option
+///   width_share allows more.
+/// - A single edge may always be a bead with the mean width of its ends. DividedByWidth runs first,
+///   so this mean is close enough.
+/// - No bead is more than 5 % shorter than the replaced path, so that moves to and fro are not
+///   lost.
+///
+/// Some points stay at their places: ends, the start of a closed path, and corners of more than 30
+/// degrees between beads. The plastic of the whole path stays the same. Of the solutions with the
+/// fewest beads, the result has the least squared deviations of points.
+///
+/// Where the width changes, two consecutive points are equal. A closed path with a change of width
+/// at its start ends there with a point of its own. A path without length, and a ring that would
+/// become less than a triangle, stay unchanged.
+/// Cost: O(n k) for beads that replace up to k edges, 256 at most.
 /// Source: H. Imai, M. Iri, "Polygonal Approximations of a Curve", Computational Morphology (1988),
 /// by cones of directions (W. S. Chan, F. Chin, Int. J. Comput. Geom. Appl. 6, 1996).
 SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options);

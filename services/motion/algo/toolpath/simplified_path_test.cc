@@ -34,7 +34,7 @@ SimplifiedPath Simple(const Path& path, bool keep_arcs = false) {
 
 Point Written(Point p) { return {FromUm(ToUm(p.x)), FromUm(ToUm(p.y))}; }
 
-/// As written, the start once more at the end of a closed one.
+/// Returns the points as written. A closed path has its start again at the end.
 std::vector<Point> Chain(const Path& path) {
   std::vector<Point> chain;
   for (const Point p : path.points) chain.push_back(Written(p));
@@ -42,7 +42,7 @@ std::vector<Point> Chain(const Path& path) {
   return chain;
 }
 
-/// Beads that have a length.
+/// Counts the beads that have a length.
 size_t BeadCount(const Path& path) {
   const std::vector<Point> chain = Chain(path);
   size_t count = 0;
@@ -60,7 +60,7 @@ double Plastic(const Path& path) {
   return plastic;
 }
 
-/// The greatest distance of places of one chain, eight of each edge, from another chain.
+/// Returns the largest distance of one chain from another, sampled at eight places of each edge.
 double Farthest(const std::vector<Point>& chain, const std::vector<Point>& other) {
   double farthest = 0;
   for (size_t i = 1; i < chain.size(); ++i) {
@@ -76,7 +76,7 @@ double Farthest(const std::vector<Point>& chain, const std::vector<Point>& other
   return farthest;
 }
 
-/// All that holds for any path.
+/// Checks the conditions that hold for any path.
 void ExpectKept(const Path& path, const std::string& name) {
   const SimplifiedPath simple = Simple(path);
   const std::vector<Point> before = Chain(path), after = Chain(simple.path);
@@ -115,7 +115,7 @@ Path Circle(double radius_mm, int count, double start = 0) {
 
 Coord Below(Coord most, std::mt19937& random) { return static_cast<Coord>(random()) % most; }
 
-/// A smooth curve, noise on it, with or without widths that wander.
+/// Returns a smooth curve with noise, with or without varying widths.
 Path Curve(uint32_t seed, int count, double noise_nm, bool wanders) {
   std::mt19937 random(seed);
   const auto uniform = [&](double most) {
@@ -184,7 +184,8 @@ TEST(Simplified, KeepsWhatAPathIs) {
   EXPECT_EQ(Simple(path).path, expected);
 }
 
-// Beads of a circle run on either side of it, so they are fewer than chords of the tolerance would.
+// Beads of a circle run on both sides of it, so there are fewer of them than chords of the same
+// tolerance.
 TEST(Simplified, CirclesTakeFewBeads) {
   for (const double radius_mm : {0.5, 2.0, 10.0, 50.0}) {
     const Path circle = Circle(radius_mm, 720);
@@ -194,7 +195,7 @@ TEST(Simplified, CirclesTakeFewBeads) {
   }
 }
 
-// Wherever a loop starts it stays, and no place takes more beads than another.
+// The start of a loop stays at any position, and no position needs more beads than another.
 TEST(Simplified, LoopsHaveNoBetterStart) {
   const Path circle = Circle(5, 300);
   const size_t count = BeadCount(Simple(circle).path);
@@ -216,7 +217,7 @@ TEST(Simplified, BoundsHoldOnCurves) {
   }
 }
 
-// A second engine with the same bound, which may not end beads beside points.
+// A second algorithm with the same tolerance that may not end beads beside points.
 TEST(Simplified, IsNotLongerThanDouglasPeucker) {
   size_t here = 0, there = 0;
   for (uint32_t seed = 0; seed < 40; ++seed) {
@@ -230,8 +231,8 @@ TEST(Simplified, IsNotLongerThanDouglasPeucker) {
   EXPECT_LT(static_cast<double>(here), 0.75 * static_cast<double>(there));
 }
 
-/// Expects that beads of a straight path along x have one width each, at every place of beads for
-/// more than one edge within `tolerance_of(bead length in nm)` of the path's.
+/// Expects one width for each bead of a straight path along x. For beads of more than one edge it
+/// must be within `tolerance_of(bead length in nm)` of the path's width at every place.
 void ExpectWidthsWithin(
     const Path& path, const Path& simple,
     const std::function<double(double length_nm, double width_nm)>& tolerance_of) {
@@ -272,7 +273,8 @@ TEST(Simplified, WidthsStayWithinTheirTolerance) {
   }
 }
 
-// A share of the width counts where it is more: wide beads that change slowly become fewer.
+// A share of the width is used if it is larger than the tolerance: wide beads that change slowly
+// become fewer.
 TEST(Simplified, WideBeadsMayHaveAShareOfTheirWidth) {
   Path path = OpenPath({{0, 0}}, {300'000});
   while (path.points.size() < 31) {
@@ -290,7 +292,7 @@ TEST(Simplified, WideBeadsMayHaveAShareOfTheirWidth) {
   });
 }
 
-// A width that steps at a point stays a step there.
+// A step of the width at a point stays a step there.
 TEST(Simplified, StepsOfWidthStay) {
   const Path path =
       OpenPath({{0, 0}, {FromMm(1), 0}, {FromMm(2), 0}, {FromMm(2), 0}, {FromMm(5), 0}},
@@ -331,7 +333,7 @@ TEST(Simplified, MirroredTurnedAndBackwardsAreAlike) {
       Path changed = path;
       change(changed);
       const SimplifiedPath other = Simple(changed);
-      // Beads for part of what one bead may stand for may have another mean width, and be refused.
+      // A bead for only a part of a replaceable run may have another mean width, and so be refused.
       const double slack = seed % 2 == 0 ? 1 : 0;
       EXPECT_NEAR(static_cast<double>(BeadCount(other.path)),
                   static_cast<double>(BeadCount(simple.path)), slack)
@@ -367,13 +369,13 @@ TEST(Simplified, HostilePaths) {
   ExpectKept(noise, "noise within five tolerances");
 }
 
-// What goes to and fro within the tolerance is plastic, too: it may not shrink to a line.
+// Moves to and fro within the tolerance contain plastic too. They must not shrink to a line.
 TEST(Simplified, DoesNotEatWhatGoesToAndFro) {
   const Path saw = ZigZag(10'000, 11'000, 1'000);
   EXPECT_GE(PathLength(Simple(saw).path), 0.94 * PathLength(saw));
 }
 
-// A straight line of many points is a few beads, in time proportional to them.
+// A straight line of many points becomes a few beads, in time proportional to the points.
 TEST(Simplified, LongPaths) {
   Path path = ZigZag(10'000, 10, 200'000);
   EXPECT_LE(BeadCount(Simple(path).path), 200'000 / 256 + 1);

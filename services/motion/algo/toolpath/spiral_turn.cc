@@ -11,19 +11,20 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Pieces whose flow changes are no longer.
+/// Longest piece with a changing flow.
 constexpr double kRampPieceNm = 1e6;
-/// A turn leads over from the one below where they lie no further apart than this many beads:
-/// further off there is nothing that it could lie on.
+/// Largest distance to the turn below, in beads, at which a turn is blended with it. At a larger
+/// distance the blended bead would rest on nothing.
 constexpr double kNearWidths = 4;
 
-/// The places of a loop by how far along it they are.
+/// Places of a loop by their length along it.
 class Loop {
  public:
   explicit Loop(const Path& path) : path_(path), length_nm_(PathLength(path)) {}
 
-  /// Calls visit(point, share) at each point after the start, the start again at the end included,
-  /// and so that no two lie further apart than `longest_nm`; 0: as far as they do.
+  /// Calls visit(point, share) for each point after the start, including the start again at the
+  /// end. Edges are divided so that no two points are farther apart than `longest_nm`; 0: not
+  /// divided.
   template <typename Visit>
   void ForEach(double longest_nm, const Visit& visit) const {
     double along = 0;

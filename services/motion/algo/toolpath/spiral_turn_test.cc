@@ -25,7 +25,7 @@ Polygon Ring(double radius_mm, int corners = 64) {
   return ring;
 }
 
-/// The turn in an outline of this radius, from the point on the x axis.
+/// Returns the turn in an outline of this radius, from the point on the x axis.
 Path TurnIn(double radius_mm) {
   return {.feature = Feature::kExternalPerimeter,
           .closed = true,

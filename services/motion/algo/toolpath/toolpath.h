@@ -9,61 +9,64 @@
 
 namespace slicefarm::motion {
 
-/// How much of a bead's width rests on the layer below, in steps: 0 is nothing, kFullRest all of
-/// it.
+/// Value of a bead that rests completely on the layer below; 0 is a bead in the air.
 inline constexpr uint8_t kFullRest = 100;
 
-/// A length as moves have it: whole micrometres, half of one away from zero. REQUIRES: below 2 km.
+/// Returns a length as moves have it: whole micrometres, with halves rounded away from zero.
+/// REQUIRES: below 2 km.
 inline int32_t ToUm(Coord nm) {
   return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000);
 }
 
+/// Returns a length of a move in nm.
 inline Coord FromUm(int32_t um) { return Coord{um} * 1'000; }
 
-/// What a layer of an object lies on.
+/// Surface below a layer of an object.
 enum class Ground : uint8_t {
   kBed,
   kRaft,
-  kLayers,  ///< its own
+  kLayers,  ///< the object's own layers
 };
 
+/// Kind of a move.
 enum class MoveKind : uint8_t {
   kPrint,
   kTravel,
   kRetract,
-  kWipe,     ///< along what was printed, while the filament is pulled back
-  kRestart,  ///< the filament comes back
-  kLift,     ///< z alone
+  kWipe,  ///< along the printed bead, while the filament is retracted
+  kRestart,  ///< the filament is pushed back
+  kLift,  ///< z only
 };
 
+/// Returns true for moves along x and y.
 inline bool MovesInPlane(MoveKind kind) {
   return kind == MoveKind::kPrint || kind == MoveKind::kTravel || kind == MoveKind::kWipe;
 }
 
-/// A move as it will stand in the G-code: rounded to its digits already, so that plan and text
-/// agree.
+/// Move as in the G-code: already rounded to its digits, so that plan and text agree.
 struct Move {
-  // Where it ends.
+  // End of the move.
   int32_t x_um = 0;
   int32_t y_um = 0;
   int32_t z_um = 0;
-  int32_t filament = 0;   ///< in 1e-5 mm, relative
-  int32_t feed_rate = 0;  ///< mm/min
-  int32_t width_um = 0;   ///< of a bead
-  int32_t height_um = 0;  ///< of a bead
-  float acceleration_mm_s2 = 0;  ///< 0: what the machine is set to by the beads before
+  int32_t filament = 0;  ///< in 1e-5 mm, relative
+  int32_t feed_rate = 0;  ///< in mm/min
+  int32_t width_um = 0;  ///< width of a bead
+  int32_t height_um = 0;  ///< height of a bead
+  float acceleration_mm_s2 = 0;  ///< 0: acceleration set by the beads before
   MoveKind kind = MoveKind::kTravel;
-  Feature feature = Feature::kPerimeter;  ///< of kPrint
-  uint8_t rest = kFullRest;               ///< of a bead: how much of it has something below
-  bool of_surface = false;                ///< of a bead: of the two outermost walls
-  bool on_arc = false;                    ///< of a bead: an arc may stand for it
-  bool if_needed = false;  ///< kRetract, kRestart: the layer below may have left the filament so
+  Feature feature = Feature::kPerimeter;  ///< feature of kPrint
+  uint8_t rest = kFullRest;  ///< share of a bead with something below
+  bool of_surface = false;  ///< true for a bead of the two outermost walls
+  bool on_arc = false;  ///< true for a bead that an arc may replace
+  /// True for kRetract or kRestart that the layer below may have made unnecessary.
+  bool if_needed = false;
 
   friend bool operator==(const Move&, const Move&) = default;
 };
 
-/// Beads that are printed as one arc: moves [first, last) of a toolpath, from where the one before
-/// them ends.
+/// Beads printed as one arc: moves [first, last) of a toolpath, from the end of the move before
+/// them.
 struct MoveArc {
   size_t first = 0;
   size_t last = 0;
@@ -73,23 +76,24 @@ struct MoveArc {
   friend bool operator==(const MoveArc&, const MoveArc&) = default;
 };
 
-/// The moves of a layer. It starts anywhere, retracted or not, at the height of the layer before.
+/// Moves of a layer. It starts anywhere, retracted or not, at the height of the layer before.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   std::vector<Move> moves;
-  std::vector<MoveArc> arcs;  ///< in their order
-  size_t approach = kNone;  ///< the travel to the entry, whose length the layer does not know
-  int32_t start_z_um = 0;   ///< of the layer before
+  std::vector<MoveArc> arcs;  ///< in the order of the moves
+  /// Index of the travel to the entry; the layer does not know its length.
+  size_t approach = kNone;
+  int32_t start_z_um = 0;  ///< height of the layer before
 };
 
-/// What is added to the places of moves.
+/// Offset that is added to the places of moves.
 struct ShiftUm {
   int32_t x = 0;
   int32_t y = 0;
 };
 
-/// Moves [first, last) of a toolpath, in a place: a program is a list of these.
+/// Moves [first, last) of a toolpath at a shifted place. A program is a list of stretches.
 struct Stretch {
   const Toolpath* path = nullptr;
   size_t first = 0;

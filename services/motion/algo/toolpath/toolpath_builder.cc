@@ -24,14 +24,16 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Of one move, in 1e-5 mm: more than any printer can do.
+/// Largest filament of one move, in 1e-5 mm: more than any printer can push.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-/// How far widths of solid infill and gap fill may lie from the path's: those beads lie inside of
-/// the part, between others. With more, more than ten changes of the flow a metre are above 30 %.
+/// Largest difference between widths of solid infill and gap fill and the path's, as a share. These
+/// beads are inside the part, between others. With a larger share, more than ten changes of the
+/// flow per metre would exceed 30 %.
 constexpr double kFillWidthShare = 0.085;
 
-/// A wipe that ends a little early, as steps do, pulls everything back, a little faster.
+/// Share of the full wipe length above which a wipe retracts everything, a little faster. Wipes end
+/// a little early because of their steps.
 constexpr double kWholeWipe = 0.9;
 
 int32_t Units(double filament_mm) {
@@ -94,7 +96,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel,
   const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
   const bool scarfed = !first_layer_ && HasScarf(path, scarf);
   const bool arcs = options_.arc_fitting != ArcFitting::kDisabled;
-  // A scarf cuts a loop anew, and arcs are found in what it leaves.
+  // A scarf cuts a loop again, and arcs are found in the result.
   const SimplifyOptions simplify = {.tolerance_nm = scarfed && arcs ? 0 : options_.resolution_nm,
                                     .bead_height_nm = bead_height_nm_,
                                     .keep_arcs = arcs,
@@ -170,7 +172,7 @@ void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, 
   MoveZ(bottom_um_ + static_cast<int32_t>(std::lround(options.start_height_ratio * height_um)));
   Point from = path.points.front();
   for (const ScarfPiece& piece : ScarfedLoop(path, options)) {
-    // As fast as a full bead: the speed is the same on both passes.
+    // The speed is that of a full bead on both passes.
     Bead bead = BeadOf(piece.width_nm, speed_mm_s);
     bead.filament_per_mm *= piece.flow;
     at_.z_um = bottom_um_ + static_cast<int32_t>(std::lround(piece.rise * height_um));
@@ -215,7 +217,7 @@ std::vector<RestingPiece> ToolpathBuilder::PiecesUnder(
   return pieces;
 }
 
-/// Over air as fast as a bridge.
+/// Returns the speed of a turn; over air it is a bridge's speed.
 double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t rest) const {
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
   const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(Feature::kOverhangPerimeter)];
@@ -224,7 +226,7 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
   return speeds_.OverAir(path, speed_mm_s, rest);
 }
 
-/// Nothing: it is printed alike whatever lies below it.
+/// Returns the needed resolution of the rest below, or nothing if the layer below has no effect.
 std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
@@ -233,7 +235,7 @@ std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   return RestSteps::kAirAlone;
 }
 
-/// In pieces that rest on the layer below by different shares.
+/// Prints a wall in pieces with different rest on the layer below.
 void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps,
                                    double speed_mm_s) {
   const Path& path = simple.path;
@@ -256,8 +258,8 @@ void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps
   at_.rest = kFullRest;
 }
 
-/// A piece of a wall that rests on no layer of its own: where nothing carries it, a thread. A
-/// thread hangs below its layer, and would weld itself to a support.
+/// Prints a piece of a wall over air: as a thread, except over supports. A thread sags below its
+/// layer and would weld itself to a support.
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
   if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
@@ -268,7 +270,7 @@ void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord
   }
 }
 
-/// As bridges are printed. `thread`: if the settings want threads.
+/// Prints a piece of a wall like a bridge. `thread`: allows a thread if the settings want threads.
 void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord width_nm,
                                   double speed_mm_s, bool thread) {
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
@@ -299,7 +301,7 @@ void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord 
   print_acceleration_ = accelerations_.Print(path.feature);
 }
 
-/// As one move or, where materials mix, as many as the mix may change.
+/// Prints a segment as one move, or as several short moves if materials mix.
 void ToolpathBuilder::PrintSegment(Point from, Point to, const Bead& bead) {
   const auto moves =
       options_.material_field.empty()
@@ -323,7 +325,7 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
   const double length_mm = Hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
   at_.x_um = x_um;
   at_.y_um = y_um;
-  // Without filament it would pass for a travel.
+  // A move without filament would count as a travel.
   at_.filament = static_cast<int32_t>(std::clamp<int64_t>(std::lround(owed_), 1, kMostFilament));
   owed_ -= at_.filament;
   filament_ += at_.filament;
@@ -390,7 +392,7 @@ void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
   }
 }
 
-/// From where the nozzle is.
+/// Returns the length of a travel from the nozzle's position.
 double ToolpathBuilder::WayMm(std::span<const PlaceUm> way) const {
   double way_mm = 0;
   PlaceUm last{at_.x_um, at_.y_um};
@@ -440,8 +442,8 @@ void ToolpathBuilder::PullBack(int32_t units) {
   path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
 
-/// Pulls back `units` on the way or, of a way that is much shorter than the wipe, the share of them
-/// that it is. Returns what was pulled back.
+/// Retracts `units` during the wipe. On a path much shorter than the wipe it retracts only the
+/// corresponding share. Returns the retracted units.
 int32_t ToolpathBuilder::WipeBack(int32_t units) {
   const double reach_mm = WayMm(wipe_way_);
   const double whole_mm = reach_mm > kWholeWipe * wipe_.length_mm ? reach_mm : wipe_.length_mm;
@@ -482,15 +484,15 @@ void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   path_.moves.push_back(at_);
 }
 
-/// Without its time.
+/// Returns the use of a bead without its time.
 FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
   const double filament_mm = static_cast<double>(filament) / kFilamentUnitsPerMm;
   return {0, length_mm, filament_mm, filament_mm * filament_area_mm2_};
 }
 
 void ToolpathBuilder::Count(const Path& path, int64_t filament) {
-  // What was a bridge is counted as one. Of a path that is one all along rounding must not leave
-  // less than nothing.
+  // Pieces printed as bridges are counted as bridges. If the whole path is a bridge, rounding must
+  // not make the rest negative.
   const double own_mm = std::max(0.0, ToMm(PathLength(path)) - std::exchange(bridged_mm_, 0));
   const int64_t own_filament = filament - std::exchange(bridged_filament_, 0);
   stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(own_mm, own_filament));

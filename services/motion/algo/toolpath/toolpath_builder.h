@@ -19,61 +19,65 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
-/// their filament.
+/// Converts paths to moves, one path after the other: travels with retraction and lift, and beads
+/// with their filament.
 ///
-/// Paths are simplified within `resolution_nm` first (simplified_path.h): this is the one place
-/// where they are, whatever they come from.
+/// Paths are simplified within `resolution_nm` first (simplified_path.h). All paths of all stages
+/// are simplified here and nowhere else.
 ///
-/// Filament is that of the bead's section (SectionMm2) times the extrusion multiplier; where the
-/// width of a path varies, it is divided into segments of one width (divided_path.h). What rounding
-/// leaves is carried on, so that the sum over a layer is exact to 1e-5 mm. Segments that round to
-/// nothing are left out; their filament is not. Loops with a scarf (scarf.h) end further on; the
-/// way from there is in sight. There are none on the first layer. A retraction wipes (wipe.h) but
-/// after a scarf, which thins out by itself; travels start where the nozzle is then.
+/// The filament of a bead is its section (SectionMm2) times the extrusion multiplier. A path of
+/// varying width is divided into segments of one width (divided_path.h). Rounding remainders are
+/// added to the next move, so the sum over a layer is exact to 1e-5 mm. Segments that round to zero
+/// length are left out, but their filament is kept.
 ///
-/// Where the block meets the layer below, the filament may be retracted or ready: the first
-/// retraction or restart is done if it is needed.
+/// Loops with a scarf (scarf.h) end beyond their start; the travel from there is short. The first
+/// layer has no scarfs. A retraction wipes (wipe.h), except after a scarf, which becomes thinner by
+/// itself. Travels start at the end of the wipe.
+///
+/// Where the block meets the layer below, the filament may be retracted or ready. The first
+/// retraction or restart is then marked as needed only in one of these cases.
 class ToolpathBuilder {
  public:
-  /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over
-  /// air; null: that is not asked for, or not known. `carried`: where supports lie right below, on
-  /// which walls are no threads; null: nowhere. `bead_height_nm`: of the paths.
+  /// `options`, `below` and `carried` must outlive the builder. `below`: layer below, which slows
+  /// walls down over air; null: this is off, or the layer is not known. `carried`: areas directly
+  /// above supports, where walls are no threads; null: none. `bead_height_nm`: bead height of the
+  /// paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
                   const LayerBelow* carried = nullptr);
 
-  /// The filament is as the layer below leaves it. To be called before anything is added.
+  /// Starts with the filament as the layer below leaves it. Call before anything is added.
   void BeginAsLeft() {
     retracted_ = false;
     as_left_ = true;
   }
 
-  /// `travel`: the way to it; of the first path it is looked at after BeginAsLeft alone.
-  /// `contour_mm`: that of ContourLengthsMm; none: the path's own length.
+  /// Adds a path. `travel`: travel to it; for the first path it is used only after BeginAsLeft.
+  /// `contour_mm`: result of ContourLengthsMm; without it, the path's own length.
   void Add(const Path& path, const Travel& travel = {}, std::optional<double> contour_mm = {});
 
-  /// The only bead of a layer: a loop along which the nozzle rises from the bottom of the layer to
-  /// its top. Where it leads over from the turn below, which ran along the outline `below`, each
-  /// point lies between the two by how far along the loop it is. The first turn grows from nothing,
-  /// and over the last one a level one thins out to nothing, so that all together are as much as as
-  /// many loops. `path` starts where the turn does.
+  /// Adds the only bead of a layer: a loop along which the nozzle rises from the bottom of the
+  /// layer to its top. If the turn is blended with the turn below, in the outline `below`, each
+  /// point moves from one to the other by its share of the loop. The first turn grows from no flow.
+  /// Above the last turn a level turn thins out to no flow, so the total flow equals that of as
+  /// many full loops. `path` starts where the turn does.
   void AddTurn(const Path& path, const SpiralTurn& turn, const MultiPolygon& below);
 
-  /// Hands over what was added, after a retraction. To be called once.
+  /// Returns the added moves, after a retraction. Call once.
   Toolpath Finish();
 
-  /// The same at a meeting with the layer above: the filament is retracted if the way to `leave`
-  /// asks for it; without one it is ready to print.
+  /// Returns the added moves before a meeting with the layer above. The filament is retracted if
+  /// the travel to `leave` requires it. Without a travel it is ready to print.
   Toolpath FinishAt(const std::optional<Leave>& leave);
 
   bool retracted() const { return retracted_; }
 
-  /// Of what was added: lengths, volumes, travels, retractions and bounds; no times.
+  /// Returns the statistics of the added paths: lengths, volumes, travels, retractions and bounds;
+  /// no times.
   const ProgramStats& stats() const { return stats_; }
 
  private:
-  /// What the segments of one width have in common.
+  /// Common values of segments of one width.
   struct Bead {
     Coord width_nm = 0;
     double filament_per_mm = 0;  ///< in 1e-5 mm
@@ -117,31 +121,32 @@ class ToolpathBuilder {
   Accelerations accelerations_;
   double filament_area_mm2_;
   Coord bead_height_nm_;
-  int32_t bottom_um_;  ///< of the beads
+  int32_t bottom_um_;  ///< bottom of the beads
   const LayerBelow* below_;
   const LayerBelow* carried_;
   int32_t z_um_;
-  int32_t lift_um_;        ///< where travels rise
-  int32_t start_lift_um_;  ///< of the travel to the first path
-  bool after_top_ = false;  ///< the last bead but for fill of gaps is a top's
+  int32_t lift_um_;  ///< height by which travels rise
+  int32_t start_lift_um_;  ///< rise of the travel to the first path
+  bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
   Wipe wipe_;
-  std::vector<PlaceUm> wipe_way_;  ///< from the end of the path before
+  std::vector<PlaceUm> wipe_way_;  ///< wipe from the end of the path before
   int32_t retract_units_;
   int32_t restart_units_;
 
   Toolpath path_;
-  Move at_;                        ///< where the nozzle is, and what the next move inherits
-  double flow_ = 1;                ///< of the path being printed, of its beads' sections
-  Coord thread_nm_ = 0;            ///< diameter of the path being printed, if it is a thread
-  double print_acceleration_ = 0;  ///< of the path being printed
-  double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
+  Move at_;  ///< position of the nozzle, and values that the next move inherits
+  double flow_ = 1;  ///< flow factor of the current path's bead sections
+  Coord thread_nm_ = 0;  ///< diameter of the current path, if it is a thread
+  double print_acceleration_ = 0;  ///< acceleration of the current path
+  double set_acceleration_ = 0;  ///< acceleration set in the machine; 0: as before the layer
   bool retracted_ = true;
-  bool as_left_ = false;    ///< retracted or not, as the layer below has left it
-  bool short_way_ = false;  ///< to an outer wall, and too short for a retraction
-  bool moved_on_ = false;   ///< beyond the end of the path before: a scarf ends over its beginning
-  double owed_ = 0;         ///< filament that rounding left, in 1e-5 mm
-  int64_t filament_ = 0;    ///< printed in all, in 1e-5 mm
-  double bridged_mm_ = 0;   ///< of the path being printed, as bridges
+  bool as_left_ = false;  ///< retraction state is as the layer below has left it
+  bool short_way_ = false;  ///< the travel goes to an outer wall and is too short for a retraction
+  /// The nozzle is beyond the end of the path before, as a scarf ends over its beginning.
+  bool moved_on_ = false;
+  double owed_ = 0;  ///< filament remainder of rounding, in 1e-5 mm
+  int64_t filament_ = 0;  ///< filament printed in total, in 1e-5 mm
+  double bridged_mm_ = 0;  ///< length of the current path printed as bridges
   int64_t bridged_filament_ = 0;
   ProgramStats stats_;
 };

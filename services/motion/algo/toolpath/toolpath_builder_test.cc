@@ -141,7 +141,7 @@ TEST(ToolpathBuilder, RisesAlongItsWay) {
   options.tool().retraction.ramp_lift_mm = 1;
   options.tool().retraction.ramp_slope_deg = 45;
   using enum MoveKind;
-  // To the first path it rises straight up.
+  // The travel to the first path rises straight up.
   const Built far = Build({Line("(0 0, 10 0)"), Line("(20 0, 30 0)")}, options);
   EXPECT_THAT(Kinds(far.path), ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kRetract,
                                            kTravel, kTravel, kLift, kRestart, kPrint, kRetract));
@@ -150,7 +150,7 @@ TEST(ToolpathBuilder, RisesAlongItsWay) {
   EXPECT_EQ(far.path.moves[7].z_um, 1'400);
   EXPECT_EQ(far.path.moves[8].z_um, 400);
   EXPECT_EQ(far.stats.travel_mm, 10);
-  // Too near for a retraction.
+  // The path is too near for a retraction.
   const Built near = Build({Line("(0 0, 10 0)"), Line("(11 0, 30 0)")}, options);
   EXPECT_THAT(Kinds(near.path),
               ElementsAre(kLift, kTravel, kLift, kRestart, kPrint, kTravel, kPrint, kRetract));
@@ -214,8 +214,8 @@ TEST(ToolpathBuilder, WallsOverNothingAreBridges) {
   EXPECT_EQ(build(wall).path.moves.end()[-2].feature, Feature::kPerimeter);
 }
 
-// Bridges are counted apart from the wall that they are pieces of: what is left of one that is a
-// bridge all along was less than nothing by rounding, and no amount on the wire.
+// Bridges are counted separately from the wall that they are pieces of. For a wall that is
+// completely a bridge, rounding made the rest negative, which the wire format does not accept.
 TEST(ToolpathBuilder, WhatIsNoBridgeOfAWallIsNeverLessThanNothing) {
   MotionOptions options;
   options.speeds[0].bridging_walls = true;
@@ -240,7 +240,8 @@ TEST(ToolpathBuilder, WhatIsNoBridgeOfAWallIsNeverLessThanNothing) {
   }
 }
 
-// Over a support a wall is as slow as a bridge, but no thread, which would hang into it.
+// Over a support a wall is as slow as a bridge, but it is no thread, which would sag into the
+// support.
 TEST(ToolpathBuilder, WallsOverSupportsAreNoThreads) {
   MotionOptions options;
   options.speeds[0].bridging_walls = true;
@@ -272,7 +273,8 @@ TEST(ToolpathBuilder, WallsOverSupportsAreNoThreads) {
   EXPECT_GT(threads, 0);
 }
 
-// Of many points near to a curve few are printed, with the filament of all; 0 prints all of them.
+// Only a few of many points near a curve are printed, with the filament of all. 0 prints all of
+// them.
 TEST(ToolpathBuilder, SimplifiesWithinTheResolution) {
   Path curve = Line("(0 0)");
   curve.points.clear();
@@ -286,7 +288,7 @@ TEST(ToolpathBuilder, SimplifiesWithinTheResolution) {
   EXPECT_EQ(few.path.moves.back().x_um, all.path.moves.back().x_um);
 }
 
-// What is printed as an arc is told by its own points.
+// An arc is printed from its own points.
 TEST(ToolpathBuilder, ArcsKeepTheirPointsIfAskedFor) {
   Path circle = Line("(0 0)");
   circle.points.clear();
@@ -315,7 +317,8 @@ TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {
   EXPECT_DOUBLE_EQ(use.length_mm, 50);
 }
 
-// A wall that tapers over 60 mm: its beads are as wide as their places, and no more than it takes.
+// A wall that tapers over 60 mm. Its beads are as wide as the wall at their places, and no more
+// beads than needed.
 TEST(ToolpathBuilder, BeadsFollowAWidthThatChanges) {
   for (const Coord resolution_nm : {0, 12'500}) {
     MotionOptions options;
@@ -345,7 +348,7 @@ TEST(ToolpathBuilder, SumIsExactOverManySmallSegments) {
   for (int i = 0; i < 5'000; ++i) {
     path.points.push_back(at);
     path.widths_nm.push_back(300'000 + static_cast<Coord>(random() % 300'000));
-    // Some segments round to nothing.
+    // Some segments round to zero length.
     at = at + Point{static_cast<Coord>(random() % 30'000), static_cast<Coord>(random() % 900)};
   }
   const MotionOptions options;
@@ -365,7 +368,7 @@ TEST(ToolpathBuilder, SumIsExactOverManySmallSegments) {
   }
 }
 
-/// Two lines 10 mm apart, and the way to the second one.
+/// Returns two lines 10 mm apart, with the given travel to the second one.
 Built WithTravel(const Travel& travel, const MotionOptions& options = {}) {
   ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
   builder.Add(Line("(10 10, 20 10)"), travel);
@@ -450,7 +453,7 @@ TEST(ToolpathBuilder, LiftsAroundTravels) {
   EXPECT_EQ(built.path.moves[2].z_um, 400);
 }
 
-/// How many travels rise: to a wall, from there to a top, from there to a wall over fill of a gap.
+/// Counts the rising travels: to a wall, from there to a top, from there to a wall over gap fill.
 int RisesOf(LiftAfter after, int32_t layer) {
   MotionOptions options;
   options.tool().retraction.lift_mm = 0.3;
@@ -523,7 +526,7 @@ TEST(ToolpathBuilder, RetractsInPlaceThenOnTheWay) {
   EXPECT_NEAR(built.stats.travel_mm, std::hypot(1.2, 50), 1e-3);
 }
 
-// What a short path leaves to do is done in place.
+// The rest of the retraction after a short path is made without a move.
 TEST(ToolpathBuilder, PullsBackAsMuchWhateverTheWay) {
   for (const std::string_view line : {"(0 0, 0.1 0)", "(0 0, 0.5 0)", "(0 0, 1.1 0)", "(0 0, 9 0)"})
     for (const double before : {0.0, 0.31, 1.0}) {
@@ -567,7 +570,7 @@ TEST(ToolpathBuilder, OwnHeightAndWidthAreToldPerMove) {
   EXPECT_EQ(built.path.moves[4].height_um, 150);
 }
 
-// An object of its own layer height prints beads that are not as high as the layer.
+// An object with its own layer height prints beads lower than the layer.
 TEST(ToolpathBuilder, OwnHeightIsOfTheBeadsAlone) {
   const MotionOptions options;
   const Built built = Build({Line("(0 0, 30 40)")}, options, 150'000);
@@ -629,7 +632,7 @@ TEST(ToolpathBuilder, ShortPiecesKeepTheLimitOfVolume) {
   EXPECT_GT(pieces, 150);
 }
 
-// Infill lays bridges as beads of their layer's height, with the plastic of a thread.
+// The infill stage prints bridges as beads of their layer's height, with the plastic of a thread.
 TEST(ToolpathBuilder, ThreadsOfBridgesAreToldAsRoundAsTheyAre) {
   const MotionOptions options;  // nozzle of 0.4 mm
   const double disc_mm2 = std::numbers::pi / 4 * 0.4 * 0.4;

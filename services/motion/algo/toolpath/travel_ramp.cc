@@ -16,7 +16,8 @@ double LengthUm(PlaceUm from, PlaceUm to) { return Hypot(to.x - from.x, to.y - f
 
 Point ToPoint(PlaceUm place) { return {FromUm(place.x), FromUm(place.y)}; }
 
-/// How far along the way the first edge is that the nozzle must be up for, in micrometres.
+/// Returns the distance along the travel to the first edge that requires the full lift, in
+/// micrometres.
 double ObstacleUm(PlaceUm from, std::span<const PlaceUm> way, const LayerBelow& below) {
   std::vector<double> meets;
   double gone = 0;

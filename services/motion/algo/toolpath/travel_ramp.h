@@ -10,7 +10,7 @@
 
 namespace slicefarm::motion {
 
-/// A place on the way, and how far the nozzle is up there.
+/// Place on the travel, with the nozzle's rise there.
 struct RampPlace {
   PlaceUm place;
   int32_t up_um = 0;
@@ -18,18 +18,20 @@ struct RampPlace {
   friend bool operator==(const RampPlace&, const RampPlace&) = default;
 };
 
-/// How far the nozzle rises over a travel, mm: by travel_ramping_lift or straight up.
+/// Returns the rise of the nozzle over a travel, in mm: by travel_ramping_lift or straight up.
 double LiftOf(const RetractionOptions& retraction);
 
-/// Whether it rises along its way, and not straight up.
+/// Returns true if the nozzle rises along the travel and not straight up.
 bool RisesAlongTheWay(const RetractionOptions& retraction);
 
-/// The places of a way from `from` on which the nozzle rises by travel_slope until it is
-/// travel_max_lift up, which may be never. With travel_lift_before_obstacle it is up before the way
-/// meets an edge of `below`, as PrusaSlicer has it: the first one that leads out of what `from`
-/// stands on does not count. `below` may be null. The last place is the way's. REQUIRES:
-/// RisesAlongTheWay; the way is not empty.
-/// Source: measured, PrusaSlicer 2.9; it rounds the end of the ramp off for Marlin besides.
+/// Returns the places of a travel from `from`, along which the nozzle rises by travel_slope up to
+/// travel_max_lift. A short travel does not reach this height.
+///
+/// With travel_lift_before_obstacle the nozzle is at full height before the travel meets an edge of
+/// `below`. As in PrusaSlicer, the first edge out of the island below `from` does not count.
+/// `below` may be null. The last place is the end of the travel. REQUIRES: RisesAlongTheWay; `way`
+/// is not empty.
+/// Source: measured, PrusaSlicer 2.9. PrusaSlicer also rounds the end of the ramp for Marlin.
 std::vector<RampPlace> RampedWay(PlaceUm from, std::span<const PlaceUm> way,
                                  const RetractionOptions& retraction, const LayerBelow* below);
 

@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// 1 mm up over 10 mm.
+/// Returns a ramp of 1 mm up over 10 mm.
 RetractionOptions Ramp(double slope_deg = 5.710593137499643) {
   RetractionOptions retraction;
   retraction.ramping = true;
@@ -49,11 +49,11 @@ TEST(RampedWay, IsUpBeforeAnObstacle) {
   ramp.before_obstacles = true;
   EXPECT_THAT(RampedWay(kFrom, way, ramp, &other),
               ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
-  // It stands on an island and goes to another one.
+  // The nozzle is above an island and moves to another one.
   const LayerBelow both(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1) ; (6 -1, 8 -1, 8 1, 6 1)"));
   EXPECT_THAT(RampedWay(kFrom, way, ramp, &both),
               ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
-  // Over its own island and on, there is nothing in the way.
+  // The travel leaves its own island and meets no other obstacle.
   const LayerBelow own(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1)"));
   EXPECT_THAT(RampedWay(kFrom, way, ramp, &own),
               ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));

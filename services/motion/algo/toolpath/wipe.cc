@@ -16,7 +16,7 @@ namespace {
 constexpr double kSpeedShare = 0.8;
 constexpr double kLeastStepNm = 200'000;
 
-/// From the end of the path on.
+/// Returns the points after the end of the path.
 std::vector<Point> WayOn(const Path& path) {
   std::vector<Point> way = path.points;
   if (path.closed) {

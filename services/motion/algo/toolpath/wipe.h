@@ -11,18 +11,20 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// How the nozzle leaves a path while the filament is pulled back (setting `wipe`).
+/// Movement of the nozzle away from a path while the filament is retracted (setting `wipe`).
 struct Wipe {
   double speed_mm_s = 0;
-  double length_mm = 0;  ///< over which all that is pulled back on the way is; 0: no wipe
+  double length_mm = 0;  ///< length of the movement; 0: no wipe
 };
 
-/// As PrusaSlicer does it: at 0.8 of the travels' speed, so far that the filament has its own.
+/// Returns the wipe as in PrusaSlicer: at 0.8 of the travel speed, with the length that the
+/// retraction speed needs.
 Wipe WipeOf(const MotionOptions& options);
 
-/// Where the nozzle goes from the end of the path, without that end: along a loop once more, which
-/// smears what its seam leaves; back along any other path. It ends after `length_mm`, or with the
-/// path. Steps are 0.2 mm at least: shorter edges are cut across, and a shorter rest is left out.
+/// Returns the places of the wipe after the end of the path. A loop is followed once more, which
+/// smears the material at its seam. Any other path is followed back. The wipe ends after
+/// `length_mm`, or with the path. Steps are at least 0.2 mm: corners of shorter edges are skipped,
+/// and a shorter rest is left out.
 std::vector<PlaceUm> WipeWay(const Path& path, double length_mm);
 
 }  // namespace slicefarm::motion

@@ -34,14 +34,18 @@ PixelGrid GridOver(const Box& box, Coord pixel_nm);
 /// Bitmap with one byte per pixel: 0 or 1.
 class Bitmap {
  public:
+  /// Creates a bitmap with all pixels 0.
   explicit Bitmap(const PixelGrid& grid) : grid_(grid), bytes_(grid.size(), 0) {}
 
   const PixelGrid& grid() const { return grid_; }
+  /// Return the bytes of a row.
   uint8_t* Row(int32_t y) { return bytes_.data() + static_cast<size_t>(y) * grid_.width; }
   const uint8_t* Row(int32_t y) const {
     return bytes_.data() + static_cast<size_t>(y) * grid_.width;
   }
+  /// Returns true if the pixel is set.
   bool At(int32_t x, int32_t y) const { return Row(y)[x] != 0; }
+  /// Sets all pixels to 0.
   void Clear() { bytes_.assign(bytes_.size(), 0); }
 
   /// Sets the pixels with their centres inside the region. Cost: O(points + rows crossed).
