@@ -1,5 +1,4 @@
-// The program itself, run as a process: exit codes, what it prints where, and what it leaves
-// behind.
+// Tests the program as a process: exit codes, its output, and the files that it leaves behind.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +34,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-/// A bar of 20 x 10 x 5 mm.
+/// Bar of 20 x 10 x 5 mm.
 constexpr char kBar[] =
     "v 0 0 0\nv 20 0 0\nv 20 10 0\nv 0 10 0\nv 0 0 5\nv 20 0 5\nv 20 10 5\nv 0 10 5\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
@@ -91,8 +90,9 @@ TEST_F(Program, GivesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-// What PrusaSlicer exports for these printers, in small: conditions on the names of the presets,
-// pictures in QOI, notes. Each template must be filled in, and none of its marks may be left.
+// Small versions of PrusaSlicer's exports for these printers: conditions on the names of the
+// presets, pictures in QOI, notes. Each template must be filled in, and no template mark may be
+// left.
 TEST_F(Program, SlicesWithProfilesInTheShapeOfRealOnes) {
   const std::pair<std::string, std::vector<std::string>> kProfiles[] = {
       {"shape_mk3s.ini",
@@ -171,7 +171,7 @@ TEST_F(Program, NamesFilesAsTheirSettingsSay) {
         Arguments{"render", Path("cube.bgcode"), "--layer", "1", "-o", Path("a.png")},
         Arguments{"slice", Path("cube.obj"), "-c", Path("cube.bgcode"), "-o", Path("b.bgcode")}})
     EXPECT_EQ(Run(reads).code, ExitCode::kOk) << reads[0];
-  // Its settings call the file as the one that they are from.
+  // The settings name this file as their own source.
   const Outcome same = Run({"slice", Path("cube.obj"), "-c", Path("cube.bgcode")});
   EXPECT_EQ(same.code, ExitCode::kUsage);
   EXPECT_THAT(same.err, HasSubstr("cube.bgcode is also an input"));
@@ -180,7 +180,8 @@ TEST_F(Program, NamesFilesAsTheirSettingsSay) {
   EXPECT_TRUE(Exists("folder/cube-1.gcode"));
 }
 
-/// A project of two plates, of which the second is a vase; `plate` is refused for its walls.
+/// Returns a project of two plates, of which the second is a vase. `plate` is refused for its
+/// walls.
 std::string ProjectWithBadPlate(int plate) {
   namespace threemf = slicing::threemf;
   const std::string number = "key=\"plater_id\" value=\"" + std::to_string(plate) + "\"/>";
@@ -411,7 +412,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST_F(Program, StopsAtCtrlC) {
-  // The model comes through a pipe, so that the signal meets the program while it works.
+  // The model comes through a pipe, so that the signal arrives while the program works.
   ASSERT_EQ(mkfifo(Path("pipe.obj").c_str(), 0600), 0);
   std::signal(SIGPIPE, SIG_IGN);
   const pid_t pid =
@@ -434,7 +435,7 @@ TEST_F(Program, StopsAtCtrlC) {
   EXPECT_FALSE(Exists("out.gcode"));
 }
 
-/// The model never comes, and no computation is there to see the request.
+/// The model never arrives, and no computation polls the request.
 TEST_F(Program, EndsWhereverItIs) {
   for (const int signal : {SIGINT, SIGTERM}) {
     std::filesystem::remove(Path("pipe.obj"));
@@ -460,7 +461,7 @@ TEST_F(Program, RendersWhatItSliced) {
   ASSERT_TRUE(layer.ok());
   const Layout layout = LayOut(*layer, {});
   const Picture picture(Text("l.png"));
-  // The cube lies on the middle of a bed of 200 by 200: its outer wall's middle runs 0.25 mm
+  // The cube is in the middle of a bed of 200 by 200. The middle of its outer wall is 0.25 mm
   // inside.
   const Colour wall = picture.At(layout.ToPixel({100, 95.25}));
   EXPECT_NEAR(wall.red, FeatureColour("External perimeter").red, 0.01);
@@ -655,7 +656,7 @@ TEST_F(Program, TellsWhatJobsWaitFor) {
   server.listed_jobs = 3;
   EXPECT_EQ(Run({"list", "--server", server.address()}).err, "");
   server.waits_for = "a worker";
-  // Once for all that wait for the same.
+  // The warning appears once for all jobs that wait for the same thing.
   EXPECT_EQ(Run({"list", "--server", server.address()}).err, "warning: 2 jobs wait for a worker\n");
   EXPECT_EQ(Run({"submit", Path("cube.obj"), "--detach", "--server", server.address()}).err,
             "warning: 1 job waits for a worker\n");

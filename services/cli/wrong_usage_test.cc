@@ -1,5 +1,5 @@
-// Wrong command lines: each message names the mistake and what to write in its place, and no file
-// that was there is touched.
+// Tests wrong command lines: each message names the mistake and the correct form, and existing
+// files are unchanged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -23,7 +23,7 @@ struct Case {
   const char* name;
   Arguments arguments;
   ExitCode code = kUsage;
-  std::vector<std::string> words = {};  ///< all of these are in the message
+  std::vector<std::string> words = {};  ///< texts that the message must contain
 };
 
 class WrongUsage : public Program, public testing::WithParamInterface<Case> {
@@ -365,7 +365,7 @@ INSTANTIATE_TEST_SUITE_P(
              {"3MF project"}}),
     kName);
 
-/// The names by which an output may go that is the model.
+/// Different names of the output for the file that is the model.
 struct Way {
   const char* name;
   void (*make)(const std::string& folder);

@@ -12,7 +12,7 @@
 namespace slicefarm::cli {
 namespace {
 
-/// With control characters shown as `?`: what is quoted is not ours.
+/// Replaces control characters by `?`, because the quoted text is from a foreign file.
 std::string Shown(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';

@@ -8,33 +8,35 @@ class App;
 
 namespace slicefarm::cli {
 
-/// Each adds its subcommand. `app` and `context` must outlive the parsing and the run.
-void AddSlice(CLI::App& app, CommandContext& context);    ///< slice_command.cc
-void AddSubmit(CLI::App& app, CommandContext& context);   ///< submit_command.cc
-void AddInspect(CLI::App& app, CommandContext& context);  ///< inspect_command.cc
-void AddWatch(CLI::App& app, CommandContext& context);    ///< job_commands.cc, as the next five
+/// Each function adds its subcommand. `app` and `context` must outlive the parsing and the run.
+void AddSlice(CLI::App& app, CommandContext& context);  ///< defined in slice_command.cc
+void AddSubmit(CLI::App& app, CommandContext& context);  ///< defined in submit_command.cc
+void AddInspect(CLI::App& app, CommandContext& context);  ///< defined in inspect_command.cc
+/// Defined in job_commands.cc, like the next six.
+void AddWatch(CLI::App& app, CommandContext& context);
 void AddList(CLI::App& app, CommandContext& context);
 void AddGet(CLI::App& app, CommandContext& context);
 void AddCancel(CLI::App& app, CommandContext& context);
 void AddDelete(CLI::App& app, CommandContext& context);
 void AddTrace(CLI::App& app, CommandContext& context);
 void AddWebhook(CLI::App& app, CommandContext& context);
-void AddEvents(CLI::App& app, CommandContext& context);  ///< farm_commands.cc, as the next five
+/// Defined in farm_commands.cc, like the next five.
+void AddEvents(CLI::App& app, CommandContext& context);
 void AddArtifacts(CLI::App& app, CommandContext& context);
 void AddUsage(CLI::App& app, CommandContext& context);
 void AddCaller(CLI::App& app, CommandContext& context);
 void AddMeshes(CLI::App& app, CommandContext& context);
 void AddUpdate(CLI::App& app, CommandContext& context);
-void AddTime(CLI::App& app, CommandContext& context);        ///< time_command.cc
-void AddCheck(CLI::App& app, CommandContext& context);       ///< check_command.cc
-void AddProfile(CLI::App& app, CommandContext& context);     ///< profile_command.cc
-void AddRender(CLI::App& app, CommandContext& context);      ///< render_command.cc
-void AddSettings(CLI::App& app, CommandContext& context);    ///< settings_command.cc
-void AddHealth(CLI::App& app, CommandContext& context);      ///< health_command.cc
-void AddTenant(CLI::App& app, CommandContext& context);      ///< tenant_command.cc
-void AddToken(CLI::App& app, CommandContext& context);       ///< token_command.cc
-void AddHelp(CLI::App& app, CommandContext& context);        ///< shell_commands.cc
-void AddCompletion(CLI::App& app, CommandContext& context);  ///< shell_commands.cc
-void AddVersion(CLI::App& app, CommandContext& context);     ///< cli_program.cc
+void AddTime(CLI::App& app, CommandContext& context);  ///< defined in time_command.cc
+void AddCheck(CLI::App& app, CommandContext& context);  ///< defined in check_command.cc
+void AddProfile(CLI::App& app, CommandContext& context);  ///< defined in profile_command.cc
+void AddRender(CLI::App& app, CommandContext& context);  ///< defined in render_command.cc
+void AddSettings(CLI::App& app, CommandContext& context);  ///< defined in settings_command.cc
+void AddHealth(CLI::App& app, CommandContext& context);  ///< defined in health_command.cc
+void AddTenant(CLI::App& app, CommandContext& context);  ///< defined in tenant_command.cc
+void AddToken(CLI::App& app, CommandContext& context);  ///< defined in token_command.cc
+void AddHelp(CLI::App& app, CommandContext& context);  ///< defined in shell_commands.cc
+void AddCompletion(CLI::App& app, CommandContext& context);  ///< defined in shell_commands.cc
+void AddVersion(CLI::App& app, CommandContext& context);  ///< defined in cli_program.cc
 
 }  // namespace slicefarm::cli

@@ -1,4 +1,4 @@
-// What a farm has of its caller besides single jobs: events of all, meshes, what is kept.
+// Commands about a caller's data on a farm besides single jobs: all events, meshes, stored results.
 #include <fmt/core.h>
 #include <google/protobuf/util/time_util.h>
 
@@ -175,7 +175,7 @@ ExitCode UpdateJob(const UpdateOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
-/// What --kind may be.
+/// Names of --kind.
 const std::map<std::string, v1::Artifact> kArtifacts = {{"gcode", v1::ARTIFACT_GCODE},
                                                         {"report", v1::ARTIFACT_REPORT},
                                                         {"trace", v1::ARTIFACT_TRACE},

@@ -11,26 +11,28 @@ class App;
 
 namespace slicefarm::cli {
 
-/// What `time` and `check` are told, as written on the command line.
+/// Options of `time` and `check`, as written on the command line.
 struct GcodeOptions {
   std::string gcode;
   std::string flavor;
   std::string config;
 };
 
-/// A G-code file, and what reads it.
+/// G-code file, with the firmware and the machine that read it.
 struct GcodeFile {
   std::string gcode;
   const motion::Firmware* firmware = nullptr;
   MachineConfig machine;
 };
 
+/// Adds these options to a command.
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options);
 
-/// REQUEST_MALFORMED that says which flavours there are.
+/// Returns REQUEST_MALFORMED with the names of the known flavours.
 absl::Status UnknownFlavor(std::string_view flavor);
 
-/// Errors: those of ReadFile and ReadMachine; REQUEST_MALFORMED for an unknown flavour.
+/// Reads the file and its machine. Errors: as ReadFile and ReadMachine; REQUEST_MALFORMED for an
+/// unknown flavour.
 absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options);
 
 }  // namespace slicefarm::cli

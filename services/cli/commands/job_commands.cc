@@ -69,7 +69,7 @@ std::string FirstObjectName(const v1::Job& job) {
   return job.spec().objects().empty() ? "-" : OrDash(job.spec().objects(0).name());
 }
 
-/// "mk4s@3,petg@1".
+/// Returns the profiles of a job, such as "mk4s@3,petg@1".
 std::string ProfilesOf(const v1::Job& job) {
   std::string text;
   for (const std::string& profile : job.spec().profiles())
@@ -77,7 +77,7 @@ std::string ProfilesOf(const v1::Job& job) {
   return OrDash(std::move(text));
 }
 
-/// "order=17,shelf=4", by key.
+/// Returns the labels of a job by key, such as "order=17,shelf=4".
 std::string LabelsOf(const v1::Job& job) {
   const std::map<std::string, std::string> sorted(job.labels().begin(), job.labels().end());
   std::string text;
@@ -86,7 +86,7 @@ std::string LabelsOf(const v1::Job& job) {
   return OrDash(std::move(text));
 }
 
-/// What a list shows of a job.
+/// Values of one job in a list.
 struct Row {
   std::string id, state, place, layers, done, created, time, cost, profiles, labels, model;
 };
@@ -148,7 +148,7 @@ ExitCode Get(const GetOptions& options, Interrupt& interrupt) {
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
-/// Of any job that ended, however it ended.
+/// Fetches the trace of a job that ended, with any result.
 ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto id = client.FullId(options.id);
@@ -165,8 +165,8 @@ void TellCancelled(const CancelOptions& options, const v1::Job& job) {
                     HasEnded(job) ? StateName(job.state()) : "is being cancelled"));
 }
 
-/// Each by itself: one that cannot be cancelled leaves the others alone. The exit code is that of
-/// the first error.
+/// Cancels the jobs independently: an error for one job does not affect the rest. Returns the exit
+/// code of the first error.
 ExitCode CancelAll(JobsClient& client, const CancelOptions& options) {
   const std::vector<std::string>& ids = options.ids;
   ExitCode code = ExitCode::kOk;
@@ -231,7 +231,7 @@ v1::JobState StateOf(const std::string& name) {
   return v1::JOB_STATE_CANCELLED;
 }
 
-/// Page by page, as many as are asked for.
+/// Returns all requested jobs, page by page.
 absl::StatusOr<v1::ListJobsResponse> ListAll(JobsClient& client, const ListOptions& options) {
   v1::ListJobsRequest request;
   for (const std::string& state : options.states) request.add_states(StateOf(state));

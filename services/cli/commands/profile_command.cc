@@ -27,7 +27,7 @@ struct ProfileOptions {
   bool json = false;
 };
 
-/// `NAME@REVISION`, as `put` prints it, is a name with --revision.
+/// Splits `NAME@REVISION`, the form that `put` prints, into a name and --revision.
 absl::Status TakeRevision(ProfileOptions& options) {
   const size_t at = options.name.rfind('@');
   if (at == std::string::npos) return absl::OkStatus();

@@ -35,7 +35,7 @@ struct RenderOptions {
   std::string flavor;
 };
 
-/// By --format, else by the end of the output's name.
+/// Returns the format from --format, or else from the end of the output's name.
 absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
   const std::string name = "." + options.format;
   const std::string_view end = options.format.empty() ? options.output : name;
@@ -46,7 +46,7 @@ absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
       fmt::format("{}: give it a name that ends in .png or .svg, or say --format", options.output));
 }
 
-/// By --flavor, else the one that the file quotes, else Marlin.
+/// Returns the firmware from --flavor, or else the one that the file quotes, or else Marlin.
 absl::StatusOr<const motion::Firmware*> FirmwareFor(const RenderOptions& options,
                                                     std::string_view gcode) {
   std::string_view name = options.flavor;
@@ -61,7 +61,7 @@ absl::StatusOr<const motion::Firmware*> FirmwareFor(const RenderOptions& options
   return UnknownFlavor(options.flavor);
 }
 
-/// A layer's beads, each with its time if that is what colours tell.
+/// Reads the beads of a layer. If the colours show the time, each bead has its time.
 absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_view gcode) {
   if (options.colour_by != ColourBy::kTime) return ReadGcodeLayer(gcode, *options.layer);
   const auto firmware = FirmwareFor(options, gcode);
@@ -72,7 +72,7 @@ absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_v
   return ReadGcodeLayer(gcode, *options.layer, time.line_end_s);
 }
 
-/// Of a milling program a level or all, of other files the layer that is asked for.
+/// Reads one level or all levels of a milling program, and one layer of any other file.
 absl::StatusOr<GcodeLayer> ReadAny(const RenderOptions& options, std::string_view gcode) {
   if (IsMillProgram(gcode)) return ReadMillLayer(gcode, options.layer);
   if (!options.layer)

@@ -24,7 +24,7 @@ struct SettingsOptions {
   bool ini = false;
 };
 
-/// The narrowest place that a setting may be given to.
+/// Returns the narrowest scope in which a setting can be set.
 std::string_view PlaceOf(const config::SettingSpec& spec) {
   std::string_view place = config::ScopeName(spec.scope());
   return place.substr(place.find(' ') + 1);
@@ -89,7 +89,7 @@ void List(const SettingsOptions& options, Process process, Listed& listed) {
   }
 }
 
-/// What the default process does not know, another one may.
+/// Finds the setting in another process if the default process does not have it.
 Listed ListedElsewhere(const SettingsOptions& options) {
   Listed listed;
   for (const ProcessInfo& info : kProcesses) {

@@ -1,5 +1,5 @@
-// What helps to write command lines: help, completion, a manual page. All read the commands and
-// options as the parser knows them.
+// Help for writing command lines: help, completion, a manual page. All are made from the parser's
+// commands and options.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -45,8 +45,8 @@ std::string OptionsOf(const CLI::App& command) {
   return absl::StrJoin(names, " ");
 }
 
-/// A word after the command is one of its own commands, an option, or a file. zsh reads the same
-/// script through bashcompinit.
+/// Returns the completion script. The word after a command is one of its own commands, an option,
+/// or a file. zsh uses the same script through bashcompinit.
 std::string BashScript(const CLI::App& app) {
   std::string cases;
   for (const CLI::App* command : CommandsOf(app)) {
@@ -98,7 +98,7 @@ std::string FishScript(const CLI::App& app) {
   return text;
 }
 
-/// Text that roff prints as it is.
+/// Escapes text so that roff prints it unchanged.
 std::string Roff(const std::string& text) {
   std::string lines;
   for (const std::string_view line : Split(text, "\n")) {
@@ -146,7 +146,8 @@ ExitCode Help(const CLI::App& app, const HelpOptions& options) {
     command = found;
     call += " " + word;
   }
-  // App::help() would tell of the command that was given: this one.
+  // App::help() would print the help of the running command, and here another command's help is
+  // needed.
   Print(command->get_formatter()->make_help(command, call, CLI::AppFormatMode::Normal));
   return ExitCode::kOk;
 }

@@ -94,7 +94,7 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
   return WriteFile(options.output, output.program);
 }
 
-/// What has no effect and was warned of: it changes the print.
+/// Returns the settings without effect that change the print. The user gets a warning about them.
 std::vector<std::string> ChangingPrint(const config::ResolvedPlate& plate) {
   std::vector<std::string> notes;
   std::ranges::copy_if(plate.no_effect, std::back_inserter(notes), [&](const std::string& note) {
@@ -121,7 +121,8 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
         result_on_stdout);
 }
 
-/// Whether the job may be made as it is, and called as it is to be.
+/// Checks that all features missing for the plate are allowed, and that the output's name fits the
+/// job's format.
 absl::Status CheckPlate(const SliceOptions& options, const config::ResolvedPlate& plate) {
   absl::Status ok = config::CheckMissing(plate.missing, options.job.allow);
   if (!ok.ok() || !options.job.format.empty() || IsNamedBySettings(options.output)) return ok;
@@ -135,7 +136,7 @@ void WarnWithoutMachine(const std::vector<Setting>& settings, Process process) {
         "; give the printer's profile (--config FILE), or --generic if it is meant"});
 }
 
-/// Of one of the `models`, whose files it takes.
+/// Slices one plate of `models` and writes its results. Moves the models' files into the job.
 ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const GivenModels& models,
                     const std::vector<Setting>& settings, size_t plate, Interrupt& interrupt) {
   const GivenPlate& given = models.plates[plate];
@@ -162,7 +163,7 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   return ExitCode::kOk;
 }
 
-/// Whether the next plate may do better.
+/// Returns true for an error of the plate itself, so that the next plate may succeed.
 bool IsOfPlate(ExitCode code) {
   return code == ExitCode::kBadSettings || code == ExitCode::kBadMesh || code == ExitCode::kUsage;
 }

@@ -39,7 +39,7 @@ struct SubmitOptions {
   std::vector<std::string> labels;
   std::vector<std::string> profiles;
   std::string priority = "normal";
-  double deadline_s = 0;  ///< 0: none
+  double deadline_s = 0;  ///< 0: no deadline
   std::string webhook;
   bool quote = false;
   bool check = false;
@@ -47,10 +47,10 @@ struct SubmitOptions {
   std::string traceparent;
   bool detach = false;
   bool json = false;
-  std::vector<std::string> told;  ///< warnings that were shown before the job was made
+  std::vector<std::string> told;  ///< warnings that were printed before the job was made
 };
 
-/// As the standard wants it, what is no trace context is ignored.
+/// Reads the trace context. An invalid one is ignored, as the standard requires.
 TraceContext TraceOf(const SubmitOptions& options) {
   const auto trace = ParseTraceparent(options.traceparent);
   if (!trace && !options.traceparent.empty()) {
@@ -59,7 +59,7 @@ TraceContext TraceOf(const SubmitOptions& options) {
   return trace.value_or(TraceContext());
 }
 
-/// All of the spec but the objects, which need the meshes' digests.
+/// Returns the spec without the objects, which need the meshes' digests.
 v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
                    const std::vector<Setting>& settings) {
   v1::JobSpec spec;
@@ -70,7 +70,7 @@ v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
   SettingsToProto(settings, spec.mutable_settings());
   const std::vector<Setting> all = SettingsOf(plate, settings);
   std::vector<Setting> of_project = plate.settings;
-  // What the farm's profiles name, only the farm knows.
+  // Templates in the farm's profiles may use the time, but only the farm can see them.
   if (WithCreationTime(all, !submit.profiles.empty()).size() > all.size())
     of_project = WithCreationTime(std::move(of_project), true);
   SettingsToProto(of_project, spec.mutable_project_settings());
@@ -91,7 +91,7 @@ v1::JobPriority PriorityOf(const std::string& name) {
   return name == "interactive" ? v1::JOB_PRIORITY_INTERACTIVE : v1::JOB_PRIORITY_NORMAL;
 }
 
-/// All of the request but the objects.
+/// Returns the request without the objects.
 absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
                                                const GivenPlate& plate,
                                                const std::vector<Setting>& settings) {
@@ -132,7 +132,8 @@ absl::StatusOr<std::vector<StoredMesh>> UploadMeshes(const std::vector<MeshFile>
   return meshes;
 }
 
-/// The farm puts the copies on beds, and makes all jobs or none.
+/// Creates the jobs of several plates. The farm puts the copies on beds, and makes all jobs or
+/// none.
 absl::StatusOr<std::vector<v1::Job>> CreatePlates(const SubmitOptions& options,
                                                   std::vector<v1::CreateJobRequest> requests,
                                                   JobsClient& client) {
@@ -147,7 +148,7 @@ absl::StatusOr<std::vector<v1::Job>> CreatePlates(const SubmitOptions& options,
   return std::vector<v1::Job>(made->jobs().begin(), made->jobs().end());
 }
 
-/// A job, or with --plates one for each plate.
+/// Creates one job, or with --plates one for each plate.
 absl::StatusOr<std::vector<v1::Job>> Create(SubmitOptions& options, JobsClient& client,
                                             ProgressBar& bar) {
   const auto settings = GivenJobSettings(options.job, options.output);
@@ -178,8 +179,8 @@ absl::StatusOr<std::vector<v1::Job>> Create(SubmitOptions& options, JobsClient& 
   return std::vector<v1::Job>{*std::move(job)};
 }
 
-/// Whether the jobs make what the name of the output says, as far as the farm's profiles tell: a
-/// farm tells them with a job, but not with the jobs of several plates.
+/// Checks that the jobs make the format of the output's name, as far as the farm's profiles are
+/// known. The farm returns them with a single job, but not with the jobs of several plates.
 absl::Status CheckMade(const SubmitOptions& options, const std::vector<v1::Job>& jobs,
                        JobsClient& client) {
   if (options.output.empty() || !options.job.format.empty() || jobs.empty() ||
@@ -194,7 +195,7 @@ absl::Status CheckMade(const SubmitOptions& options, const std::vector<v1::Job>&
   return CheckFormat(options.output, options.job.process, resolved->effective_text);
 }
 
-/// Ctrl-C while we wait for a job means that nobody wants it any more.
+/// Cancels the job after Ctrl-C, because the user no longer wants it.
 ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& id) {
   JobsClient client(ClientOptions(options.server, nullptr));
   const auto job = client.CancelJob(id);
@@ -213,7 +214,7 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
   return ExitCode::kCancelled;
 }
 
-/// Nobody wants a job whose result has no place.
+/// Cancels a job if its result cannot be stored.
 void CancelAfterError(const SubmitOptions& options, const std::string& id) {
   JobsClient client(ClientOptions(options.server, nullptr));
   if (const auto job = client.CancelJob(id); !job.ok()) {
@@ -230,7 +231,7 @@ bool ResultIsOnStdout(const SubmitOptions& options) {
   return options.output == "-" || options.job.report == "-";
 }
 
-/// The job as one line of JSON, without its settings, and where its result went.
+/// Prints the job as one line of JSON, without its settings, and with the file of its result.
 void PrintJson(const SubmitOptions& options, const v1::Job& job, const std::string& output) {
   Print(JsonOfJob(job, output) + "\n", ResultIsOnStdout(options));
 }
@@ -272,9 +273,9 @@ absl::Status CheckWishes(const SubmitOptions& options) {
   return CheckOutputs(options.job, options.output);
 }
 
-/// An object that would print better another way round.
+/// Returns a hint about an object that would print better in another orientation.
 std::string AdviceText(const v1::OrientationAdvice& advice) {
-  // 0.001 degrees lift the end of a part of 100 mm by 2 um.
+  // A rotation by 0.001 degrees lifts the end of a part of 100 mm by 2 um.
   const auto angle = [&](int axis) {
     return std::round(advice.rotate_deg(axis) * 1000) / 1000 + 0.0;
   };
@@ -312,7 +313,7 @@ void PrintPreflight(const SubmitOptions& options, const v1::Job& job) {
                      .cost = MoneyText(found.cost().total(), found.cost().currency())}));
 }
 
-/// Waits for the job, and fetches what it made.
+/// Waits for the job and fetches its results.
 ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient& client,
                Interrupt& interrupt) {
   WatchBar bar(!options.job.quiet, ClientOptions(options.server, &interrupt), created.id());
@@ -339,7 +340,7 @@ ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient&
   return ExitCode::kOk;
 }
 
-/// Fetches all jobs, and goes on when one fails; after Ctrl-C cancels the rest.
+/// Fetches all jobs, and continues if one fails. After Ctrl-C it cancels the rest.
 ExitCode FetchAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs,
                   JobsClient& client, Interrupt& interrupt) {
   ExitCode worst = ExitCode::kOk;

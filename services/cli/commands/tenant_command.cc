@@ -1,4 +1,4 @@
-// All that a farm keeps of a tenant: to be handed out, or to be erased.
+// Commands that export or erase all data of a tenant on a farm.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>

@@ -18,7 +18,7 @@ struct TimeOptions : GcodeOptions {
   bool json = false;
 };
 
-/// A feature's words as one word.
+/// Joins a feature's words to one word.
 std::string AsKey(std::string words) {
   std::ranges::replace_if(words, [](char c) { return c == ' ' || c == '\t'; }, '_');
   return words;

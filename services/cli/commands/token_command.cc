@@ -23,7 +23,8 @@ struct TokenOptions {
   std::string expires;
 };
 
-/// 256 random bits, behind what tells people and scanners of leaked secrets what it is.
+/// Returns a token of 256 random bits, with a prefix that identifies it to people and to scanners
+/// for leaked secrets.
 std::string NewToken() {
   std::array<unsigned char, 32> bytes;
   if (RAND_bytes(bytes.data(), bytes.size()) != 1) std::abort();

@@ -9,13 +9,13 @@
 
 namespace slicefarm::cli {
 
-/// Says that `text` is none of `names`, and which of them is meant, most likely.
+/// Returns an error text that `text` is not in `names`, with the most similar name.
 std::string NoSuchChoice(const std::string& text, const std::vector<std::string>& names);
 
-/// "{grid,snug}".
+/// Returns the names in the form "{grid,snug}".
 std::string ListOf(const std::vector<std::string>& names);
 
-/// The keys of a map.
+/// Returns the keys of a map.
 template <class Value>
 std::vector<std::string> NamesOf(const std::map<std::string, Value>& values) {
   std::vector<std::string> names;
@@ -23,11 +23,11 @@ std::vector<std::string> NamesOf(const std::map<std::string, Value>& values) {
   return names;
 }
 
-/// Takes one of the names.
+/// Returns a validator that accepts one of the names.
 CLI::Validator OneOf(std::vector<std::string> names);
 
-/// Takes a name for its value. Help lists the names alone: CLI11 would tell the enum's numbers, or
-/// bytes, beside them.
+/// Returns a transformer from names to values. Help lists only the names, because CLI11 would add
+/// the enum's numbers or bytes.
 template <class Enum>
 CLI::Validator OneOf(std::map<std::string, Enum> values) {
   const std::vector<std::string> names = NamesOf(values);
@@ -39,11 +39,11 @@ CLI::Validator OneOf(std::map<std::string, Enum> values) {
       ListOf(names));
 }
 
-/// Says what is wrong with a number, or nothing. Whole ones: without a fraction.
+/// Returns an error text for a number, or an empty text. `whole`: numbers may not have a fraction.
 std::string FaultOfNumber(const std::string& text, double min, double max, bool whole,
                           bool open_end);
 
-/// Takes a number from `min` to `max`.
+/// Returns a validator that accepts a number from `min` to `max`.
 template <class Number>
 CLI::Validator InRange(Number min, Number max) {
   static_assert(std::is_arithmetic_v<Number>);
@@ -55,7 +55,7 @@ CLI::Validator InRange(Number min, Number max) {
       "");
 }
 
-/// Takes a number above 0, or one of 0 and above.
+/// Return validators that accept a number above 0, or a number of at least 0.
 CLI::Validator AboveZero();
 CLI::Validator ZeroOrMore();
 

@@ -7,8 +7,8 @@
 
 namespace slicefarm::cli {
 
-/// What a command needs besides its options, and its work: options are parsed first, then `run`
-/// does what the given command left there.
+/// Shared data of the commands, and the work of the chosen one. Options are parsed first, then
+/// `run` executes the function that the given command has stored in it.
 struct CommandContext {
   Interrupt* interrupt = nullptr;
   std::function<ExitCode()> run;

@@ -16,7 +16,7 @@ namespace slicefarm::cli {
 
 namespace {
 
-/// How `slicefarm settings` shows a setting; empty: no process has it.
+/// Returns the `slicefarm settings` command that shows a setting; empty if no process has it.
 std::string HowToShow(std::string_view key) {
   for (const ProcessInfo& info : kProcesses) {
     if (config::FindSetting(key, info.process) < 0) continue;
@@ -27,7 +27,7 @@ std::string HowToShow(std::string_view key) {
   return "";
 }
 
-/// `detail`: of an error about the value of a setting.
+/// Returns advice on the value of a setting. `detail`: detail of an error about this value.
 std::string AdviceOnValue(const ErrorDetail& detail) {
   const auto setting = detail.metadata.find("setting");
   if (setting == detail.metadata.end()) return "";
@@ -147,7 +147,7 @@ void ProgressBar::Show(std::string_view what, int done, int total) {
   std::fflush(stderr);
 }
 
-/// ", 12s left", if what comes takes as long as what was seen to be done.
+/// Returns ", 12s left", estimated from the speed so far; empty if it is not known.
 std::string ProgressBar::TimeLeft(std::string_view what, int done, int total) {
   if (what != what_) {
     what_ = what;

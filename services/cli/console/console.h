@@ -10,23 +10,22 @@
 
 namespace slicefarm::cli {
 
-/// Prints `error: ...` to stderr, with what to do about it where that can be said, and gives the
-/// exit code.
+/// Prints `error: ...` to stderr, with advice if there is any. Returns the exit code.
 ExitCode Fail(const absl::Status& status);
 
-/// What a user can do about an error; empty where the message says it all.
+/// Returns advice about an error; empty if the message is enough.
 std::string Advice(const absl::Status& status);
 
-/// One line each to stderr: `warning: ...`.
+/// Prints one line `warning: ...` per text to stderr.
 void Warn(const std::vector<std::string>& warnings);
 
-/// Warn, but for those that were told before.
+/// Prints the warnings that are not in `told`, which were printed before.
 void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told);
 
-/// Text to stdout, or to stderr where stdout carries the result.
+/// Prints text to stdout, or to stderr if stdout contains the result.
 void Print(std::string_view text, bool to_stderr = false);
 
-/// A bar on stderr while something lasts; nothing at all where stderr is no terminal.
+/// Progress bar on stderr. It prints nothing if stderr is no terminal.
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted);
@@ -34,9 +33,10 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `total` 0: how much there is to do is not known yet. Prints only when the picture changes,
-  /// with the time that is left as soon as that can be told.
+  /// Shows the progress, with the remaining time as soon as it can be estimated. Prints only when
+  /// the text changes. `total` = 0: the amount of work is not known yet.
   void Show(std::string_view what, int done, int total);
+  /// Removes the bar.
   void Clear();
   /// Returns false if nothing is ever shown.
   bool enabled() const { return enabled_; }
@@ -46,9 +46,9 @@ class ProgressBar {
 
   bool shown_ = false;
   bool enabled_;
-  std::string what_;    ///< of which the time is told
-  int first_done_ = 0;  ///< when it was first shown
-  Stopwatch since_;     ///< then
+  std::string what_;  ///< step that the remaining time is for
+  int first_done_ = 0;  ///< progress when the step was first shown
+  Stopwatch since_;  ///< time since the step was first shown
   std::string line_;
 };
 

@@ -61,7 +61,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kPermissionDenied:
       return ExitCode::kUsage;
     default:
-      // files.h: what cannot be written is lost.
+      // A failed write is DataLoss (files.h).
       return absl::IsDataLoss(status) ? ExitCode::kOutputFailed : ExitCode::kInternal;
   }
 }

@@ -4,23 +4,23 @@
 
 namespace slicefarm::cli {
 
-/// What scripts can tell from how the program ended. `slicefarm --help` and README.md list them.
+/// Exit codes for scripts. `slicefarm --help` and README.md list them.
 enum class ExitCode {
   kOk = 0,
-  kInternal = 1,           ///< a fault of ours
-  kFindings = 1,           ///< of `check`: something is wrong with the file
-  kUsage = 2,              ///< wrong command line, or an input file that cannot be read
-  kBadSettings = 3,        ///< a setting that is unknown, malformed or out of range
-  kBadMesh = 4,            ///< the model cannot be read, does not fit or has nothing to print
-  kServerUnavailable = 5,  ///< nobody answers, or not in time
-  kJobFailed = 6,          ///< the server gave the job up, or has spoilt bytes
-  kCancelled = 7,          ///< by Ctrl-C, or by somebody else
-  kNotFound = 8,           ///< no such job, or it has no result (yet)
-  kOutputFailed = 9,       ///< the result cannot be written
-  kRefusedNow = 10,        ///< the farm has no room at the moment: quota, queue or disk
+  kInternal = 1,  ///< a bug in slicefarm
+  kFindings = 1,  ///< for `check`: the file has errors
+  kUsage = 2,  ///< wrong command line, or an input file that cannot be read
+  kBadSettings = 3,  ///< an unknown or malformed setting, or a value out of range
+  kBadMesh = 4,  ///< a model that cannot be read, does not fit or has nothing to print
+  kServerUnavailable = 5,  ///< no answer from the server, or not in time
+  kJobFailed = 6,  ///< the server gave up the job, or its bytes are damaged
+  kCancelled = 7,  ///< cancelled by Ctrl-C or by another client
+  kNotFound = 8,  ///< no such job, or no result (yet)
+  kOutputFailed = 9,  ///< the result cannot be written
+  kRefusedNow = 10,  ///< the farm refuses jobs at the moment: quota, queue or disk
 };
 
-/// The exit code of an error, by its reason.
+/// Returns the exit code of an error, from its reason.
 ExitCode ExitCodeOf(const absl::Status& status);
 
 }  // namespace slicefarm::cli

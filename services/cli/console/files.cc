@@ -45,7 +45,7 @@ absl::Status TooLarge(const std::string& path, int64_t limit, int64_t got) {
   return LimitError(Reason::kRequestTooLarge, path + ": bytes", limit, got);
 }
 
-/// True if a new file can take the place of what `path` names.
+/// Returns true if a new file can replace the file at `path`.
 bool Replaceable(const std::string& path) {
   struct stat info = {};
   if (stat(path.c_str(), &info) != 0) return true;
@@ -59,7 +59,7 @@ absl::Status WouldReplaceInput(const std::string& path) {
                                path));
 }
 
-/// The file itself where `path` is a symbolic link, so that the link stays.
+/// Returns the target if `path` is a symbolic link, so that the link itself stays.
 std::string Target(const std::string& path) {
   char* real = realpath(path.c_str(), nullptr);
   if (real == nullptr) return path;
@@ -68,17 +68,17 @@ std::string Target(const std::string& path) {
   return target;
 }
 
-/// The files that OutputFiles write and have not committed.
+/// Temporary files of OutputFiles that are not committed.
 class PartialFiles {
  public:
-  /// The only one; never destroyed, since a thread that ends the process may ask for it at any
-  /// time.
+  /// Returns the only instance. It is never destroyed, since a thread that ends the process may use
+  /// it at any time.
   static PartialFiles& All() {
     static auto* all = new PartialFiles;
     return *all;
   }
 
-  /// Opens a new one. Returns its descriptor, or -1 and sets errno.
+  /// Opens a new file. Returns its descriptor, or -1 and sets errno.
   int Open(const std::string& path) {
     const std::lock_guard lock(mutex_);
     const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode);
@@ -86,7 +86,7 @@ class PartialFiles {
     return descriptor;
   }
 
-  /// Gives one the name that it is for. Returns 0, or -1 and sets errno.
+  /// Renames a file to its final name. Returns 0, or -1 and sets errno.
   int Rename(const std::string& path, const std::string& to) {
     const std::lock_guard lock(mutex_);
     const int renamed = std::rename(path.c_str(), to.c_str());
@@ -100,7 +100,7 @@ class PartialFiles {
     paths_.erase(path);
   }
 
-  /// Removes all, and keeps whoever opens or renames one waiting for good.
+  /// Removes all files. Later calls of Open and Rename block forever.
   void RemoveForGood() {
     mutex_.lock();
     for (const std::string& path : paths_) unlink(path.c_str());
@@ -111,7 +111,7 @@ class PartialFiles {
   std::set<std::string> paths_;
 };
 
-/// Takes the descriptor. `name`: for errors.
+/// Reads and closes the descriptor. `name`: name for errors.
 absl::StatusOr<std::string> ReadWhole(int descriptor, const std::string& name, int64_t max_bytes) {
   const Descriptor file(descriptor);
   if (file.number < 0) return ReadError(name, errno);

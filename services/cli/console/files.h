@@ -10,35 +10,36 @@
 
 namespace slicefarm::cli {
 
-constexpr int64_t kMaxConfigBytes = 512 << 20;  ///< a G-code file that quotes its settings is big
+/// Large enough for a G-code file that quotes its settings.
+constexpr int64_t kMaxConfigBytes = 512 << 20;
 
-/// All bytes of a regular file or a pipe; `-` is the standard input, which is read once and gives
-/// the same bytes each time. Errors: REQUEST_MALFORMED with the system's words;
-/// REQUEST_TOO_LARGE past `max_bytes`, before they are read if the file tells its size.
+/// Reads all bytes of a regular file or a pipe. `-` is the standard input, which is read once;
+/// later calls return the same bytes. Errors: REQUEST_MALFORMED with the system's message;
+/// REQUEST_TOO_LARGE above `max_bytes`. A file of known size is checked before it is read.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
 
-/// The same of a file of text; of binary G-code (.bgcode), what it is as text. Errors also:
-/// REQUEST_MALFORMED for binary G-code that cannot be read.
+/// Reads a text file. Binary G-code (.bgcode) is converted to text. Errors: as ReadFile;
+/// REQUEST_MALFORMED for unreadable binary G-code.
 absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes);
 
-/// The error with the file's name in front of its message.
+/// Returns the error with the file's name in front of its message.
 absl::Status InFile(const std::string& path, const absl::Status& status);
 
-/// A file that is there as a whole or not at all: its bytes go to a file beside it, which takes its
-/// name in the end. Mode and owner are those of a new file. `-` is the standard output, written as
-/// it comes. An output that is no regular file
-/// (/dev/null, a pipe) is written in place.
+/// File that is written completely or not at all. Its bytes go to a temporary file beside it, which
+/// is renamed in the end. Mode and owner are as for a new file. `-` is the standard output, which
+/// is written directly. An output that is no regular file (/dev/null, a pipe) is written in place.
 class OutputFile {
  public:
-  /// Errors: DataLoss with the system's words; REQUEST_MALFORMED for a file that this process has
-  /// read (input_files.h).
+  /// Creates the temporary file. Errors: DataLoss with the system's message; REQUEST_MALFORMED for
+  /// a file that this process has read (input_files.h).
   static absl::StatusOr<OutputFile> Create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
-  ~OutputFile();  ///< without Commit, nothing is left
+  ~OutputFile();  ///< removes the file unless it was committed
 
-  /// Errors: DataLoss with the system's words, such as "No space left on device".
+  /// Appends bytes. Errors: DataLoss with the system's message, such as "No space left on device".
   absl::Status Write(std::string_view bytes);
+  /// Renames the file to its final name. Errors: as Write.
   absl::Status Commit();
 
  private:
@@ -52,15 +53,15 @@ class OutputFile {
   int descriptor_;
 };
 
-/// Removes the files of OutputFiles that have not been committed, and lets none be committed any
-/// more: for a process that ends at once. Safe to call from any thread.
+/// Removes the uncommitted files of all OutputFiles and prevents later commits, for a process that
+/// ends at once. Safe to call from any thread.
 void RemovePartialFiles();
 
-/// Whether an OutputFile could be made there, with the errors of Create; leaves nothing behind.
-/// True of what is no regular file. Empty: there is none to be made.
+/// Checks that an OutputFile could be created at `path`, with the errors of Create, and leaves no
+/// file. Always succeeds for paths that are no regular file, and for an empty path.
 absl::Status CheckWritable(const std::string& path);
 
-/// Create, Write, Commit.
+/// Writes a whole file: Create, Write, Commit.
 absl::Status WriteFile(const std::string& path, std::string_view bytes);
 absl::Status WriteFile(const std::string& path, const SpooledText& text);
 

@@ -32,7 +32,7 @@ class Files : public testing::Test {
     return names;
   }
 
-  /// What is in a file that no test counts as read.
+  /// Returns the content of a file without registering it as an input.
   std::string Content(const std::string& name) const {
     std::ifstream file(Path(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -102,7 +102,7 @@ TEST_F(Files, NeverReplaceWhatWasRead) {
     EXPECT_EQ(CheckWritable(Path(name)), refused) << name;
     EXPECT_EQ(Content(name), "read");
   }
-  // One that is there instead is another file.
+  // A new file with the same name is another file.
   std::filesystem::remove(Path("a"));
   std::filesystem::remove(Path("link"));
   std::filesystem::remove(Path("hard"));
@@ -140,7 +140,7 @@ TEST_F(Files, SayWhyTheyCannotBeWritten) {
               HasSubstr("No space left on device"));
 }
 
-/// A process that ends at once, with a file half written.
+/// Models a process that ends at once, with a file half written.
 TEST_F(Files, PartialOnesGoWithTheProcess) {
   ASSERT_TRUE(WriteFile(Path("whole"), "1").ok());
   EXPECT_EXIT(

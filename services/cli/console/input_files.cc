@@ -12,7 +12,7 @@
 namespace slicefarm::cli {
 namespace {
 
-/// Device, inode, and birth, which is 0 where the file system does not tell it.
+/// Device, inode, and time of birth. The time is 0 if the file system does not have it.
 using FileId = std::tuple<uint32_t, uint32_t, uint64_t, int64_t, uint32_t>;
 
 struct Inputs {
@@ -25,7 +25,7 @@ Inputs& All() {
   return inputs;
 }
 
-/// nullopt: no regular file.
+/// Returns the id of a file; nullopt if it is no regular file.
 std::optional<FileId> IdOf(int descriptor, const char* path, int flags) {
   struct statx file = {};
   if (statx(descriptor, path, flags, STATX_TYPE | STATX_INO | STATX_BTIME, &file) != 0)

@@ -4,17 +4,17 @@
 
 namespace slicefarm::cli {
 
-/// The files that this process has read, so that no output takes the place of one, whatever name or
-/// link it goes by. Told apart by device, inode and time of birth: the inode of a file that was
-/// deleted goes to another one. Thread-safe.
+/// Files that this process has read. No output may replace one of them, under any name or link.
+/// Files are identified by device, inode and time of birth, because the inode of a deleted file is
+/// reused. Thread-safe.
 
-/// Notes an open file. Only regular files count: a pipe is not replaced by what is written to it.
+/// Registers an open file. Only regular files count, because writing to a pipe does not replace it.
 void NoteInput(int descriptor);
 
-/// Notes a file that somebody else reads. A file that is not there is none.
+/// Registers a file that other code reads. A missing file is ignored.
 void NoteInput(const std::string& path);
 
-/// Returns true if `path`, through links, leads to a file that was noted.
+/// Returns true if `path`, after following links, is a registered file.
 bool IsInput(const std::string& path);
 
 }  // namespace slicefarm::cli

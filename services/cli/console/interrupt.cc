@@ -13,7 +13,7 @@
 namespace slicefarm::cli {
 namespace {
 
-/// The time for ending in order.
+/// Time that the program has to end by itself.
 constexpr timespec kGrace = {.tv_sec = 0, .tv_nsec = 300'000'000};
 
 sigset_t Signals() {
@@ -24,7 +24,7 @@ sigset_t Signals() {
   return signals;
 }
 
-/// Ends the process without asking the other threads, which may hold any lock but that of the
+/// Ends the process without waiting for other threads, which may have any lock except the one for
 /// files.
 [[noreturn]] void EndNow() {
   RemovePartialFiles();
@@ -51,7 +51,7 @@ CancelToken Interrupt::Token() const {
   return CancelToken([this] { return Requested(); });
 }
 
-/// Returns at the next signal, or when the time for ending is over.
+/// Returns at the next signal, or when the time is over.
 void Interrupt::AwaitEnd() const {
   const sigset_t signals = Signals();
   while (sigtimedwait(&signals, nullptr, &kGrace) < 0)

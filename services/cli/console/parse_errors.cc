@@ -13,13 +13,13 @@
 namespace slicefarm::cli {
 namespace {
 
-/// The command that was given, or the program.
+/// Returns the given command, or the program if there is none.
 const CLI::App& Given(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   return given.empty() ? app : Given(*given.front());
 }
 
-/// "slicefarm profile put".
+/// Returns the call of a command, such as "slicefarm profile put".
 std::string CallOf(const CLI::App& command) {
   const CLI::App* const parent = command.get_parent();
   return parent == nullptr ? command.get_name() : CallOf(*parent) + " " + command.get_name();
@@ -47,7 +47,8 @@ bool Has(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// The setting that somebody writes as an option, `--layer-height` say; empty: none.
+/// Returns the setting that was written as an option, for example `--layer-height`; empty if there
+/// is none.
 std::string SettingOf(std::string_view option) {
   std::string key(option.substr(std::min(option.find_first_not_of('-'), option.size())));
   std::ranges::replace(key, '-', '_');
@@ -56,7 +57,7 @@ std::string SettingOf(std::string_view option) {
   return config::NearestSetting(key, kDefaultProcess);
 }
 
-/// Another command that has the option; empty: none.
+/// Returns another command that has the option; empty if there is none.
 std::string OwnerOf(const CLI::App& app, const std::string& option) {
   for (const CLI::App* command : app.get_subcommands({})) {
     if (Has(LongOptions(*command), option)) return CallOf(*command);

@@ -5,8 +5,8 @@
 
 namespace slicefarm::cli {
 
-/// Returns what is wrong with the command line, in words that name the argument and what to write
-/// in its place. `app`: as it was when parsing failed with `error`.
+/// Returns the error in the command line, naming the argument and the correct form. `app`: state of
+/// the parser when it failed with `error`.
 std::string ParseErrorText(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace slicefarm::cli

@@ -21,18 +21,19 @@ namespace slicefarm::cli {
 
 using Arguments = std::vector<std::string>;
 
+/// Exit code and output of one run.
 struct Outcome {
   ExitCode code = ExitCode::kOk;
   std::string out;
   std::string err;
 };
 
-/// A cube of 10 mm with one corner in the origin, as OBJ.
+/// Cube of 10 mm with one corner in the origin, as OBJ.
 inline constexpr char kCube[] =
     "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// For tests: runs the program as a process in a folder with a cube.
+/// Test fixture that runs the program as a process in a folder with a cube.
 class Program : public testing::Test {
  protected:
   Program() { Put("cube.obj", kCube); }
@@ -75,7 +76,7 @@ class Program : public testing::Test {
 
   Outcome Run(const Arguments& arguments) { return Await(Start(arguments)); }
 
-  /// `slice cube.obj --generic -o out.gcode` and more.
+  /// Runs `slice cube.obj --generic -o out.gcode` with more arguments.
   Outcome Slice(Arguments more = {}) {
     Arguments arguments = {"slice", Path("cube.obj"), "--generic", "-o", Path("out.gcode")};
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -27,8 +27,8 @@
 
 namespace slicefarm::cli {
 
-/// One WatchJob call: tells the events and ends; without an end it stands until it is cancelled.
-/// Deletes itself.
+/// One WatchJob call: sends the events and ends. Without an end the stream stays open until it is
+/// cancelled. Deletes itself.
 class FakeWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
  public:
   FakeWatch(grpc::CallbackServerContext& context, std::vector<v1::JobEvent> events,
@@ -58,11 +58,11 @@ class FakeWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
   }
 
   const std::vector<v1::JobEvent> events_;
-  const std::optional<grpc::Status> end_;  ///< none only if there are no events
+  const std::optional<grpc::Status> end_;  ///< only empty if there are no events
   size_t told_ = 0;
 };
 
-/// For tests: a coordinator as the client sees it, which breaks calls when told to.
+/// Coordinator for tests, as the client sees it. It breaks calls on request.
 class FakeCoordinator : public v1::Meshes::Service,
                         public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
@@ -78,17 +78,17 @@ class FakeCoordinator : public v1::Meshes::Service,
 
   std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
 
-  // What the tests set before, and look at afterwards.
-  std::atomic<int> break_upload_after = -1;  ///< chunks; then never again
-  grpc::Status upload_refused;  ///< unless OK, the end of each upload; nothing of it is kept
-  std::atomic<int> break_watch_after = -1;  ///< events; then never again
+  // Values that tests set before a call or read after it.
+  std::atomic<int> break_upload_after = -1;  ///< number of chunks; applies once
+  grpc::Status upload_refused;  ///< unless OK, the error of each upload, and no bytes are kept
+  std::atomic<int> break_watch_after = -1;  ///< number of events; applies once
   std::atomic<int> break_download_after = -1;
-  std::deque<grpc::StatusCode> quiet_watch_ends;  ///< of watches that end before any event
-  bool hold_watches = false;                      ///< they tell nothing until they are cancelled
-  std::deque<grpc::Status> refused_gets;          ///< what GetJob answers first
-  bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
-  std::string mesh;                ///< the one that is sent, or was last
-  std::map<std::string, std::string> meshes;  ///< whole ones, by digest
+  std::deque<grpc::StatusCode> quiet_watch_ends;  ///< errors of watches that end before any event
+  bool hold_watches = false;  ///< watches send no events until they are cancelled
+  std::deque<grpc::Status> refused_gets;  ///< first answers of GetJob
+  bool forget_completion = false;  ///< reports a complete mesh as incomplete
+  std::string mesh;  ///< mesh of the current or last upload
+  std::map<std::string, std::string> meshes;  ///< complete meshes, by digest
   std::vector<int64_t> upload_offsets;
   std::vector<int64_t> watch_sequences;
   std::vector<int64_t> download_offsets;
@@ -97,12 +97,12 @@ class FakeCoordinator : public v1::Meshes::Service,
   v1::JobState end_state = v1::JOB_STATE_SUCCEEDED;
   v1::JobError end_error;
   v1::CreateJobRequest created;
-  TraceContext trace;  ///< that CreateJob came with
+  TraceContext trace;  ///< trace context of CreateJob
   std::string cancelled;
   v1::JobState state_after_cancel = v1::JOB_STATE_CANCELLED;
   std::atomic<int> watches = 0;
   int listed_jobs = 0;
-  std::string waits_for;  ///< of jobs that are made or listed
+  std::string waits_for;  ///< `waits_for` of created or listed jobs
 
   grpc::Status GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
                          v1::Upload* response) override {
@@ -227,7 +227,8 @@ class FakeCoordinator : public v1::Meshes::Service,
   }
 
  private:
-  /// What there is of a mesh: all of it, or what was sent last if that is not all of another.
+  /// Returns the stored bytes of a mesh: the complete mesh, or the last upload unless it is another
+  /// complete mesh.
   const std::string& Held(const std::string& digest) const {
     static const std::string kNothing;
     const auto whole = meshes.find(digest);

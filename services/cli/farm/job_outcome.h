@@ -5,11 +5,10 @@
 
 namespace slicefarm::cli {
 
-/// Returns true for states after which nothing changes any more.
+/// Returns true for final states.
 bool HasEnded(const v1::Job& job);
 
-/// Returns OK for a job that succeeded; else the reason for which it has no result, as the server
-/// gives it.
+/// Returns OK for a job that succeeded, otherwise the server's reason for the missing result.
 absl::Status OutcomeOf(const v1::Job& job);
 
 }  // namespace slicefarm::cli

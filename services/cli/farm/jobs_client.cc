@@ -24,20 +24,21 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kUnaryDeadline{20'000};
 constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goes on after it
-/// A watch that stood goes on after it, however quiet the job is.
+/// Deadline of one watch. A watch that was open continues after it, even without any event.
 constexpr milliseconds kWatchDeadline{3'600'000};
 constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
 
-/// True if the same call may go well in a while: nobody answers, or the server says so.
+/// Returns true if the same call may succeed later: the server does not answer, or asks for a
+/// retry.
 bool OutOfReach(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) ||
          DetailOf(status).reason == Reason::kOverloaded ||
          DetailOf(status).metadata.contains(rpc::kRetryAfterMs);
 }
 
-/// A UUID, version 4.
+/// Returns a UUID, version 4.
 std::string NewRequestId() {
   std::random_device random;
   const auto bits = [&](uint32_t mask) { return random() & mask; };
@@ -45,8 +46,8 @@ std::string NewRequestId() {
                      0x4000 | bits(0x0fff), 0x8000 | bits(0x3fff), bits(0xffffffff), bits(0xffff));
 }
 
-/// Hands each message of a stream to `take`, until the stream ends or `take` returns an error. Sets
-/// `opened` once the server says that the stream stands.
+/// Passes each message of a stream to `take`, until the stream ends or `take` returns an error.
+/// Sets `opened` when the server confirms the stream.
 template <typename Response, typename Start>
 absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& start, bool* opened,
                         const std::function<absl::Status(const Response&)>& take) {
@@ -58,8 +59,8 @@ absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& star
   Response response;
   bool alive = call.Await();
   if (alive) {
-    // A quiet stream shows in nothing else that it got through. A server that refuses a call sends
-    // trailers only, and no metadata here.
+    // A stream without messages proves only by its metadata that it reached the server. A server
+    // that refuses a call sends trailers only, and no metadata here.
     reader->ReadInitialMetadata(nullptr);
     alive = call.Await();
     if (!call.context()->GetServerInitialMetadata().empty()) *opened = true;
@@ -79,7 +80,7 @@ absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& star
   return taken.ok() ? call.Outcome(status) : taken;
 }
 
-/// Empty: the result says nothing of it.
+/// Returns the digest of an artifact; empty if the result does not have it.
 std::string DigestOf(const v1::JobResult& result, v1::Artifact artifact) {
   if (artifact == v1::ARTIFACT_GCODE) return result.gcode_sha256();
   return artifact == v1::ARTIFACT_REPORT ? result.report_sha256() : "";
@@ -103,10 +104,11 @@ JobsClient::JobsClient(JobsClientOptions options)
       jobs_(v1::Jobs::NewStub(channel_)),
       profiles_(v1::Profiles::NewStub(channel_)) {}
 
-/// Makes the attempt until it ends otherwise than with the server out of reach. Patience counts
-/// from the first attempt that got no answer at all: a stream that was quiet for long until it
-/// broke says nothing about how long the server is gone. An attempt that gets on a way sets
-/// answered_.
+/// Repeats the attempt until it succeeds or fails with an error other than an unreachable server.
+///
+/// The patience counts from the first attempt without any answer. A stream that was open for a long
+/// time before it broke does not count, because the server may have been reachable until then. An
+/// attempt that made progress sets answered_.
 absl::Status JobsClient::Persist(const Attempt& attempt) {
   if (!connection_.ok()) return connection_.status();
   const double patience_s = std::chrono::duration<double>(options_.patience).count();
@@ -168,7 +170,8 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
     sent(upload.committed_size());
     if (upload.complete()) return absl::OkStatus();
     absl::Status outcome = SendFrom(upload.committed_size(), sha256, bytes, sent);
-    // Who has no room says how far it is, and lets bytes come, each time anew.
+    // A server without disk space answers each time and first accepts some bytes. So only progress
+    // counts as an answer.
     if (DetailOf(outcome).reason == Reason::kDiskLow) answered_ = upload.committed_size() > had;
     had = upload.committed_size();
     return outcome;
@@ -209,8 +212,8 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
   writer->Finish(&status, nullptr);
   call.Await();
   if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
-    // Another client may have sent the same mesh meanwhile: then the server is further than we
-    // thought.
+    // Another client may have sent the same mesh meanwhile. The server then has more bytes than
+    // expected.
     if (DetailOf(outcome).reason != Reason::kUploadOffset) return outcome;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      std::string(outcome.message()));
@@ -231,7 +234,7 @@ absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::CreateJobRequest request) {
 
 absl::StatusOr<v1::CreatePlatesResponse> JobsClient::CreatePlates(v1::CreatePlatesRequest request) {
   request.set_request_id(NewRequestId());
-  // The meshes are read before it answers.
+  // The server reads the meshes before it answers.
   return Call<v1::CreatePlatesResponse>(
       request, [&](auto... a) { return jobs_->AsyncCreatePlates(a...); }, kTransferDeadline);
 }
@@ -283,7 +286,7 @@ absl::Status JobsClient::DeleteJob(const std::string& id) {
                                  ++attempts;
                                  return jobs_->AsyncDeleteJob(a...);
                                }).status();
-  // One whose answer was lost on the way has deleted it all the same.
+  // An attempt without an answer may have deleted the job, so NotFound after it is a success.
   return absl::IsNotFound(deleted) && attempts > 1 ? absl::OkStatus() : deleted;
 }
 
@@ -340,7 +343,8 @@ absl::StatusOr<v1::ListMeshesResponse> JobsClient::ListMeshes(
                                       [&](auto... a) { return meshes_->AsyncListMeshes(a...); });
 }
 
-/// One whose answer was lost on the way has deleted it all the same.
+/// Deletes a mesh. An attempt without an answer may have deleted it, so a repeated attempt may not
+/// find it.
 absl::StatusOr<bool> JobsClient::DeleteMesh(const std::string& sha256) {
   v1::DeleteMeshRequest request;
   request.set_sha256(sha256);
@@ -404,7 +408,7 @@ absl::Status JobsClient::DeleteProfile(const v1::DeleteProfileRequest& request) 
                                  ++attempts;
                                  return profiles_->AsyncDeleteProfile(a...);
                                }).status();
-  // One whose answer was lost on the way has deleted it all the same.
+  // An attempt without an answer may have deleted the profile, so NotFound after it is a success.
   return absl::IsNotFound(deleted) && attempts > 1 ? absl::OkStatus() : deleted;
 }
 

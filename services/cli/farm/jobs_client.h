@@ -18,75 +18,92 @@
 
 namespace slicefarm::cli {
 
+/// Connection of a JobsClient.
 struct JobsClientOptions {
   std::string server = "127.0.0.1:50050";
   rpc::ClientSecurity security = {};
-  /// How long the server may be out of reach at a stretch before that is an error.
+  /// Time that the server may be unreachable without interruption before a call fails.
   std::chrono::milliseconds patience{30'000};
-  CancelToken cancel = {};  ///< ends calls as Cancelled
-  TraceContext trace = {};  ///< that the calls, and a job they make, belong to; empty: none
+  CancelToken cancel = {};  ///< ends calls with the error Cancelled
+  TraceContext trace = {};  ///< trace of the calls and of a job that they make; empty: none
 };
 
-/// Meshes, Jobs and Profiles of a coordinator. Every call has a deadline and is made again while
-/// the server is out of reach; uploads, downloads and watches go on where they broke off. Errors:
-/// the server's, with their reason; UNAVAILABLE naming the server after `patience`; Cancelled after
-/// an interrupt; those of rpc::Secured, by every call.
+/// Client for Meshes, Jobs and Profiles of a coordinator. Every call has a deadline and is repeated
+/// while the server is unreachable. Uploads, downloads and watches continue where they were
+/// interrupted.
+/// Errors of all calls: the server's errors, with their reason; UNAVAILABLE naming the server after
+/// `patience`; Cancelled after an interrupt; as rpc::Secured.
 class JobsClient {
  public:
   explicit JobsClient(JobsClientOptions options);
 
-  /// Sends what the server lacks of the bytes; nothing if it has them. `sent` is told how many
-  /// bytes are there. Returns the SHA-256 by which the mesh goes.
+  /// Sends the bytes that the server lacks; none if it has them all. Calls `sent` with the number
+  /// of bytes on the server. Returns the SHA-256 that identifies the mesh.
   absl::StatusOr<std::string> UploadMesh(std::string_view bytes,
                                          const std::function<void(int64_t)>& sent);
 
-  /// With a request id, so that a repeated call makes no second job.
+  /// Creates a job. The request has an id, so a repeated call makes no second job.
   absl::StatusOr<v1::Job> CreateJob(v1::CreateJobRequest request);
-  /// The same for as many jobs as there are plates.
+  /// Creates the jobs of several plates. A repeated call makes no more jobs.
   absl::StatusOr<v1::CreatePlatesResponse> CreatePlates(v1::CreatePlatesRequest request);
-  /// The id that begins so, of the newest 10,000 jobs. What is no beginning (4 to 31 hex digits)
-  /// comes back as it is. Errors: JOB_NOT_FOUND; REQUEST_MALFORMED if several begin so.
+  /// Returns the job id that begins with `beginning`, among the newest 10,000 jobs. Text other than
+  /// 4 to 31 hex digits is returned unchanged. Errors: JOB_NOT_FOUND; REQUEST_MALFORMED if several
+  /// ids match.
   absl::StatusOr<std::string> FullId(const std::string& beginning);
 
+  /// Returns a job.
   absl::StatusOr<v1::Job> GetJob(const std::string& id, v1::JobView view = v1::JOB_VIEW_FULL);
+  /// Requests the cancellation of a job and returns its state.
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
+  /// Deletes a job that ended, with its results.
   absl::Status DeleteJob(const std::string& id);
-  /// Of at most 1000 jobs, each by itself.
+  /// Cancels at most 1000 jobs, independently of each other.
   absl::StatusOr<v1::BatchCancelJobsResponse> CancelJobs(const v1::BatchCancelJobsRequest& request);
+  /// Changes properties of a job and returns it.
   absl::StatusOr<v1::Job> UpdateJob(const v1::UpdateJobRequest& request);
+  /// Returns the webhook of a job.
   absl::StatusOr<v1::Webhook> GetWebhook(const std::string& job_id);
+  /// Returns the stored results of a job.
   absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const std::string& job_id);
+  /// Returns the server's data about the caller.
   absl::StatusOr<v1::GetCallerResponse> GetCaller();
+  /// Returns the usage of the farm.
   absl::StatusOr<v1::Usage> GetUsage(const v1::GetUsageRequest& request);
-  /// Writes all that is kept of a tenant to `file`, a tar archive; what breaks off begins anew.
+  /// Writes all data of a tenant to `file`, as a tar archive. An interrupted export begins again.
   absl::Status ExportTenant(const std::string& tenant, OutputFile& file);
+  /// Erases all data of a tenant.
   absl::StatusOr<v1::EraseTenantResponse> EraseTenant(const std::string& tenant);
+  /// Returns one page of jobs.
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
 
+  /// Returns one page of meshes.
   absl::StatusOr<v1::ListMeshesResponse> ListMeshes(const v1::ListMeshesRequest& request);
+  /// Deletes a mesh. Returns the server's answer.
   absl::StatusOr<bool> DeleteMesh(const std::string& sha256);
-  /// Writes it to `file`, as a whole or with an error. Errors: also BLOB_DIGEST_MISMATCH.
+  /// Writes a mesh to `file`, completely or with an error. Errors: also BLOB_DIGEST_MISMATCH.
   absl::Status DownloadMesh(const std::string& sha256, OutputFile& file);
 
+  /// Stores a profile, gets one, lists them, or deletes one.
   absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);
   absl::StatusOr<v1::Profile> GetProfile(const v1::GetProfileRequest& request);
   absl::StatusOr<v1::ListProfilesResponse> ListProfiles(const v1::ListProfilesRequest& request);
   absl::Status DeleteProfile(const v1::DeleteProfileRequest& request);
 
-  /// Tells each event of the job, those of the past too, and returns the job as it ended.
+  /// Calls `changed` for each event of the job, past ones included. Returns the job in its final
+  /// state.
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
                                    const std::function<void(const v1::Job&)>& changed);
 
-  /// Tells what happens to all jobs, until `told` returns an error, which is returned. Goes on
-  /// where it broke off: some events come twice.
+  /// Calls `told` for events of all jobs, until `told` returns an error, which is returned.
+  /// Continues after an interruption, so some events come twice.
   absl::Status WatchJobs(v1::WatchJobsRequest request,
                          const std::function<absl::Status(const v1::WatchJobsResponse&)>& told);
 
-  /// Writes a result to `file`, as a whole or with an error. Errors: also BLOB_DIGEST_MISMATCH if
-  /// it is not what `job.result()` says; a trace, of which that says nothing, is taken as it comes.
+  /// Writes a result to `file`, completely or with an error. Errors: also BLOB_DIGEST_MISMATCH if
+  /// it differs from `job.result()`. A trace is not in `job.result()`, so it is not checked.
   absl::Status Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file);
 
-  /// The same, in memory: for what is small.
+  /// Returns a small result as text. Errors: as Download.
   absl::StatusOr<std::string> DownloadText(const v1::Job& job, v1::Artifact artifact);
 
  private:
@@ -107,7 +124,7 @@ class JobsClient {
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Profiles::Stub> profiles_;
   Stopwatch clock_;
-  bool answered_ = false;  ///< the server was in reach during the current attempt
+  bool answered_ = false;  ///< true if the server was reachable during the current attempt
 };
 
 }  // namespace slicefarm::cli

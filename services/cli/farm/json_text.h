@@ -8,14 +8,14 @@
 
 namespace slicefarm::cli {
 
-/// A message as JSON under the names of its proto: on one line, without an end of line.
+/// Returns a message as JSON with the names of its proto, on one line without a line end.
 std::string JsonLine(const google::protobuf::Message& message);
 
-/// The same over several lines.
+/// Returns a message as JSON on several lines.
 std::string IndentedJson(const google::protobuf::Message& message);
 
-/// A job as JsonLine has it, without the settings of its spec and with `output`, the file with its
-/// result; empty: there is none.
+/// Returns a job as JsonLine does, without the settings of its spec and with `output`, the file of
+/// its result; empty: no file.
 std::string JsonOfJob(v1::Job job, const std::string& output);
 
 }  // namespace slicefarm::cli

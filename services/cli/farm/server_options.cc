@@ -65,7 +65,8 @@ absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
 
 namespace {
 
-/// A folder gets the file under the name that the job's settings give it.
+/// Returns the path of the output. In a folder the file has the name that the job's settings give
+/// it.
 absl::StatusOr<std::string> PathOf(JobsClient& client, const v1::Job& job,
                                    const std::string& output) {
   std::error_code error;
@@ -76,7 +77,7 @@ absl::StatusOr<std::string> PathOf(JobsClient& client, const v1::Job& job,
   const bool named =
       report.is_object() && report.contains("file_name") && report["file_name"].is_string();
   const std::string name = named ? report["file_name"].get<std::string>() : "";
-  // Of an older farm, or of another machine: what the name may be is not known.
+  // The report of an older farm or of another machine has no safe name.
   if (name.empty() || name.find_first_of("/\\") != std::string::npos)
     return Malformed(fmt::format("{} is a folder, and the job does not name its file", output));
   return (std::filesystem::path(output) / name).string();

@@ -15,35 +15,37 @@ class App;
 
 namespace slicefarm::cli {
 
-/// Which coordinator to speak with.
+/// Coordinator to connect to.
 struct ServerOptions {
   std::string server = "127.0.0.1:50050";
   rpc::ClientSecurity security;
   double patience_s = 30;
 };
 
+/// Adds the options to a command.
 void AddServerOptions(CLI::App& app, ServerOptions& options);
 
-/// `interrupt` ends the calls, and then waits for the end of the program; null: Ctrl-C does not end the calls.
+/// Returns the client's options. `interrupt` ends the calls, and then waits for the end of the
+/// program; null: Ctrl-C does not end the calls.
 JobsClientOptions ClientOptions(const ServerOptions& options, Interrupt* interrupt);
 
-/// Of `--label key=value`, which may be repeated. Errors: REQUEST_MALFORMED.
+/// Reads the texts of `--label key=value`, which may be repeated. Errors: REQUEST_MALFORMED.
 absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
     const std::vector<std::string>& texts);
 
-/// Where the results of a job go; empty: not wanted.
+/// Files for the results of a job; empty: not wanted.
 struct ResultFiles {
   std::string gcode;
   std::string report;
   std::string trace = {};
 };
 
-/// Fetches what is wanted of a job. Files appear when all are complete, and what the job's result
-/// says they are. Returns where the G-code went.
+/// Fetches the wanted results of a job. Files appear when all results are complete and equal to the
+/// job's result. Returns the file with the G-code.
 absl::StatusOr<std::string> FetchResults(JobsClient& client, const v1::Job& job,
                                          const ResultFiles& files);
 
-/// What jobs wait for, a line for all that wait for the same: "2 jobs wait for a worker: ...".
+/// Returns one line for each thing that jobs wait for: "2 jobs wait for a worker: ...".
 template <typename Jobs>
 std::vector<std::string> WaitsOf(const Jobs& jobs) {
   std::map<std::string, int> counts;
@@ -56,18 +58,18 @@ std::vector<std::string> WaitsOf(const Jobs& jobs) {
   return lines;
 }
 
-/// Shows how far a job is.
+/// Shows the progress of a job.
 void ShowProgress(ProgressBar& bar, const v1::Job& job);
 
-/// "queued", "running", ...
+/// Returns "queued", "running", ...
 std::string StateName(v1::JobState state);
 
-/// The exit code of a job that ended: as its error says for bad settings and bad meshes, kJobFailed
-/// for other failures.
+/// Returns the exit code of a job that ended. Bad settings and bad meshes have their own codes, and
+/// other failures have kJobFailed.
 ExitCode JobExitCode(const absl::Status& outcome);
 
-/// Prints why a job ended without result, and gives JobExitCode. `model`: whose fault a bad mesh
-/// is, if that is known.
+/// Prints the reason why a job ended without result, and returns JobExitCode. `model`: the model
+/// with the bad mesh, if it is known.
 ExitCode FailJob(const v1::Job& job, const std::string& model = "");
 
 }  // namespace slicefarm::cli

@@ -11,15 +11,15 @@
 
 namespace slicefarm::cli {
 
-/// A ProgressBar of one job: its place in the queue, asked for every two seconds while it waits,
-/// and then its layers.
+/// ProgressBar of one job. While the job waits, it shows the place in the queue, requested every
+/// two seconds. Then it shows the layers.
 class WatchBar {
  public:
-  /// `client`: how to reach the farm, for a client of its own.
+  /// `client`: connection for a client of its own.
   WatchBar(bool wanted, JobsClientOptions client, std::string job_id);
   ~WatchBar() { Clear(); }
 
-  /// Shows what an event of the job tells.
+  /// Shows the state in an event of the job.
   void Show(const v1::Job& event);
   /// Ends the bar.
   void Clear();

@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little, "raw files are read as
 
 constexpr int64_t kMaxJsonBytes = 64 << 20;
 constexpr int64_t kMaxRawBytes = 64 << 20;
-constexpr double kSteps = 1e4;  ///< densities and shares keep four digits
+constexpr double kSteps = 1e4;  ///< densities and shares have four digits
 
 absl::Status NotField(const std::string& why) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed, why);
@@ -92,7 +92,7 @@ absl::StatusOr<Picture> ReadPng(const std::string& bytes) {
   return picture;
 }
 
-/// Takes in the files that fields name.
+/// Replaces the names of files in fields by their content.
 class Inliner {
  public:
   Inliner(std::filesystem::path folder, FieldKind kind) : folder_(std::move(folder)), kind_(kind) {}

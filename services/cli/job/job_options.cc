@@ -25,7 +25,7 @@
 namespace slicefarm::cli {
 namespace {
 
-/// Settings travel and are reported as UTF-8.
+/// Checks that a setting is UTF-8, because settings are sent and reported as UTF-8.
 absl::Status CheckText(const config::Setting& setting) {
   if (rpc::IsUtf8(setting.key) && rpc::IsUtf8(setting.value)) return absl::OkStatus();
   const std::string key = rpc::ToUtf8(setting.key, limits::kMaxNameBytes);
@@ -183,7 +183,7 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
 
 namespace {
 
-/// The format that the name of the file stands for, unless one is set.
+/// Adds the format that belongs to the file's name, unless a format is set.
 void AddFileFormat(const std::string& output, Process process,
                    std::vector<config::Setting>& settings) {
   for (const config::FileFormat& format : config::SettingsOf(process).FileFormats()) {

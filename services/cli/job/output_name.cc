@@ -16,7 +16,7 @@ namespace slicefarm::cli {
 namespace {
 
 struct OtherFile {
-  std::string_view endings;  ///< by spaces
+  std::string_view endings;  ///< separated by spaces
   std::string_view what;
 };
 
@@ -47,7 +47,8 @@ bool HasEnding(Process process, std::string_view name) {
                              [&](const auto& format) { return name.ends_with(format.suffix); });
 }
 
-/// The process that alone has files of such a name or, for `format`, any that has them.
+/// Returns the only process with files of such a name; with `any`, the first process with such
+/// files.
 const ProcessInfo* OwnerOf(std::string_view name, bool any) {
   for (const ProcessInfo& info : kProcesses)
     for (const config::FileFormat& format : config::SettingsOf(info.process).FileFormats())
@@ -55,7 +56,7 @@ const ProcessInfo* OwnerOf(std::string_view name, bool any) {
   return nullptr;
 }
 
-/// The value of a setting among `key = value` lines; empty: it is not there.
+/// Returns the value of a setting among `key = value` lines; empty if it is missing.
 std::string_view ValueOf(std::string_view settings_text, std::string_view key) {
   constexpr std::string_view kEquals = " = ";
   for (const std::string_view line : Split(settings_text, "\n"))

@@ -9,7 +9,7 @@
 namespace slicefarm::cli {
 namespace {
 
-/// ", first of all a = 1, b = 2 and 3 more, which change the print".
+/// Returns a text such as ", first of all a = 1, b = 2 and 3 more, which change the print".
 std::string ChangesText(const std::vector<std::string>& changing) {
   constexpr size_t kNamed = 3;
   if (changing.empty()) return "";
@@ -27,7 +27,7 @@ std::string SummaryText(const Summary& summary) {
   text += fmt::format("{} {}, {} {}", summary.layers,
                       summary.layers == 1 ? summary.words.one : summary.words.many,
                       DurationText(summary.print_time_s), summary.words.to_make);
-  // Not every process needs any.
+  // Not every process needs filament.
   if (summary.filament_mm > 0)
     text += fmt::format(", {:.2f} m of filament", summary.filament_mm / 1000);
   if (summary.filament_g > 0) text += fmt::format(" ({:.1f} g)", summary.filament_g);

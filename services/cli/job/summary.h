@@ -8,28 +8,28 @@
 
 namespace slicefarm::cli {
 
-/// What a user wants to know of a result at a glance.
+/// Short summary of a result for the user.
 struct Summary {
-  std::string output = {};  ///< where the result is; empty: nowhere yet
+  std::string output = {};  ///< file of the result; empty: none yet
   config::ResultWords words = {};
   int layers = 0;
   double print_time_s = 0;
   double filament_mm = 0;
   double filament_g = 0;  ///< 0: the density is not known
-  std::string cost = {};  ///< "12.50 EUR"; empty: nothing is charged
+  std::string cost = {};  ///< for example "12.50 EUR"; empty: no cost
   bool cached = false;
-  std::string job = {};  ///< its id; empty: it was made here
+  std::string job = {};  ///< id of the job; empty: made by this process
   int64_t settings_without_effect = 0;
   std::vector<std::string> changing =
-      {};                    ///< those of them that change the print: `key = value: why`
-  int64_t beside_print = 0;  ///< of these, those that do not matter to it
-  std::string report = {};  ///< where the report is; empty: nowhere
+      {};  ///< settings without effect that change the print, in the form `key = value: why`
+  int64_t beside_print = 0;  ///< number of settings without effect that do not change the print
+  std::string report = {};  ///< file of the report; empty: none
 };
 
-/// A few lines of text.
+/// Returns the summary as a few lines of text.
 std::string SummaryText(const Summary& summary);
 
-/// "12.50 EUR"; empty if there is nothing to pay.
+/// Returns a text such as "12.50 EUR"; empty for a zero amount.
 std::string MoneyText(double amount, const std::string& currency);
 
 }  // namespace slicefarm::cli

@@ -9,8 +9,7 @@
 
 namespace slicefarm::cli {
 
-/// The whole pipeline in this process: the stages' algorithms, called directly by `threads`
-/// threads.
+/// Whole pipeline in this process: the stages' algorithms, called directly by `threads` threads.
 class LocalPipeline {
  public:
   explicit LocalPipeline(int threads);
@@ -18,8 +17,8 @@ class LocalPipeline {
   const coordinator::JobPipeline& pipeline() const { return pipeline_; }
 
  private:
-  // In this order: the pipeline refers to the stages and the dispatcher, whose threads run the
-  // chains.
+  // The order of these members matters. The pipeline refers to the stages and to the dispatcher,
+  // which has threads that run the chains.
   const LocalStages stages_;
   coordinator::Dispatcher dispatcher_;
   const coordinator::JobPipeline pipeline_;

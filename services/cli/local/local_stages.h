@@ -20,6 +20,7 @@ class LocalStages {
  public:
   LocalStages();
 
+  /// Returns all stages.
   Stages all() const;
 
  private:

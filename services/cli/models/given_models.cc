@@ -22,10 +22,10 @@
 namespace slicefarm::cli {
 namespace {
 
-/// An object, and by which names the command line may call it.
+/// Object with its names for the command line.
 struct NamedObject {
   SceneObject object;
-  std::vector<std::string> names;  ///< of its file, and its own
+  std::vector<std::string> names;  ///< the names of its file, and its own name
 
   bool IsCalled(const std::string& name) const {
     return std::ranges::find(names, name) != names.end();
@@ -36,8 +36,8 @@ struct NamedObject {
   }
 };
 
-/// Other programs go by the name, and say why they cannot read it; by its content alone, whatever
-/// is no other format counts as a broken binary STL.
+/// Checks a name that ends in .3mf. Other programs choose the format by the name and would report
+/// that the file is no 3MF. Detection by content alone would report a broken binary STL.
 absl::Status CheckName(const std::string& path, const MeshFile& model, MeshFormat format) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -51,7 +51,7 @@ absl::Status CheckName(const std::string& path, const MeshFile& model, MeshForma
 /// Reads the models for one plate.
 class PlateReader {
  public:
-  /// `plate`: of a project.
+  /// `plate`: plate of a project.
   PlateReader(const JobOptions& options, int plate) : options_(options), chosen_(plate) {}
 
   absl::StatusOr<GivenModels> Run() && {
@@ -109,7 +109,7 @@ class PlateReader {
     return absl::OkStatus();
   }
 
-  /// Gives an object of a project the place of the command line, if there is one.
+  /// Applies the position of the command line, if there is one, to an object of a project.
   absl::Status PlaceAgain(const std::string& path, size_t objects, SceneObject& object) const {
     if (placement_.unit_mm != 1)
       return Malformed("--units: the unit of " + path + " is said in the file");
@@ -196,11 +196,11 @@ class PlateReader {
   GivenModels given_;
   GivenPlate plate_;
   std::vector<NamedObject> objects_;
-  std::map<std::string, int32_t> files_;  ///< by path
+  std::map<std::string, int32_t> files_;  ///< index of the file, by path
   bool has_project_ = false;
 };
 
-/// Which plates of a project there are to print, from 1; {0} for other models.
+/// Returns the plates of a project to print, from 1; {0} for other models.
 absl::StatusOr<std::vector<int>> PlatesToPrint(const JobOptions& options) {
   std::vector<int> plates;
   if (options.models.size() == 1) {
@@ -217,7 +217,7 @@ absl::StatusOr<std::vector<int>> PlatesToPrint(const JobOptions& options) {
   return plates;
 }
 
-/// The plate's copies on as many beds as it takes.
+/// Distributes the plate's copies over as many beds as needed.
 absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& files,
                                                const GivenPlate& plate,
                                                const std::vector<Setting>& given, Process process) {

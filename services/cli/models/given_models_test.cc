@@ -25,7 +25,7 @@ std::string TempFile(const std::string& name, const std::string& text) {
   return path;
 }
 
-/// Of a model.
+/// Returns options with a model.
 JobOptions WithModel() {
   JobOptions options;
   options.models = {TempFile("cube.stl", "solid")};
@@ -172,8 +172,8 @@ TEST(ReadModels, CopiesHaveNoPlaceThatIsGiven) {
   ExpectRefused(options, "--center");
 }
 
-/// PrusaSlicer's: two copies of a bracket, of which one is not printed, and a block; two plates in
-/// Bambu Studio's.
+/// Returns options with a project. PrusaSlicer's has two copies of a bracket, one of them not
+/// printed, and a block. Bambu Studio's has two plates.
 JobOptions WithProject(const threemf::Files& files) {
   JobOptions options;
   options.models = {TempFile("plate.3mf", threemf::Zipped(files))};

@@ -12,7 +12,7 @@
 namespace slicefarm::cli {
 namespace {
 
-/// `count` numbers between commas.
+/// Reads `count` numbers separated by commas.
 absl::StatusOr<std::vector<double>> Numbers(std::string_view option, std::string_view text,
                                             size_t count) {
   std::vector<double> numbers;

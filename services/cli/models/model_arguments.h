@@ -10,22 +10,23 @@
 
 namespace slicefarm::cli {
 
-/// What the command line says about models, read and checked. Errors: REQUEST_MALFORMED naming the
+/// Command-line arguments about models, parsed and checked. Errors: REQUEST_MALFORMED naming the
 /// option.
 
-/// --units, --scale, --rotate, --rotate-z and --center.
+/// Returns the placement of --units, --scale, --rotate, --rotate-z and --center.
 absl::StatusOr<Placement> PlacementOf(const JobOptions& options);
 
-/// What is said of one model or object: `NAME=...`.
+/// Argument for one model or object, in the form `NAME=...`.
 struct OfModel {
-  std::string name;  ///< empty: none of the known ones
-  std::string what;  ///< after the separator
+  std::string name;  ///< empty: no known name
+  std::string what;  ///< text after the separator
 };
 
-/// Takes the longest of the known names that the text begins with: names may hold the separator.
+/// Splits the text after the longest known name at its beginning, because names may contain the
+/// separator.
 OfModel TakeApart(const std::string& text, char separator, const std::vector<std::string>& known);
 
-/// The number of --copies NAME=N, from 1 to limits::kMaxObjects.
+/// Returns the number of --copies NAME=N, from 1 to limits::kMaxObjects.
 absl::StatusOr<int> CopiesOf(const std::string& text, const OfModel& of);
 
 }  // namespace slicefarm::cli

@@ -66,7 +66,7 @@ void ReadExtruder(Values& values, motion::CheckSetup& setup) {
   setup.nozzle_mm = values.Number("extruder.nozzle_diameter", setup.nozzle_mm);
   setup.filament_mm = values.Number("extruder.filament_diameter", setup.filament_mm);
   const double filament_mm2 = std::numbers::pi / 4 * setup.filament_mm * setup.filament_mm;
-  // Klipper's defaults: as fast as the widest bead at the toolhead's greatest speed.
+  // Klipper's default: the filament speed of the widest bead at the toolhead's greatest speed.
   const double ratio = 4 * setup.nozzle_mm * setup.nozzle_mm / filament_mm2;
   MachineLimits& limits = setup.machine.limits;
   limits.max_feedrate_mm_s[kE] =

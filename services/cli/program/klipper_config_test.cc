@@ -24,7 +24,7 @@ TEST(ReadKlipperConfig, WhatItSaysAndKlippersDefaults) {
   EXPECT_EQ(limits.max_acceleration_mm_s2[2], 4000) << "as max_accel";
   EXPECT_EQ(limits.square_corner_velocity_mm_s, 6);
   EXPECT_EQ(limits.minimum_cruise_ratio, 0.5);
-  // 0.64 mm2 of bead of 2.4053 mm2 of filament.
+  // A bead of 0.64 mm2 from filament of 2.4053 mm2.
   EXPECT_NEAR(limits.max_feedrate_mm_s[3], 250 * 0.266082, 1e-3);
   EXPECT_NEAR(limits.max_acceleration_mm_s2[3], 4000 * 0.266082, 1e-2);
   EXPECT_EQ(setup->bed[0], (Point{0, FromMm(-2)}));

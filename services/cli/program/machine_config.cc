@@ -14,10 +14,10 @@
 namespace slicefarm::cli {
 namespace {
 
-/// In mm: as high as the finest nozzle is wide.
+/// Layer height in mm that is allowed for the finest nozzle.
 constexpr std::string_view kFinestLayer = "0.05";
 
-/// What settings say of a machine.
+/// Settings that describe a machine.
 constexpr std::string_view kMachineKeys[] = {"bed_shape",
                                              "max_print_height",
                                              "nozzle_diameter",
@@ -56,7 +56,7 @@ absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
   if (!given.ok()) return given.status();
   if (Has(*given, "printable_area")) *given = config::FromOrca(*given, nullptr);
   std::erase_if(*given, [](const config::Setting& s) { return !IsOfMachine(s.key); });
-  // No layer is made of them, but the usual ones would be refused for fine nozzles.
+  // No layers are made with this height, but the default height would be refused for fine nozzles.
   given->push_back({"layer_height", std::string(kFinestLayer)});
   given->push_back({"first_layer_height", std::string(kFinestLayer)});
   const auto resolved = config::Resolve(*given, Process::kFdm);
@@ -77,7 +77,7 @@ absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::s
   MachineConfig config;
   if (config_file.empty()) {
     if (QuotesSettings(gcode)) {
-      // Other slicers quote settings too, in forms and ranges of their own.
+      // Other slicers also quote settings, in forms and ranges of their own.
       if (const auto quoted = SetupOfSettings(gcode); quoted.ok())
         return MachineConfig{*quoted, "gcode"};
     }

@@ -8,19 +8,20 @@
 
 namespace slicefarm::cli {
 
-/// The machine that a G-code file is for.
+/// Machine that a G-code file is for.
 struct MachineConfig {
   motion::CheckSetup setup;
-  std::string source;  ///< where it comes from: a file's name, "gcode", "defaults"
+  std::string source;  ///< origin: a file's name, "gcode", "defaults"
 };
 
-/// Of a PrusaSlicer config.ini (machine_max_*, bed_shape, ...; other keys say nothing here) or a
-/// G-code file that quotes one, PrusaSlicer's or OrcaSlicer's. Errors: those of ReadIni and Resolve.
+/// Reads the machine from a PrusaSlicer config.ini (machine_max_*, bed_shape, ...; other keys are
+/// ignored). Also accepts a G-code file of PrusaSlicer or OrcaSlicer that quotes such settings.
+/// Errors: as ReadIni and Resolve.
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text);
 
-/// By --config: Klipper's printer.cfg if it has its [printer], else settings. Without one
-/// (`config_file` empty): by the settings that the G-code quotes, if they can be read, else
-/// PrusaSlicer's defaults; bed and height are then not known.
+/// Returns the machine of --config: Klipper's printer.cfg if it has a section [printer], otherwise
+/// settings. Without it (`config_file` empty) the settings quoted in the G-code are used if they
+/// can be read. Otherwise PrusaSlicer's defaults are used; bed and height are then not known.
 absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::string_view gcode);
 
 }  // namespace slicefarm::cli

@@ -28,7 +28,7 @@ absl::Status NotCli(const std::string& what) {
                    "not a CLI file as the format says: " + what);
 }
 
-/// A text with each `// comment //` as a blank. One that does not end is no comment.
+/// Replaces each `// comment //` by a blank. Text without the end mark is no comment.
 std::string WithoutComments(std::string_view text) {
   std::string rest;
   for (;;) {
@@ -41,14 +41,14 @@ std::string WithoutComments(std::string_view text) {
   }
 }
 
-/// Colours tell apart what slicefarm's labels say; of others, contours and hatch.
+/// Returns the feature for the colours: the kind in slicefarm's labels, or else contour or hatch.
 std::string FeatureOf(const LineStyle& style, const char* command) {
   for (const char* kind : {"contour", "hatch", "upskin", "downskin", "thin wall"})
     if (style.kind == kind) return kind;
   return command;
 }
 
-/// Takes what a file says, and keeps the layer that is wanted.
+/// Collects the commands of a file, and keeps the requested layer.
 class LayerKeeper {
  public:
   LayerKeeper(int index, double unit_mm, double width_mm, std::map<int, LineStyle> styles)
@@ -66,7 +66,7 @@ class LayerKeeper {
     ++layer_.layer_count;
   }
 
-  /// `xy`: of all points, in units.
+  /// `xy`: coordinates of all points, in units.
   void Polyline(int id, const std::vector<double>& xy) { Add("contour", id, xy, 0, xy.size()); }
   void Hatches(int id, const std::vector<double>& xy) {
     for (size_t i = 0; i + 4 <= xy.size(); i += 4) Add("hatch", id, xy, i, i + 4);
@@ -104,10 +104,10 @@ class LayerKeeper {
   GcodeLayer layer_;
 };
 
-/// A line's id; -1: none that a label could have.
+/// Returns a line's id; -1 for an id that no label can have.
 int IdOf(double number) { return number >= 0 && number < 1e9 ? static_cast<int>(number) : -1; }
 
-/// `a,b,c` as numbers; none if one is no number.
+/// Returns the numbers of `a,b,c`; nothing if one is invalid.
 std::optional<std::vector<double>> NumbersOf(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view item : Split(text, ",")) {
@@ -118,7 +118,7 @@ std::optional<std::vector<double>> NumbersOf(std::string_view text) {
   return numbers;
 }
 
-/// One `$$NAME/numbers` of the ASCII geometry.
+/// Processes one `$$NAME/numbers` of the ASCII geometry.
 absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKeeper& keeper) {
   const size_t header = name == "POLYLINE" ? 3 : name == "HATCHES" ? 2 : 0;
   if (name != "LAYER" && header == 0) return absl::OkStatus();  // labels and the like
@@ -154,7 +154,7 @@ absl::Status ReadAscii(std::string_view body, LayerKeeper& keeper) {
   return absl::OkStatus();
 }
 
-/// Little-endian numbers one after the other.
+/// Reader of consecutive little-endian numbers.
 class BinaryReader {
  public:
   explicit BinaryReader(std::string_view bytes) : bytes_(bytes) {}
@@ -181,8 +181,9 @@ struct LineItems {
   std::vector<double> xy;
 };
 
-/// `heads` whole numbers, the first of which is an id and the last a count of items of `each`
-/// coordinates. Short ones are 16-bit integers, long ones 32-bit integers and floats.
+/// Reads `heads` whole numbers and the coordinates after them. The first number is an id, and the
+/// last one is a count of items of `each` coordinates. Short commands have 16-bit integers. Long
+/// commands have 32-bit integers and floats.
 template <class Head, class Coordinate>
 std::optional<LineItems> Items(BinaryReader& reader, int heads, size_t each) {
   const std::optional<double> id = reader.Next<Head>();

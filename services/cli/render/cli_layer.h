@@ -7,14 +7,15 @@
 
 namespace slicefarm::cli {
 
-/// Whether the file is one of the Common Layer Interface.
+/// Returns true if the file is in the Common Layer Interface format.
 bool IsCliFile(std::string_view bytes);
 
-/// Reads layer `index` of a CLI 2.0 file, ASCII or binary, in the order of scanning: each polyline
-/// ("contour") and hatch line ("hatch") as a run of `width_mm`, for CLI tells no widths; kind, speed
-/// and energy as the labels say them (line_style.h); comments are passed over; what lies between two runs is a travel. Source:
-/// the format's description of 1994, hmilch.net. Errors: REQUEST_MALFORMED with the offset for what
-/// is not as the format says, or naming the last layer. Cost: one pass over the file.
+/// Reads layer `index` of a CLI 2.0 file, ASCII or binary, in the order of scanning. Each polyline
+/// ("contour") and hatch line ("hatch") becomes a run of `width_mm`, because CLI has no widths.
+/// Kind, speed and energy are from the labels (line_style.h). Comments are skipped. Between two
+/// runs there is a travel.
+/// Source: the format's description of 1994, hmilch.net. Errors: REQUEST_MALFORMED with the offset
+/// of a violation of the format, or naming the last layer. Cost: one pass over the file.
 absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm);
 
 }  // namespace slicefarm::cli

@@ -95,7 +95,7 @@ TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
   ASSERT_EQ(layer->beads.size(), 2u);
   EXPECT_EQ(layer->beads[0].points[1], (Vector2{2, 1}));
   EXPECT_EQ(layer->beads[1].points[1], (Vector2{1.5, 2}));
-  // Cut anywhere, it is refused or has less in it.
+  // A file cut at any position is refused or has fewer lines.
   for (size_t size = 0; size < body.size(); ++size) {
     const auto cut = ReadCliLayer(header + body.substr(0, size), 0, 0.1);
     if (cut.ok()) {

@@ -8,10 +8,10 @@
 namespace slicefarm::cli {
 namespace {
 
-/// What one pass adds to a pixel of 255 levels.
+/// Amount of one pass, in levels of 255 per pixel.
 constexpr double kLevels = 17;
 
-/// Strokes each run once: where a run crosses itself it counts once.
+/// Strokes each run once. A place where a run crosses itself counts once.
 void AddRuns(cairo_t* cairo, const std::vector<const BeadRun*>& runs, const Layout& layout) {
   cairo_scale(cairo, layout.px_per_mm, -layout.px_per_mm);
   cairo_translate(cairo, -layout.left_mm, -layout.top_mm);
@@ -27,7 +27,7 @@ void AddRuns(cairo_t* cairo, const std::vector<const BeadRun*>& runs, const Layo
   }
 }
 
-/// Adds `amount` for each pass of the runs. False: there is no room.
+/// Adds `amount` for each pass of the runs. Returns false if there is not enough memory.
 bool AddPasses(const std::vector<const BeadRun*>& runs, const Layout& layout, double amount,
                std::vector<double>& values) {
   const int width = layout.part_width_px;

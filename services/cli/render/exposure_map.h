@@ -7,18 +7,21 @@
 
 namespace slicefarm::cli {
 
-/// How much each pixel of the part's picture gets from the runs of a layer, each with its width.
+/// Exposure of each pixel of the part's picture by the runs of a layer, each with its width.
 struct ExposureMap {
   std::string_view unit = "passes";
-  std::vector<double> values;  ///< row by row from the top; empty if there is no room for it
+  /// Values row by row from the top; empty if there is not enough memory.
+  std::vector<double> values;
 
+  /// Returns the largest value.
   double Most() const;
 };
 
-/// In J/mm2 if the energy of all runs is known; else how often each pixel is passed over: 1 where
-/// lines lie side by side, 2 where they overlap. Of runs of one energy up to kMostPasses are told
-/// apart. Cost: O(pixels) for each energy, and O(moves).
+/// Largest number of passes of one energy that are distinguished.
 inline constexpr double kMostPasses = 15;
+/// Returns the exposure in J/mm2 if the energy of all runs is known. Otherwise it returns the
+/// number of passes over each pixel: 1 where lines are side by side, 2 where they overlap. Runs of
+/// one energy are counted up to kMostPasses. Cost: O(pixels) for each energy, and O(moves).
 ExposureMap MapExposure(const GcodeLayer& layer, const Layout& layout);
 
 }  // namespace slicefarm::cli

@@ -19,7 +19,7 @@ double At(const ExposureMap& map, const Layout& layout, Vector2 p) {
                        static_cast<size_t>(pixel.x()));
 }
 
-// Lines of 1 mm that cross: one pass along each, two where they meet, none beside.
+// Lines of 1 mm that cross: one pass along each, two at the crossing, none beside.
 TEST(MapExposure, CountsPasses) {
   GcodeLayer layer;
   layer.beads = {Line({0, 10}, {20, 10}), Line({10, 0}, {10, 20})};
@@ -32,7 +32,8 @@ TEST(MapExposure, CountsPasses) {
   EXPECT_EQ(map.unit, "passes");
 }
 
-// Two lines of other energies: each gives its own, by its width, and both where they meet.
+// Two lines of different energies. Each adds its own energy over its width, and both add up at the
+// crossing.
 TEST(MapExposure, InJoulesWhereTheyAreKnown) {
   GcodeLayer layer;
   layer.beads = {Line({0, 10}, {20, 10}, 2), Line({10, 0}, {10, 20}, 2)};
@@ -45,12 +46,12 @@ TEST(MapExposure, InJoulesWhereTheyAreKnown) {
   EXPECT_DOUBLE_EQ(At(map, layout, {10, 3}), 0.1);
   EXPECT_DOUBLE_EQ(At(map, layout, {10, 10}), 0.35);
   EXPECT_DOUBLE_EQ(map.Most(), 0.35);
-  // The energy of one is not known: passes of both.
+  // The energy of one line is not known, so passes are counted for both.
   layer.beads[1].energy_j_mm = 0;
   EXPECT_EQ(MapExposure(layer, layout).unit, "passes");
 }
 
-// The sum over all pixels is length by width.
+// The sum over all pixels is length times width.
 TEST(MapExposure, SumsUpToTheAreaOfAllPasses) {
   GcodeLayer layer;
   for (int i = 0; i < 5; ++i) layer.beads.push_back(Line({0, i * 1.0}, {30, i * 1.0}, 1.5));

@@ -20,13 +20,13 @@ constexpr double kDefaultFilamentMm = 1.75;
 constexpr double kSecondsPerMinute = 60;
 constexpr double kArcChordMm = 0.2;
 constexpr double kDefaultWidthMm = 0.4;  // until the first ;WIDTH:
-/// Nothing is farther out, so that sums and extents of any number of moves stay finite.
+/// Largest coordinate, so that sums and extents of any number of moves are finite.
 constexpr double kFarthestMm = 1e9;
 
-/// NaN is not near.
+/// Returns true if the number is in range; NaN is not.
 bool Near(double number) { return std::abs(number) <= kFarthestMm; }
 
-/// The words of a command that matter here, by letter.
+/// Relevant words of a command, by letter.
 struct Words {
   std::array<std::optional<double>, 26> values;
 
@@ -50,8 +50,8 @@ Words ParseWords(std::string_view text) {
   return words;
 }
 
-/// What follows one of PrusaSlicer's and Bambu Studio's words for the same; nothing if none is
-/// there.
+/// Returns the text after one of the equivalent words of PrusaSlicer and Bambu Studio; nothing if
+/// there is none.
 std::optional<std::string_view> After(std::string_view text,
                                       std::initializer_list<std::string_view> words) {
   for (const std::string_view word : words)
@@ -74,7 +74,7 @@ class Reader {
 
   GcodeLayer Finish() {
     EndRuns();
-    // The filament's diameter stands at the end of the file.
+    // The filament's diameter is at the end of the file.
     const double filament_mm2 = std::numbers::pi / 4 * filament_mm_ * filament_mm_;
     for (BeadRun& bead : layer_.beads) bead.flow_mm3_s *= filament_mm2;
     layer_.layer_count = current_ + 1;
@@ -129,7 +129,7 @@ class Reader {
 
   enum class Way { kStraight, kClockwise, kCounter };
 
-  /// Where the chords of an arc end.
+  /// Returns the ends of an arc's chords.
   std::vector<Vector2> Chords(const Words& words, Vector2 to, Way way) const {
     const Vector2 centre = at_ + Vector2(words['I'].value_or(0), words['J'].value_or(0));
     motion::Arc arc = {at_, to, centre, way == Way::kClockwise};
@@ -204,7 +204,7 @@ class Reader {
   double width_mm_ = kDefaultWidthMm;
   double filament_mm_ = kDefaultFilamentMm;
   double speed_mm_s_ = 0;
-  // Of the run of beads.
+  // filament of the current run of beads
   double pushed_mm_ = 0;
   double length_mm_ = 0;
   std::vector<Vector2> bead_;

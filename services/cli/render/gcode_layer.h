@@ -12,18 +12,18 @@ namespace slicefarm::cli {
 
 /// Consecutive extruding moves of one feature, width and speed.
 struct BeadRun {
-  std::string feature;  ///< the words of `;TYPE:`
+  std::string feature;  ///< text of `;TYPE:`
   double width_mm = 0;
   std::vector<Vector2> points;  ///< at least two
-  double speed_mm_s = 0;        ///< as the G-code asks for it; 0: it does not
-  double flow_mm3_s = 0;        ///< at that speed
-  double energy_j_mm = 0;       ///< of exposure, on a mm of way; 0: not known
-  double time_s = 0;  ///< when it is laid, from the layer's first bead on; by `line_end_s`
+  double speed_mm_s = 0;  ///< speed in the G-code; 0: none
+  double flow_mm3_s = 0;  ///< flow at this speed
+  double energy_j_mm = 0;  ///< exposure energy per mm; 0: not known
+  double time_s = 0;  ///< start time after the layer's first bead; from `line_end_s`
 };
 
-/// One layer of a G-code file, as its moves and comments tell.
+/// One layer of a G-code file, from its moves and comments.
 struct GcodeLayer {
-  int index = 0;  ///< from 0
+  int index = 0;  ///< counted from 0
   int layer_count = 0;
   double z_mm = 0;
   double height_mm = 0;
@@ -32,12 +32,14 @@ struct GcodeLayer {
 };
 
 /// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:
-/// ;WIDTH:), which is what slicefarm writes; flow by `; filament_diameter = `, else 1.75 mm.
-/// Follows G0 to G3 (arcs as short chords), G90, G91, G92, M82 and M83; passes over numbers that no
-/// printer has: not finite, beyond 1e9, and widths not above 0. Errors: REQUEST_MALFORMED naming
-/// the last layer, or if there is no ;LAYER_CHANGE at all. Cost: one pass over the file.
-/// `line_end_s`: when each line of the file has ended (ProgramTime); beads are then runs of one
-/// line.
+/// ;WIDTH:), which slicefarm writes too. The flow is computed with `; filament_diameter = `, or
+/// else 1.75 mm.
+///
+/// Supports G0 to G3 (arcs as short chords), G90, G91, G92, M82 and M83. Ignores invalid numbers:
+/// not finite, beyond 1e9, and widths not above 0. Errors: REQUEST_MALFORMED naming the last layer,
+/// or if there is no ;LAYER_CHANGE at all. Cost: one pass over the file.
+/// `line_end_s`: end time of each line of the file (ProgramTime). With it each run has the beads of
+/// one line.
 absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index,
                                           std::span<const double> line_end_s = {});
 

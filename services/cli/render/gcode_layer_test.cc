@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A run of these, whatever its speed.
+/// Matches a run with these values and any speed.
 auto Bead(const std::string& feature, double width_mm, const std::vector<Vector2>& points) {
   return testing::AllOf(testing::Field(&BeadRun::feature, feature),
                         testing::Field(&BeadRun::width_mm, width_mm),
@@ -69,7 +69,7 @@ TEST(ReadGcodeLayer, SpeedsAndFlows) {
   EXPECT_NEAR(layer.beads[1].flow_mm3_s, 0.025 * 40 * 3.14159265, 1e-6);
 }
 
-// The time once stood in the place of the energy.
+// Regression test: the time was stored as the energy.
 TEST(ReadGcodeLayer, BeadsAreLaidWhenTheirLinesEnd) {
   std::vector<double> line_end_s(40);
   for (size_t line = 0; line < line_end_s.size(); ++line)

@@ -55,7 +55,7 @@ constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
 };
 constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
 
-/// What a scale of colours tells.
+/// Quantity shown by a scale of colours.
 struct Quantity {
   std::string_view name;
   std::string_view unit;
@@ -90,7 +90,7 @@ Range RangeOf(const GcodeLayer& layer, const Quantity& quantity) {
   return {quantity.of(*least), quantity.of(*most)};
 }
 
-/// Paints one layer; all lengths in the part are mm, in the legend pixels.
+/// Paints one layer. Lengths in the part are in mm, and lengths in the legend are in pixels.
 class Painter {
  public:
   Painter(cairo_t* cairo, const GcodeLayer& layer, const DrawingOptions& options,
@@ -240,7 +240,7 @@ class Painter {
     return y;
   }
 
-  /// A bar of a round length, at most as long as the legend is wide.
+  /// Paints a bar of a round length, at most as long as the legend is wide.
   void PaintScale(double x, double y) {
     const double room_mm = (kLegendPx - 40) / layout_.px_per_mm;
     double length_mm = std::pow(10, std::floor(std::log10(room_mm)));

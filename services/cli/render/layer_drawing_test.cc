@@ -61,16 +61,16 @@ TEST(DrawLayer, GivesBeadsTheirWidthAndRoundEnds) {
     const Colour colour = picture.At(layout.ToPixel({x, y}));
     return colour.red + colour.green + colour.blue < 2.97;
   };
-  // 1 mm wide: to 0.5 mm on either side, and no farther.
+  // The bead is 1 mm wide: it reaches 0.5 mm to either side, and no farther.
   EXPECT_TRUE(painted(10, 0.47));
   EXPECT_TRUE(painted(10, -0.47));
   EXPECT_FALSE(painted(10, 0.53));
   EXPECT_FALSE(painted(10, -0.53));
-  // The end is a half disc about (20, 0).
+  // The end is a half disc around (20, 0).
   EXPECT_TRUE(painted(20.47, 0));
   EXPECT_FALSE(painted(20.53, 0));
   EXPECT_FALSE(painted(20.45, 0.45));
-  // 0.5 mm wide.
+  // The bead is 0.5 mm wide.
   EXPECT_TRUE(painted(10, 5.22));
   EXPECT_FALSE(painted(10, 5.28));
 }

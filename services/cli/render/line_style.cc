@@ -13,7 +13,8 @@ double NumberOf(std::string_view word) {
   return absl::SimpleAtod(absl::string_view(word.data(), word.size()), &value) ? value : 0;
 }
 
-/// `hatch 200 W 800 mm/s points every 60 um of 40 us`: numbers before their units.
+/// Reads a label such as `hatch 200 W 800 mm/s points every 60 um of 40 us`. Numbers are before
+/// their units.
 LineStyle StyleOf(std::string_view label) {
   LineStyle style;
   std::vector<std::string_view> words;

@@ -21,19 +21,19 @@ namespace {
 constexpr std::string_view kFirstWords = "; tool ";
 constexpr double kFarthestWayMm = 1e9;
 constexpr double kChordMm = 0.2;
-/// Of the longer side of the picture: how wide a way is drawn.
+/// Width of a drawn toolpath, as a share of the picture's longer side.
 constexpr double kWayShare = 1.0 / 800;
 /// Heights are whole micrometres.
 constexpr double kUmPerMm = 1000;
-/// A ramp's chord that falls by less than a micrometre looks level, but is shorter than a level's
-/// ways.
+/// Least length of toolpaths on a level. A ramp's chord that falls by less than a micrometre seems
+/// level, but is shorter.
 constexpr double kLeastLevelMm = 1;
 
-/// A move in x and y at one height, or on the way to another.
+/// Toolpath in x and y at one height, or a toolpath that changes its height.
 struct Way {
   std::string phase;
   bool rapid = false;
-  std::optional<int64_t> height_um;  ///< none: it is not level
+  std::optional<int64_t> height_um;  ///< empty: not level
   std::vector<Vector2> points;
 };
 
@@ -63,7 +63,7 @@ class WayReader {
   }
 
  private:
-  /// Words of a line; G0 to G3 are kept.
+  /// Reads the words of a line. The last one of G0 to G3 is remembered.
   void Read(std::string_view line, std::array<std::optional<double>, 26>& words) {
     const char* at = line.data();
     const char* const end = at + line.size();
@@ -93,7 +93,7 @@ class WayReader {
     way_.points.push_back(to);
   }
 
-  /// The chords of an arc but the last one's end.
+  /// Adds the chords of an arc without the end of the last one.
   void AddArc(Vector2 to, Vector2 centre) {
     const double radius = std::hypot(at_.x() - centre.x(), at_.y() - centre.y());
     const double from = std::atan2(at_.y() - centre.y(), at_.x() - centre.x());
@@ -140,7 +140,7 @@ double LengthMm(const std::vector<Vector2>& points) {
   return length;
 }
 
-/// From the top down: where something is cut, but for rest areas.
+/// Returns the heights with cuts, from the top down, without rest areas.
 std::vector<int64_t> LevelsOf(const std::vector<Way>& ways) {
   std::map<int64_t, double, std::greater<>> length_mm;
   for (const Way& way : ways)

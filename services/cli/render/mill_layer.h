@@ -8,16 +8,18 @@
 
 namespace slicefarm::cli {
 
-/// Whether a text is a milling program as slicefarm writes it: its first line names the tool.
+/// Returns true for a milling program in slicefarm's form: its first line names the tool.
 bool IsMillProgram(std::string_view gcode);
 
-/// Reads the ways of a milling program. `level`: by the heights, from the top down, at which the
-/// tip goes along x or y at a feed, with its ways there; none: all ways, as seen from above,
-/// entries and rest areas too. Ways are named for their phase ("roughing", "finishing", "rest
-/// areas"), as thin as the picture allows; rapid moves at the level are travels.
+/// Reads the toolpaths of a milling program. Levels are the heights at which the tip moves along x
+/// or y at a feed, from the top down. With a `level` the result has the toolpaths at this height.
+/// Without one it has all toolpaths as seen from above, including entries and rest areas.
 ///
-/// Follows G0 to G3 in X, Y, Z, I and J, absolute and in mm. Errors: REQUEST_MALFORMED if nothing
-/// is cut, or naming the last level. Cost: one pass over the file.
+/// The feature of a toolpath is its phase ("roughing", "finishing", "rest areas"). Toolpaths are as
+/// thin as the picture allows. Rapid moves at the level are travels.
+///
+/// Supports G0 to G3 in X, Y, Z, I and J, absolute and in mm. Errors: REQUEST_MALFORMED if the
+/// program cuts nothing, or naming the last level. Cost: one pass over the file.
 absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<int> level);
 
 }  // namespace slicefarm::cli

@@ -159,7 +159,7 @@ TEST(Planner, MarlinJerkStartsAtTheSafeSpeed) {
 }
 
 TEST(Planner, LooksAhead) {
-  // Ten short straight moves are one long one.
+  // Ten short straight moves are equal to one long move.
   MachineLimits limits = Wide();
   limits.junction_deviation_mm = 0.02;
   for (const auto firmware : {Marlin2, Klipper, RepRap}) {
