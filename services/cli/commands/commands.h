@@ -9,8 +9,8 @@ class App;
 namespace slicefarm::cli {
 
 /// Each function adds its subcommand. `app` and `context` must outlive the parsing and the run.
-void AddSlice(CLI::App& app, CommandContext& context);  ///< defined in slice_command.cc
-void AddSubmit(CLI::App& app, CommandContext& context);  ///< defined in submit_command.cc
+void AddSlice(CLI::App& app, CommandContext& context);    ///< defined in slice_command.cc
+void AddSubmit(CLI::App& app, CommandContext& context);   ///< defined in submit_command.cc
 void AddInspect(CLI::App& app, CommandContext& context);  ///< defined in inspect_command.cc
 /// Defined in job_commands.cc, like the next six.
 void AddWatch(CLI::App& app, CommandContext& context);
@@ -27,16 +27,16 @@ void AddUsage(CLI::App& app, CommandContext& context);
 void AddCaller(CLI::App& app, CommandContext& context);
 void AddMeshes(CLI::App& app, CommandContext& context);
 void AddUpdate(CLI::App& app, CommandContext& context);
-void AddTime(CLI::App& app, CommandContext& context);  ///< defined in time_command.cc
-void AddCheck(CLI::App& app, CommandContext& context);  ///< defined in check_command.cc
-void AddProfile(CLI::App& app, CommandContext& context);  ///< defined in profile_command.cc
-void AddRender(CLI::App& app, CommandContext& context);  ///< defined in render_command.cc
-void AddSettings(CLI::App& app, CommandContext& context);  ///< defined in settings_command.cc
-void AddHealth(CLI::App& app, CommandContext& context);  ///< defined in health_command.cc
-void AddTenant(CLI::App& app, CommandContext& context);  ///< defined in tenant_command.cc
-void AddToken(CLI::App& app, CommandContext& context);  ///< defined in token_command.cc
-void AddHelp(CLI::App& app, CommandContext& context);  ///< defined in shell_commands.cc
+void AddTime(CLI::App& app, CommandContext& context);        ///< defined in time_command.cc
+void AddCheck(CLI::App& app, CommandContext& context);       ///< defined in check_command.cc
+void AddProfile(CLI::App& app, CommandContext& context);     ///< defined in profile_command.cc
+void AddRender(CLI::App& app, CommandContext& context);      ///< defined in render_command.cc
+void AddSettings(CLI::App& app, CommandContext& context);    ///< defined in settings_command.cc
+void AddHealth(CLI::App& app, CommandContext& context);      ///< defined in health_command.cc
+void AddTenant(CLI::App& app, CommandContext& context);      ///< defined in tenant_command.cc
+void AddToken(CLI::App& app, CommandContext& context);       ///< defined in token_command.cc
+void AddHelp(CLI::App& app, CommandContext& context);        ///< defined in shell_commands.cc
 void AddCompletion(CLI::App& app, CommandContext& context);  ///< defined in shell_commands.cc
-void AddVersion(CLI::App& app, CommandContext& context);  ///< defined in cli_program.cc
+void AddVersion(CLI::App& app, CommandContext& context);     ///< defined in cli_program.cc
 
 }  // namespace slicefarm::cli

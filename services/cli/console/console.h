@@ -46,9 +46,9 @@ class ProgressBar {
 
   bool shown_ = false;
   bool enabled_;
-  std::string what_;  ///< step that the remaining time is for
+  std::string what_;    ///< step that the remaining time is for
   int first_done_ = 0;  ///< progress when the step was first shown
-  Stopwatch since_;  ///< time since the step was first shown
+  Stopwatch since_;     ///< time since the step was first shown
   std::string line_;
 };
 

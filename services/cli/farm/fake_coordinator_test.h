@@ -84,10 +84,10 @@ class FakeCoordinator : public v1::Meshes::Service,
   std::atomic<int> break_watch_after = -1;  ///< number of events; applies once
   std::atomic<int> break_download_after = -1;
   std::deque<grpc::StatusCode> quiet_watch_ends;  ///< errors of watches that end before any event
-  bool hold_watches = false;  ///< watches send no events until they are cancelled
-  std::deque<grpc::Status> refused_gets;  ///< first answers of GetJob
-  bool forget_completion = false;  ///< reports a complete mesh as incomplete
-  std::string mesh;  ///< mesh of the current or last upload
+  bool hold_watches = false;                  ///< watches send no events until they are cancelled
+  std::deque<grpc::Status> refused_gets;      ///< first answers of GetJob
+  bool forget_completion = false;             ///< reports a complete mesh as incomplete
+  std::string mesh;                           ///< mesh of the current or last upload
   std::map<std::string, std::string> meshes;  ///< complete meshes, by digest
   std::vector<int64_t> upload_offsets;
   std::vector<int64_t> watch_sequences;

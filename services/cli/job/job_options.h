@@ -38,21 +38,21 @@ struct TextureArguments {
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
   Process process = kDefaultProcess;
-  std::vector<std::string> copies;  ///< in the form MODEL=N
+  std::vector<std::string> copies;       ///< in the form MODEL=N
   std::vector<std::string> object_sets;  ///< in the form MODEL:key=value
   std::string units = "mm";
   std::string scale;  ///< in the form S, or X,Y,Z
   double rotate_z_deg = 0;
-  std::string rotate;  ///< in the form X,Y,Z
+  std::string rotate;                ///< in the form X,Y,Z
   std::vector<std::string> centers;  ///< in the form X,Y
-  bool arrange = false;  ///< arranges copies that already have a position too
-  int plate = 0;  ///< plate of a project, from 1; 0: the only one
-  bool plates = false;  ///< makes a job for each plate
+  bool arrange = false;              ///< arranges copies that already have a position too
+  int plate = 0;                     ///< plate of a project, from 1; 0: the only one
+  bool plates = false;               ///< makes a job for each plate
   FieldOptions fields;
   TextureArguments texture;
-  std::string format;  ///< output format; empty: from the output's name or the settings
+  std::string format;              ///< output format; empty: from the output's name or the settings
   std::vector<std::string> allow;  ///< features that may be missing (config::Allowances)
-  bool generic = false;  ///< the job is for no particular printer
+  bool generic = false;            ///< the job is for no particular printer
   std::string report;
   bool quiet = false;
 };

@@ -23,7 +23,7 @@ struct Summary {
   std::vector<std::string> changing =
       {};  ///< settings without effect that change the print, in the form `key = value: why`
   int64_t beside_print = 0;  ///< number of settings without effect that do not change the print
-  std::string report = {};  ///< file of the report; empty: none
+  std::string report = {};   ///< file of the report; empty: none
 };
 
 /// Returns the summary as a few lines of text.

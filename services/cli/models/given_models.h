@@ -13,14 +13,14 @@ namespace slicefarm::cli {
 
 /// Content of one job.
 struct GivenPlate {
-  int number = 0;  ///< number in the project, from 1; 0: no plate of a project
+  int number = 0;             ///< number in the project, from 1; 0: no plate of a project
   absl::Status refused = {};  ///< error if the plate cannot be made; otherwise it has objects
   std::vector<SceneObject> objects = {};
   /// Settings of projects; settings given by hand override them.
   std::vector<Setting> settings = {};
   /// Other properties of projects, which have no effect.
   std::vector<std::string> without_effect = {};
-  std::vector<std::string> warnings = {};  ///< warnings about projects, to be printed
+  std::vector<std::string> warnings = {};            ///< warnings about projects, to be printed
   std::vector<config::MissingFeature> missing = {};  ///< features that projects require
 };
 

@@ -15,10 +15,10 @@ struct BeadRun {
   std::string feature;  ///< text of `;TYPE:`
   double width_mm = 0;
   std::vector<Vector2> points;  ///< at least two
-  double speed_mm_s = 0;  ///< speed in the G-code; 0: none
-  double flow_mm3_s = 0;  ///< flow at this speed
-  double energy_j_mm = 0;  ///< exposure energy per mm; 0: not known
-  double time_s = 0;  ///< start time after the layer's first bead; from `line_end_s`
+  double speed_mm_s = 0;        ///< speed in the G-code; 0: none
+  double flow_mm3_s = 0;        ///< flow at this speed
+  double energy_j_mm = 0;       ///< exposure energy per mm; 0: not known
+  double time_s = 0;            ///< start time after the layer's first bead; from `line_end_s`
 };
 
 /// One layer of a G-code file, from its moves and comments.

@@ -16,8 +16,8 @@ enum class ColourBy {
   kWidth,
   kSpeed,
   kFlow,
-  kTime,  ///< print time, by the firmware's look-ahead (BeadRun::time_s)
-  kOrder,  ///< print order: first is dark, last is light
+  kTime,    ///< print time, by the firmware's look-ahead (BeadRun::time_s)
+  kOrder,   ///< print order: first is dark, last is light
   kEnergy,  ///< number of passes or energy at each place (exposure_map.h)
 };
 
@@ -25,7 +25,7 @@ enum class ColourBy {
 struct DrawingOptions {
   ImageFormat format = ImageFormat::kPng;
   ColourBy colour_by = ColourBy::kFeature;
-  int size_px = 1200;  ///< length of the longer side of the part's picture
+  int size_px = 1200;    ///< length of the longer side of the part's picture
   bool travels = false;  ///< draws travels as thin lines
 };
 

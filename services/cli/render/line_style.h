@@ -8,8 +8,8 @@ namespace slicefarm::cli {
 
 /// Exposure of the lines of one id in a CLI file.
 struct LineStyle {
-  std::string kind;  ///< text before the power in the label, such as "contour" or "upskin"
-  double power_w = 0;  ///< 0: not known
+  std::string kind;       ///< text before the power in the label, such as "contour" or "upskin"
+  double power_w = 0;     ///< 0: not known
   double speed_mm_s = 0;  ///< 0: not known
   double point_distance_um = 0;  ///< distance of pulses; 0: a continuous line
   double point_time_us = 0;

@@ -18,7 +18,7 @@ struct PassChange {
   size_t layer = 0;  ///< index of the pass's first layer in the summary
   /// LayerSummary::exit of the last layer, and LayerSummary::entry of the next one
   Point from, to;
-  Coord top_nm = 0;  ///< top of everything printed before
+  Coord top_nm = 0;    ///< top of everything printed before
   bool on_bed = true;  ///< the pass begins on the bed, not on a raft
 };
 

@@ -189,7 +189,7 @@ struct FrameText {
   std::string head;
   std::string prologue;
   std::vector<PassChange> changes;
-  std::vector<std::string> ways;  ///< travel to each layer, if it is not straight
+  std::vector<std::string> ways;    ///< travel to each layer, if it is not straight
   std::vector<std::string> layers;  ///< content of ProgramEnvelope::layer_code
   std::string ending;
   std::string file_name;

@@ -18,8 +18,8 @@ namespace slicefarm::motion {
 
 /// Commands that switch the filament's coordinate between absolute and relative.
 enum class ExtruderMode {
-  kApart,  ///< M82 and M83 only
-  kWithAxes,  ///< G90 and G91 set it as well
+  kApart,       ///< M82 and M83 only
+  kWithAxes,    ///< G90 and G91 set it as well
   kEitherWise,  ///< relative after G91 and after M83
 };
 

@@ -43,8 +43,8 @@ class ExtruderWords {
   bool by_firmware_ = false;
   bool comments_ = false;
   double per_unit_ = 1;  ///< value in the text per mm of filament
-  int64_t pushed_ = 0;  ///< pushed since the count began at 0, in 1e-5 mm
-  int64_t told_ = 0;  ///< written so far, in units of the text's last digit
+  int64_t pushed_ = 0;   ///< pushed since the count began at 0, in 1e-5 mm
+  int64_t told_ = 0;     ///< written so far, in units of the text's last digit
 };
 
 }  // namespace slicefarm::motion

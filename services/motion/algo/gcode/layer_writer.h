@@ -25,8 +25,8 @@ inline constexpr int32_t kFanAsBefore = -1;
 /// Values that the head of a layer has already written, and the layer's fans.
 struct LayerState {
   int32_t height_um = -1;
-  int32_t fan_percent = 0;  ///< fan of the layer; may be kFanAsBefore
-  int32_t bridge_fan_percent = 0;  ///< fan for bridges and overhangs
+  int32_t fan_percent = 0;                                ///< fan of the layer; may be kFanAsBefore
+  int32_t bridge_fan_percent = 0;                         ///< fan for bridges and overhangs
   std::optional<OverhangFans> overhang_fan_percent = {};  ///< fans for walls over air
   ShiftUm to_plate = {};  ///< shift from places in the G-code to places on the plate
 };
@@ -123,7 +123,7 @@ class LayerWriter {
   bool primed_ = false;
   float acceleration_ = -1;
   float travel_acceleration_ = -1;  ///< travels' own acceleration; -1: not written
-  bool approached_ = false;  ///< the first move in the plane was written
+  bool approached_ = false;         ///< the first move in the plane was written
   std::vector<ModeLine> mode_lines_;
 };
 

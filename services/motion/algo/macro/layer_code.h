@@ -22,9 +22,9 @@ struct CustomCode {
   /// FrameProgram fills in both texts later; the layer records their positions.
   bool waits = false;
   bool names_layer_change = false;  ///< before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
-  bool has_after = false;  ///< `after` is not empty, filled in or not
-  bool primes = false;  ///< `after` leaves the filament ready to print
-  bool climbs = false;  ///< `after` moves in z
+  bool has_after = false;           ///< `after` is not empty, filled in or not
+  bool primes = false;              ///< `after` leaves the filament ready to print
+  bool climbs = false;              ///< `after` moves in z
 };
 
 /// Templates of the layers, parsed once for all of them.

@@ -35,12 +35,12 @@ class FilamentWatch {
 
   double slack_mm_;
   double longest_mm_;
-  double depth_mm_ = 0;  ///< current depth of the retraction
+  double depth_mm_ = 0;        ///< current depth of the retraction
   double first_depth_mm_ = 0;  ///< depth when the slicer's code began
-  double last_depth_mm_ = 0;  ///< depth after the slicer's last move so far
+  double last_depth_mm_ = 0;   ///< depth after the slicer's last move so far
   double printed_mm_ = 0;
   bool begun_ = false;  ///< true after the begin of the slicer's code
-  bool fresh_ = true;  ///< true until the first print after the start or a change of tool
+  bool fresh_ = true;   ///< true until the first print after the start or a change of tool
 };
 
 }  // namespace slicefarm::motion

@@ -49,8 +49,8 @@ struct GcodeAction {
   enum class Kind {
     kNone,
     kMoves,
-    kDwell,  ///< G4: a pause
-    kRest,  ///< stop: waits for heat, homes, changes tools, ...
+    kDwell,   ///< G4: a pause
+    kRest,    ///< stop: waits for heat, homes, changes tools, ...
     kLimits,  ///< limits may have changed
   };
   Kind kind = Kind::kNone;
@@ -111,7 +111,7 @@ class GcodeMachine {
   bool relative_ = false;
   bool relative_filament_ = false;
   bool retracted_ = false;  ///< retracted by G10
-  double speed_mm_s_ = 0;  ///< speed as given, without the factor
+  double speed_mm_s_ = 0;   ///< speed as given, without the factor
   double speed_factor_ = 1;
   double flow_factor_ = 1;
   double filament_unit_mm_ = 1;  ///< mm of filament per unit of E; with M200 the unit is a volume

@@ -16,7 +16,7 @@ struct CheckSetup {
   double nozzle_mm = 0.4;
   double filament_mm = 1.75;  ///< diameter of the filament
   double z_offset_mm = 0;
-  Polygon bed;  ///< empty: not known
+  Polygon bed;               ///< empty: not known
   double max_height_mm = 0;  ///< 0: not known
 };
 
@@ -31,7 +31,7 @@ struct Finding {
 /// Result of CheckProgram.
 struct ProgramReport {
   std::vector<Finding> findings;  ///< in the order of their lines, at most kMostFindings
-  int64_t found = 0;  ///< number of all errors
+  int64_t found = 0;              ///< number of all errors
   int64_t lines = 0;
   int64_t moves = 0;
   /// Filament printed by the slicer: net of retractions, without custom code.

@@ -113,8 +113,8 @@ class Clock {
   std::unique_ptr<Planner> planner_;
   ProgramLabels labels_;
   std::vector<Account> accounts_;
-  size_t lines_ = 0;  ///< number of lines read
-  double ended_s_ = 0;  ///< end time of the planned moves
+  size_t lines_ = 0;             ///< number of lines read
+  double ended_s_ = 0;           ///< end time of the planned moves
   double* feature_s_ = nullptr;  ///< sum of the current feature
   ProgramTime time_;
 };

@@ -12,17 +12,17 @@ namespace slicefarm::motion {
 
 /// Duration of a program and its parts. Times in s.
 struct ProgramTime {
-  double move_s = 0;  ///< time of all moves
-  double dwell_s = 0;  ///< pauses of G4
+  double move_s = 0;     ///< time of all moves
+  double dwell_s = 0;    ///< pauses of G4
   double heating_s = 0;  ///< waits for heat with a known rate
   /// Printing times by the feature names in the slicer's comments ("None" without).
   std::map<std::string, double> feature_s;
-  double travel_s = 0;  ///< moves without printing
+  double travel_s = 0;   ///< moves without printing
   double retract_s = 0;  ///< moves of filament only
-  double before_s = 0;  ///< moves and dwells before the first layer's comment
+  double before_s = 0;   ///< moves and dwells before the first layer's comment
   std::vector<double> layer_s;
   std::vector<double> line_end_s;  ///< end time of each line's moves, from the program's start
-  int64_t moves = 0;  ///< number of straight moves; arcs count by their chords
+  int64_t moves = 0;               ///< number of straight moves; arcs count by their chords
   // Events of unknown duration, counted as 0 s.
   int64_t homings = 0;
   int64_t heat_waits = 0;  ///< waits for heat with an unknown rate

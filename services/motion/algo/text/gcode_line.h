@@ -14,13 +14,13 @@ inline constexpr std::string_view kWordTwice = "a word is there twice";
 ///   SET_FAN SPEED=1      command "SET_FAN", letter 0, parameters "SPEED=1"
 ///   ;TYPE:Perimeter      comment "TYPE:Perimeter"
 struct GcodeLine {
-  std::string_view command;  ///< empty: only a comment
-  char letter = 0;  ///< G, M, T, ... if the command is a letter and a number, else 0
-  int number = -1;  ///< number after the letter, without decimals; M862.3: 862
+  std::string_view command;     ///< empty: only a comment
+  char letter = 0;              ///< G, M, T, ... if the command is a letter and a number, else 0
+  int number = -1;              ///< number after the letter, without decimals; M862.3: 862
   std::string_view parameters;  ///< text after the command, up to the comment
-  std::string_view comment;  ///< text after `;`
-  std::string_view fault;  ///< reason why words cannot be read; empty: they can
-  bool has_lists = false;  ///< a word has several numbers (`E1:0`) or a text in quotes
+  std::string_view comment;     ///< text after `;`
+  std::string_view fault;       ///< reason why words cannot be read; empty: they can
+  bool has_lists = false;       ///< a word has several numbers (`E1:0`) or a text in quotes
 
   /// Returns true if the line has the command of this letter and number.
   bool Is(char l, int n) const { return letter == l && number == n; }

@@ -21,10 +21,10 @@ namespace slicefarm::motion {
 /// uses the one set last. The firmware decides whether a wipe counts as a print or as a travel.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
-  double travel = 0;  ///< 0: the acceleration set last
+  double travel = 0;        ///< 0: the acceleration set last
   double short_travel = 0;  ///< for travels too short for a retraction; 0: as other travels
-  double retract = 0;  ///< for filament only; 0: the acceleration set last
-  bool told = false;  ///< true if the G-code sets accelerations
+  double retract = 0;       ///< for filament only; 0: the acceleration set last
+  bool told = false;        ///< true if the G-code sets accelerations
   bool told_travel = false;
   bool one = false;  ///< true if travels and prints share one value in the machine
   bool wipe_travels = false;

@@ -44,11 +44,11 @@ double Rounded(double um) {
 /// Place on the path, rounded as in the text. Widths, length and area describe the path from the
 /// node before.
 struct Node {
-  Point point;  ///< point of the path
+  Point point;                      ///< point of the path
   Vector2 place = Vector2::Zero();  ///< in whole um
   Coord narrowest_nm = 0, widest_nm = 0;
   double along = 0;  ///< length from the start, in um
-  double area = 0;  ///< width times length, from the start
+  double area = 0;   ///< width times length, from the start
   /// Alternative end of a bead, outside the curve. Beads that run on both sides of a curve are
   /// longer. Equal to `place` at corners, at ends, and where longer beads are impossible.
   Vector2 outside = Vector2::Zero();

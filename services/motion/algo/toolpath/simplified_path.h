@@ -8,9 +8,9 @@ namespace slicefarm::motion {
 
 /// Limits for Simplified.
 struct SimplifyOptions {
-  Coord tolerance_nm = 0;  ///< tolerance of places; 0: the path is not simplified
+  Coord tolerance_nm = 0;    ///< tolerance of places; 0: the path is not simplified
   Coord bead_height_nm = 0;  ///< bead height of the path
-  bool keep_arcs = false;  ///< keeps all points of pieces that an arc may replace (arc_fit.h)
+  bool keep_arcs = false;    ///< keeps all points of pieces that an arc may replace (arc_fit.h)
   /// Largest difference between a bead's width and the path's, as a share, if this is more than the
   /// tolerance.
   double width_share = 0;

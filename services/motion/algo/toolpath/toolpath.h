@@ -33,9 +33,9 @@ enum class MoveKind : uint8_t {
   kPrint,
   kTravel,
   kRetract,
-  kWipe,  ///< along the printed bead, while the filament is retracted
+  kWipe,     ///< along the printed bead, while the filament is retracted
   kRestart,  ///< the filament is pushed back
-  kLift,  ///< z only
+  kLift,     ///< z only
 };
 
 /// Returns true for moves along x and y.
@@ -49,16 +49,16 @@ struct Move {
   int32_t x_um = 0;
   int32_t y_um = 0;
   int32_t z_um = 0;
-  int32_t filament = 0;  ///< in 1e-5 mm, relative
-  int32_t feed_rate = 0;  ///< in mm/min
-  int32_t width_um = 0;  ///< width of a bead
-  int32_t height_um = 0;  ///< height of a bead
+  int32_t filament = 0;          ///< in 1e-5 mm, relative
+  int32_t feed_rate = 0;         ///< in mm/min
+  int32_t width_um = 0;          ///< width of a bead
+  int32_t height_um = 0;         ///< height of a bead
   float acceleration_mm_s2 = 0;  ///< 0: acceleration set by the beads before
   MoveKind kind = MoveKind::kTravel;
   Feature feature = Feature::kPerimeter;  ///< feature of kPrint
-  uint8_t rest = kFullRest;  ///< share of a bead with something below
-  bool of_surface = false;  ///< true for a bead of the two outermost walls
-  bool on_arc = false;  ///< true for a bead that an arc may replace
+  uint8_t rest = kFullRest;               ///< share of a bead with something below
+  bool of_surface = false;                ///< true for a bead of the two outermost walls
+  bool on_arc = false;                    ///< true for a bead that an arc may replace
   /// True for kRetract or kRestart that the layer below may have made unnecessary.
   bool if_needed = false;
 

@@ -125,8 +125,8 @@ class ToolpathBuilder {
   const LayerBelow* below_;
   const LayerBelow* carried_;
   int32_t z_um_;
-  int32_t lift_um_;  ///< height by which travels rise
-  int32_t start_lift_um_;  ///< rise of the travel to the first path
+  int32_t lift_um_;         ///< height by which travels rise
+  int32_t start_lift_um_;   ///< rise of the travel to the first path
   bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
   Wipe wipe_;
   std::vector<PlaceUm> wipe_way_;  ///< wipe from the end of the path before
@@ -134,18 +134,18 @@ class ToolpathBuilder {
   int32_t restart_units_;
 
   Toolpath path_;
-  Move at_;  ///< position of the nozzle, and values that the next move inherits
-  double flow_ = 1;  ///< flow factor of the current path's bead sections
+  Move at_;              ///< position of the nozzle, and values that the next move inherits
+  double flow_ = 1;      ///< flow factor of the current path's bead sections
   Coord thread_nm_ = 0;  ///< diameter of the current path, if it is a thread
   double print_acceleration_ = 0;  ///< acceleration of the current path
-  double set_acceleration_ = 0;  ///< acceleration set in the machine; 0: as before the layer
+  double set_acceleration_ = 0;    ///< acceleration set in the machine; 0: as before the layer
   bool retracted_ = true;
-  bool as_left_ = false;  ///< retraction state is as the layer below has left it
+  bool as_left_ = false;    ///< retraction state is as the layer below has left it
   bool short_way_ = false;  ///< the travel goes to an outer wall and is too short for a retraction
   /// The nozzle is beyond the end of the path before, as a scarf ends over its beginning.
   bool moved_on_ = false;
-  double owed_ = 0;  ///< filament remainder of rounding, in 1e-5 mm
-  int64_t filament_ = 0;  ///< filament printed in total, in 1e-5 mm
+  double owed_ = 0;        ///< filament remainder of rounding, in 1e-5 mm
+  int64_t filament_ = 0;   ///< filament printed in total, in 1e-5 mm
   double bridged_mm_ = 0;  ///< length of the current path printed as bridges
   int64_t bridged_filament_ = 0;
   ProgramStats stats_;

@@ -50,8 +50,8 @@ class AdhesionPlanner : public Planner {
   /// Data of one object, in the object's own coordinates.
   struct Seen {
     MultiPolygon on_bed;  ///< outlines of its part and supports on the bed
-    MultiPolygon raft;  ///< outlines of its raft on the bed
-    Polygon hull;  ///< convex hull of its outlines on the layers that the skirt reaches
+    MultiPolygon raft;    ///< outlines of its raft on the bed
+    Polygon hull;         ///< convex hull of its outlines on the layers that the skirt reaches
     Coord height_nm = 0;  ///< height of the object
   };
 

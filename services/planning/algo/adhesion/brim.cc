@@ -96,7 +96,7 @@ MultiPolygon Zone(const BrimObject& object) {
 /// Intermediate data of one object.
 struct Work {
   MultiPolygon keep_out;  ///< region without any brim
-  MultiPolygon brim;  ///< brim of the object if no other object had one
+  MultiPolygon brim;      ///< brim of the object if no other object had one
   Box keep_out_box;
   Box brim_box;
 };

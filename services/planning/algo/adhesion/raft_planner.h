@@ -41,7 +41,7 @@ class RaftPlanner : public RegionPlanner {
   /// Data of one object, in the object's own coordinates.
   struct Seen {
     MultiPolygon lowest;  ///< outlines that rest on the bed or a raft
-    MultiPolygon low;  ///< union of all outlines below the top of the highest raft
+    MultiPolygon low;     ///< union of all outlines below the top of the highest raft
   };
   using SeenObjects = std::map<int32_t, Seen>;
 

@@ -78,7 +78,7 @@ class ConflictPlanner : public Planner {
   Coord low_nm_ = 1;
   NearCopies near_;
   Slices kept_;  ///< slices of copies with close neighbours, for comparison with the next sections
-  Slices low_;  ///< slices that begin below low_nm_; the plate has an entry too
+  Slices low_;   ///< slices that begin below low_nm_; the plate has an entry too
   SkirtReach skirt_reach_;
   std::map<int32_t, Polygon> hulls_;  ///< hulls by object, on layers that the skirt reaches
   absl::Status found_;

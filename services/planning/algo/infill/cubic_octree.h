@@ -77,8 +77,8 @@ class CubicOctree {
   double distance_;  ///< distance between neighbouring planes in space
   double reach_;
   std::array<LineAxes, 3> frames_;
-  Cells places_;  ///< cubes of one plane distance that contain a place
-  Shares body_;  ///< body samples of cubes of that width
+  Cells places_;               ///< cubes of one plane distance that contain a place
+  Shares body_;                ///< body samples of cubes of that width
   std::vector<Level> levels_;  ///< levels from the smallest cubes to the largest
 };
 

@@ -12,7 +12,7 @@ struct StackLayer {
   int32_t job_layer = 0;
   Coord z_nm = 0;  ///< top of the layer, above the object's bottom
   Coord height_nm = 0;
-  MultiPolygon whole;  ///< outlines of all regions
+  MultiPolygon whole;   ///< outlines of all regions
   MultiPolygon region;  ///< outlines of the planned region
 };
 

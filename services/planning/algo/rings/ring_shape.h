@@ -18,7 +18,7 @@ struct Corner {
 /// default, so that fine facets do not hide a corner. On small rings they are shorter.
 struct Bend {
   Point at;
-  Point in;  ///< arm from the point before it
+  Point in;   ///< arm from the point before it
   Point out;  ///< arm to the point after it
 
   /// Returns the turn in [-pi, pi]; > 0 where the solid is convex.

@@ -53,7 +53,7 @@ class Occupancy {
   int32_t cell_mm_ = 1;
   Cell least_;
   Cell size_;
-  std::vector<uint64_t> solid_;  ///< one bit per cell
+  std::vector<uint64_t> solid_;                ///< one bit per cell
   absl::flat_hash_map<uint64_t, float> seen_;  ///< visibility by patch and direction
 };
 

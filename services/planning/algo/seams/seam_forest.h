@@ -25,7 +25,7 @@ struct StepCost {
   double longest_mm = 0.8;  ///< longest sideways step; no step costs more than a jump
   double per_mm = 4;
   double per_mm2_sideways = 4;  ///< makes several small steps cheaper than one large step
-  double jump = 40;  ///< cost of a longer sideways step, at any length
+  double jump = 40;             ///< cost of a longer sideways step, at any length
 
   /// Returns true if the sideways part of the step is at most longest_mm.
   bool Reaches(Point from, Point to, double away_mm) const;

@@ -12,9 +12,9 @@ namespace slicefarm::planning {
 /// Place on a ring for a possible seam, with the properties that decide about it.
 struct SeamPlace {
   Point at;
-  float turn_rad = 0;  ///< turn as in Bend::TurnRad
-  float overhang = 0;  ///< distance beyond the layer below, in heights of the layer
-  float away_mm = 0;  ///< distance from the outlines of the layer below; 0 without a layer below
+  float turn_rad = 0;   ///< turn as in Bend::TurnRad
+  float overhang = 0;   ///< distance beyond the layer below, in heights of the layer
+  float away_mm = 0;    ///< distance from the outlines of the layer below; 0 without a layer below
   uint8_t outward = 0;  ///< direction as in Bend::Outward
   /// Distance along the ring from the middle of the run of enforced places.
   float off_middle_mm = 0;

@@ -54,7 +54,7 @@ class SeamPlanner : public Planner {
     Occupancy occupancy;
     /// Rings; first the rings of the last settled layer, which have only their seam.
     std::vector<Ring> rings;
-    size_t settled = 0;  ///< number of rings of the last settled layer
+    size_t settled = 0;       ///< number of rings of the last settled layer
     int32_t first_below = 0;  ///< index of the first ring of the layer below
   };
 
@@ -73,7 +73,7 @@ class SeamPlanner : public Planner {
   size_t places_ = 0;  ///< number of places on rings that are not settled
   SeamQuality quality_;
   std::map<int32_t, ObjectSeams> objects_;  ///< seams by object
-  int32_t layers_ = 0;  ///< number of layers so far
+  int32_t layers_ = 0;                      ///< number of layers so far
 };
 
 }  // namespace slicefarm::planning

@@ -46,9 +46,9 @@ class SpiralPlanner : public Planner {
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
   SkirtReach skirt_reach_;
-  int32_t seen_ = 0;  ///< number of layers so far
+  int32_t seen_ = 0;              ///< number of layers so far
   std::optional<Point> left_at_;  ///< end of the last layer's turn
-  bool goes_on_ = false;  ///< true if the last layer's turn follows another one
+  bool goes_on_ = false;          ///< true if the last layer's turn follows another one
   int64_t hollow_ = 0;
   std::vector<Coord> no_turns_nm_;  ///< heights of hollow layers that are no turns
 };

@@ -7,7 +7,7 @@ namespace slicefarm::planning {
 /// Dimensions of the beads that bridges are printed with.
 struct BridgeBeads {
   Coord width_nm = 450'000;  ///< width of a line, and distance between the tested lines
-  Coord walls_nm = 0;  ///< total thickness of the walls
+  Coord walls_nm = 0;        ///< total thickness of the walls
 };
 
 /// Returns the area of an overhang that straight lines and walls span from one anchored end to the

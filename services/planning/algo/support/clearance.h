@@ -45,9 +45,9 @@ class Clearance {
  private:
   struct Layer {
     SolidLayer solid;
-    Box box;  ///< box of the outlines
+    Box box;              ///< box of the outlines
     MultiPolygon spaced;  ///< outlines grown by xy_gap_nm
-    MultiPolygon edged;  ///< outlines grown by kEdgeNm
+    MultiPolygon edged;   ///< outlines grown by kEdgeNm
   };
   using Stack = std::vector<Layer>;
 

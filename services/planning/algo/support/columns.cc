@@ -37,10 +37,10 @@ struct RasterLayer {
       : contact(grid), beside(grid), blocked(grid), useless(grid), column(grid) {}
 
   Bitmap contact;  ///< contacts that are new in this layer
-  Bitmap beside;  ///< wanted columns around this contact
+  Bitmap beside;   ///< wanted columns around this contact
   Bitmap blocked;  ///< pixels that are not free
   Bitmap useless;  ///< pixels so near below the part that a top would resemble a contact
-  Bitmap column;  ///< columns in this layer, without contacts of the layers just above
+  Bitmap column;   ///< columns in this layer, without contacts of the layers just above
 };
 
 /// Returns the pixels within `radius_nm` of set ones.

@@ -9,10 +9,10 @@ namespace slicefarm::planning {
 
 /// Purpose of a region of support, which decides how the region is printed.
 enum class SupportRole : uint8_t {
-  kBase,  ///< sparse lines, with a loop around them if a sheath is set
-  kBranch,  ///< one loop without filling
-  kThickBranch,  ///< two loops without filling
-  kTopInterface,  ///< dense lines below the part
+  kBase,             ///< sparse lines, with a loop around them if a sheath is set
+  kBranch,           ///< one loop without filling
+  kThickBranch,      ///< two loops without filling
+  kTopInterface,     ///< dense lines below the part
   kBottomInterface,  ///< dense lines on the part
 };
 inline constexpr int kSupportRoleCount = 5;
@@ -27,9 +27,9 @@ struct SupportRegion {
 
 /// Layer of support. Its heights may differ from the heights of the part's layers.
 struct SupportLayer {
-  Coord top_nm = 0;  ///< top above the bed
+  Coord top_nm = 0;     ///< top above the bed
   Coord height_nm = 0;  ///< height down to the top of the layer of support below, printed or not
-  bool first = false;  ///< true if the layer is on the bed
+  bool first = false;   ///< true if the layer is on the bed
   std::vector<SupportRegion> regions;  ///< disjoint, in order of the role; not empty
 
   friend bool operator==(const SupportLayer&, const SupportLayer&) = default;
@@ -38,13 +38,13 @@ struct SupportLayer {
 /// Notice about an overhang for the user.
 struct SupportFinding {
   enum class Kind : uint8_t {
-    kNotCarried,  ///< overhang that no support can reach
+    kNotCarried,   ///< overhang that no support can reach
     kStartsInAir,  ///< island with nothing of the part below it
   };
   Kind kind = Kind::kNotCarried;
-  int32_t layer = 0;  ///< layer of the part
+  int32_t layer = 0;    ///< layer of the part
   Coord bottom_nm = 0;  ///< bottom of this layer
-  Point place;  ///< in the middle of the overhang, or near it
+  Point place;          ///< in the middle of the overhang, or near it
   double area_mm2 = 0;
   bool carried = false;  ///< for kStartsInAir: true if a support is below the island
 
@@ -53,7 +53,7 @@ struct SupportFinding {
 
 /// Supports of one object, and the notices about its overhangs.
 struct SupportPlan {
-  std::vector<SupportLayer> layers;  ///< bottom up, one for each height
+  std::vector<SupportLayer> layers;      ///< bottom up, one for each height
   std::vector<SupportFinding> findings;  ///< in order of the part's layer, then the place
   /// Areas with supports directly below the underside, grown by a line's width, by layer of the
   /// part.

@@ -20,7 +20,7 @@ struct SolidLayer {
 /// Layer of the part, with the marked areas of its underside.
 struct PartLayer : SolidLayer {
   const MultiPolygon* enforcers = nullptr;  ///< null if there are none
-  const MultiPolygon* blockers = nullptr;  ///< null if there are none
+  const MultiPolygon* blockers = nullptr;   ///< null if there are none
 };
 
 /// Input for the supports of one object, in its own coordinates. The neighbours of all copies are

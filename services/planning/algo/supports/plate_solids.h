@@ -42,7 +42,7 @@ class PlateSolids {
 
   const std::span<const PlacedCopy> copies_;
   std::map<int32_t, Solid> solids_;  ///< solids by object
-  std::deque<MultiPolygon> moved_;  ///< moved outlines that problems refer to
+  std::deque<MultiPolygon> moved_;   ///< moved outlines that problems refer to
 };
 
 }  // namespace slicefarm::planning

@@ -48,7 +48,7 @@ class TravelPlanner : public Planner {
 
   const std::span<const PlacedCopy> copies_;
   std::map<int32_t, Point> left_at_;  ///< exit point by object, in its own coordinates
-  Point plate_left_at_;  ///< first the corner of the bed where the start G-code ends
+  Point plate_left_at_;               ///< first the corner of the bed where the start G-code ends
   std::map<Beginning, int32_t> last_copies_;  ///< cache of results
   /// Rings of the island where the only copy is likely to be left, by layer; empty with several
   /// copies.
