@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 CHANGES = [
-    # path, True if a change of it makes another build
+    # path, True if a change of the file changes the build id
     ("services/infill/algo/section_fill.cc", True),
     ("services/slicing/algo/section/sweep.h", True),
     ("services/texture/algo/engrave_job.cc", True),
@@ -36,7 +36,7 @@ CHANGES = [
     ("README.md", False),
 ]
 
-# Folders whose files stage programs include, and which decide no bytes of a result.
+# Folders with files that stage programs include, but that do not affect the bytes of a result.
 CARRIERS = re.compile(r"common/rpc/|services/coordinator/algo/dispatch/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 

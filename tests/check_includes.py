@@ -12,14 +12,14 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
-# Neither comments nor what is quoted.
+# Comments and quoted text, which are ignored.
 NOISE = re.compile(r'R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.S)
 DECLARED = re.compile(r"^(?:(?:class|struct|enum class)(?: \[\[\w+\]\])? (\w+)(?: final)?(?=[\s:{;])|using (\w+) =)", re.M)
 FORWARD = re.compile(r"^(?:class|struct|enum class) (\w+)(?: : \w+)?;", re.M)
 
 TEST_FILE = re.compile(r"_test\.(cc|h)$")
 FOREIGN = {"boost", "v1", "grpc", "std", "testing"}
-# Words that types of classes, or of one file, go by as well.
+# Words that are also names of members, or of types of one file.
 ELSEWHERE = set(
     """Attempt Call Candidate Claimed Done Entries Join Kind Link Move Path Piece Place Plate Reply Run Shared Span Stack Tenant Then Turn
     Value Visit boost""".split()

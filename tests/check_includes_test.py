@@ -6,7 +6,7 @@ from planted_tree import told_of
 
 CHECK = pathlib.Path(__file__).with_name("check_includes.py")
 SCENE = "struct SceneObject {\n  int parts;\n};\nenum class PartRole : int { kPart };\n"
-# path: (text, the types of each that are named without their headers)
+# path: (text, types in the text that are named without their headers)
 TREE = {
     "common/model/scene.h": (SCENE, []),
     "common/model/twice.h": ("struct TwoHeaders {};\nclass ReplicaSet;\n", []),

@@ -3,10 +3,12 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The way is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server;
-a service never includes another one, except in the places where whole programs are put together: services/worker, services/cli and
-services/lab, which nothing includes. Each process has a folder, processes/<name>. Its types (model) belong to the layer model, and stages that work for the process include
-them. Its other folders (settings, task, wire, job) are reached through processes/list alone. No other file names a process, except
+The order is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server;
+a service never includes another one, except where whole programs are put together: services/worker, services/cli and services/lab,
+which nothing includes.
+
+Each process has a folder, processes/<name>. Its types (model) belong to the layer model, and the stages of the process include them. Its
+other folders (settings, task, wire, job) are reached through processes/list alone. No other file names a process, except
 common/model/process.h.
 """
 import pathlib
@@ -47,23 +49,24 @@ LAYERS = [
 COMPOSITION_ROOTS = {"worker", "cli", "lab"}
 JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
 PROCESSES = re.compile(r"processes/(\w+)/(?!model/)")
-# Beside its folders: the enumerators, and the stage that exposes layers.
+# Files of lasers beside their folders: the enumerators, and the stage that exposes layers.
 LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h")
 PROCESS_MODEL = re.compile(r'#include "processes/\w+/model/')
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
-# libm's results depend on the CPU (FMA or not), those of common/base/portable_math.h do not.
+# libm's results depend on the CPU (FMA or not). The functions of common/base/portable_math.h have the same results everywhere.
 LIBM = re.compile(
     r"\bstd::(LIBM)[fl]?\b|(?<![\w.>:])(?:::)?(LIBM)[fl]?\s*\(".replace(
         "LIBM",
         "a?(?:sin|cos|tan)h?|atan2|sincos|hypot|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|erfc?|[lt]gamma|polar",
     )
 )
-# Clang 14, which builds the fuzzers, cannot compile those of GCC 12's library that return a part of a range.
+# Clang 14 builds the fuzzers. It cannot compile the views of GCC 12's library that return a part of a range.
 SUBRANGE = re.compile(
     r"\bstd::(views::\w+|ranges::(?:views|subrange|unique|equal_range|rotate|remove|remove_if|partition|stable_partition|search|find_end)\b)"
 )
-# A place or a direction is an Eigen::Vector2d or Vector3d: a struct of its coordinates and nothing else but operators is one's own.
+# A place or a direction must be an Eigen::Vector2d or Vector3d. A forbidden type of one's own is a struct that has only
+# coordinates and operators.
 STRUCT = re.compile(r"\bstruct (\w+) \{")
 COORDINATES = re.compile(r"(?:(?:double|float) )?[uvxyz](?: = [\d.]+)?")
 LIBM_FREE = {"base", "gcode", "geometry", "model", "kinematics", "macro", "config", "stage", "algo", "settings", "task", "job"}
@@ -162,7 +165,7 @@ def check(root, file):
         yield f"{path}: no namespace of its own, slicefarm::..::{file.stem}: files compiled as one share names"
     if layer in ("algo", "geometry", "model", "kinematics", "config", "run", "settings", "task", "job") and not is_test:
         for m in IMPURE.finditer(text):
-            # A literal for tests may die; nothing else in pure code may touch the world.
+            # A literal for tests may abort. Apart from this, pure code may not have side effects.
             if "OrDie" not in text:
                 yield f"{path}:{text[: m.start()].count(chr(10)) + 1}: {m.group(1)} in pure code"
     for m in SUBRANGE.finditer(text):

@@ -6,7 +6,7 @@ from planted_tree import told_of
 
 CHECK = pathlib.Path(__file__).with_name("check_layers.py")
 OWN = '#include "%s"\n'
-# path: (text, words of each violation that must be told of that file)
+# path: (text, words that must appear in the violations of that file)
 TREE = {
     "common/geometry/turn.h": ("double Turn(double sin, double cos);  // sin(a), std::cos(a)\n", []),
     "common/geometry/turn.cc": ("double f(double a) { return std::sin(a); }\n", ["sin of libm"]),

@@ -18,9 +18,9 @@ import tempfile
 from collections import Counter
 
 KEYS = ("start_gcode", "start_filament_gcode", "before_layer_gcode", "layer_gcode", "end_filament_gcode", "end_gcode")
-# What one of them may name: by key.
+# Known differences in one template only: by key.
 TOLD_OF = {"end_gcode": {r"\blayer_z\b": "PrusaSlicer's layer_z at the end counts the lift of the nozzle"}}
-# What a template may name that no two slicers agree on, with the reason that is printed.
+# Known differences between slicers in any template, with the printed reason.
 TOLD = {
     r"print_time|_time\b": "times",
     r"used_filament|extruded_|total_weight|total_cost": "sums",
@@ -30,7 +30,7 @@ TOLD = {
 }
 
 
-# What PrusaSlicer refuses in some profiles, and what it gets instead.
+# Errors of PrusaSlicer for some profiles, and the settings that replace the refused ones.
 ACCEPTED = {"First layer height": {"first_layer_height": "0.2"}, "Relative extruder": {"use_relative_e_distances": "0"}}
 
 
@@ -183,7 +183,7 @@ def main():
     sets = {}
     for name, config in configs(o.profiles):
         sets.setdefault(tuple(config.get(k, "") for k in KEYS), (name, config))
-    # G-code that stands within another one, marks and all, is not told apart.
+    # Nested G-code with its marks cannot be separated.
     nested = re.compile(r"[\[{]\s*(" + "|".join(KEYS) + r")\b")
     all_sets = [each for each in sets.values() if not any(nested.search(each[1].get(k, "")) for k in KEYS)]
     told_sets = len(sets) - len(all_sets)

@@ -32,7 +32,7 @@ def steps(build, day):
     yield from fuzz_steps(build, day, FUZZERS_A_DAY)
     store = ("sqlite", "postgres")[day % 2]
     yield [ROOT / "tests/faults.sh", "--kills", "20", "--jobs", "10", "--store", store, "--seed", str(day)], {"SLICEFARM_BIN": build / "bin"}
-    # Of errors and power cuts CTest tries fewer.
+    # CTest tries fewer errors and power cuts.
     yield [build / "tests/coordinator_faults_test"], {"SLICEFARM_FAULT_ERRORS": "30", "SLICEFARM_FAULT_SEEDS": "2"}
 
 

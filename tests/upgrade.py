@@ -29,7 +29,7 @@ from local_farm import BIN, Farm, Postgres, Progress
 
 PAUSE_S = 0.6  # between kills, on average
 PHASES = 5  # old; old and new; new; new and old; old
-# What a later build may do to a schema that this one works with.
+# Changes that a later build may make to a schema used by this one.
 LATER_SCHEMA = """
 ALTER TABLE jobs ADD COLUMN of_a_later_build TEXT NOT NULL DEFAULT '';
 CREATE INDEX CONCURRENTLY of_a_later_build ON jobs (of_a_later_build, number);

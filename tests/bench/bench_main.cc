@@ -9,12 +9,13 @@ namespace {
 
 struct Benchmark {
   std::string_view name;
-  std::string_view argument;  ///< what has to follow the name; empty: nothing
+  std::string_view argument;  ///< required argument after the name; empty: none
   std::string_view what;
   int (*run)(const std::string& argument);
 };
 
-/// slicefarm-bench NAME [ARGUMENT] prints `key value` rows. Add a benchmark by a line here.
+/// Benchmarks of `slicefarm-bench NAME [ARGUMENT]`, which prints `key value` rows. A new benchmark
+/// needs a line here.
 constexpr std::array kBenchmarks = {
     Benchmark{"slice", "", "1,000,000 triangles into 400 layers on one thread",
               [](const std::string&) { return slicefarm::bench::BenchSlice(); }},

@@ -4,7 +4,7 @@
 
 namespace slicefarm::bench {
 
-/// Each prints `key value` rows to stdout and returns the exit code.
+/// Each function prints `key value` rows to stdout and returns the exit code.
 int BenchSlice();
 int BenchPlanning();
 int BenchHop();

@@ -1,10 +1,12 @@
 #!/bin/bash
-# What copies of a model cost: CPU seconds, user and system, of slicing one and a plate of N, and of PrusaSlicer for the same
-# plate, in turn with the settings of tests/corpus/config/peers.ini; the least of ROUNDS of each.
+# Measures the cost of copies of a model: CPU seconds, user and system, for one copy and for a plate of N. PrusaSlicer runs the
+# same plate in turn, with the settings of tests/corpus/config/peers.ini. Each value is the least of ROUNDS runs.
 #   tests/bench/copies.sh MODEL N [ROUNDS]
-# Prints `key value` rows: cpu_one cpu_n ratio stages_one stages_n stages_ratio prusa_cpu_n prusa_ratio. ratio: cpu_n of N times
-# cpu_one; stages: slicing, planning, beading and infill, by the reports' times on one thread, which are longer than CPU time where
-# others are at work; prusa_ratio: cpu_n of prusa_cpu_n. Without prusa-slicer there are no rows of it.
+# Prints `key value` rows: cpu_one cpu_n ratio stages_one stages_n stages_ratio prusa_cpu_n prusa_ratio.
+#   ratio        cpu_n divided by N times cpu_one
+#   stages       slicing, planning, beading and infill by the reports' times on one thread; longer than CPU time on a busy machine
+#   prusa_ratio  cpu_n divided by prusa_cpu_n
+# Without prusa-slicer its rows are missing.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 model=$1 count=$2 rounds=${3:-3}

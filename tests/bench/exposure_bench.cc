@@ -24,7 +24,7 @@ using exposure::ConvexPieces;
 using exposure::DecomposeOptions;
 
 constexpr int kRounds = 5;
-/// CGAL's optimal partition takes minutes beyond.
+/// Largest region for CGAL's optimal partition, which takes minutes above this.
 constexpr size_t kMaxOptimalPoints = 150;
 constexpr int kLatticeCells = 22;
 constexpr int kLatticeLayers = 100;
@@ -34,7 +34,7 @@ struct Timed {
   double seconds = 0;
 };
 
-/// The best of some rounds.
+/// Returns the best of some rounds.
 Timed Decomposed(const MultiPolygon& islands, DecomposeMethod method) {
   Timed timed{absl::UnknownError(""), std::numeric_limits<double>::infinity()};
   const DecomposeOptions options = {.method = method,
@@ -83,7 +83,7 @@ int BenchPolygons(const std::string& directory) {
   return 0;
 }
 
-/// Vectors a second of one core: of the whole layer, and of its hatch or rings alone.
+/// Prints the vectors per second of one core for the whole layer, or for its hatch or rings alone.
 void BenchStrategy(const char* name, ScanStrategy strategy, bool inside_only) {
   ExposureOptions options;
   options.strategy = strategy;

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # guard.sh [--runs N] [--limit RATIO] [MODEL...]
 # Compares the CPU time of this tree with that of the commit named in tests/bench/baseline, by stage.
-# Builds `slicefarm` of that commit once (build/guard/<commit>, preset cold), then slices each model with both
-# programs by turns, one thread, N times (4), and compares the least times. Prints a row for each model and one for
-# the sum; exits with 1 if the sum takes more than RATIO (1.05) times the baseline's.
+# Builds `slicefarm` of that commit once (build/guard/<commit>, preset cold). Then slices each model with both programs
+# alternately, with one thread, N times (4), and compares the least times. Prints a row for each model and one for the
+# sum. Exits with 1 if the sum takes more than RATIO (1.05) times the baseline's.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 runs=4 limit=1.05 models=()

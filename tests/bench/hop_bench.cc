@@ -42,7 +42,7 @@ constexpr int kSlots = 4;  // as for a farm of four workers: decides how long th
 
 struct Cost {
   double wall_s = 0;
-  double cpu_s = 0;  ///< of this process: client, server and gRPC's threads
+  double cpu_s = 0;  ///< CPU time of this process: client, server and gRPC's threads
 };
 
 double CpuSeconds() {
@@ -52,7 +52,7 @@ double CpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The least of a few runs.
+/// Returns the least cost of a few runs.
 Cost Measure(const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;
   Cost best{1e9, 1e9};
@@ -71,7 +71,7 @@ std::vector<Layer> Part(const std::vector<Layer>& layers, LayerRange range) {
   return {layers.begin() + range.first, layers.begin() + range.last};
 }
 
-/// A job in every state of its way.
+/// A job in every intermediate state.
 struct Job {
   SliceInput input;
   JobSettings settings;
@@ -102,7 +102,7 @@ struct Job {
   SlicedOutlines outlines() const { return {sliced.layers, sliced.copies}; }
 };
 
-/// Stages that have their answers ready: what is left of a call's cost is the hop's.
+/// Stages with ready answers, so that the whole cost of a call is the cost of the hop.
 class CannedSlicing : public SlicingStage {
  public:
   explicit CannedSlicing(const Job& job) : job_(job) {}
@@ -157,10 +157,10 @@ SliceInput Benchy() {
   return InputOf({{"benchy.stl", MeshFormat::kStl, CorpusFile("models/benchy.stl")}});
 }
 
-/// What a job costs by the stages of this process.
+/// Cost of a job with the stages of this process.
 struct LocalCost {
   Cost job;
-  Cost planning;  ///< of that
+  Cost planning;  ///< cost of planning within it
 };
 
 absl::StatusOr<LocalCost> Compute(Job* job) {
@@ -209,10 +209,10 @@ double Bytes(const std::vector<Layer>& layers) {
   return bytes;
 }
 
-/// Bytes of the layer messages there and back, all calls of a job together.
+/// Bytes of the layer messages in both directions, for all calls of a job together.
 struct Traffic {
   double planned = 0;  ///< outlines to planning, and plans back
-  double sliced = 0;   ///< outlines with the ranges' halos, once
+  double sliced = 0;  ///< outlines with the ranges' halos, once
   double walled = 0;
   double filled = 0;
   double ordered = 0;
@@ -239,7 +239,7 @@ Traffic Count(const Job& job) {
 /// Clients of canned stages over a real socket.
 class Farm {
  public:
-  /// `tls` null: in plain text.
+  /// `tls`: null for plain text.
   Farm(const Job& job, const rpc::Tls* tls)
       : job_(job),
         canned_slicing_(job),
@@ -251,9 +251,9 @@ class Farm {
             {.credentials = tls ? tls->ForIdentity(rpc::kCoordinatorIdentity, NoLog()) : nullptr}) {
   }
 
-  /// Each returns false if a call failed.
+  /// Each function returns false if a call failed.
   bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
-  /// By the planning service as it is, which has its algorithm within it.
+  /// Plans with the real planning service, which contains its algorithm.
   bool Plan() const {
     return remote_.planning.Plan({}, job_.outlines(), PlanningOf(FdmOf(job_.settings))).ok();
   }
@@ -276,7 +276,8 @@ class Farm {
   const RemoteClients remote_;
 };
 
-/// `once_cpu_s`: of the hops that a job makes once, to slicing and to planning.
+/// Prints one row. `once_cpu_s`: CPU time of the hops that a job makes once, to slicing and to
+/// planning.
 void Print(const char* way, double bytes, const Cost& hops, double once_cpu_s, double job_cpu_s,
            int32_t layers) {
   const double transport_s = hops.cpu_s + once_cpu_s;
@@ -286,9 +287,9 @@ void Print(const char* way, double bytes, const Cost& hops, double once_cpu_s, d
   std::printf("%s_transport_share %.4f\n", way, transport_s / (transport_s + job_cpu_s));
 }
 
-/// What the way between processes costs, on the benchy: bytes, time and CPU time per layer for
-/// fused workers (one hop) and for split stages (four), and their share of a job's CPU time, the
-/// hops of the mesh and of the outlines to planning included.
+/// Measures the cost of hops between processes on the benchy: bytes, time and CPU time per layer,
+/// for fused workers (one hop) and for split stages (four hops). Also prints their share of a job's
+/// CPU time, with the hops of the mesh to slicing and of the outlines to planning.
 int Bench(const rpc::Tls* tls) {
   Job job;
   job.input = Benchy();

@@ -1,9 +1,9 @@
 #!/bin/bash
-# What each pattern of sparse infill comes to on a box of 80 x 80 x 16 mm with one wall and no skins: one run, one table.
+# Measures each pattern of sparse infill on a box of 80 x 80 x 16 mm with one wall and no skins: one run, one table.
 #   tests/bench/infill.sh [--peer] [--density 20] [PATTERN...]
-# Rows: `pattern asked got paths longest_mm travels travel_mm moves cpu_s`. got: plastic of the infill by the room within the
-# walls, %; paths, longest_mm: of infill; travels, travel_mm, moves (that print): of the file; cpu_s: user and system, one thread.
-# With --peer, PrusaSlicer's columns stand beside ours, if it has the pattern; without prusa-slicer there are none.
+# Rows: `pattern asked got paths longest_mm travels travel_mm moves cpu_s`. got: plastic of the infill divided by the room
+# within the walls, %; paths, longest_mm: of infill; travels, travel_mm, moves (that print): of the file; cpu_s: user and
+# system, one thread. With --peer, PrusaSlicer's columns follow, if it has the pattern and prusa-slicer is installed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 peer= density=20
@@ -16,7 +16,7 @@ while [[ ${1:-} == --* ]]; do
 done
 patterns=("$@")
 if [[ ${#patterns[@]} == 0 ]]; then
-  # As the settings list them, but for auto, which is none.
+  # All patterns in the order of the settings, without `auto`, which is no pattern.
   mapfile -t patterns < <(build/bin/slicefarm settings fill_pattern --json |
     python3 -c 'import json, sys
 range = next(s["range"] for s in json.load(sys.stdin) if s["key"] == "fill_pattern")

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Draws a layer of every pattern of sparse infill into services/infill/gallery/NAME.png, and prints the table of
-# services/infill/README.md: density got, paths, travel, and CPU time on the box of tests/bench/infill.sh; how fast the lines are
-# printed on average, by the print's own estimate, and the pictures are of a box of 40 x 40 x 8 mm, 3.2 mm up.
+# Draws a layer of every pattern of sparse infill into services/infill/gallery/NAME.png. Prints the table of
+# services/infill/README.md: actual density, paths, travel, and CPU time on the box of tests/bench/infill.sh, and the average
+# speed of the lines by the print's own estimate. The pictures show a box of 40 x 40 x 8 mm at a height of 3.2 mm.
 #   tests/bench/infill_gallery.sh [PATTERN...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -6,8 +6,8 @@
 
 namespace slicefarm::bench {
 
-/// Layer `index` of `layers` of a lattice of `cells` by `cells` round bars, one every 2 mm: discs
-/// of 32 corners whose size changes with the height.
+/// Returns layer `index` of `layers` of a lattice of `cells` by `cells` round bars, one every 2 mm.
+/// The bars are discs of 32 corners with a size that changes with the height.
 SlicedLayer LatticeLayer(int32_t index, int32_t layers, int cells);
 
 }  // namespace slicefarm::bench

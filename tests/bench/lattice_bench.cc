@@ -15,8 +15,8 @@ namespace slicefarm::bench {
 namespace {
 
 constexpr int32_t kLayers = 1000;
-constexpr int kCells = 117;          ///< a million vectors a layer
-constexpr int32_t kRangeLayers = 8;  ///< what a worker gets at once of layers as full as these
+constexpr int kCells = 117;  ///< a million vectors per layer
+constexpr int32_t kRangeLayers = 8;  ///< layers per range for a worker, for layers of this size
 
 double PeakMb() {
   rusage usage = {};
@@ -30,7 +30,7 @@ struct Totals {
   int64_t vectors = 0;
 };
 
-/// Exposes and writes a range, as a worker does, and drops what it came to.
+/// Exposes and writes a range as a worker does, and discards the result.
 absl::Status AddRange(const ExposureStage& stage, int32_t first, const ExposureSettings& settings,
                       Totals& totals) {
   std::vector<SlicedLayer> layers;
@@ -62,7 +62,7 @@ int BenchLattice() {
       std::printf("failed: %s\n", std::string(status.message()).c_str());
       return 1;
     }
-    // Bars are thickest at layer 5: by then memory is what it will be.
+    // Bars are thickest at layer 5, so the first range already needs the peak memory.
     if (first == 0) std::printf("lattice_first_range_peak_mb %.0f\n", PeakMb());
   }
   std::printf(

@@ -27,7 +27,7 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
 }
 
-/// Of this process and of the readers that it has seen end.
+/// Returns the CPU time of this process and of the readers that have ended.
 double CpuSeconds() {
   double seconds = 0;
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -38,7 +38,7 @@ double CpuSeconds() {
   return seconds;
 }
 
-/// Prints the least of a few runs; false if one failed.
+/// Prints the least time of a few runs. Returns false if a run failed.
 template <typename Work>
 bool Measure(const std::string& what, const std::string& bytes, const Work& work) {
   using Clock = std::chrono::steady_clock;
@@ -81,9 +81,9 @@ bool MeasureFile(const std::string& name, const std::string& bytes) {
 
 }  // namespace
 
-/// What reading meshes in processes of their own costs, beside reading them directly: the least
-/// mesh there is, the benchy, and a torus of a million triangles; for the reading and for the whole
-/// slicing stage, on one thread.
+/// Measures the cost of reading meshes in separate processes, beside reading them directly. The
+/// meshes are the smallest possible one, the benchy, and a torus of a million triangles. Prints the
+/// times of the reading alone and of the whole slicing stage, on one thread.
 int BenchMesh() {
   const bool least = Measure("least_sandboxed_read", "", [](std::string) {
     return SandboxedMeshSource({.program = SLICEFARM_BIN "/slicefarm-mesh-reader"}).Probe().ok();

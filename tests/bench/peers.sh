@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Runs slicefarm and PrusaSlicer in turn on the same models with the same config.ini, and prints what each needs:
+# Runs slicefarm and PrusaSlicer in turn on the same models with the same config.ini, and prints the cost of each.
 #
 #   tests/bench/peers.sh MODEL...        `model key slicefarm peer ratio` rows
 #
 # keys  wall_s cpu_s rss_mb (medians of RUNS runs, whole process)  path_mm travel_mm (of the G-code)
-# RUNS    how often each is run, in turn (default 3)
+# RUNS    number of runs of each, in turn (default 3)
 # CONFIG  the config.ini (default tests/corpus/config/peers.ini)
-# SLICEFARM_BIN  where slicefarm is (default build/bin)
+# SLICEFARM_BIN  folder of slicefarm (default build/bin)
 # PrusaSlicer is Debian's package prusa-slicer; only this benchmark needs it.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

@@ -30,7 +30,7 @@ double CpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The most memory that a process had, in MB.
+/// Returns the peak memory of a process, in MB.
 double PeakMb(const std::string& process) {
   std::ifstream status("/proc/" + process + "/status");
   for (std::string line; std::getline(status, line);)
@@ -38,8 +38,8 @@ double PeakMb(const std::string& process) {
   return 0;
 }
 
-/// Octagons in rows, which grow and shrink a little from layer to layer: seams have something to
-/// follow.
+/// Returns octagons in rows that grow and shrink a little from layer to layer, so that seams have
+/// to follow them.
 SlicedLayer LayerOf(int32_t index, int islands) {
   ObjectSection section;
   section.layer = index;
@@ -57,7 +57,7 @@ SlicedLayer LayerOf(int32_t index, int islands) {
   return {{index, (index + 1) * Coord{10'000}, 10'000}, {std::move(section)}};
 }
 
-/// In this process, all plans kept.
+/// Plans in this process and keeps all plans.
 bool PlanHere(int32_t layers, int islands) {
   const PlanningOptions options;
   const std::vector<PlacedCopy> copies = {{0, {FromMm(100), FromMm(100)}, {}}};
@@ -79,7 +79,7 @@ bool PlanHere(int32_t layers, int islands) {
   return true;
 }
 
-/// By slicefarm-planning; the answers are counted and dropped.
+/// Plans with slicefarm-planning. The answers are counted and discarded.
 bool PlanThere(int32_t layers, int islands) {
   const ServerProcess server("slicefarm-planning");
   const std::string pid = std::to_string(server.process.pid());
@@ -118,7 +118,7 @@ bool PlanThere(int32_t layers, int islands) {
 int BenchPlanning() {
   constexpr int32_t kLayers = 100'000;
   constexpr int kIslands = 100;
-  // A job has no more layers than that: as many islands in fewer layers.
+  // A job cannot have more layers than this, so fewer layers get more islands.
   constexpr auto kMost = static_cast<int32_t>(limits::kMaxLayers);
   const bool ok = PlanThere(kMost, kLayers / kMost * kIslands) && PlanHere(kLayers, kIslands);
   return ok ? 0 : 1;

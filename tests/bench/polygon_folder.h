@@ -8,11 +8,11 @@
 namespace slicefarm::bench {
 
 struct PolygonFile {
-  std::string name;  ///< without its ending
+  std::string name;  ///< file name without its ending
   lab::PolyFile poly;
 };
 
-/// The polygons of a directory by their files' names; those that cannot be read are left out.
+/// Returns the polygons in the files of a directory, by file name. Unreadable files are left out.
 std::vector<PolygonFile> PolygonsIn(const std::string& directory);
 
 }  // namespace slicefarm::bench

@@ -16,14 +16,15 @@
 namespace slicefarm::bench {
 namespace {
 
-/// Of the raster that areas are measured on: no divisor of the hatch distance, as lines lie on a
-/// raster, too; and points at most of it.
+/// Smallest step of the raster for areas. It is no divisor of the hatch distance, because lines are
+/// on a raster too. The second constant is the largest number of raster points.
 constexpr Coord kLeastStepNm = 17'011;
 constexpr double kMostPoints = 3e5;
-/// Rings side by side touch; a spot this much narrower does not count that as twice.
+/// Reduction of the spot for the area melted twice. Neighbouring rings touch, and this must not
+/// count as twice.
 constexpr Coord kTouchNm = 2'000;
 
-/// Coordinates of a file in mm.
+/// Converts coordinates of a file in mm to nm.
 MultiPolygon InNm(MultiPolygon islands, int decimals) {
   double nm = kNmPerMm;
   for (int i = 0; i < decimals; ++i) nm /= 10;
@@ -48,13 +49,13 @@ Coord StepFor(const MultiPolygon& region) {
 }
 
 struct Coverage {
-  double of_area = 0;       ///< share of the outline that is melted
-  double of_reachable = 0;  ///< of what a spot can melt that stays within the outline
-  double twice_nm2 = 0;     ///< what two pieces melt
-  double cuts_nm = 0;       ///< all cuts' length
+  double of_area = 0;  ///< melted share of the outline
+  double of_reachable = 0;  ///< melted share of the area that a spot can melt within the outline
+  double twice_nm2 = 0;  ///< area melted by two pieces
+  double cuts_nm = 0;  ///< length of all cuts
 };
 
-/// All cuts' lengths.
+/// Returns the length of all cuts.
 double CutLength(const MultiPolygon& region, const ExposureOptions& options) {
   const auto pieces = exposure::ScanPieces(region, options.decompose, 0, {});
   if (!pieces.ok()) return 0;
@@ -84,7 +85,7 @@ absl::StatusOr<Coverage> Covered(const MultiPolygon& region, const ExposureOptio
                   CutLength(region, options)};
 }
 
-/// The least share and the mean one by area.
+/// Least share, and mean share by area.
 class Shares {
  public:
   void Add(double share, double area) {
@@ -103,7 +104,7 @@ class Shares {
   int below_ = 0;
 };
 
-/// All files with one way of scanning.
+/// Measures all files with one scan strategy.
 class RingRun {
  public:
   explicit RingRun(const ExposureOptions& options) : options_(options) {}

@@ -19,7 +19,7 @@ TAN_STEEP = 1.43
 STEP_MM = 1.0
 
 
-# ---- parts
+# ---- Parts
 
 def prism(sections):
     """Triangles through sections of (z, ring of equally many points), each a convex ring or a star around its middle."""
@@ -88,7 +88,7 @@ def head(a, z):
 
 PARTS = {
     "cylinder": lambda: prism([(0, circle(15)), (30, circle(15))]),
-    # 0.4 degrees a layer of 0.2 mm: its corners go 0.1 mm a layer.
+    # Turns by 0.4 degrees per layer of 0.2 mm, so its corners move 0.1 mm per layer.
     "twisted_cube": lambda: prism([(0.2 * k, square(20, math.radians(0.4 * k))) for k in range(151)]),
     "box": lambda: prism([(0, square(20)), (20, square(20))]),
     "rounded_box": lambda: prism([(0, rounded(20, 3)), (20, rounded(20, 3))]),
@@ -101,10 +101,10 @@ PARTS = {
     "vase": lambda: shell([z / 3 for z in range(151)],
                           lambda a, z: (16 + 5 * math.sin(z / 9)) * (1 + 0.12 * math.cos(7 * (a - z / 60)))),
     "head": lambda: shell(ball(50), head),
-    # A thread of 4 mm, its flanks at 45 degrees.
+    # A thread of 4 mm with flanks at 45 degrees.
     "screw": lambda: shell([z / 10 for z in range(401)],
                            lambda a, z: 8 + 2 * (1 - abs(2 * ((z / 4 - a / (2 * math.pi)) % 1) - 1))),
-    # 60 degrees out to the rear, where seams would be.
+    # Leans 60 degrees to the rear, where seams would be.
     "leaning": lambda: prism([(z, [(0, 0), (20, 0), (20, 20 + 1.73 * z), (0, 20 + 1.73 * z)]) for z in (0, 20)]),
 }
 

@@ -1,8 +1,8 @@
 #!/bin/bash
-# What seams are like on parts made for it and on any others: one run, one table.
+# Measures the seams of parts made for this test and of any other models: one run, one table.
 #   tests/bench/seams.sh [--peer] [--position aligned] [MODEL.stl...]
 # Rows: `part loops jumps% step_mean step_p95 on_corner% overhanging% avoidable%`, explained in seams.py. With --peer,
-# PrusaSlicer's columns stand beside ours, with the same settings; without prusa-slicer there are none.
+# PrusaSlicer's columns follow, with the same settings, if prusa-slicer is installed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 peer= position=aligned

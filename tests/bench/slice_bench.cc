@@ -21,7 +21,7 @@ constexpr int kLayers = 400;
 constexpr Coord kLayerNm = 100'000;
 constexpr int kRuns = 5;
 
-/// 2 * 1000 * 500 triangles, 40 mm high.
+/// Returns a torus of 2 * 1000 * 500 triangles, 40 mm high.
 slicing::TorusShape Torus(bool on_planes) {
   return {.ring_radius = 60,
           .tube_radius = 20,
@@ -106,8 +106,8 @@ void Print(const std::string& prefix, const Result& r) {
 
 }  // namespace
 
-/// The best of a few runs on one thread, for a torus and for one with all vertices exactly on the
-/// planes. Fails unless every layer has closed loops only.
+/// Prints the best times of a few runs on one thread, for a torus and for one with all vertices
+/// exactly on the planes. Fails unless every layer has closed loops only.
 int BenchSlice() {
   bool sound = true;
   for (const bool on_planes : {false, true}) {
@@ -115,7 +115,7 @@ int BenchSlice() {
         slicing::PlaceMesh(slicing::TorusMesh(Torus(on_planes)));
     if (!mesh.ok()) return 1;
     IndexedMesh placed = *mesh;
-    // Placing drops the lowest ring to 0; it belongs on the first plane.
+    // Placing moves the lowest ring to 0, but it must be on the first plane.
     if (on_planes)
       for (Vertex& v : placed.vertices) v.z += kLayerNm / 2;
     const Result result = Best(placed);

@@ -1,9 +1,9 @@
 #!/bin/bash
-# What supports take: plastic, CPU, layers.
+# Measures the cost of supports: plastic, CPU, layers.
 #   tests/bench/supports.sh MODEL.stl... [--peer]
-# Rows: `model style support_mm3 cpu_s layers`, for the styles grid, snug and organic. cpu_s is what supports add to the
-# CPU of a run with one thread: the least of three with them less the least of three without. With --peer, the same of
-# PrusaSlicer follows; a style that the installed one does not know has `-` (2.5 has no organic one).
+# Rows: `model style support_mm3 cpu_s layers`, for the styles grid, snug and organic. cpu_s is the CPU time that supports
+# add to a run with one thread: the least of three runs with supports, less the least of three runs without. With --peer,
+# PrusaSlicer's values follow; a style that the installed version does not have has `-` (2.5 has no organic one).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 peer=
@@ -20,7 +20,7 @@ done
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-# The least CPU of three runs: seconds, or `-` if it fails.
+# Prints the least CPU time of three runs in seconds, or `-` if a run fails.
 least() {
   local best=999999 now
   for _ in 1 2 3; do
@@ -30,7 +30,7 @@ least() {
   done
   echo "$best"
 }
-# with, without, file -> columns
+# Prints the columns from the time with supports, the time without, and the file.
 row() {
   [[ $1 != - && $2 != - ]] || { echo '- - -'; return; }
   read -r volume layers <<<"$(python3 tests/bench/supports.py "$3")"

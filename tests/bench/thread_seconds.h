@@ -4,7 +4,7 @@
 
 namespace slicefarm::bench {
 
-/// CPU time of this thread: what else the machine does counts for less.
+/// Returns the CPU time of this thread, which depends less on other load of the machine.
 inline double ThreadSeconds() {
   timespec now = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

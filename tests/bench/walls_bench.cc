@@ -23,19 +23,19 @@ using lab::BeadTotals;
 
 constexpr int kRounds = 3;
 constexpr int kPoints = 10'000;
-constexpr Coord kOpenNm = 1'500;  ///< as MakeVariableWalls opens what touches itself
+constexpr Coord kOpenNm = 1'500;  ///< opening of self-touching outlines, as in MakeVariableWalls
 
-/// As voronoi_builder takes one.
+/// Segment in the form that voronoi_builder accepts.
 struct Segment {
   int32_t x0, y0, x1, y1;
 };
 
 struct Outline {
   MultiPolygon islands;
-  std::vector<std::vector<Segment>> segments;  ///< by island
+  std::vector<std::vector<Segment>> segments;  ///< segments by island
 };
 
-/// CPU time of the thread: what else the machine does counts for less.
+/// Returns the CPU time of the thread, which depends less on other load of the machine.
 double Now() {
   timespec now = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -58,8 +58,8 @@ std::vector<Segment> Segments(const Boundary& boundary) {
   return segments;
 }
 
-/// What MakeVariableWalls makes diagrams of: rounded to um, or to nm where um make a side cross
-/// another one.
+/// Returns the outline as MakeVariableWalls prepares it for diagrams: rounded to um, or to nm if um
+/// make a side cross another one.
 Outline Prepare(MultiPolygon islands) {
   Outline outline;
   for (const PolygonWithHoles& island : islands) {
@@ -120,7 +120,8 @@ Times RunRound(const std::vector<Outline>& outlines, const MultiPolygon& ring) {
   const BeadMaker fills({}), makes_three({.walls = 3});
   Times times;
   BeadTotals totals;
-  // In turn outline by outline, so that a slow spell of the machine slows down all alike.
+  // Measures all methods outline by outline, so that a slow period of the machine affects all of
+  // them alike.
   for (const Outline& outline : outlines) {
     times.voronoi_s += Seconds([&] { BuildDiagrams(outline); });
     times.insets_s += Seconds([&] { MakeInsets(outline); });
@@ -132,7 +133,7 @@ Times RunRound(const std::vector<Outline>& outlines, const MultiPolygon& ring) {
   return times;
 }
 
-/// Each the best over all rounds.
+/// Returns the best time of each method over all rounds.
 Times Best(const std::vector<Outline>& outlines) {
   const MultiPolygon ring = {beading::WavyRing(kPoints)};
   Times best = RunRound(outlines, ring);
@@ -147,8 +148,8 @@ Times Best(const std::vector<Outline>& outlines) {
 
 }  // namespace
 
-/// Walls for the outlines of a directory, beside what a Voronoi diagram and constant insets alone
-/// take.
+/// Measures walls for the outlines of a directory, beside the times of a Voronoi diagram alone and
+/// of constant insets alone.
 int BenchWalls(const std::string& outlines) {
   const auto read = Read(outlines);
   if (!read) return 1;

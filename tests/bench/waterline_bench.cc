@@ -24,7 +24,7 @@ constexpr int kWaterlineRounds = 3;
 constexpr int kManyLevels = 50;
 constexpr int kLevelsOfMillion = 100;
 
-/// What OpenCAMlib's Waterline::run gave on one level with one thread.
+/// Result of OpenCAMlib's Waterline::run on one level with one thread.
 struct PeerWaterline {
   const char* cutter;
   int loops;
@@ -32,7 +32,7 @@ struct PeerWaterline {
   double seconds;
 };
 
-/// A model, the share of its height at which the level lies, the sampling in mm.
+/// Model, level as a share of its height, and sampling in mm.
 struct WaterlineCase {
   const char* file;
   double share;
@@ -117,7 +117,7 @@ std::optional<milling::TriangleMesh> MeshIn(const std::string& path) {
   return mesh;
 }
 
-/// Waves on 100 x 100 mm, up to 22 mm high.
+/// Returns waves on 100 x 100 mm, up to 22 mm high.
 milling::TriangleMesh Waves() {
   constexpr uint32_t kCells = 708;  // 1,002,528 triangles
   constexpr double kPitchMm = 100.0 / kCells;
@@ -140,7 +140,7 @@ milling::TriangleMesh Waves() {
 struct TimedWaterline {
   size_t loops = 0;
   size_t points = 0;
-  double seconds = 0;  ///< the best of some rounds
+  double seconds = 0;  ///< the best time of some rounds
 };
 
 TimedWaterline Timed(const milling::TriangleMesh& mesh, const Cutter& cutter,
@@ -161,7 +161,7 @@ TimedWaterline Timed(const milling::TriangleMesh& mesh, const Cutter& cutter,
   return timed;
 }
 
-/// `count` levels, evenly over the height.
+/// Returns `count` levels, evenly distributed over the height.
 std::vector<double> LevelsOf(const milling::TriangleMesh& mesh, int count) {
   const auto by_z = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return a.z() < b.z();

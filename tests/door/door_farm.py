@@ -12,7 +12,7 @@ import threading
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from local_farm import BIN, MODELS, ROOT
 
-# Attacks hold thousands of connections.
+# Attacks open thousands of connections.
 resource.setrlimit(resource.RLIMIT_NOFILE, (resource.getrlimit(resource.RLIMIT_NOFILE)[1],) * 2)
 
 SERVICES = 16  # ports above the door's that the farm may take

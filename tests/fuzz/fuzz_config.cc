@@ -7,7 +7,7 @@
 #include "common/config/resolve.h"
 #include "common/model/process.h"
 
-// Whatever resolves, of any process, has a text that resolves to the same settings.
+// Settings of any process that resolve have a text that resolves to the same settings.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace config = slicefarm::config;
   const auto given = config::ReadIni({reinterpret_cast<const char*>(data), size});

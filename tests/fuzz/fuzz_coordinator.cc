@@ -22,16 +22,16 @@
 #include "tests/fuzz/proto_mutator.h"
 #include "tests/fuzz/stage_call.h"
 
-// Calls to the coordinator's public services, as they come off a wire, over real stores and stages
-// that take no time. What becomes a job runs to its end: its tasks are cut, its program is put
-// together with templates, substitutions and all, and its result is read.
+// Fuzzes calls to the coordinator's public services, as they arrive over a wire, with real stores
+// and stages that take no time. Each accepted job runs to its end: its tasks are made, its program
+// is assembled with templates and substitutions, and its result is read.
 
 namespace slicefarm::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// `line`: the caller's.
+/// Aborts unless the condition holds. `line`: line of the caller.
 void Expect(bool holds, int line = __builtin_LINE()) {
   if (holds) return;
   std::fprintf(stderr, "fuzz_coordinator.cc:%d does not hold\n", line);
@@ -61,8 +61,8 @@ class Farm {
         dispatcher_, rpc::JsonLog("fuzz"));
     Expect(opened.ok());
     coordinator_ = *std::move(opened);
-    // A real socket: gRPC's in-process transport hangs where a server refuses what a client still
-    // sends.
+    // A real socket is needed, because gRPC's in-process transport hangs if a server refuses a
+    // message that a client still sends.
     const std::string address = "unix:" + directory_ + "/socket";
     grpc::ServerBuilder builder;
     builder.AddListeningPort(address, grpc::InsecureServerCredentials());
@@ -87,10 +87,10 @@ class Farm {
 
   void Call(const CoordinatorCall& call);
 
-  /// Waits for the ends of all jobs, which are those of the answers and of batches.
+  /// Waits for the ends of all jobs, from single calls and from batches.
   void AwaitEnds();
 
-  /// As before the first call. REQUIRES: AwaitEnds.
+  /// Restores the state before the first call. REQUIRES: AwaitEnds.
   void Clear() {
     Expect(database_
                ->Execute("DELETE FROM jobs; DELETE FROM requests; DELETE FROM results;"
@@ -106,14 +106,14 @@ class Farm {
   }
 
  private:
-  /// What is refused says why: no call ends as UNKNOWN, or as an error of our own.
+  /// Checks that a refused call has a reason: no call ends as UNKNOWN or with an internal error.
   static bool Ends(const grpc::Status& status, int line = __builtin_LINE()) {
     Expect(status.error_code() != grpc::StatusCode::UNKNOWN, line);
     Expect(status.error_code() != grpc::StatusCode::INTERNAL, line);
     return status.ok();
   }
 
-  /// Whether the call went well.
+  /// Makes a call. Returns true if it succeeded.
   template <typename Stub, typename Request, typename Response>
   static bool Make(Stub& stub,
                    grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
@@ -169,7 +169,7 @@ void Farm::Upload(const fuzz::Upload& upload) {
   Ends(stream->Finish());
 }
 
-/// What was accepted is kept as it was sent first.
+/// Creates a job. An accepted job must be stored as it was first sent.
 void Farm::Create(const v1::CreateJobRequest& request) {
   for (const v1::Object& object : request.spec().objects()) CheckRoundTrip(object.placement());
   v1::Job job;
@@ -230,8 +230,8 @@ void Farm::BatchCreate(const v1::BatchCreateJobsRequest& request) {
     if (outcome.has_job()) created_.insert(outcome.job().id());
 }
 
-/// A job that goes back to the queue, as its stages fail, is cancelled after a while: it would wait
-/// longer each time.
+/// Waits for the end of a job. A job that returns to the queue because its stages fail is cancelled
+/// after some time, because it would wait longer each time.
 void Farm::AwaitEnd(const std::string& id) {
   for (const bool cancelled : {false, true}) {
     if (cancelled) {
@@ -265,7 +265,7 @@ void Farm::AwaitEnds() {
   for (const std::string& id : created_) AwaitEnd(id);
 }
 
-/// All are kept, or none.
+/// Creates jobs of several plates. The server must store all of them, or none.
 void Farm::CreatePlates(const v1::CreatePlatesRequest& request) {
   v1::CreatePlatesResponse response;
   if (!Make(*jobs_, &v1::Jobs::Stub::CreatePlates, request, &response)) return;

@@ -12,7 +12,7 @@
 namespace slicefarm::fuzz {
 namespace {
 
-/// More layers and finer lines take long, and find no more.
+/// Limit of layers. More layers and finer lines take long and find no more errors.
 constexpr int32_t kMostLayers = 20;
 constexpr size_t kMostTriangles = 200;
 

@@ -25,7 +25,8 @@ using slicefarm::RegionPair;
   std::abort();
 }
 
-/// The bounds are those of common/geometry/boolean/differential_test.cc.
+/// Checks boolean operations. The bounds are the same as in
+/// common/geometry/boolean/differential_test.cc.
 void CheckBooleans(const RegionPair& pair) {
   for (const Operation op : {Operation::kUnion, Operation::kIntersection, Operation::kDifference}) {
     const auto got = TryBoolean(pair.a, pair.b, op);
@@ -51,8 +52,8 @@ void CheckOffsets(const RegionPair& pair, slicefarm::Coord distance_nm) {
 
 }  // namespace
 
-/// Differential: what is ours against Clipper, and where they differ, against CGAL. The bytes are
-/// the choices of MakeRegionPair, two for each.
+/// Compares slicefarm's results with Clipper's, and with CGAL's if they differ. Each two bytes are
+/// a choice of MakeRegionPair.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto pick = [&](uint32_t below) -> uint32_t {
     if (size == 0) return 0;

@@ -13,7 +13,7 @@
 namespace slicefarm::fuzz {
 namespace {
 
-/// More steps take long, and find no more.
+/// Limit of steps. More steps take long and find no more errors.
 constexpr size_t kMostSteps = 60;
 
 void Run(const MillCall& given) {
@@ -38,7 +38,7 @@ void Run(const MillCall& given) {
   const auto program =
       stage->Assemble(start->call, shared, *std::move(steps), start->settings_text);
   if (program.ok()) CheckRoundTrip(Encoded<v1::MillReport>(program->report));
-  // Steps that somebody else claims to be the job's.
+  // Steps of another client that claims them to be part of the job.
   std::vector<MilledStep> claimed;
   v1::MillRequest request;
   while (requests.Read(&request))

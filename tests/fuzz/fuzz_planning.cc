@@ -15,7 +15,7 @@
 namespace slicefarm::fuzz {
 namespace {
 
-/// Seams go by the rings of a section that there is.
+/// Returns true if the plan fits the layer: it has as many seams as the section has rings.
 bool Fits(const SectionPlan& plan, const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections) {
     if (section.stack.id != plan.stack) continue;

@@ -12,7 +12,7 @@ namespace {
 
 using slicefarm::MultiPolygon;
 
-/// What later stages rely on.
+/// Returns true if the outlines meet the requirements of later stages.
 bool IsSound(const MultiPolygon& outlines) {
   return std::all_of(
       outlines.begin(), outlines.end(), [](const slicefarm::PolygonWithHoles& island) {
@@ -31,7 +31,7 @@ bool IsSound(const slicefarm::ObjectSection& section) {
          });
 }
 
-/// Half of the same mesh, in which other settings hold.
+/// Adds half of the same mesh as a modifier with other settings.
 void AddModifier(slicefarm::ObjectInput& object) {
   slicefarm::PartInput modifier = object.parts[0];
   modifier.role = slicefarm::PartRole::kModifier;
@@ -43,7 +43,7 @@ void AddModifier(slicefarm::ObjectInput& object) {
 
 }  // namespace
 
-/// The first byte picks the settings, the rest is a mesh of any format.
+/// The first byte selects the settings, and the rest is a mesh of any format.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size == 0) return 0;
   slicefarm::SlicingOptions options;

@@ -13,7 +13,7 @@
 namespace slicefarm::fuzz {
 namespace {
 
-/// Nothing here is to take long for what it is.
+/// Limit of sizes, so that no input takes long only because of its size.
 constexpr int64_t kMaxPx = 64;
 
 bool IsSmall(const v1::SliceStart& start) {

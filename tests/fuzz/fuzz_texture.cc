@@ -13,7 +13,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Slices a texture and walks across it.
+/// Slices a texture and samples it along a line.
 void Use(const Texture& texture) {
   const double heights[] = {0.01 * texture.height_mm, 0.5 * texture.height_mm,
                             0.99 * texture.height_mm};

@@ -29,7 +29,7 @@
 namespace slicefarm::fuzz {
 namespace {
 
-/// What comes from a client that reads nothing.
+/// Connection of a client that sends and never reads.
 class OneWay : public WorkerEnd {
  public:
   explicit OneWay(Requests<v1::WorkRequest>& requests) : requests_(requests) {}
@@ -46,7 +46,7 @@ ProcessRunners RunnersOver(const Stages& stages) {
   return ProcessRunners(std::move(runners));
 }
 
-/// Has `start` name what the call has beside it.
+/// Stores shared data in the cache, and sets its digest in `start`.
 template <typename Proto>
 void Name(const Proto& proto, v1::WorkStart& start, SharedCache& cache) {
   CheckRoundTrip(proto);

@@ -47,7 +47,7 @@
 #include "services/texture/algo/local_texture_stage.h"
 #include "tests/fuzz/calls.pb.h"
 
-// Seeds for the fuzzers of calls: those of a small job, as its stages get them.
+// Writes seeds for the fuzzers of calls: the calls of a small job, as its stages receive them.
 //
 //   make_seeds tests/corpus/fuzz
 
@@ -66,7 +66,7 @@ constexpr std::pair<const char*, const char*> kSettings[] = {
     {"fill_density", "20%"},       {"extrusion_width", "1.2"},
     {"start_gcode", "G28 ; home"}, {"layer_gcode", ";[layer_num]"}};
 
-/// Dies of what is no seed.
+/// Returns the value, or aborts if there is an error.
 template <typename T>
 T Must(absl::StatusOr<T> value) {
   if (value.ok()) return *std::move(value);
@@ -92,13 +92,13 @@ class Seeds {
   const std::string folder_;
 };
 
-/// Seeds hold no build id: the fuzzers fill in their own.
+/// Seeds have no build id, because the fuzzers fill in their own.
 template <typename Start>
 void Anonymous(Start* start) {
   start->mutable_call()->clear_build_id();
 }
 
-/// As a project has it: a body and a modifier, a range of heights, two copies.
+/// Returns an object as in a project: a body and a modifier, a range of heights, two copies.
 SceneObject OfParts() {
   SceneObject object = ObjectOfFile("body", 0, {}, 2);
   object.parts.push_back(object.parts[0]);
@@ -193,7 +193,7 @@ void WriteCoordinatorSeeds(const Seeds& seeds) {
   seeds.Write("coordinator", "profiles", profiles);
 }
 
-/// A job on its way.
+/// A job in all intermediate states.
 struct Job {
   JobSettings settings;
   StageCall call;
@@ -217,7 +217,7 @@ std::vector<Setting> Given(std::span<const std::pair<const char*, const char*>> 
 
 SceneObject Box() { return ObjectOfFile("box.obj", 0, {}, 1); }
 
-/// Two copies of a box with settings of its own low down, and others in one corner.
+/// Returns two copies of a box. Its lower part and one corner have settings of their own.
 SceneObject BoxesWithModifier() {
   constexpr std::pair<const char*, const char*> kInside[] = {{"fill_density", "100%"},
                                                              {"perimeters", "2"}};
@@ -373,7 +373,7 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
   seeds.Write("motion", name, motion);
 }
 
-/// A laser's calls over the same outlines: by its own stage, and by a worker.
+/// Writes a laser's calls for the same outlines: of its own stage, and of a worker.
 void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& job) {
   ExposureSettings settings;
   settings.regions.resize(FdmOf(job.settings).regions.size());
@@ -410,7 +410,8 @@ void WriteExposureSeeds(const Seeds& seeds, const std::string& name, const Job& 
   }
 }
 
-/// Of a small block: its own stage's call with all steps, and a worker's.
+/// Writes the calls of a small block: the call of its own stage with all steps, and a worker's
+/// call.
 void WriteMillSeeds(const Seeds& seeds) {
   MillInput input;
   constexpr Coord kSide = 6'000'000;
@@ -444,7 +445,7 @@ void WriteMillSeeds(const Seeds& seeds) {
   }
 }
 
-/// Of a roof: its own stage's calls, and a worker's.
+/// Writes the calls of a roof: the calls of its own stages, and a worker's call.
 void WriteEngraveSeeds(const Seeds& seeds) {
   const SurfaceInput surface{{{{0, 0, 0}, {2, 0, 1}, {4, 0, 0}, {0, 3, 0}, {2, 3, 1}, {4, 3, 0}},
                               {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}}};
@@ -471,7 +472,7 @@ void WriteEngraveSeeds(const Seeds& seeds) {
   }
 }
 
-/// Each stage's call, with what the stage before it gave.
+/// Writes each stage's call, with the result of the stage before it.
 void WriteStageSeeds(const Seeds& seeds, const std::string& name, Job job) {
   WriteSliceSeed(seeds, name, job);
   WritePlanSeed(seeds, name, job);

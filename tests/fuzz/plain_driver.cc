@@ -1,10 +1,10 @@
-// Runs a fuzz target without libFuzzer, by any compiler: over its seeds, and for some seconds over
-// what random changes make of them. It follows no coverage; that is for the preset `fuzz`.
+// Runs a fuzz target without libFuzzer, with any compiler: over its seeds, and for some seconds
+// over random changes of them. It ignores coverage; the preset `fuzz` uses it.
 //
 //   fuzz_x DIR [SECONDS SEED]
 //
-// An input is in the file `last-input` of the working directory while the target has it: after a
-// crash, the one that crashed it.
+// The current input is in the file `last-input` of the working directory. After a crash, it is the
+// input that caused it.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -55,8 +55,8 @@ void Try(const Bytes& input, bool keep) {
 
 }  // namespace
 
-/// What libFuzzer gives to mutators of messages: changes some bytes, cuts some out, or puts some
-/// in.
+/// Replacement of libFuzzer's mutation function for mutators of messages. It changes some bytes,
+/// removes some, or inserts some.
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size) {
   auto& random = Random();
   if (size == 0 || (random() % 4 == 0 && size < max_size)) {
@@ -80,7 +80,7 @@ extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size) 
   return size;
 }
 
-/// A target that has a mutator of its own replaces this one.
+/// Default mutator. A target with its own mutator replaces it.
 extern "C" __attribute__((weak)) size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size,
                                                                 size_t max_size,
                                                                 unsigned int /*seed*/) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// libFuzzer's own, on bytes.
+// libFuzzer's own function, for bytes.
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size);
 
 namespace slicefarm::fuzz {
@@ -24,7 +24,7 @@ constexpr size_t kMaxTextBytes = 64;
 
 bool OneIn(Random& random, unsigned int n) { return random() % n == 0; }
 
-/// A value near `value`, or at an edge of its type.
+/// Returns a value near `value`, or at a limit of its type.
 template <typename T>
 T NextInteger(T value, Random& random) {
   using Limits = std::numeric_limits<T>;
@@ -86,7 +86,7 @@ std::string NextText(std::string value, bool utf8, Random& random) {
   return text;
 }
 
-/// The sub-messages of a message, itself included.
+/// Collects the sub-messages of a message, including the message itself.
 void Collect(Message* message, std::vector<Message*>* all) {
   all->push_back(message);
   const Reflection& reflection = *message->GetReflection();
@@ -103,8 +103,8 @@ void Collect(Message* message, std::vector<Message*>* all) {
   }
 }
 
-/// Applies `next` to a field, or to element `index` of a repeated one; `index` -1 of a repeated
-/// field: appends a changed copy of a standard value.
+/// Applies `next` to a field, or to element `index` of a repeated one. For `index` -1 of a repeated
+/// field it appends a changed copy of a standard value.
 #define SLICEFARM_MUTATE(Type, next)                                                         \
   if (!field.is_repeated()) {                                                                \
     const auto value = reflection.Get##Type(*message, &field);                               \
@@ -160,7 +160,7 @@ void ChangeValue(Message* message, const FieldDescriptor& field, int index, Rand
 }
 #undef SLICEFARM_MUTATE
 
-/// Another copy of an element, at the end.
+/// Appends another copy of an element.
 void Duplicate(Message* message, const FieldDescriptor& field, int index, Random& random) {
   const Reflection& reflection = *message->GetReflection();
   if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
@@ -199,7 +199,7 @@ void Change(Message* message, Random& random) {
   ChangeValue(message, field, 0, random);
 }
 
-/// 0 if it is too large.
+/// Returns the size of the serialized message; 0 if it is too large.
 size_t Store(const Message& message, uint8_t* data, size_t max_size) {
   const size_t size = message.ByteSizeLong();
   if (size > max_size || !message.SerializeToArray(data, static_cast<int>(max_size))) return 0;
@@ -225,7 +225,7 @@ size_t MutateProto(Message& scratch, uint8_t* data, size_t size, size_t max_size
 
 size_t JoinProtos(Message& scratch, const uint8_t* first, size_t first_size, const uint8_t* second,
                   size_t second_size, uint8_t* out, size_t max_size) {
-  // Fields of the second message go after, or over, those of the first.
+  // Fields of the second message are appended to, or replace, the fields of the first.
   if (!scratch.ParseFromArray(first, static_cast<int>(first_size))) return 0;
   std::string bytes(reinterpret_cast<const char*>(first), first_size);
   bytes.append(reinterpret_cast<const char*>(second), second_size);

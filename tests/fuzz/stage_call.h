@@ -16,7 +16,7 @@
 
 namespace slicefarm::fuzz {
 
-/// The messages of a call, as a stage's service reads them.
+/// Messages of a call, as a stage's service reads them.
 template <typename Request>
 class Requests {
  public:
@@ -34,7 +34,7 @@ class Requests {
   }
 
  private:
-  /// Of this build, unless it says otherwise.
+  /// Replaces an empty build id by this build's id.
   template <typename Call>
   static void Welcome(Call& call) {
     if (call.build_id().empty()) call.set_build_id(std::string(BuildId()));
@@ -44,14 +44,14 @@ class Requests {
   int next_ = 0;
 };
 
-/// As a service cancels a call whose deadline has passed.
+/// Returns a token that is cancelled after a deadline, as in a service.
 inline CancelToken WithDeadline(
     std::chrono::milliseconds deadline = std::chrono::milliseconds(1000)) {
   const auto end = std::chrono::steady_clock::now() + deadline;
   return CancelToken([end] { return std::chrono::steady_clock::now() > end; });
 }
 
-/// ToProto in each of its forms.
+/// Calls ToProto in each of its forms.
 template <typename Proto, typename Model>
 Proto Encoded(const Model& model) {
   Proto proto;
@@ -69,7 +69,7 @@ Proto Encoded(const Model& model) {
   return proto;
 }
 
-/// The same bytes for equal messages, maps in them or not.
+/// Serializes a message so that equal messages have equal bytes, even with maps.
 template <typename Proto>
 std::string Serialized(const Proto& proto) {
   std::string bytes;
@@ -82,7 +82,7 @@ std::string Serialized(const Proto& proto) {
   return bytes;
 }
 
-/// What is accepted is told on without loss.
+/// Checks that an accepted message is forwarded without loss.
 template <typename Proto>
 void CheckRoundTrip(const Proto& proto) {
   const auto model = FromProto(proto);
@@ -96,7 +96,7 @@ void CheckRoundTrip(const Proto& proto) {
   if (Serialized(Encoded<Proto>(*again)) != Serialized(told)) std::abort();
 }
 
-/// Numbers that no printer can read.
+/// Checks for numbers that no printer can read.
 inline void CheckGcode(std::string_view gcode) {
   for (size_t begin = 0; begin < gcode.size();) {
     const size_t end = std::min(gcode.find('\n', begin), gcode.size());

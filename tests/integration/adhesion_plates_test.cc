@@ -28,14 +28,16 @@
 namespace slicefarm::adhesion_plates_test {
 namespace {
 
-/// From settings to the paths that are printed: skirt, brim and raft of plates of random parts.
-/// Distances are measured in the paths, by plain geometry.
+/// Tests skirt, brim and raft of plates of random parts, from settings to printed paths. Distances
+/// are measured in the paths by plain geometry.
 
 constexpr double kOffNm = 20'000;
-/// A single line that fills a place less than two lines wide has the place's volume: its round
-/// edges stand out, by 0.022 mm of a layer of 0.2 mm, and somewhat more where the place tapers off.
+/// Tolerance for a single line in a place less than two lines wide. The line has the volume of the
+/// place. Its round edges extend by 0.022 mm for a layer of 0.2 mm, and by more where the place
+/// becomes narrower.
 constexpr double kSingleLineOffNm = 50'000;
-/// So is a loop where it turns in the tip of a place: nowhere else is it as narrow.
+/// Width below which a bead counts as such a single line. A loop is this narrow only where it turns
+/// in the tip of a place.
 constexpr Coord kNarrowNm = 250'000;
 
 bool IsSingleAt(const Path& path, size_t point) {
@@ -58,11 +60,11 @@ config::ResolvedPlate Resolved(const Settings& given) {
   return plate.ok() ? *std::move(plate) : config::ResolvedPlate{};
 }
 
-/// A plate of copies of one object, the same outline on all layers.
+/// Plate of copies of one object, with the same outline on all layers.
 struct Plate {
   std::vector<SlicedLayer> layers;
   std::vector<PlacedCopy> copies;
-  MultiPolygon parts;  ///< on the plate
+  MultiPolygon parts;  ///< outlines of the copies on the plate
 };
 
 Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int32_t layer_count,
@@ -83,8 +85,8 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
   return plate;
 }
 
-/// The layers of the print, and the skirt in its plans, as the pipeline does it.
-/// Random plates have copies that overlap.
+/// Computes the layers of the print, and the skirt in its plans, as the pipeline does. Copies on
+/// random plates may overlap.
 PlanningOptions MayOverlap(const JobSettings& settings) {
   PlanningOptions options = PlanningOf(FdmOf(settings));
   options.objects_may_overlap = true;
@@ -99,12 +101,12 @@ void TakePlan(JobPlan& plan, std::vector<SlicedLayer>& layers) {
 
 class Stages {
  public:
-  /// What is printed on the plate besides the parts, in the order of printing, by layer.
+  /// Returns the paths on the plate besides the parts, in the order of printing, by layer.
   std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
     auto plan = planning_->Plan({}, {plate.layers, plate.copies}, MayOverlap(settings));
     EXPECT_TRUE(plan.ok()) << plan.status();
     TakePlan(*plan, plate.layers);
-    // The parts' own beads are none of this test's business: only the plate is walled.
+    // Only the plate's paths are computed, because this test does not check the parts' own beads.
     for (SlicedLayer& layer : plate.layers)
       std::erase_if(layer.sections, [](const auto& section) { return section.stack.IsPart(); });
     const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
@@ -136,7 +138,7 @@ class Stages {
   const std::unique_ptr<OrderingStage> ordering_ = ordering::MakeLocalOrdering();
 };
 
-/// The least and the greatest distance of what beads cover from a region, outside of it.
+/// Least and greatest distance of beads from a region, outside it.
 struct Reach {
   double least = INFINITY, most = -INFINITY;
 
@@ -152,7 +154,8 @@ struct Reach {
   }
 
  private:
-  /// No point of the bead need be as far as the middle's distance and half a width come to.
+  /// Adds the distances of the bead's edge around a point. They may all be less than the distance
+  /// of the middle plus half a width.
   void AddFarthest(Point middle, double half, const MultiPolygon& region) {
     constexpr int kDirections = 32;
     for (int i = 0; i < kDirections; ++i) {
@@ -185,7 +188,7 @@ TEST(AdhesionPlates, SkirtsAndBrimsAreWhereTheSettingsSay) {
   std::mt19937 random(31);
   for (int trial = 0; trial < 500; ++trial) {
     SCOPED_TRACE(trial);
-    // Two lines at least: see kSingleLineOffNm.
+    // At least two lines: see kSingleLineOffNm.
     const double brim_mm = Uniform(random, 1.3, 5), separation_mm = Uniform(random, 0, 0.5);
     const double skirt_mm = Uniform(random, 0, 6), width_mm = Uniform(random, 0.4, 0.6);
     const int loops = 1 + trial % 3;
@@ -217,7 +220,7 @@ TEST(AdhesionPlates, SkirtsAndBrimsAreWhereTheSettingsSay) {
     EXPECT_GE(single_lines.least, near - kSingleLineOffNm);
     EXPECT_LE(single_lines.most, far + kSingleLineOffNm);
 
-    // The skirt goes round the hull of parts and brims: that of the parts' hull grown by the brim.
+    // The skirt surrounds the hull of parts and brims. This is the parts' hull grown by the brim.
     std::vector<Point> corners;
     for (const PolygonWithHoles& island : plate.parts)
       corners.insert(corners.end(), island.outer.begin(), island.outer.end());
@@ -234,7 +237,7 @@ TEST(AdhesionPlates, SkirtsAndBrimsAreWhereTheSettingsSay) {
   }
 }
 
-// Brims in holes, around both, and at corners: nothing comes closer than asked, nor farther.
+// Tests brims in holes, around both, and at corners: none is closer or farther than the settings.
 TEST(AdhesionPlates, BrimsOfAllKindsKeepTheirDistances) {
   const Stages stages;
   std::mt19937 random(32);
@@ -292,7 +295,8 @@ TEST(AdhesionPlates, RaftsReachAsFarAsTheSettingsSay) {
       }
       double want = 1e6 * std::stod(Mm(expansion_mm));
       if (i + 1 < count) want += i == 0 ? 1e6 * std::stod(Mm(first_mm)) : 0.5e6;
-      // The line round the base marks its edge; an interface's lines end somewhere near it.
+      // The line around the base marks its edge. The lines of an interface end somewhere near the
+      // edge.
       EXPECT_NEAR(reach.most, want, interface ? 0.25e6 : kOffNm) << i;
       EXPECT_LE(reach.most, want + (interface ? 0.05e6 : kOffNm)) << i;
     }
@@ -301,7 +305,7 @@ TEST(AdhesionPlates, RaftsReachAsFarAsTheSettingsSay) {
   }
 }
 
-// As a job runs: each range comes with its halo alone, and gives the bytes of the whole.
+// Tests ranges as in a job: each range gets only its halo and has the same bytes as the whole.
 TEST(AdhesionPlates, RangesDoNotMatter) {
   const config::ResolvedPlate resolved = Resolved(
       {{"raft_layers", "4"}, {"skirts", "2"}, {"skirt_height", "6"}, {"layer_height", "0.2"}});

@@ -1,5 +1,5 @@
-// However a job is cut into ranges of layers, and on however many threads what sees the whole of it runs, its bytes are the same: with all that layers
-// know of each other switched on.
+// Tests that the bytes of a job are the same for all divisions into ranges of layers, and for all
+// numbers of threads. All features that connect layers are switched on.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,8 @@ std::vector<Setting> SettingsOf(const Pairs& pairs) {
   return settings;
 }
 
-/// A frustum, as an OBJ file: the box from `a` to `b` at its bottom, grown by `more_mm` at its top.
+/// Returns a frustum as an OBJ file: the box from `a` to `b` at its bottom, grown by `more_mm` at
+/// its top.
 std::string Frustum(Eigen::Vector3d a, Eigen::Vector3d b, double more_mm = 0) {
   std::string text;
   for (const auto& [z, more] : {std::pair(a.z(), 0.0), std::pair(b.z(), more_mm)})
@@ -46,8 +47,8 @@ std::string Frustum(Eigen::Vector3d a, Eigen::Vector3d b, double more_mm = 0) {
   return text;
 }
 
-/// Two objects with settings of their own: a slab on a post, with an enforcer below its edge and a
-/// modifier, twice; and a cup that leans outwards, on a base.
+/// Plate of two objects with settings of their own. One is a slab on a post with an enforcer below
+/// its edge and a modifier, twice. The second is a cup that leans outwards, on a base.
 class Plate {
  public:
   Plate() {

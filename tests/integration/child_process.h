@@ -8,25 +8,25 @@
 
 namespace slicefarm {
 
-/// A program of this build as a process of its own. Killed when it goes out of scope.
+/// Program of this build as a separate process. The destructor kills it.
 class ChildProcess {
  public:
   enum class Stderr { kDropped, kWithStdout };
 
-  /// `program`: a name in build/bin, or a whole path. Dies if it cannot be started.
+  /// `program`: a name in build/bin, or a whole path. Aborts if it cannot be started.
   ChildProcess(const std::string& program, std::vector<std::string> arguments,
                Stderr errors = Stderr::kDropped);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Reads its stdout up to a line that begins with `prefix`, and returns the rest of that line;
-  /// empty if it ended before.
+  /// Reads stdout up to a line that begins with `prefix`, and returns the rest of that line; empty
+  /// if the process ended before.
   std::string AwaitLine(std::string_view prefix);
 
   void Signal(int signal) const;
 
-  /// Waits for its end; the exit code, or minus the signal that ended it.
+  /// Waits for the end. Returns the exit code, or minus the signal that ended the process.
   int Wait();
 
   pid_t pid() const { return pid_; }
@@ -38,18 +38,18 @@ class ChildProcess {
   bool ended_ = false;
 };
 
-/// A server program, and where it serves.
+/// Server program with its address.
 struct ServerProcess {
-  /// Dies if it does not serve.
+  /// Aborts if the server does not start.
   explicit ServerProcess(const std::string& program, std::vector<std::string> arguments = {});
 
-  /// What /metrics shows for a metric; empty: there is none of that name and labels.
+  /// Returns the value of a metric in /metrics; empty if there is no such name with these labels.
   std::string Metric(const std::string& name) const;
-  /// Waits until /metrics shows this line. REQUIRES: `--metrics-port 0` among the arguments.
+  /// Waits until /metrics has this line. REQUIRES: `--metrics-port 0` among the arguments.
   void AwaitMetric(const std::string& line) const;
 
   ChildProcess process;
-  const int metrics_port;  ///< 0: it serves none
+  const int metrics_port;  ///< 0: no metrics
   const std::string address;
 };
 

@@ -1,4 +1,4 @@
-// Two coordinators that share a PostgreSQL database, as processes under real signals.
+// Tests two coordinators that share a PostgreSQL database, as processes under real signals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -28,7 +28,7 @@ using State = v1::JobState;
 
 bool HasEnded(State state) { return state >= v1::JOB_STATE_SUCCEEDED; }
 
-/// Whether the process waits for a signal in its own time, and is not ended by it.
+/// Returns true if the process blocks a signal, so that the signal does not end it.
 bool Blocks(pid_t pid, int signal) {
   std::ifstream status("/proc/" + std::to_string(pid) + "/status");
   std::string word;
@@ -76,7 +76,8 @@ class ClusterTest : public FarmProcessesTest {
     return last;
   }
 
-  /// A job that runs, on one of the two, and cannot end while the workers stand still.
+  /// Submits a job that runs on one of the two coordinators. It cannot end while the workers are
+  /// stopped.
   std::string Running(Coordinator& watched) {
     StopWorkers();
     const std::string id = SubmitTo(*a_);
@@ -96,7 +97,7 @@ TEST_F(ClusterTest, WhatOneTakesTheOtherKnows) {
   ExpectTheSame(AwaitEnd(*a_, id));
 }
 
-// One of them is killed with the work in hand, and comes back.
+// One coordinator is killed while it works, and is started again.
 TEST_F(ClusterTest, EqualJobsOfThreeCoordinatorsAreComputedOnce) {
   const int64_t jobs = FromEnvironment("SLICEFARM_EQUAL_JOBS", 200);
   std::optional<Coordinator> c;
@@ -124,7 +125,7 @@ TEST_F(ClusterTest, EqualJobsOfThreeCoordinatorsAreComputedOnce) {
   EXPECT_EQ(computed, 1);
 }
 
-// Nor does it wait for the equal job that runs: that one's end may be far away.
+// The cancelled job does not wait for the equal job that runs, because that job may take long.
 TEST_F(ClusterTest, ACancelledJobOfADeadOwnerEndsBesideAnEqualOneThatRuns) {
   b_.reset();
   const std::string cancelled = Running(*a_);
@@ -195,7 +196,7 @@ TEST_F(ClusterTest, AJobOutlivesTheDatabase) {
 TEST_F(ClusterTest, ADatabaseThatIsAwayAtTheStartIsWaitedFor) {
   b_.reset();
   postgres_.Kill();
-  // It serves, which its constructor waits for, once the database is back.
+  // The constructor returns when the server is ready, which needs the database.
   std::thread starting([this] { Start(b_, "b"); });
   ChildProcess ended("slicefarm-coordinator", Arguments({"--postgres", database_, "--name", "c"}));
   while (!Blocks(ended.pid(), SIGTERM)) std::this_thread::yield();
@@ -217,7 +218,7 @@ TEST_F(ClusterTest, TheSchemaIsMadeBesideWhoWorks) {
   EXPECT_EQ(away.Wait(), 1);
 }
 
-// As in an upgrade, of which the newer build's part is its step of the schema, and on the way back.
+// Models an upgrade and its reversal. The newer build's part is its migration of the schema.
 TEST_F(ClusterTest, ABuildGoesOnAndStartsAgainBesideTheSchemaOfANewerOne) {
   const std::string id = Running(*a_);
   {
@@ -249,7 +250,7 @@ TEST_F(ClusterTest, AJobOutlivesADatabaseThatStandsStill) {
   ExpectTheSame(AwaitEnd(*a_, id));
 }
 
-// Beside it everything that does not need the database answers, and who needs it hears so at once.
+// Everything that does not need the database still answers. Calls that need it fail at once.
 TEST_F(ClusterTest, ADatabaseThatStandsStillIsTold) {
   std::optional<Coordinator> c;
   c.emplace(
@@ -275,7 +276,7 @@ TEST_F(ClusterTest, ADatabaseThatStandsStillIsTold) {
   ExpectTheSame(AwaitEnd(*b_, SubmitTo(*c)));
 }
 
-// It would take the jobs that the first one runs, whose name is on them.
+// The second one would take the running jobs of the first one, because they have its name.
 TEST_F(ClusterTest, TheSecondOfANameDoesNotStart) {
   const std::string id = Running(*a_);
   ChildProcess second(

@@ -1,5 +1,5 @@
-// The coordinator as a process among processes, under real signals. Workers are stopped (SIGSTOP)
-// where a job must not end before something happens to it, so that nothing depends on timing.
+// Tests the coordinator as a process among processes, under real signals. Workers are stopped
+// (SIGSTOP) where a job must not end before an event, so that nothing depends on timing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -48,13 +48,13 @@ TEST_F(CoordinatorProcessesTest, ManyKillsLoseNothing) {
   StartCoordinator(state_);
   const std::string id = Submit();
   int64_t seen = 0;
-  // Each life is allowed one more event than the one before.
+  // Each run of the coordinator may write one more event than the run before.
   for (int life = 1;; ++life) {
     int events = 0;
     const v1::JobEvent last =
         client_->Watch(id, seen, [&](const v1::Job&) { return ++events >= life; });
     seen = std::max(seen, last.sequence());
-    // A job that coordinators die of again and again rests between its runs.
+    // A job that has repeatedly crashed coordinators waits between its attempts.
     if (last.job().state() != v1::JOB_STATE_RUNNING && life > 1) break;
     KillCoordinator();
     StartCoordinator(state_);
@@ -132,7 +132,7 @@ TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
   EXPECT_EQ(Create("one-and-only").id(), id);
 }
 
-/// The G-code of `slicefarm slice --plates` with these arguments, by plate.
+/// Returns the G-code of `slicefarm slice --plates` with these arguments, by plate.
 std::vector<std::string> SlicedPlates(const TempDirectory& folder,
                                       std::vector<std::string> arguments) {
   const std::string output = folder.path() + "/out.gcode";
@@ -197,7 +197,7 @@ TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
   ExpectTheSame(client_->Watch(Submit(), 0));
 }
 
-/// Arguments of a coordinator whose services are not there, which is no reason not to serve.
+/// Returns arguments of a coordinator without available services. It must serve nevertheless.
 std::vector<std::string> Alone(const TempDirectory& state) {
   return {"--state-dir", state.path(), "--slicing",   "127.0.0.1:1", "--planning",
           "127.0.0.1:1", "--motion",   "127.0.0.1:1", "--workers",   "127.0.0.1:1"};
@@ -241,7 +241,7 @@ TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
   };
   struct Case {
     std::vector<std::string> arguments;
-    std::string error;  ///< begins with this
+    std::string error;  ///< beginning of the error text
   };
   for (const Case& c :
        {Case{some, "either --workers or "}, Case{half, "--beading, --infill and --ordering go "},

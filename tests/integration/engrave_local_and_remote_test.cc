@@ -17,7 +17,7 @@
 namespace slicefarm::engrave_local_and_remote_test {
 namespace {
 
-/// A bent strip.
+/// Returns a bent strip.
 SurfaceMesh Strip() {
   SurfaceMesh mesh;
   constexpr int kColumns = 12, kRows = 8;
@@ -33,7 +33,8 @@ SurfaceMesh Strip() {
   return mesh;
 }
 
-/// Reading and engraving as they are, here and behind a socket; a worker that engraves.
+/// Compares reading and engraving in this process with the same behind a socket, and with a worker
+/// that engraves.
 class EngraveLocalAndRemote : public testing::Test {
  protected:
   EngraveLocalAndRemote() {
@@ -111,7 +112,7 @@ TEST_F(EngraveLocalAndRemote, RangesElsewhereGiveTheSameLayers) {
   EXPECT_EQ(host_.shared().counts().entries, 1) << "the input was sent once";
 }
 
-/// Binary files come through as bytes.
+/// Binary files are transferred as bytes.
 TEST_F(EngraveLocalAndRemote, WholeFilesAreTheSame) {
   for (const EngraveFormat format : {EngraveFormat::kStl, EngraveFormat::kPng}) {
     EngraveInput input = *input_;

@@ -1,5 +1,5 @@
-// What services/coordinator/README.md says of connections that break, disks that are full, and
-// bytes that rot: with real processes.
+// Tests the statements of services/coordinator/README.md about broken connections, full disks, and
+// damaged bytes, with real processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -26,7 +26,7 @@ std::string ReadAll(const std::string& path) {
 
 class FailuresTest : public FarmProcessesTest {
  protected:
-  /// A coordinator that reaches these workers only.
+  /// Starts a coordinator that can reach only these workers.
   void StartWithWorkers(const std::string& workers) {
     server_.emplace(
         "slicefarm-coordinator",
@@ -66,7 +66,7 @@ TEST_F(FailuresTest, AClientWhoseConnectionIsCutAgainAndAgainGetsItsGcode) {
   const std::string output = state_.path() + "/out.gcode";
   ChildProcess submit("slicefarm",
                       {"submit", model, "-o", output, "--generic", "--server", proxy.address()});
-  // Each life of a connection is allowed 100,000 bytes more than the one before.
+  // Each connection may transfer 100,000 bytes more than the one before.
   std::atomic<bool> ended = false;
   std::thread cutter([&] {
     int64_t until = 0;
@@ -147,11 +147,11 @@ TEST_F(FailuresTest, AMeshThatRotsIsToldAndCanBeSentAgain) {
   ExpectTheSame(client_->Watch(Submit(), 0));
 }
 
-/// A coordinator whose state is on a small disk of its own, with `filler` on it.
+/// Coordinator with its state on a small disk of its own, with `filler` on it.
 class FullDiskTest : public FarmProcessesTest {
  protected:
   static constexpr int kDiskKib = 4096;
-  /// Leaves room for the database, its log and the mesh, and not for 1.2 MB of G-code.
+  /// This leaves room for the database, its log and the mesh, but not for 1.2 MB of G-code.
   static constexpr int kFillerKib = kDiskKib - 900;
 
   void StartOnSmallDisk(int filler_kib) {

@@ -125,7 +125,7 @@ SliceInput InputWithAll() {
   return input;
 }
 
-/// Tables of two rows, of which the second is of no default.
+/// Returns tables of two rows. The second row has no default values.
 JobSettings SettingsWithAll() {
   JobSettings settings;
   settings.slicing.objects.resize(3);
@@ -198,7 +198,7 @@ Sample MakeSample() {
   return sample;
 }
 
-/// What a fake does first: note the call, do what the test wants done.
+/// Records the call, then runs the action of the test.
 absl::Status Begin(const StageCall& call, FakeStages* fakes) {
   fakes->call = call;
   return fakes->before(call);

@@ -30,15 +30,16 @@
 
 namespace slicefarm {
 
-/// What the fakes were asked, and what they are to do before they answer with the sample results.
+/// Recorded arguments of the fake stages, and the action before they answer with the sample
+/// results.
 struct FakeStages {
   std::function<absl::Status(const StageCall&)> before = [](const StageCall&) {
     return absl::OkStatus();
   };
-  /// One layer is missing from every answer.
+  /// Every answer lacks one layer.
   bool lose_a_layer = false;
 
-  // Of the last call:
+  // Arguments of the last call:
   StageCall call;
   SliceInput slice_input;
   SlicingOptions slicing_options;
@@ -63,15 +64,15 @@ struct FakeStages {
   FdmSettings fdm_settings;
 };
 
-/// A small job in every state of its way: two layers to work on, [3, 5), of ten, with a halo of
-/// one. Two objects of it are printed, 0 and 2; 0 has two regions and is printed in two passes.
+/// A small job in all intermediate states: two of ten layers to work on, [3, 5), with a halo of
+/// one. Its objects 0 and 2 are printed. Object 0 has two regions and is printed in two passes.
 struct Sample {
   static constexpr LayerRange kRange{3, 5};
   static constexpr int32_t kLayerCount = 10;
 
   SliceInput input;
-  SlicedJob job;                      ///< layers 0, 1, 2
-  JobPlan plan;                       ///< of them
+  SlicedJob job;  ///< layers 0, 1, 2
+  JobPlan plan;  ///< plan of these layers
   std::vector<SlicedLayer> outlines;  ///< layers 2 to 5
   std::vector<WalledLayer> walled;
   std::vector<FilledLayer> filled;
@@ -84,13 +85,13 @@ struct Sample {
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramEnvelope frame;
-  JobSettings settings;                ///< of no default
-  ExposureSettings exposure_settings;  ///< of no default
+  JobSettings settings;  ///< without default values
+  ExposureSettings exposure_settings;  ///< without default values
   StageTimes times;
 };
 const Sample& TheSample();
 
-/// The stages as fakes: each notes what it was asked in `fakes`, and answers what TheSample() has.
+/// Fake stages: each records its arguments in `fakes` and answers with the results of TheSample().
 class FakeSlicing : public SlicingStage {
  public:
   explicit FakeSlicing(FakeStages& fakes) : fakes_(fakes) {}
@@ -101,7 +102,7 @@ class FakeSlicing : public SlicingStage {
   FakeStages& fakes_;
 };
 
-/// Planning has its algorithm within its service, so this is the service.
+/// Planning has its algorithm within its service, so the fake is the service.
 class FakePlanning final : public v1::Planning::Service {
  public:
   FakePlanning(FakeStages& fakes, rpc::CallGate& gate) : fakes_(fakes), gate_(gate) {}
@@ -179,7 +180,7 @@ class FakeExposure : public ExposureStage {
   FakeStages& fakes_;
 };
 
-/// What a runner makes of a task of filament printing.
+/// Runs a task of filament printing and returns its result.
 absl::StatusOr<FdmResult> RunFdm(const TaskRunner& runner, const StageCall& call,
                                  const FdmTask& task);
 

@@ -18,12 +18,12 @@
 
 namespace slicefarm {
 
-/// For tests: a client that watches.
+/// Client for tests, which can watch jobs.
 class FarmClient : public coordinator::CoordinatorClient {
  public:
   explicit FarmClient(const std::string& address) { Connect(address); }
 
-  /// Watches until `enough` says so, or the stream ends; the last event.
+  /// Watches until `enough` returns true, or the stream ends. Returns the last event.
   v1::JobEvent Watch(const std::string& id, int64_t after,
                      const std::function<bool(const v1::Job&)>& enough = {}) {
     grpc::ClientContext context;
@@ -43,11 +43,11 @@ class FarmClient : public coordinator::CoordinatorClient {
   }
 };
 
-/// For tests: stages and workers as processes, and a coordinator that is started, killed and
-/// started again by the test.
+/// Test fixture with stages and workers as processes, and a coordinator that the test starts, kills
+/// and starts again.
 class FarmProcessesTest : public testing::Test {
  protected:
-  /// A coordinator with the fused workers, and these arguments more.
+  /// Returns the arguments of a coordinator with the fused workers, plus further arguments.
   std::vector<std::string> Arguments(std::vector<std::string> more) const {
     std::vector<std::string> arguments = {
         "--slicing", slicing_.address, "--planning", planning_.address,
@@ -66,17 +66,18 @@ class FarmProcessesTest : public testing::Test {
   void AwaitWorkers(int count) const {
     server_->AwaitMetric("slicefarm_workers " + std::to_string(count));
   }
-  /// Ranges that workers have got and not answered.
+  /// Waits for this number of ranges in the workers.
   void AwaitBusySlots(int count) const {
     server_->AwaitMetric("slicefarm_worker_slots{state=\"busy\"} " + std::to_string(count));
   }
 
-  /// What nobody answered was made elsewhere, long before its connection was given up.
+  /// Checks that a range without an answer was computed by another worker, long before its
+  /// connection was given up.
   void ExpectDoubled() const {
     EXPECT_NE(server_->Metric("slicefarm_ranges_total{outcome=\"hedged\"}"), "0");
   }
 
-  /// A job before the one that matters, so that all services have been reached.
+  /// Runs a job before the tested one, so that all services have been connected.
   void WarmUp() {
     EXPECT_TRUE(client_->Upload(mesh_).ok());
     v1::CreateJobRequest request = FarmClient::RequestFor(mesh_);
@@ -105,7 +106,7 @@ class FarmProcessesTest : public testing::Test {
     return Create(request_id).id();
   }
 
-  /// A job of which each of the two workers has a range, and stands still.
+  /// Submits a job and stops both workers while each of them has a range of it.
   std::string SubmitToStoppedWorkers() {
     AwaitWorkers(2);
     StopWorkers();
@@ -124,7 +125,7 @@ class FarmProcessesTest : public testing::Test {
 
   static bool IsSliced(const v1::Job& job) { return job.progress().layers_total() > 0; }
 
-  /// The digest of the G-code that comes out when nothing goes wrong.
+  /// Returns the digest of the G-code without any failure.
   std::string QuietDigest() {
     const TempDirectory state;
     StartCoordinator(state);

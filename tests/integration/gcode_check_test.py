@@ -18,7 +18,7 @@ import tempfile
 
 FLAVORS = {"klipper": "klipper", "marlin2": "marlin", "marlin": "marlin", "reprapfirmware": "rrf"}
 MODELS = ["busted", "thin_walls", "textbox"]
-# What changes the form of the G-code.
+# Settings that change the form of the G-code.
 FORMS = {
     "plain": [],
     "told": ["default_acceleration=1000", "perimeter_acceleration=700", "travel_acceleration=2000",
@@ -127,7 +127,7 @@ def times_agree(program, corpus, folder):
         assert done.returncode == 0, done.stderr
         own = json.loads(report.read_text())["print_time_s"]
         read = json.loads(run(program, "time", output, "--flavor", FLAVORS[flavor], "--json").stdout)
-        # What comes before the first layer is not the slicer's.
+        # Code before the first layer is not the slicer's.
         whole = read["time_s"] - read["before_layers_s"]
         assert abs(own / whole - 1) < (5e-4 if flavor == "klipper" else 5e-3), f"{flavor} {form}: {own} {whole}"
         text = rows(run(program, "time", output, "--flavor", FLAVORS[flavor]).stdout)

@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// The whole answer of a server on this machine to GET `path`; empty if nobody answers.
+/// Returns the whole answer of a server on this machine to GET `path`; empty without an answer.
 std::string HttpGet(int port, const std::string& path);
 
 }  // namespace slicefarm

@@ -32,7 +32,7 @@
 namespace slicefarm::local_and_remote_test {
 namespace {
 
-/// The stages as they are, here and behind a socket.
+/// Compares the stages in this process with the same stages behind a socket.
 class LocalAndRemote : public testing::Test {
  protected:
   LocalAndRemote() {
@@ -123,7 +123,7 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   EXPECT_EQ(*remote_.motion.Program(call_, *ordered, motion_job), *programs);
 }
 
-// The service plans layers as they come, and knows no number of them before.
+// The service plans layers as they arrive, so their number is not known before.
 TEST_F(LocalAndRemote, PlanningRefusesTheSameHereAndThere) {
   const auto refusals = [&](const SlicedOutlines& outlines, const PlanningOptions& options) {
     const absl::Status here = planning_->Plan(call_, outlines, options).status();
@@ -147,7 +147,7 @@ TEST_F(LocalAndRemote, PlanningRefusesLayersThatDoNotFollowEachOther) {
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[0].layer");
 }
 
-/// Islands side by side on each of so many layers: both streams are longer than gRPC holds.
+/// Returns many islands on each layer, so that both streams are longer than gRPC's buffers.
 std::vector<SlicedLayer> ManyIslands(int32_t layers) {
   MultiPolygon islands;
   for (Coord i = 0; i < 60; ++i) {
@@ -241,7 +241,7 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   EXPECT_GT(remote->times[Stage::kBeading], 0);
 }
 
-// Of a field by the distance to the surface, the halo is a part.
+// A field by the distance to the surface needs the halo.
 TEST_F(LocalAndRemote, FieldsGiveTheSameHereAndThereAndInRanges) {
   InfillOptions& infill = FdmOf(settings_).regions[0].infill;
   infill.density_field = R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.5})";
@@ -303,7 +303,7 @@ absl::StatusOr<LaserResult> RunLaser(const TaskRunner& worker, const StageCall& 
   return std::move(result->As<LaserResult>());
 }
 
-/// The same outlines, scanned.
+/// Scans the same outlines.
 class LaserLocalAndRemote : public LocalAndRemote {
  protected:
   LaserLocalAndRemote() {

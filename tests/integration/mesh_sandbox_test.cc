@@ -26,10 +26,10 @@ SliceInput PartOf(std::string bytes) {
   return InputOf({{"part", MeshFormat::kUnknown, std::move(bytes)}});
 }
 
-/// slicefarm-slicing, copied to a place where another program is its mesh reader.
+/// slicefarm-slicing, copied to a folder with another program as its mesh reader.
 class SlicingElsewhere {
  public:
-  /// `reader`: the path of that program; empty: there is none.
+  /// `reader`: path of that program; empty: none.
   explicit SlicingElsewhere(const std::string& reader) {
     fs::copy_file(fs::path(SLICEFARM_BIN) / "slicefarm-slicing", program());
     if (!reader.empty()) fs::copy_file(reader, directory_.path() + "/slicefarm-mesh-reader");
@@ -41,7 +41,7 @@ class SlicingElsewhere {
   const TempDirectory directory_;
 };
 
-// A reader that does what the file says stands for one that a file has taken over.
+// The test reader executes commands in the file, like a reader that a file has taken over.
 TEST(MeshSandbox, TheServiceOutlivesItsReaders) {
   const SlicingElsewhere elsewhere(MISBEHAVING_READER);
   const ServerProcess server(elsewhere.program());

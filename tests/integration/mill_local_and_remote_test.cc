@@ -22,7 +22,8 @@
 namespace slicefarm::mill_local_and_remote_test {
 namespace {
 
-/// Placing and milling as they are, here and behind a socket; a worker that mills.
+/// Compares placing and milling in this process with the same behind a socket, and with a worker
+/// that mills.
 class MillLocalAndRemote : public testing::Test {
  protected:
   MillLocalAndRemote() {
@@ -49,7 +50,7 @@ class MillLocalAndRemote : public testing::Test {
     return hosted;
   }
 
-  /// All steps in ranges for so many slots, made by `run`.
+  /// Computes all steps with `run`, in ranges for this number of slots.
   template <class Run>
   std::vector<MilledStep> AllSteps(int slots, const Run& run) const {
     std::vector<MilledStep> steps;

@@ -1,5 +1,5 @@
-// What a farm shows of itself, with the programs as processes: names of metrics that dashboards and
-// alerts rely on, the page for people, traces through logs of other processes.
+// Tests the monitoring of a farm with the programs as processes: names of metrics in dashboards and
+// alerts, the status page, and traces through logs of other processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A server program that shows its metrics.
+/// Server program with its metrics.
 class ShownProcess {
  public:
   explicit ShownProcess(const std::string& program, std::vector<std::string> arguments = {})
@@ -40,7 +40,7 @@ class ShownProcess {
     return HttpGet(std::stoi(metrics_.substr(metrics_.rfind(':') + 1)), path);
   }
 
-  /// Names of all metrics that it shows, those of histograms' series too.
+  /// Returns the names of all its metrics, including the series of histograms.
   std::set<std::string> MetricNames() const {
     static const std::regex kType("# TYPE (\\w+) (\\w+)");
     std::set<std::string> names;
@@ -54,7 +54,7 @@ class ShownProcess {
     return names;
   }
 
-  /// Waits for a log line with this text, and gives it.
+  /// Waits for a log line with this text and returns it.
   nlohmann::json AwaitLog(const std::string& text) {
     for (;;) {
       const std::string line = "{" + process_.AwaitLine("{");
@@ -90,7 +90,7 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
     ASSERT_EQ(end.state(), v1::JOB_STATE_SUCCEEDED) << end.error().message();
   }
 
-  /// A file of webhooks that allows none.
+  /// Returns a webhooks file that allows no receiver.
   std::string WebhooksFile() const {
     const std::string path = state_.path() + "/webhooks.json";
     std::ofstream(path) << R"({"": {"allow": [], "secret": "0123456789abcdef"}})";
@@ -110,7 +110,7 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
   std::string id_;
 };
 
-/// Names of metrics that stand in a file.
+/// Returns the names of metrics in a file.
 std::set<std::string> NamesIn(const std::string& path) {
   static const std::regex kName("\\b(slicefarm_|grpc_server_|process_)\\w+");
   std::ifstream file(path);

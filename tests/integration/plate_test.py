@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-# Cooling slows whole layers down, and so would make an object's speeds depend on the others.
+# Cooling is off, because it slows whole layers down. An object's speeds would then depend on other objects.
 COMMON = ["--set", "cooling=0", "--set", "bed_shape=0x0,250x0,250x210,0x210", "-q"]
 LABELLED = ["--set", "gcode_label_objects=octoprint"]
 FIRST_UM = 200

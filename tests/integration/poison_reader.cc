@@ -1,5 +1,5 @@
-// Preloaded (LD_PRELOAD) into a worker, it kills the worker as soon as that has read the poison: a
-// corner of an outline at (7.65625, -7.65625) mm, as it travels (sfixed32 nanometres).
+// Library for LD_PRELOAD into a worker. It kills the worker as soon as it has read the poison: a
+// corner of an outline at (7.65625, -7.65625) mm in its wire format (sfixed32 nanometres).
 
 #include <dlfcn.h>
 #include <signal.h>
@@ -14,7 +14,7 @@ namespace {
 constexpr int32_t kPoison[] = {7'656'250, -7'656'250};
 constexpr size_t kLess = sizeof(kPoison) - 1;
 
-/// Looks at bytes as they come, however they are cut.
+/// Searches bytes as they arrive, in pieces of any size.
 class Taster {
  public:
   void Taste(const char* bytes, size_t size) {
@@ -29,7 +29,7 @@ class Taster {
   std::array<char, sizeof(kPoison)> last_ = {};
 };
 
-/// By descriptor. A socket is read by one thread at a time.
+/// State by descriptor. Only one thread at a time reads a socket.
 std::array<Taster, 1024> tasters;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A job one layer of which kills the worker that gets it, among real processes: what it takes with
-// it, and how it ends. The workers are started again when they die, as a service manager does it.
+// Tests a job with a layer that kills the worker that gets it, among real processes: its damage,
+// and its end. The workers are started again when they die, as by a service manager.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -23,7 +23,7 @@
 namespace slicefarm::poison_test {
 namespace {
 
-/// How many workers are down, now and at most so far.
+/// Number of workers that are down, now and at most so far.
 struct Downs {
   std::atomic<int> now = 0, most = 0;
 
@@ -33,7 +33,7 @@ struct Downs {
   }
 };
 
-/// A worker that poison kills, and that is there again at once.
+/// Worker that is started again at once after the poison has killed it.
 class KeptWorker {
  public:
   explicit KeptWorker(Downs& downs) : downs_(downs) {
@@ -83,13 +83,13 @@ class KeptWorker {
   Downs& downs_;
   std::optional<ServerProcess> process_;
   std::string address_;
-  std::mutex mutex_;  ///< a process is not replaced while somebody signals it
+  std::mutex mutex_;  ///< prevents the replacement of a process while another thread signals it
   bool ends_ = false;
   std::atomic<int> deaths_ = 0;
   std::thread keeper_;
 };
 
-/// A closed box in an STL, around the z axis.
+/// Adds a closed box around the z axis to an STL.
 void AddBox(float half, float low, float high, std::string& stl) {
   const auto corner = [&](int i) {
     return std::vector<float>{(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half,
@@ -106,7 +106,7 @@ void AddBox(float half, float low, float high, std::string& stl) {
   }
 }
 
-/// A tower one layer of which has the corners that kill.
+/// Returns a tower. One of its layers has the corners that kill.
 std::string PoisonedTower() {
   std::string stl(84, '\0');
   const uint32_t facets = 24;
@@ -163,7 +163,7 @@ class PoisonTest : public testing::Test {
 
 TEST_F(PoisonTest, AJobThatKillsWorkersEndsAndTakesNoOtherWithIt) {
   const std::string box = CorpusFile("models/textbox.stl");
-  // Both are dispatched before any worker goes on.
+  // Both ranges are dispatched before any worker continues.
   first_.Signal(SIGSTOP);
   second_.Signal(SIGSTOP);
   const v1::Job poison = SubmitPoison();
@@ -178,7 +178,7 @@ TEST_F(PoisonTest, AJobThatKillsWorkersEndsAndTakesNoOtherWithIt) {
   EXPECT_EQ(end.error().reason(), "RANGE_POISONED") << end.error().message();
   EXPECT_GE(first_.deaths() + second_.deaths(), 3);
   EXPECT_LE(downs_.most, 1) << "workers were down at the same time";
-  // The farm is whole afterwards.
+  // The farm works again afterwards.
   v1::CreateJobRequest again = coordinator::CoordinatorClient::RequestFor(box);
   again.mutable_spec()->mutable_objects(0)->set_name("another name, another job");
   const auto job = other_.Create(again);

@@ -18,7 +18,7 @@ SETTINGS = [  # each is a run of every model
     ["--set", "perimeter_generator=classic", "--set", "fill_pattern=grid", "--set", "fill_angle=33.3"],
     ["--rotate", "10,20,30"],
 ]
-# Python's functions are libm's: what changes here would have changed in the program too.
+# Python's functions are libm's, so a change here would also have changed the program.
 LIBM = """
 import math, random, struct
 random.seed(1)

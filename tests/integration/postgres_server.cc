@@ -22,7 +22,7 @@ PostgresServer::~PostgresServer() {
 }
 
 std::string PostgresServer::NewDatabase() {
-  // A schema of its own is as good as a database, and made in no time.
+  // A separate schema isolates as well as a database and is created faster.
   const std::string name = "test" + std::to_string(databases_++);
   const std::string server = "host=" + directory_ + " user=slicefarm dbname=slicefarm";
   const auto connection = coordinator::PostgresConnection::Open(server);

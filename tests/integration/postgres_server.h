@@ -4,29 +4,28 @@
 
 namespace slicefarm {
 
-/// A PostgreSQL server of one test process, by `deploy/postgres/server.sh`, as long as it is in
-/// scope.
+/// PostgreSQL server of one test process, by `deploy/postgres/server.sh`, until its scope ends.
 class PostgresServer {
  public:
   enum class Disk { kTrusted, kFsync };
 
-  /// Dies if it does not start. Without fsync it is faster, and survives kills all the same.
+  /// Aborts if the server does not start. Without fsync it is faster, and it still survives kills.
   explicit PostgresServer(Disk disk = Disk::kTrusted);
   ~PostgresServer();
   PostgresServer(const PostgresServer&) = delete;
   PostgresServer& operator=(const PostgresServer&) = delete;
 
-  /// The connection string of a new, empty database.
+  /// Returns the connection string of a new, empty database.
   std::string NewDatabase();
 
-  /// SIGKILL to all of its processes.
+  /// Sends SIGKILL to all processes of the server.
   void Kill();
-  /// After Kill.
+  /// Starts the server again after Kill.
   void Start();
 
-  /// All of its processes stand still: nobody answers, and no connection ends.
+  /// Stops all processes of the server: it does not answer, and no connection ends.
   void Pause();
-  /// After Pause.
+  /// Continues after Pause.
   void Resume();
 
  private:

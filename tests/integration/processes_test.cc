@@ -29,7 +29,7 @@ using coordinator::Dispatcher;
 using coordinator::StagePool;
 using coordinator::WorkerPool;
 
-/// Some processes of one program.
+/// Several processes of one program.
 struct Replicas {
   Replicas(const std::string& program, int count, std::vector<std::string> arguments = {}) {
     for (int i = 0; i < count; ++i) servers.emplace_back(program, arguments);
@@ -40,7 +40,7 @@ struct Replicas {
   std::vector<std::string> addresses;
 };
 
-/// Slicing, planning and motion, which every way of a job needs, each as a process.
+/// Runs slicing, planning and motion, which all kinds of jobs need, each as a process.
 class ProcessesTest : public testing::Test {
  protected:
   Replicas slicing_processes_{"slicefarm-slicing", 1};
@@ -141,7 +141,7 @@ TEST_P(EveryServerProgram, TellsItsVersion) {
   EXPECT_EQ(process.Wait(), 0);
 }
 
-/// Until the server has taken a call of `method`.
+/// Waits until the server has accepted a call of `method`.
 void AwaitCall(int metrics_port, const std::string& method) {
   const std::string counter = "grpc_server_started_total{grpc_method=\"" + method + "\"";
   while (HttpGet(metrics_port, "/metrics").find(counter) == std::string::npos) {
@@ -149,7 +149,7 @@ void AwaitCall(int metrics_port, const std::string& method) {
   }
 }
 
-/// The status of a new call over the channel.
+/// Returns the status of a new call over the channel.
 grpc::StatusCode StatusOfACall(const std::shared_ptr<grpc::Channel>& channel) {
   grpc::ClientContext context;
   const auto stream = v1::Slicing::NewStub(channel)->Slice(&context);
@@ -157,8 +157,8 @@ grpc::StatusCode StatusOfACall(const std::shared_ptr<grpc::Channel>& channel) {
   return stream->Finish().error_code();
 }
 
-// SIGTERM in the middle of a call: no new call is taken, this one ends well, and then the program
-// does.
+// SIGTERM during a call: new calls are refused, the current one ends well, and then the program
+// ends.
 TEST(ServerPrograms, DrainCallsInFlight) {
   ChildProcess process("slicefarm-slicing", {"--metrics-port", "0"});
   const std::string metrics = process.AwaitLine("metrics on 127.0.0.1:");

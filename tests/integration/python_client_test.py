@@ -18,7 +18,8 @@ from project_test import bambu_files, write
 
 CLIENT = ROOT / "docs/print_plate.py"
 PUBLIC = ["jobs", "mesh", "geometry", "process"]
-# As Google has it, as far as a test needs it: more than proto/google/rpc, so both in one program would be an error.
+# Google's definition, reduced to the part that the test needs. It differs from proto/google/rpc, so both in one program would be
+# an error.
 STATUS = """syntax = "proto3"; package google.rpc; import "google/protobuf/any.proto";
 message Status { int32 code = 1; string message = 2; repeated google.protobuf.Any details = 3; }
 """

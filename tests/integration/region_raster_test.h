@@ -9,9 +9,9 @@
 
 namespace slicefarm {
 
-/// A region as square pixels, by plain arithmetic: shares nothing with booleans and offsets. All
-/// rasters that meet in an operation have one frame. Lengths in nm; a pixel is in the region if its
-/// middle is.
+/// Region as square pixels, by plain arithmetic without boolean operations and offsets. All rasters
+/// of an operation have the same frame. Lengths are in nm. A pixel is in the region if its middle
+/// is.
 struct RasterFrame {
   Point origin;
   Coord pixel_nm = 100'000;
@@ -36,7 +36,7 @@ class Raster {
   explicit Raster(const RasterFrame& frame)
       : frame_(frame), bits_(static_cast<size_t>(frame.columns) * frame.rows, 0) {}
 
-  /// Adds a region: between the crossings of each row's middle with its edges.
+  /// Adds a region: the pixels between the crossings of each row's middle with its edges.
   void Fill(const MultiPolygon& region) {
     std::vector<std::vector<double>> crossings(static_cast<size_t>(frame_.rows));
     ForEachRing(region, [&](const Polygon& ring) {
@@ -52,7 +52,7 @@ class Raster {
     }
   }
 
-  /// Adds what lies within `reach_nm` of a line.
+  /// Adds the pixels within `reach_nm` of a line.
   void Stroke(Point a, Point b, double reach_nm) {
     const int32_t x0 = Column(std::min(a.x, b.x) - reach_nm),
                   x1 = Column(std::max(a.x, b.x) + reach_nm);
@@ -79,8 +79,8 @@ class Raster {
     return Each(other, [](auto a, auto b) { return a & ~b & 1; });
   }
 
-  /// What lies within `reach_nm` of the region; with a negative reach, what lies in it deeper than
-  /// that. Cost: O(pixels * reach / pixel).
+  /// Returns the pixels within `reach_nm` of the region. With a negative reach it returns the
+  /// pixels deeper than this inside the region. Cost: O(pixels * reach / pixel).
   Raster Grown(double reach_nm) const {
     if (reach_nm < 0) return Inverse().Grown(-reach_nm).Inverse();
     const double reach = reach_nm / static_cast<double>(frame_.pixel_nm);
@@ -130,7 +130,7 @@ class Raster {
       crossings[static_cast<size_t>(row)].push_back(ax + (row + 0.5 - ay) / (by - ay) * (bx - ax));
   }
 
-  /// To the nearest pixel of the region in the same column, at most `far`.
+  /// Returns the distances to the nearest pixel of the region in the same column, at most `far`.
   std::vector<int32_t> ColumnDistances(int32_t far) const {
     std::vector<int32_t> away(bits_.size(), far);
     const auto width = static_cast<size_t>(frame_.columns);

@@ -18,7 +18,7 @@ from project_test import cube, item, mesh_xml, model_xml, must, run, write
 JOB = {"bed_shape": "0x0,256x0,256x256,0x256", "layer_height": "0.3", "first_layer_height": "0.3", "nozzle_diameter": "0.4", "fill_density": "20%",
        "perimeters": "3", "fill_pattern": "rectilinear", "gcode_resolution": "0.05", "thumbnails": "", "perimeter_generator": "arachne"}
 SPEEDS = {"enable_dynamic_overhang_speeds": "1", "overhang_speed_0": "11", "overhang_speed_1": "12", "overhang_speed_2": "13", "overhang_speed_3": "14"}
-# What the job must be like for a setting to matter, by how its name begins.
+# Settings that a job needs for a setting to have an effect, by the beginning of its name.
 CONTEXTS = {
     "overhang_speed_": SPEEDS, "ironing_": {"ironing": "1"}, "fuzzy_skin_": {"fuzzy_skin": "external"}, "infill_goal": {"fill_pattern": "auto"},
     "scarf_seam_": {"scarf_seam_placement": "everywhere"}, "infill_smoothing": {"fill_pattern": "medialaxis"},
@@ -28,7 +28,7 @@ CONTEXTS = {
     "automatic_infill_combination_max_layer_height": {"automatic_infill_combination": "1"}, "gap_fill_": {"perimeter_generator": "classic"},
     "scarf_seam_on_inner_perimeters": {"scarf_seam_only_on_smooth": "0"}, "thin_walls": {"perimeter_generator": "classic"}, "extra_perimeters": {"perimeters": "1"},
     "top_solid_min_thickness": {"top_solid_layers": "1"}, "bottom_solid_min_thickness": {"bottom_solid_layers": "1"}}
-# Where half of a number, or twice as much, is not what the setting is about.
+# Values for settings where half or twice the default does not show the effect.
 VALUES = {
     "density_field": ['{"kind":"constant","density":0.5}'], "stress_field": ['{"kind":"constant","stress":[1,0,0]}'],
     "fill_angle_template": ["10,70"], "solid_fill_angle_template": ["10,70"], "bridge_angle": ["30"], "fill_angle": ["20"],

@@ -12,7 +12,7 @@
 
 namespace slicefarm {
 
-/// All stages and the worker of one host, as its clients see them.
+/// All stages and the worker of one host, as seen by its clients.
 struct RemoteClients {
   explicit RemoteClients(const std::string& address, const coordinator::RemoteOptions& options = {},
                          const rpc::ChannelOptions& channel = {})

@@ -49,7 +49,7 @@ struct FakeHost {
   StageHost host;
 };
 
-/// And clients of them.
+/// Fakes behind a socket, with clients for them.
 struct Farm : FakeHost, RemoteClients {
   explicit Farm(const rpc::CallGateOptions& gate = {4, 0}, const rpc::ServerOptions& options = {},
                 milliseconds deadline = seconds(60))
@@ -106,7 +106,7 @@ TEST(RemoteStages, PlanningGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
-// As it comes, not when all of it is here; and that there is no room is not the stage's fault.
+// The memory is reserved as the data arrives. A lack of memory does not count as the stage's fault.
 TEST(RemoteStages, OutlinesAndPlansAreHeldInTheJobsMemory) {
   Farm farm;
   const Sample& sample = TheSample();
@@ -223,7 +223,7 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
-// However often it is named, and by whatever copy of it.
+// Shared data is sent once, for any number of uses and of copies.
 TEST(RemoteStages, WhatAJobsCallsShareIsSentOnce) {
   Farm farm;
   const Sample& sample = TheSample();
@@ -242,7 +242,7 @@ TEST(RemoteStages, WhatAJobsCallsShareIsSentOnce) {
   EXPECT_EQ(farm.host.shared().counts().entries, 2);
 }
 
-/// What holds for every call of every stage.
+/// Test case for every call of every stage.
 struct AnyCall {
   std::string name;
   std::function<absl::Status(const Farm&, const StageCall&)> make;
@@ -371,7 +371,8 @@ TEST_P(EveryRemoteCall, CancellationReachesTheAlgorithm) {
 
 TEST_P(EveryRemoteCall, AServerThatDoesNotAnswerInTimeIsAway) {
   Farm farm({4, 0}, {}, milliseconds(100));
-  // The deadline may pass before the call gets here; the farm's end waits for it if it does.
+  // The deadline may pass before the call arrives here. The farm's destructor waits for the call in
+  // this case.
   farm.fakes.before = [](const StageCall& call) {
     while (!call.cancel.Cancelled()) std::this_thread::yield();
     return call.cancel.Check();
@@ -438,7 +439,7 @@ TEST_P(EveryRemoteCall, WaitsForAServerThatIsFull) {
   first.join();
 }
 
-// A coordinator of another build would put layers together that do not belong together.
+// A coordinator of another build would combine layers that do not fit together.
 TEST(StageServices, RefuseCallersOfAnotherBuild) {
   Farm farm;
   const auto stub = v1::Beading::NewStub(farm.replica.channel());
@@ -481,7 +482,8 @@ TEST(StageServices, NameTheFieldOfALayerThatIsMalformed) {
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[2].frame.height_nm");
 }
 
-// Rows of settings and objects go by their index: a table too short is a caller's mistake.
+// Rows of settings and objects are addressed by index, so a table that is too short is a caller's
+// error.
 TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
   Farm farm;
   const absl::Status status = farm.beading.Bead(NewCall(), TheNeighbourhood(), {}).status();

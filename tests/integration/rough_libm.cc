@@ -1,5 +1,5 @@
-// Preloaded (LD_PRELOAD), it stands before libm: each of its functions, wrong from the fourth digit
-// on. What still gives the same G-code does not depend on libm.
+// Library for LD_PRELOAD that replaces libm. Each of its functions is wrong from the fourth digit
+// on. Code with the same G-code in spite of this does not depend on libm.
 
 #include <dlfcn.h>
 

@@ -1,5 +1,5 @@
-// A farm of real processes with certificates and tokens: who gets in, who does not and what he is
-// told, and what happens when certificates and tokens change while it runs.
+// Tests a farm of real processes with certificates and tokens: access, refusals and their messages,
+// and changes of certificates and tokens while it runs.
 #include <gmock/gmock.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ class Client : public coordinator::CoordinatorClient {
   }
 };
 
-/// A serving process with the certificate of its role.
+/// Server process with the certificate of its role.
 struct SecureServer {
   SecureServer(rpc::DevCerts& certs, const std::string& program, const std::string& role,
                const Arguments& more = {})
@@ -113,7 +113,7 @@ class SecureFarmTest : public testing::Test {
     int code = 0;
     std::string error;
   };
-  /// What the command line says to a `list` with these options.
+  /// Returns the outcome of `list` with these options.
   Outcome List(const Arguments& options) const {
     return Run("list", coordinator_->address, options);
   }
@@ -126,7 +126,7 @@ class SecureFarmTest : public testing::Test {
     return {process.Wait(), std::move(error)};
   }
 
-  /// Submits the mesh, awaits the job and gives its G-code's digest.
+  /// Submits the mesh, waits for the job and returns its G-code's digest.
   static std::string Print(Client& client, const std::string& mesh) {
     const v1::Job end = client.AwaitEnd(client.Submit(mesh));
     EXPECT_EQ(end.state(), v1::JOB_STATE_SUCCEEDED) << end.error().message();
@@ -210,7 +210,7 @@ TEST_F(SecureFarmTest, TheCommandLineSubmitsAndIsToldWhatIsWrong) {
   }
 }
 
-// Past what the command line looks at itself.
+// This client does not check the certificate itself, unlike the command line.
 TEST_F(SecureFarmTest, AnExpiredCertificateIsRefusedByTheServer) {
   StartCoordinator();
   rpc::SwappedDirectory files(certs_.path() + "/tenant-a");
@@ -256,7 +256,7 @@ TEST_F(SecureFarmTest, TokensDecideWhereCertificatesAreOptional) {
   EXPECT_EQ(DetailOf(scope).reason, Reason::kPermissionDenied);
   EXPECT_EQ(DetailOf(scope).metadata["scope"], "submit");
 
-  // New ones while it runs, and the old ones until they are taken back.
+  // New tokens are valid while the farm runs, and the old ones until they are removed.
   WriteTenants(R"({"tenants": {"a": {"tokens": [)" + Token("a-1", R"("read")") + "," +
                Token("a-3", R"("read")") + "]}}}");
   while (List(TlsFlags(nobody_) + token_file("a-3")).code != 0) std::this_thread::yield();
@@ -275,7 +275,7 @@ TEST_F(SecureFarmTest, TenantsKnowNothingOfEachOther) {
   const auto of_b = b.Create(Client::RequestFor(mesh_));
   ASSERT_TRUE(of_b.ok()) << of_b.status();
   EXPECT_EQ(b.AwaitEnd(of_b->id()).state(), v1::JOB_STATE_SUCCEEDED);
-  // What a is told names the id that he asked for, and else is the same.
+  // Returns the error text for an id, without the id. It must be the same for all ids.
   const auto told = [&](const std::string& id) {
     grpc::ClientContext context;
     v1::GetJobRequest request;
@@ -312,8 +312,8 @@ TEST_F(SecureFarmTest, CertificatesAreRenewedWhileItRuns) {
   certs_.Make("coordinator");
   while (shown() == before) std::this_thread::yield();
 
-  // A worker that is started anew with a renewed certificate joins, and works for the coordinator,
-  // which shows its own renewed one.
+  // A worker that is restarted with a renewed certificate joins and works for the coordinator. The
+  // coordinator uses its own renewed certificate.
   const std::string address = worker_->address();
   worker_.reset();
   worker_.emplace(certs_, "slicefarm-worker", "worker",
@@ -326,7 +326,7 @@ TEST_F(SecureFarmTest, CertificatesAreRenewedWhileItRuns) {
   EXPECT_EQ(Print(old, mesh_), quiet);
 }
 
-// Names are shown, and nothing else: they lead to no file, and none becomes a command.
+// Names are only displayed: they lead to no file, and none becomes a command.
 TEST_F(SecureFarmTest, NamesGoNowhere) {
   StartCoordinator();
   Client client(coordinator_->address, tenant_a_);
@@ -357,7 +357,7 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
     }
     return commands;
   };
-  // Labels tell the firmware the object's name: as one word, whatever it was.
+  // Labels tell the firmware the object's name as one word, for any name.
   const auto labelled = [&](const std::string& name) {
     static const std::regex kName("NAME=\\S+");
     return std::regex_replace(commands_of(gcode_of(name, true)), kName, "NAME=");

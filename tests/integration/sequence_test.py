@@ -22,7 +22,7 @@ COMMON = ["--set", "complete_objects=1", "--set", "gcode_label_objects=octoprint
           "--set", "bed_shape=0x0,250x0,250x210,0x210", "--set", "layer_gcode=;NUMBER {layer_num} {max_layer_z} {total_layer_count}"]
 TOLERANCE_MM = 0.003
 
-# Name, models and settings; the clearances that the settings ask for.
+# Name, models and settings, and the clearances in the settings.
 Plate = collections.namedtuple("Plate", "name arguments radius height", defaults=(20, 20))
 PLATES = [
     Plate("copies", ["busted.stl", "--copies", "busted.stl=4"]),

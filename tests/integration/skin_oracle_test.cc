@@ -17,24 +17,26 @@
 #include "tests/corpus_file.h"
 #include "tests/integration/region_raster_test.h"
 
-/// Skins of real parts against skins that a raster builds from the same sections. What is bare is
-/// fill area with no section above (below) it in one of the layers of a skin. A disc of bare area
-/// must be solid; what lies farther from anything bare than anchors reach must not.
-/// From the environment:
-///   SLICEFARM_SKIN_CASES   how many of the table's rows (2); the slow test takes all
+/// Compares skins of real parts with skins that a raster builds from the same sections. Bare area
+/// is fill area with no section above (below) it in one of the layers of a skin. A disc of bare
+/// area must be solid. Area farther from bare area than anchors reach must be sparse.
+/// Environment:
+///   SLICEFARM_SKIN_CASES   number of the table's rows (2); the slow test takes all
 ///   SLICEFARM_SKIN_FIRST   the first of them (0)
 namespace slicefarm::skin_oracle_test {
 namespace {
 
 constexpr double kWidthNm = 450'000;
-/// Bare parts that hold a disc of this radius must be solid, but for the seam of the raster.
+/// Radius of a disc of bare area that must be solid, except for the resolution of the raster.
 constexpr double kDiscNm = 300'000;
 constexpr double kSeamNm = 150'000;
-/// How far bridges over sparse infill reach beyond skins: a pitch of its lines at 20 %, and a bead.
+/// Distance that bridges over sparse infill extend beyond skins: a pitch of its lines at 20 %, and
+/// a bead.
 constexpr double kCellNm = 2'700'000;
-/// How far skins may reach beyond what is bare: two beads, and twice that at the tip of a miter.
+/// Distance that skins may extend beyond bare area: two beads, and twice this at the tip of a
+/// miter.
 constexpr double kAnchorNm = 2 * 2 * kWidthNm;
-/// Sparse places that hold no such disc may be solid.
+/// Radius of a disc of sparse area. Smaller areas may be solid.
 constexpr double kSparseDiscNm = 3 * kWidthNm;
 
 struct Case {
@@ -52,7 +54,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
              << c.skins << " + " << c.skins << " layers";
 }
 
-/// A part with its walls.
+/// Part with its walls.
 struct Part {
   std::vector<SlicedLayer> layers;
   std::vector<WalledLayer> walled;
@@ -109,7 +111,7 @@ void ForEachLine(const FilledLayer& layer, Visit visit) {
         }
 }
 
-/// How much of an edge lies in a region, mm.
+/// Returns the length of an edge in a region, mm.
 double LengthIn(const Raster& region, Point a, Point b) {
   const double length = Distance(a, b);
   const int steps = static_cast<int>(length / 50'000) + 1;
@@ -122,7 +124,8 @@ double LengthIn(const Raster& region, Point a, Point b) {
   return ToMm(length) * held / steps;
 }
 
-/// The oracle: what of each layer must be solid, and what must not.
+/// Computes from a raster the areas of each layer that must be solid, and the areas that must not
+/// be.
 class SkinOracle {
  public:
   SkinOracle(const Part& part, int32_t skins) : part_(part), skins_(skins) {
@@ -176,11 +179,12 @@ class SkinOracle {
   std::map<int32_t, Raster> outlines_;
 };
 
-/// What is wrong with the lines of a layer.
+/// Errors in the lines of a layer.
 struct Faults {
-  double sparse_mm = 0;  ///< sparse lines where solid is due
-  double solid_mm = 0;   ///< solid lines where sparse is due; bridges: farther than a cell from solid
-  double open_mm2 = 0;   ///< due to be solid, and no solid line near
+  double sparse_mm = 0;  ///< sparse lines in solid areas
+  /// Solid lines in sparse areas; for bridges: farther than a cell from solid areas.
+  double solid_mm = 0;
+  double open_mm2 = 0;  ///< solid areas with no solid line near
 };
 
 Faults FaultsOf(const FilledLayer& layer, const SkinOracle::Due& due, const RasterFrame& frame) {
@@ -199,7 +203,7 @@ Faults FaultsOf(const FilledLayer& layer, const SkinOracle::Due& due, const Rast
   return faults;
 }
 
-/// Returns what had to be solid, mm2.
+/// Checks the skins of a case. Returns the area that had to be solid, in mm2.
 double ExpectSkins(const Case& c) {
   SCOPED_TRACE(testing::PrintToString(c));
   const auto part = PartOf(c);
@@ -280,10 +284,11 @@ std::map<Feature, double> AreasOf(const std::vector<FilledLayer>& layers) {
   return areas;
 }
 
-/// What goes from one feature to another where a place is just as wide as a bead.
+/// Area that may change between features where a place is exactly as wide as a bead.
 constexpr double kDotMm2 = 0.25;
 
-/// What lies over sparse infill is bridged by whole cells: a skin reaches into one, or just not.
+/// Returns the area that may change at bridges. Skins over sparse infill are bridged by whole
+/// cells, so noise may add or remove a cell.
 double CellsMm2(Feature feature, const std::map<Feature, double>& areas) {
   const auto bridges = areas.find(Feature::kBridgeInfill);
   const bool is_concerned = feature == Feature::kBridgeInfill || feature == Feature::kSolidInfill ||
@@ -291,7 +296,7 @@ double CellsMm2(Feature feature, const std::map<Feature, double>& areas) {
   return is_concerned && bridges != areas.end() ? 0.04 * bridges->second : 0;
 }
 
-// In a part that stands upright, edges of many layers lie on each other.
+// In an upright part, edges of many layers coincide.
 TEST(SkinOracle, NoiseOfSomeNanometresMovesNoSkin) {
   for (const char* model : {"cable_cover", "printhead_rear", "featuretype"}) {
     const auto part = PartOf({model, 23, 0.25});

@@ -24,7 +24,7 @@
 
 namespace slicefarm {
 
-/// The stages that a host serves; all must outlive it.
+/// Stages of a host. All must outlive it.
 struct HostedStages {
   const SlicingStage& slicing;
   const BeadingStage& beading;
@@ -35,15 +35,15 @@ struct HostedStages {
   /// Planning has its algorithm within its service.
   std::function<std::unique_ptr<grpc::Service>(rpc::CallGate&)> planning =
       planning::MakePlanningService;
-  const ExposureStage* exposure = nullptr;  ///< null: it is not served
-  const MillingStage* milling = nullptr;    ///< likewise
-  const TextureStage* texture = nullptr;    ///< likewise
+  const ExposureStage* exposure = nullptr;  ///< null: not served
+  const MillingStage* milling = nullptr;  ///< null: not served
+  const TextureStage* texture = nullptr;  ///< null: not served
 };
 
 /// All services of the stages and the worker behind one real socket.
 class StageHost {
  public:
-  static constexpr int kThreads = 3;  ///< StageCall.threads as the slicing stage sees it
+  static constexpr int kThreads = 3;  ///< StageCall.threads in the slicing stage
 
   explicit StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate = {4, 0},
                      const rpc::ServerOptions& options = {});
@@ -64,7 +64,7 @@ class StageHost {
   std::unique_ptr<rpc::Server> server_;
 };
 
-/// A log that nobody reads.
+/// Returns a log that discards its lines.
 rpc::JsonLog NoLog();
 
 }  // namespace slicefarm

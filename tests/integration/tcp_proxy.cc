@@ -91,7 +91,7 @@ void TcpProxy::Accept() {
   }
 }
 
-/// Descriptors stay open to the end, so that no number is shut down that is another one's by then.
+/// Descriptors stay open to the end. Otherwise a reused number could be shut down.
 void TcpProxy::Carry(int client) {
   const int server = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const sockaddr_in address = Loopback(std::stoi(target_.substr(target_.rfind(':') + 1)));

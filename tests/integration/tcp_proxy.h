@@ -10,8 +10,8 @@
 
 namespace slicefarm {
 
-/// A way to a server that can break: every connection to `address()` is carried on to `target`.
-/// Dies if it cannot listen.
+/// Proxy that can break connections to a server: every connection to `address()` is forwarded to
+/// `target`. Aborts if it cannot listen.
 class TcpProxy {
  public:
   explicit TcpProxy(const std::string& target);
@@ -21,16 +21,16 @@ class TcpProxy {
 
   std::string address() const;
 
-  /// Ends all connections at once; new ones may come.
+  /// Ends all connections at once. New connections are accepted.
   void Cut();
 
-  /// Nothing passes any more, in both directions, and no end is told: as if the machines between
+  /// Stops all transfers in both directions without ending connections, as if the machines between
   /// were gone.
   void Hold();
-  /// What was held goes on.
+  /// Continues after Hold and forwards the held bytes.
   void Pass();
 
-  /// Bytes that have passed so far.
+  /// Returns the number of forwarded bytes.
   int64_t passed() const;
 
  private:

@@ -14,16 +14,17 @@
 
 namespace slicefarm {
 
-/// A job of the corpus: a box with letters on it, 150 layers or so.
+/// Returns a job of the corpus: a box with letters on it, about 150 layers.
 SliceInput TextBox();
 
-/// The way of a whole job, from the text box to its G-code.
+/// Runs a whole job, from the text box to its G-code.
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
                                     const MotionStage& motion,
                                     coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done = {});
 
-/// The same in this process, by one runner with one slot: what every other way must give.
+/// Returns the G-code of this process, by one runner with one slot. All other configurations must
+/// have the same result.
 const std::string& GcodeOfThisProcess();
 
 }  // namespace slicefarm

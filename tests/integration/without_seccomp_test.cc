@@ -5,8 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 
-// A program for tests: starts another one as a container would that forbids seccomp to its
-// programs.
+// Test program that starts another one like a container that forbids seccomp to its programs.
 //   without-seccomp PROGRAM ARGUMENT...
 int main(int, char** argv) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);

@@ -17,12 +17,12 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using google::protobuf::Reflection;
 
-/// The next value that is not 0.
+/// Returns the next value that is not 0.
 int NextValue(const EnumDescriptor& type, int value) {
   return value + 1 < type.value_count() ? value + 1 : 1;
 }
 
-/// The next number; after the greatest one the least.
+/// Returns the next number. The greatest number is followed by the least one.
 int32_t Another(int32_t value) { return static_cast<int32_t>(static_cast<uint32_t>(value) + 1); }
 int64_t Another(int64_t value) { return static_cast<int64_t>(static_cast<uint64_t>(value) + 1); }
 double Another(double value) { return value / 2 + 0.125; }
@@ -75,7 +75,7 @@ void ChangeElement(Message& message, const FieldDescriptor* field, int i) {
   }
 }
 
-/// Finds a message within the message it is given.
+/// Function that finds a message within the given message.
 using Locate = std::function<Message&(Message&)>;
 
 class Walk {

@@ -7,9 +7,9 @@
 
 namespace slicefarm {
 
-/// For tests of converters: calls `visit` once for each leaf field of `original`, with a copy in
-/// which this field alone has another, likewise valid value, and with the field's path. Repeated
-/// fields: each element.
+/// Calls `visit` once for each leaf field of `original`, for tests of converters. `visit` gets a
+/// copy with another valid value in this field only, and the field's path. In repeated fields each
+/// element is visited.
 void ForEachChangedField(
     const google::protobuf::Message& original,
     const std::function<void(const std::string& path, const google::protobuf::Message&)>& visit);

@@ -1,4 +1,4 @@
-// The chores of MemoryJobStore, and its notes of use.
+// Chores of MemoryJobStore, and its records of use.
 #include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator {

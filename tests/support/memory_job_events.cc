@@ -1,4 +1,4 @@
-// What MemoryJobStore tells of events.
+// Events of MemoryJobStore.
 #include <algorithm>
 
 #include "services/coordinator/store/jobs/job_steps.h"

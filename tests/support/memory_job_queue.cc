@@ -1,4 +1,4 @@
-// The queue of MemoryJobStore, as it will be served.
+// Queue of MemoryJobStore in the order of serving.
 #include <algorithm>
 #include <map>
 #include <tuple>

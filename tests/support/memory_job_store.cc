@@ -11,7 +11,7 @@ namespace {
 
 using Lock = std::lock_guard<std::mutex>;
 
-/// The record becomes `job`, and an event tells of it.
+/// Replaces the record by `job` and adds an event with it.
 void WriteStep(MemoryJobs::Entry& entry, JobRecord job, int64_t now_us) {
   ++job.last_sequence;
   entry.events.push_back({job.last_sequence, now_us, job.state, job.layers_total, job.layers_done});
@@ -23,7 +23,7 @@ JobRecord WithoutSpec(JobRecord job) {
   return job;
 }
 
-/// To a blob of the tenant.
+/// Returns true if the job refers to this blob of the tenant.
 bool RefersTo(const JobRecord& job, const std::string& tenant, const std::string& digest) {
   if (job.trace_sha256 == digest && job.tenant == tenant) return true;
   return job.result && job.result->tenant == tenant &&
@@ -47,7 +47,7 @@ bool IsWanted(const JobRecord& job, const ListQuery& query) {
                        query.labels.end());
 }
 
-/// The order of a tenant's jobs.
+/// Returns the sort key for the order of a tenant's jobs.
 std::tuple<int, int64_t, int64_t> Urgency(const JobRecord& job) {
   return {-static_cast<int>(job.priority), job.deadline_us, job.number};
 }
@@ -64,14 +64,15 @@ MemoryJobStore::Entry* MemoryJobStore::Find(const std::string& id) {
   return number == jobs_.numbers_.end() ? nullptr : &jobs_.entries_.at(number->second);
 }
 
-/// The lease's job, if the lease is the present one.
+/// Returns the lease's job if the lease is the current one.
 MemoryJobStore::Entry* MemoryJobStore::FindHeld(const Lease& lease) {
   Entry* entry = Find(lease.job_id);
   const bool held = entry && entry->job.owner_epoch == lease.epoch && !entry->job.owner.empty();
   return held ? entry : nullptr;
 }
 
-/// QUEUE_FULL if the tenant may have no further job, with `before` that are about to be made.
+/// Returns QUEUE_FULL if the tenant may have no further job. `before`: number of jobs that are
+/// about to be made.
 absl::Status MemoryJobStore::CheckQueue(const NewJob& job, int64_t before) const {
   int64_t open = before;
   for (const auto& [number, entry] : jobs_.entries_) {
@@ -105,7 +106,7 @@ absl::StatusOr<std::vector<Created>> MemoryJobStore::CreateAll(const std::vector
   return all;
 }
 
-/// The job that an earlier call with the same request id made, if there was one.
+/// Returns the job of an earlier call with the same request id, if there was one.
 absl::StatusOr<std::optional<Created>> MemoryJobStore::FindEarlier(const NewJob& job) {
   const auto earlier = jobs_.requests_.find({job.tenant, job.request_id});
   if (earlier == jobs_.requests_.end()) return std::nullopt;
@@ -166,7 +167,8 @@ absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::List(const ListQuery& que
   return list;
 }
 
-/// Tenants with open jobs, those whose turn it is first, as far as `filter` takes their jobs.
+/// Returns the tenants with open jobs, in the order of their turns, as far as `filter` accepts
+/// them.
 std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us, const ClaimFilter& filter) const {
   std::map<std::string, int64_t> held;
   for (const auto& [number, entry] : jobs_.entries_) {
@@ -186,7 +188,7 @@ std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us, const ClaimFilt
   return tenants;
 }
 
-/// The action digests of jobs that somebody holds and that are not to be cancelled.
+/// Returns the action digests of jobs that have an owner and are not to be cancelled.
 std::set<std::string> MemoryJobStore::HeldWork(int64_t now_us, const std::string& but_job) const {
   std::set<std::string> held;
   for (const auto& [number, entry] : jobs_.entries_) {
@@ -197,7 +199,7 @@ std::set<std::string> MemoryJobStore::HeldWork(int64_t now_us, const std::string
   return held;
 }
 
-/// The tenant's job whose turn it is; nullptr: none may be claimed.
+/// Returns the tenant's next job; nullptr if none may be claimed.
 JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us,
                                      const ClaimFilter& filter) {
   const std::set<std::string> held = HeldWork(now_us);
@@ -297,7 +299,7 @@ absl::StatusOr<JobRecord> MemoryJobStore::Update(const Lease& lease, const JobUp
   return WithoutSpec(entry->job);
 }
 
-/// What a result has to do with the index of results.
+/// Adds a new result to the index of results. A cached result must still be in the index.
 absl::Status MemoryJobStore::IndexResult(const JobRecord& job) {
   if (!job.result->cached) {
     jobs_.results_[job.action_digest] = *job.result;
@@ -360,7 +362,7 @@ bool MemoryJobStore::IsInput(const std::string& tenant, const std::string& diges
   });
 }
 
-/// Results made of what no job refers to any more leave the index.
+/// Removes results from the index if no job refers to their blob any more.
 void MemoryJobStore::ForgetUnreferenced(const std::string& tenant, const std::string& digest) {
   if (digest.empty() || IsArtifact(tenant, digest)) return;
   std::erase_if(jobs_.results_, [&](const auto& entry) {

@@ -12,7 +12,7 @@
 
 namespace slicefarm::coordinator {
 
-/// The state of a MemoryJobStore: what its openings share, as they would a database.
+/// State of a MemoryJobStore. All stores that are opened on it share it, like a database.
 class MemoryJobs {
  public:
   struct Entry {
@@ -21,9 +21,9 @@ class MemoryJobs {
     std::vector<JobEventRecord> events;
   };
 
-  /// By number, without a lock: for who looks on while nobody calls the store.
+  /// Returns the jobs by number, without a lock. Only for use while no call of a store runs.
   const std::map<int64_t, Entry>& entries() const { return entries_; }
-  /// nullptr: there is none.
+  /// Returns the job, or nullptr.
   const Entry* Find(const std::string& id) const;
 
  private:
@@ -38,16 +38,17 @@ class MemoryJobs {
   std::mutex mutex_;
   int64_t last_number_ = 0;
   std::map<int64_t, Entry> entries_;
-  std::unordered_map<std::string, int64_t> numbers_;                 ///< by id
-  std::map<std::pair<std::string, std::string>, Request> requests_;  ///< by tenant and request id
-  std::map<std::string, int64_t> turns_;      ///< when a job of the tenant was claimed last
-  std::map<std::string, JobResult> results_;  ///< by action digest
-  std::map<std::string, int64_t> chores_;     ///< until when somebody does them
+  std::unordered_map<std::string, int64_t> numbers_;  ///< number of each job, by id
+  /// Requests by tenant and request id.
+  std::map<std::pair<std::string, std::string>, Request> requests_;
+  std::map<std::string, int64_t> turns_;  ///< time when a job of the tenant was last claimed
+  std::map<std::string, JobResult> results_;  ///< results by action digest
+  std::map<std::string, int64_t> chores_;  ///< end time of each chore's lease
 };
 
-/// JobStore that forgets everything with the process: for simulation and tests. Keeps the contract
-/// (job_store_contract_test.cc) by the same rules as the stores on disk, job_steps.h. No call fails
-/// but for the caller's fault.
+/// JobStore without persistence, for simulation and tests. It fulfils the contract
+/// (job_store_contract_test.cc) with the same rules as the stores on disk, job_steps.h. Calls fail
+/// only because of errors of the caller.
 class MemoryJobStore : public JobStore {
  public:
   /// `jobs` outlives the store.
