@@ -1,12 +1,12 @@
 # cmake -D SOURCE_DIR=.. -D TOOLS=.. -D TEMPLATE=.. -D OUTPUT=.. -D VERSION=.. -D RELEASE_DATE=.. -P build_info.cmake
 #
-# Fills in common/base/build_info.cc.in. The build id is a digest over everything that decides the bytes of a result, and over
-# nothing else: as long as it stays the same, cached results stay valid and a worker may serve a coordinator. It covers
-#   all sources of common, processes and services, except the folders of `left_out` and tests (*_test.{h,cc}): a new folder is
-#     covered without being named
-#   TOOLS: the compiler, the C library and the libraries whose algorithms take part, with their versions
-# It is over contents, not over a commit: an image is built from a copy of the tree without its repository.
-# With -D LISTING=FILE it also writes the names of the covered files, one a line.
+# Fills in common/base/build_info.cc.in. The build id is a digest over everything that affects the bytes of a result, and over
+# nothing else. As long as it stays the same, cached results stay valid and a worker may serve a coordinator. It covers:
+#   all sources of common, processes and services, except the folders of `left_out` and tests (*_test.{h,cc}). A new folder is
+#     covered without being named.
+#   TOOLS: the compiler, the C library and the libraries with algorithms that affect results, with their versions.
+# It covers contents and no commit, because an image is built from a copy of the tree without its repository.
+# With -D LISTING=FILE it also writes the names of the covered files, one per line.
 set(left_out
   common/rpc                                    # carries messages
   services/cli services/lab                     # talk to users
@@ -26,7 +26,8 @@ foreach(folder ${left_out})
   endif()
 endforeach()
 list(FILTER files EXCLUDE REGEX "_test\\.(cc|h)$")
-# The messages between stages and coordinators. Messages of clients are read before a job's digest is taken.
+# Messages between stages and coordinators. Messages of clients are left out, because they are read before a job's digest is
+# computed.
 file(GLOB protos RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/proto/slicefarm/v1/*.proto)
 list(FILTER protos EXCLUDE REGEX "/(jobs|profiles|error_reason)\\.proto$")
 list(APPEND files ${protos} CMakeLists.txt cmake/targets.cmake cmake/build_info.cmake)

@@ -1,6 +1,6 @@
-# A Debian package of what `programs` stands for:
+# Makes a Debian package of the target `programs`:
 #   cmake --build --preset release --target programs && (cd build && cpack -G DEB)
-# It depends on the packages of the libraries that the programs link, found by dpkg-shlibdeps.
+# The package depends on the packages of the libraries that the programs link, found by dpkg-shlibdeps.
 
 include(GNUInstallDirs)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # or the tests would be built for it

@@ -1,7 +1,7 @@
-# Precompiled headers: four, each made once. Without them a clean build takes twice the time.
+# There are four precompiled headers, each made once. Without them a clean build takes twice as long.
 option(SLICEFARM_PCH "Precompile what nearly every file includes" ON)
 
-# slicefarm_precompiled(name header [FAST] DEPS ...): makes a precompiled header; FAST: for what slicefarm_compile_fast is called for.
+# slicefarm_precompiled(name header [FAST] DEPS ...): makes a precompiled header. FAST: for targets of slicefarm_compile_fast.
 function(slicefarm_precompiled name header)
   cmake_parse_arguments(ARG "FAST" "" "DEPS" ${ARGN})
   if(NOT SLICEFARM_PCH)
@@ -17,13 +17,14 @@ function(slicefarm_precompiled name header)
   endif()
 endfunction()
 
-# What computes is compiled with -O2, messages and their conversion among it: with -O1 a job on a farm takes 4 % more. Tests, which
-# run for moments, and what speaks gRPC, which waits for others, should not take minutes to compile: -O1 takes a quarter off.
+# Algorithms are compiled with -O2, and so are messages and their conversion: with -O1 a job on a farm takes 4 % longer. Tests run
+# only briefly, and code with gRPC mostly waits for other processes, so they are compiled with -O1. This saves a quarter of the
+# compile time.
 function(slicefarm_compile_fast target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Which of them a target takes: one with gRPC if a library that it links has it.
+# Selects the precompiled header of a target: one with gRPC if a library that the target links has it.
 function(slicefarm_use_precompiled target kind)
   set(grpc "")
   set(libraries ${ARGN})
@@ -39,12 +40,12 @@ function(slicefarm_use_precompiled target kind)
   endif()
 endfunction()
 
-# The cold preset compiles up to 64 files of a target, most often all, as one: headers and templates, most of a compiler's work,
-# are then done once for all. So all files of a library or a program need different names in their unnamed namespaces; a test has
-# a namespace named like its file, and may call its helpers what it likes. Who edits and builds uses the release preset, where a
-# changed file is compiled alone.
+# The cold preset compiles up to 64 files of a target, usually all, as one. Headers and templates, which are most of a compiler's
+# work, are then processed once. So all files of a library or a program need different names in their unnamed namespaces. A test
+# has a namespace named like its file, so its helpers may have any names. For repeated builds use the release preset, which
+# compiles each changed file alone.
 
-# slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, by the name of its path.
+# slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, with the name of its path.
 function(slicefarm_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
@@ -56,8 +57,8 @@ endfunction()
 # The programs of a farm, and its command line.
 add_custom_target(programs)
 
-# slicefarm_binary(slicefarm-x [LIBC_HEAP] [ON_DEMAND] SOURCES main.cc DEPS ...): a program in build/bin; one of those that
-# `programs` stands for, unless ON_DEMAND.
+# slicefarm_binary(slicefarm-x [LIBC_HEAP] [ON_DEMAND] SOURCES main.cc DEPS ...): a program in build/bin. It belongs to the target
+# `programs`, unless ON_DEMAND.
 function(slicefarm_binary name)
   cmake_parse_arguments(ARG "LIBC_HEAP;ON_DEMAND" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -73,7 +74,7 @@ function(slicefarm_binary name)
   endif()
 endfunction()
 
-# slicefarm_test(name SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
+# slicefarm_test(name SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, as one process.
 function(slicefarm_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
   if(NOT BUILD_TESTING)

@@ -1,5 +1,5 @@
-# slicefarm_tools(VARIABLE): the compiler, the C library and the libraries whose algorithms have a part in results, with their
-# versions, as `name=version` by commas. For cmake/build_info.cmake.
+# slicefarm_tools(VARIABLE): the compiler, the C library and the libraries with algorithms that affect results, with their
+# versions, as `name=version` separated by commas. For cmake/build_info.cmake.
 function(slicefarm_tools variable)
   execute_process(COMMAND getconf GNU_LIBC_VERSION OUTPUT_VARIABLE libc OUTPUT_STRIP_TRAILING_WHITESPACE)
   string(REPLACE " " "-" libc "${libc}")
@@ -10,7 +10,7 @@ function(slicefarm_tools variable)
   find_path(CLIPPER_HEADERS polyclipping/clipper.hpp REQUIRED)
   file(STRINGS ${CLIPPER_HEADERS}/polyclipping/clipper.hpp clipper REGEX "#define CLIPPER_VERSION ")
   string(REGEX REPLACE "[^0-9.]" "" clipper "${clipper}")
-  # Nor has that of RE2 one that tells anything; its file is called by it.
+  # RE2's .pc file has no useful version either, so the version is read from the name of the library file.
   list(GET libre2_LINK_LIBRARIES 0 re2)
   get_filename_component(re2 ${re2} REALPATH)
   get_filename_component(re2 ${re2} NAME)

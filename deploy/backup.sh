@@ -1,29 +1,28 @@
 #!/usr/bin/env bash
 # Copies the state of a farm while it works: all jobs that were acknowledged before, with their models and results.
 #
-#   deploy/backup.sh sqlite STATE_DIR DEST     of a coordinator with --state-dir; DEST may hold an earlier backup, and then
-#                                              only new blobs are copied
-#   deploy/backup.sh postgres DEST             of the database that SLICEFARM_POSTGRES (a connection string) says
+#   deploy/backup.sh sqlite STATE_DIR DEST     state of a coordinator with --state-dir. DEST may contain an earlier backup;
+#                                              only new blobs are copied then.
+#   deploy/backup.sh postgres DEST             database with the connection string SLICEFARM_POSTGRES.
 #
-# A job that was restored never refers to a blob that is not there. Blobs come before what refers to them, and are taken
-# away after it, so they are copied before the database, for those that will be taken away, and after it, for those that
-# came meanwhile. Of PostgreSQL, pg_dump sees all as of one moment.
-# Uploads that are not complete are left out: their clients send them again.
-# Needs the packages sqlite3, or postgresql-client-15. Ends with an error, and not with half a backup, if anything fails.
+# A restored job never refers to a missing blob. A blob is stored before its references, and removed after them. So blobs
+# are copied twice: before the database, as some may be removed later, and after it, as new ones may have arrived.
+# With PostgreSQL, pg_dump copies everything as of one moment. Incomplete uploads are left out: their clients send them again.
+# Needs the packages sqlite3, or postgresql-client-15. If anything fails, it ends with an error and makes no partial backup.
 set -euo pipefail
 umask 077
 
 usage() { sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "backup: $*" >&2; exit 1; }
 
-# intact FILE: whether its SHA-256 is its name, but for a dot.
+# intact FILE: succeeds if the SHA-256 of the file is its name, apart from a dot.
 intact() {
   local name
   name=$(basename "$1")
   [[ $(sha256sum <"$1") == "${name#.}  -" ]]
 }
 
-# copy_blobs FROM TO: those that TO lacks. A blob never changes, and appears in TO when it is whole.
+# copy_blobs FROM TO: copies the blobs that TO lacks. A blob never changes, and appears in TO only when it is complete.
 copy_blobs() {
   local from=$1 to=$2 folder name
   for folder in "$from"/*/; do
@@ -37,10 +36,11 @@ copy_blobs() {
   done
 }
 
-# The folder of a tenant's blobs, within a state directory. No name: of all, where there are no tenants.
+# Prints the folder of a tenant's blobs within a state directory. Without a name it is the folder of all blobs in a farm without
+# tenants.
 folder_of() { if [[ -z $1 ]]; then echo blobs; else echo "tenants/$1/blobs"; fi; }
 
-# copy_all FROM TO: the blobs of all tenants.
+# copy_all FROM TO: copies the blobs of all tenants.
 copy_all() {
   local folder
   copy_blobs "$1/blobs" "$2/blobs"
@@ -64,7 +64,7 @@ backup_sqlite() {
   mv "$dest/jobs.db.new" "$dest/jobs.db"
 }
 
-# TENANT|DIGEST of all blobs that jobs and results refer to.
+# Prints TENANT|DIGEST of all blobs that jobs and results refer to.
 referenced() {
   sqlite3 -separator '|' "$1" "SELECT result_tenant, gcode_sha256 FROM jobs UNION SELECT result_tenant, report_sha256 FROM jobs
     UNION SELECT tenant, trace_sha256 FROM jobs UNION SELECT tenant, gcode_sha256 FROM results
@@ -73,7 +73,7 @@ referenced() {
     { grep -E '\|[0-9a-f]{64}$' || [[ $? -eq 1 ]]; } # 1: there are none
 }
 
-# Every blob that the copied database refers to is there, unless the farm itself has lost it.
+# Checks that every blob in the copied database exists, unless the farm itself has lost it.
 check_blobs() {
   local database=$1 copy=$2 origin=$3 path
   referenced "$database" | while IFS='|' read -r tenant digest; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From nothing to G-code: set-up, build, every service as its own process, submit, fetch, stop.
+# Shows all steps from set-up to G-code: set-up, build, every service as its own process, submit, fetch, stop.
 #
 #   deploy/demo.sh [MODEL.stl]      default: the benchy of tests/corpus
 set -euo pipefail

@@ -126,7 +126,7 @@ def check_compose(path):
         expect(int(service["stop_grace_period"].rstrip("s")) > drain, f"{at}: killed before it has drained")
         expect(int(interpolated(service["ulimits"]["nofile"]["hard"])) >= 65536, f"{at}: few descriptors")
         expect(service["healthcheck"]["test"][1:] == ["slicefarm", "health", f"127.0.0.1:{PORT}"], f"{at}: health")
-        # Whoever reaches gRPC's own server past the door can end it.
+        # A client that reaches gRPC's own server without the door can end it.
         expect(name == "proxy" or not service.get("ports"), f"{at}: is published beside the door")
         outside = {"farm", "outside"} if name == "coordinator" else {"farm", "clients"} if name == "proxy" else {"farm"}
         expect(set(service["networks"]) == outside, f"{at}: networks {service['networks']}")
@@ -283,12 +283,12 @@ class Manifests:
             for peer in rule.get("from", []) + rule.get("to", []):
                 if "podSelector" in peer:
                     expect(self.selected(peer["podSelector"]), f"kubernetes: policy {name} lets nobody through")
-            # Clients reach the door, and nothing behind it.
+            # Clients may connect to the door only.
             clients = any("slicefarm-clients" in str(peer) for peer in rule.get("from", []))
             expect(not clients or name == "proxy", f"kubernetes: policy {name} lets clients past the door")
 
 
-# What Kubernetes has had since the release that python3-kubernetes of Debian 12 (1.22) is made from.
+# Fields of Kubernetes that are newer than the release of python3-kubernetes in Debian 12 (1.22).
 NEWER_FIELDS = {("V1Probe", "grpc"), ("V1ServicePort", "appProtocol")}
 NEWER_KINDS = {("autoscaling/v2", "HorizontalPodAutoscaler"): "V2beta2HorizontalPodAutoscaler"}
 

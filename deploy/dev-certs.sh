@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Certificates to develop and test with: a CA of its own, and one certificate for each role that it signs. A farm has its
-# own CA, which gives the same identities (URI) and keeps its key elsewhere.
+# Makes certificates for development and tests: a CA of its own, and one certificate for each role, signed by this CA. A
+# real farm has its own CA, which gives the same identities (URI) and keeps its key elsewhere.
 #
 #   deploy/dev-certs.sh DIR [--days N] [ROLE...]
 #
-# ROLE     coordinator, proxy, worker, stage/slicing and so on, tenant/NAME. None: all of slicefarm's own, and tenant/dev.
-# --days   how long they are valid (30). 0: they have expired already.
-# What is made: DIR/ROLE/{cert,key,ca}.pem (with - for / in the role), a directory that can be mounted as a whole where it
-# is needed, and the CA in DIR/ca. An existing CA is used again; an existing role gets a new certificate, by renaming, so
-# that a program that runs finds the old pair or the new one.
+# ROLE     coordinator, proxy, worker, stage/slicing and so on, tenant/NAME. Default: all roles of slicefarm, and tenant/dev.
+# --days   days of validity (30). 0: already expired.
+# Output: DIR/ROLE/{cert,key,ca}.pem (with - for / in the role), a directory that can be mounted as a whole, and the CA in
+# DIR/ca. An existing CA is reused. An existing role gets a new certificate by renaming, so that a running program finds
+# either the old pair or the new one.
 set -euo pipefail
 
 usage() { sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 2; }
@@ -41,8 +41,8 @@ if [[ ! -s "$dir/ca/ca.pem" ]]; then
   mv "$work/ca" "$dir/ca"
 fi
 
-# The names by which the role's servers are reached on this machine and in the compose files. Only clients that know a
-# server by its name look at them: the coordinator knows its stages by their URI, whatever address they have.
+# Prints the names of the role's servers on this machine and in the compose files. Only clients that address a server by name
+# check them. The coordinator identifies its stages by their URI, at any address.
 names_of() {
   case "$1" in
     tenant/*) ;;
@@ -56,7 +56,7 @@ for role in "${roles[@]}"; do
   name=${role//\//-} new=$work/${role//\//-}
   mkdir "$new"
   new_key "$new/key.pem"
-  # A tenant's certificate serves nobody: with one, no tenant can pass for the coordinator.
+  # A tenant's certificate is not valid for servers, so that no tenant can pretend to be the coordinator.
   use=serverAuth,clientAuth
   [[ "$role" == tenant/* ]] && use=clientAuth
   openssl req -new -key "$new/key.pem" -subj "/O=slicefarm/CN=$name" -out "$work/request.pem"
@@ -68,7 +68,7 @@ for role in "${roles[@]}"; do
       echo "subjectAltName=URI:spiffe://slicefarm/$role$(names_of "$role")"
     ) 2>/dev/null
   cp "$dir/ca/ca.pem" "$new/ca.pem"
-  # The name is a link, because a link can be replaced at once.
+  # The name is a link, because a link can be replaced atomically.
   version=.$name-$(openssl rand -hex 4)
   old=$(readlink "$dir/$name" || true)
   mv "$new" "$dir/$version"

@@ -1,23 +1,23 @@
 #!/usr/bin/env bash
-# Every service as a process of its own on this machine, without containers.
+# Runs every service as a process of its own on this machine, without containers.
 #
 #   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N]
 #                      [--metrics-port M] [--tls] [--proxy]
 #   deploy/local.sh status
-#   deploy/local.sh down
+#   deploy/local.sh down.
 #
-# up       starts the services and waits until the coordinator answers on 127.0.0.1:P (default 50050; the others take the
-#          ports above it). fused: N workers with the four layer stages in each. split: N replicas of each layer stage.
-#          sqlite: jobs and blobs in a directory. postgres: in a database, which N coordinators share, all of them active;
-#          it is SLICEFARM_POSTGRES (a connection string), or one of a server that is started here.
+# up       starts the services and waits until the coordinator answers on 127.0.0.1:P (default 50050). Further services use
+#          the ports above it. fused: N workers with the four layer stages in each. split: N replicas of each layer stage.
+#          sqlite: jobs and blobs in a directory. postgres: in a database, which N active coordinators share. The database is
+#          SLICEFARM_POSTGRES (a connection string), or on a server that is started here.
 #          --metrics-port: coordinators serve /metrics and /statusz on 127.0.0.1:M and the ports above it.
-#          --tls: with certificates of deploy/dev-certs.sh, in $SLICEFARM_STATE/certs; it says what clients need.
+#          --tls: uses certificates of deploy/dev-certs.sh, in $SLICEFARM_STATE/certs, and prints the options for clients.
 #          --proxy: 127.0.0.1:P is the farm's door (deploy/proxy), with the coordinators behind it; for more than a trial.
-#          A service that a signal ends, or that takes no connections any more (exit code 3), is started again.
-# down     asks all to finish (SIGTERM) and waits for them. Jobs that are not done go on at the next `up`.
+#          A service that was ended by a signal, or that accepts no connections any more (exit code 3), is started again.
+# down     ends all services (SIGTERM) and waits for them. Unfinished jobs continue at the next `up`.
 #
-# SLICEFARM_BIN     where the programs are (default build/bin)
-# SLICEFARM_STATE   jobs, blobs, logs and process ids (default build/local)
+# SLICEFARM_BIN     folder of the programs (default build/bin)
+# SLICEFARM_STATE   folder of jobs, blobs, logs and process ids (default build/local)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -27,8 +27,8 @@ state=${SLICEFARM_STATE:-build/local}
 usage() { sed -n '2,21s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "local.sh: $*" >&2; exit 1; }
 
-# Whether the process of a pid file is the program that was started under its name: after a reboot, or when the numbers
-# have gone round, it may be anybody's.
+# Succeeds if the process of a pid file is the program that was started under its name. After a reboot, or when process ids are
+# reused, it may be another program.
 running() {
   [[ -f "$1" ]] || return 1
   local name exe
@@ -42,14 +42,14 @@ running() {
   [[ "${exe##*/}" == "slicefarm-${name%%-[0-9]*}" ]]
 }
 
-# start NAME PROGRAM ARG...: in the background.
+# start NAME PROGRAM ARG...: starts a program in the background.
 start() {
   rm -f "$state/pid/$1.pid"
   supervise "$@" >"$state/log/$1.log" 2>&1 </dev/null &
   until [[ -s "$state/pid/$1.pid" ]]; do sleep 0.01; done
 }
 
-# supervise NAME PROGRAM ARG...: starts it again when it has ended by itself, until `down` takes the file of its process away.
+# supervise NAME PROGRAM ARG...: starts the program again each time it ends by itself, until `down` removes its pid file.
 supervise() {
   local name=$1 file=$state/pid/$1.pid pid rc
   shift
@@ -100,7 +100,7 @@ up() {
   mkdir -p "$state/log" "$state/pid" "$state/coordinator"
   for pid in "$state"/pid/*.pid; do running "$pid" && die "already up: deploy/local.sh down stops it"; done
 
-  # use_certs ROLE: the programs started from here on have its certificate.
+  # use_certs ROLE: programs started from here on use the certificate of this role.
   use_certs() {
     [[ $tls -eq 1 ]] || return 0
     local of=$state/certs/$1
@@ -109,7 +109,7 @@ up() {
   [[ $tls -eq 0 ]] || deploy/dev-certs.sh "$state/certs"
 
   local next=$((port + 1)) pools=()
-  # replicas STAGE COUNT FLAG: COUNT processes of slicefarm-STAGE, and their addresses as the coordinator's --FLAG.
+  # replicas STAGE COUNT FLAG: starts COUNT processes of slicefarm-STAGE, and adds their addresses as the coordinator's --FLAG.
   replicas() {
     local addresses=() role=stage-$1
     [[ "$1" == worker ]] && role=worker

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `deploy/local.sh down` leaves a process alone that only has the number of one of ours, and ends one that is ours.
+# Tests that `deploy/local.sh down` ends the farm's own processes, and no other process with a reused id.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 state=$(mktemp -d)
@@ -11,7 +11,7 @@ sleep 600 & stranger=$!
 until [[ $(readlink "/proc/$ours/exe") == "$state/slicefarm-worker" ]]; do :; done
 echo "$stranger" >"$state/pid/slicing-1.pid"
 echo "$ours" >"$state/pid/worker-1.pid"
-# Reaps it, so that `down` sees it go.
+# Reaps the process, so that `down` sees its end.
 SLICEFARM_STATE=$state deploy/local.sh down >"$state/out" &
 wait "$ours" || true
 wait $!

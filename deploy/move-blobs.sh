@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# Moves the blobs of a farm into a bucket: models, results and traces; jobs stay where they are.
+# Moves the blobs of a farm into a bucket: models, results and traces. Jobs stay in the database.
 #
 #   deploy/move-blobs.sh FROM TO
 #
-# FROM: the state directory of a coordinator, which does not run meanwhile; or the connection string of a PostgreSQL database,
-#       whose coordinators were all started with --s3 TO before, and go on: they read what has not moved yet where it is.
+# FROM: the state directory of a coordinator that is stopped; or the connection string of a PostgreSQL database. In the second
+#       case all coordinators must have been started with --s3 TO before. They keep running and read old blobs from the database.
 # TO:   http[s]://HOST[:PORT]/BUCKET[/PREFIX]; AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY are in the environment.
 #       More flags, such as --s3-region, may follow.
 #
-# Ended at any time, it is run again and goes on: a blob leaves FROM when the bucket has acknowledged all of its bytes, by their
-# SHA-256. Uploads that are not complete stay where they are. SLICEFARM_BIN: where the programs are (default build/bin, if it is there).
+# It may be interrupted at any time and run again. A blob is deleted from FROM only after the bucket has acknowledged all of
+# its bytes, by their SHA-256. Incomplete uploads are not moved. SLICEFARM_BIN: folder of the programs (default build/bin, if
+# it exists).
 set -euo pipefail
 
 usage() { sed -n '2,15s/^# \{0,1\}//p' "$0"; exit 2; }

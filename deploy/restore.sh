@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
-# Brings back what deploy/backup.sh copied, into a new place. Start the coordinators afterwards: jobs that had not ended
-# go on.
+# Restores a backup of deploy/backup.sh to a new place. Start the coordinators afterwards: unfinished jobs continue.
 #
-#   deploy/restore.sh sqlite BACKUP STATE_DIR    for --state-dir STATE_DIR, which must not hold a state yet; run by root, what
-#                                                is brought back belongs to the owner of STATE_DIR
-#   deploy/restore.sh postgres BACKUP            into the empty database that SLICEFARM_POSTGRES (a connection string) says
+#   deploy/restore.sh sqlite BACKUP STATE_DIR    for --state-dir STATE_DIR, which must not contain a state yet. If run by root,
+#                                                the restored files belong to the owner of STATE_DIR.
+#   deploy/restore.sh postgres BACKUP            to an empty database with the connection string SLICEFARM_POSTGRES.
 #
-# Every blob's bytes are compared with its name, which is their SHA-256; one that has changed is named, and is not brought
-# back. Ends with an error if there were any.
+# The bytes of every blob are compared with its name, which is their SHA-256. A damaged blob is reported and not restored.
+# If there are damaged blobs, the script ends with an error.
 # Needs the packages sqlite3, or postgresql-client-15.
 set -euo pipefail
 umask 077
@@ -15,10 +14,10 @@ umask 077
 usage() { sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "restore: $*" >&2; exit 1; }
 
-# Nothing is swept until a restored database has been in use for a day: it may be the wrong one.
+# No data is swept until a restored database has been in use for a day, because it may be the wrong backup.
 forget_use="DELETE FROM chores WHERE name IN ('use_begin', 'use_last')"
 
-# Files in the folders of $1 whose SHA-256 is another than their name.
+# Prints the files in the blob folders of $1 with a SHA-256 that differs from their name.
 damaged() {
   (cd "$1" && find . -path '*blobs/*' -type f -name '[0-9a-f]*' -exec sha256sum {} +) |
     awk '{ name = $2; sub(/.*\//, "", name); if ($1 != name) print $2 }'
@@ -52,7 +51,7 @@ restore_postgres() {
   [[ $tables == 0 ]] || die "the database is not empty"
   pg_restore --no-owner --no-privileges --exit-on-error --single-transaction --dbname="$SLICEFARM_POSTGRES" "$backup/slicefarm.dump"
   sql "$forget_use"
-  # PostgreSQL puts a blob together in memory for this, up to 1 GB; coordinators check the others when they read them.
+  # PostgreSQL assembles a blob in memory for this check, up to 1 GB. Coordinators check larger blobs when they read them.
   bad=$(sql "SELECT b.tenant || '/' || b.digest FROM blobs b WHERE b.complete = 1 AND b.size < 900000000 AND b.digest <>
     (SELECT encode(sha256(coalesce(string_agg(p.bytes, ''::bytea ORDER BY p.at), ''::bytea)), 'hex')
      FROM blob_pieces p WHERE p.tenant = b.tenant AND p.digest = b.digest)")

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what slicefarm needs on a Debian 12 machine, from Debian's own packages. Safe to run again: it does nothing
-# when all is there.
+# Installs the packages that slicefarm needs on a Debian 12 machine, from Debian only. It can be run again: it does nothing
+# if all packages are installed.
 #
 #   deploy/setup.sh            to build and test
-#   deploy/setup.sh runtime    only what the finished programs load (used by the image)
+#   deploy/setup.sh runtime    only the packages for running the finished programs (used by the image)
 set -euo pipefail
 
 build=(
@@ -37,5 +37,5 @@ as_root=()
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
-# Where there is a service manager it starts nginx, on port 80: deploy/proxy starts its own.
+# A service manager would start nginx on port 80. This is not wanted, because deploy/proxy starts its own nginx.
 [[ " ${missing[*]} " != *" nginx "* ]] || "${as_root[@]}" systemctl disable --now nginx >/dev/null 2>&1 || true

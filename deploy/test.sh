@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs the tests.
+# Installs missing packages, builds everything and runs the tests.
 #
-#   deploy/test.sh          the tests that CI runs
-#   deploy/test.sh --slow   the slow ones too (soaks, large corpora)
+#   deploy/test.sh          the tests that CI runs.
+#   deploy/test.sh --slow   the slow tests too (soaks, large corpora).
 #
-# If less than an hour is used then, a part of the slow ones runs too, another one each day (tests/rotation.py).
+# If this takes less than an hour, a part of the slow tests runs too, a different one each day (tests/rotation.py).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -19,7 +19,7 @@ cmake --build --preset release
 tests=(-LE slow)
 [[ "${1:-}" == --slow ]] && tests=(-C nightly)
 
-# A test's whole output may be long: the last lines name what failed, and what was expected.
+# Prints the last lines of failed tests. They name the failure and the expected result, and the whole output may be long.
 tell_failures() {
   echo "What failed:" >&2
   grep -hE -A8 ': Failure$|^FAIL: |^ERROR: |^Traceback|^\[  FAILED  \]|Sanitizer:' build/Testing/Temporary/LastTest.log |
@@ -28,8 +28,8 @@ tell_failures() {
 
 if ! ctest --preset release -j "$(nproc)" "${tests[@]}"; then
   tell_failures
-  # Real processes over real sockets share this machine with whatever else it runs. What fails twice, the second time with no
-  # other test beside it, is broken; what does not is told above and wants a look.
+  # Tests with real processes and sockets share this machine with other programs. A test that fails again without any test beside
+  # it is broken. A test that passes the second time is listed above and needs a check.
   echo "Once more, one at a time, what failed:" >&2
   ctest --preset release "${tests[@]}" --rerun-failed || { tell_failures; exit 1; }
   echo "PASSED ON THE SECOND TRY ONLY: see 'What failed' above" >&2

@@ -1,5 +1,6 @@
-// Precompiled for what speaks gRPC: programs, and what they put together. CLI11 and nlohmann/json are better included where they
-// are used: each file that has them makes 4 s of code of them, used or not, precompiled or not.
+// Precompiled headers for code with gRPC: programs, and the libraries of their parts. CLI11 and
+// nlohmann/json are not included here. Each file that includes them takes 4 s longer to compile,
+// used or not, precompiled or not.
 #pragma once
 
 #include <google/protobuf/message.h>

@@ -1,4 +1,4 @@
-// Precompiled for tests of what speaks gRPC.
+// Precompiled headers for tests of code with gRPC.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Precompiled for libraries: what nearly every file of slicefarm includes.
+// Precompiled headers for libraries: the headers that nearly every file of slicefarm includes.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Precompiled for tests.
+// Precompiled headers for tests.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What the container of deploy/postgres/Dockerfile runs: makes the database when its volume has none, then serves it.
-# POSTGRES_PASSWORD is that of the user slicefarm, who owns it. It may be killed at any moment: the volume has a server's
-# files when PG_VERSION is there, which comes last, and the database when slicefarm.made is.
+# Runs in the container of deploy/postgres/Dockerfile: creates the database if its volume has none, then serves it.
+# POSTGRES_PASSWORD is the password of the database's owner, the user slicefarm. The container may be killed at any moment. The
+# volume has a server's files if PG_VERSION exists, which is written last, and the database if slicefarm.made exists.
 set -euo pipefail
 single() { postgres --single -D "$PGDATA" postgres; }
 
@@ -21,5 +21,5 @@ if [[ ! -e $PGDATA/slicefarm.made ]]; then
     echo "CREATE DATABASE slicefarm;" | single >/dev/null
   touch "$PGDATA/slicefarm.made"
 fi
-# Each coordinator takes about 26 connections and one for each of its --jobs.
+# Each coordinator needs about 26 connections, and one for each of its --jobs.
 exec postgres -c listen_addresses='*' -c max_connections="${MAX_CONNECTIONS:-300}" -c unix_socket_directories=/tmp

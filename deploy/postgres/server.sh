@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A PostgreSQL server of its own in a directory, reached over a socket there and from nowhere else: for one machine, and
-# for tests. A farm has its own server; slicefarm needs an empty database on it and the right to make tables.
+# Runs a separate PostgreSQL server in a directory, for one machine and for tests. It can be reached only over a socket there.
+# A farm has its own server; slicefarm needs an empty database on it and the right to create tables.
 #
-#   deploy/postgres/server.sh start DIR [SETTING=VALUE...]    starts it, makes it first if need be; prints a connection string
-#   deploy/postgres/server.sh stop DIR                        stops it, if it runs; what was committed stays
-#   deploy/postgres/server.sh kill DIR                        the same with SIGKILL to all of its processes
-#   deploy/postgres/server.sh pause DIR, resume DIR           all of its processes stand still, and go on
+#   deploy/postgres/server.sh start DIR [SETTING=VALUE...]    starts it, creates it first if needed; prints a connection string
+#   deploy/postgres/server.sh stop DIR                        stops it, if it runs; committed data stays
+#   deploy/postgres/server.sh kill DIR                        stops it with SIGKILL to all of its processes
+#   deploy/postgres/server.sh pause DIR, resume DIR           stops all of its processes, and continues them
 set -euo pipefail
 
 usage() { sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 2; }
@@ -30,7 +30,7 @@ start() {
   fi
   local options="-c listen_addresses='' -c unix_socket_directories='$dir'"
   for setting in "$@"; do options+=" -c $setting"; done
-  # After a kill the first tries fail while processes of the last life still hold its memory.
+  # After a kill the first attempts may fail, because old processes still use its shared memory.
   for try in 1 2 3 4 5 6 7 8 9 10; do
     "${as[@]}" "$bin/pg_ctl" -D "$dir/data" -l "$dir/log" -o "$options" -w -s start >/dev/null 2>&1 && break
     [[ $try -lt 10 ]] || { tail -20 "$dir/log" >&2; exit 1; }

@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
-# The door of a farm: nginx before its coordinators (nginx.conf.in beside this file; deploy/README.md, "The door").
+# The door of a farm: nginx in front of its coordinators (nginx.conf.in beside this file; deploy/README.md, "The door").
 #
 #   proxy.sh --listen HOST:PORT --coordinators HOST:PORT[,HOST:PORT...] [OPTION...]
 #
-# --coordinators          each name may stand for any number of addresses, which are looked up again every 2 s
-# --coordinator-name NAME with TLS: what the coordinators' certificates name (the first host of --coordinators)
-# --client-certs HOW      with TLS: required (the default), or optional, for clients that have tokens
-# --calls N               calls a second of a client, a certificate or else an address, and as many at once after a pause (300)
-# --open N                calls of a client that may be open at the same time (2000)
-# --uploads N             uploads of a client at the same time (16: a quarter of what a coordinator takes)
-# --connections N         connections of each of nginx's workers, clients' and coordinators' together (8192, or what descriptors allow)
-# --drain S               seconds that open calls get after SIGTERM, and after a renewed certificate (30)
-# --dir DIR               for the configuration and the process id; made if needed (slicefarm-proxy in TMPDIR or /tmp)
+# --coordinators          each name may resolve to any number of addresses; they are resolved again every 2 s.
+# --coordinator-name NAME with TLS: name in the coordinators' certificates (the first host of --coordinators).
+# --client-certs HOW      with TLS: required (the default), or optional, for clients that have tokens.
+# --calls N               calls per second of one certificate or address, and the size of a burst after a pause (300).
+# --open N                open calls of a client at the same time (2000).
+# --uploads N             uploads of a client at the same time (16: a quarter of a coordinator's limit).
+# --connections N         connections of each nginx worker, to clients and coordinators together (8192, or the limit of descriptors).
+# --drain S               seconds that open calls get after SIGTERM, and after a renewed certificate (30).
+# --dir DIR               for the configuration and the process id; created if needed (slicefarm-proxy in TMPDIR or /tmp).
 #
-# SLICEFARM_TLS_CERT, SLICEFARM_TLS_KEY, SLICEFARM_TLS_CA: the certificate of the role `proxy`, for clients and coordinators; read
-# again when they change. Without, all is in plain text.
+# SLICEFARM_TLS_CERT, SLICEFARM_TLS_KEY, SLICEFARM_TLS_CA: the certificate of the role `proxy`, for clients and coordinators.
+# They are read again when they change. Without them everything is in plain text.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "$0")")
@@ -52,13 +52,13 @@ if [[ -n "$cert" ]]; then keep=tls drop=plain scheme=grpcs; else keep=plain drop
 first=${coordinators%%,*}
 [[ -n "$name" ]] || name=${first%:*}
 
-# A descriptor for each connection, and some for files.
+# One descriptor for each connection, and some for files.
 files=$(ulimit -Hn)
 [[ "$files" == unlimited ]] && files=1048576
 [[ -n "$connections" ]] || connections=$((files > 8320 ? 8192 : files - 128))
 [[ "$connections" -gt 0 ]] || die "$files open files are too few (ulimit -n)"
 
-# The lines of nginx's `upstream`: the addresses of the coordinators as they are now.
+# Prints the lines of nginx's `upstream`: the current addresses of the coordinators.
 servers() {
   local address host port ip
   for address in ${coordinators//,/ }; do
@@ -70,7 +70,7 @@ servers() {
   done
 }
 
-# render FILE: the configuration. False: no coordinator has an address.
+# render FILE: writes the configuration. Fails if no coordinator has an address.
 render() {
   local lines
   lines=$(servers)
@@ -82,16 +82,16 @@ render() {
     awk -v lines="$lines" '$0 == "@SERVERS@" { print lines; next } { print }' >"$1"
 }
 
-# What nginx has read, in short.
+# Prints a checksum of the files that nginx has read.
 state() { cat "$1" ${cert:+"$cert" "$key" "$ca"} 2>/dev/null | cksum; }
 
 until render "$dir/nginx.conf"; do
   echo "proxy.sh: no address for $coordinators yet" >&2
   sleep 1
 done
-# One that was killed leaves it, and its number may be another program's now.
+# A killed nginx leaves this file, and its process id may belong to another program now.
 rm -f "$dir/nginx.pid"
-# It ends with this script, however that ends.
+# nginx ends with this script in every case.
 setpriv --pdeathsig TERM nginx -p "$dir" -c "$dir/nginx.conf" -e stderr &
 nginx=$!
 read_last=$(state "$dir/nginx.conf")
@@ -100,14 +100,14 @@ ending=0
 end() {
   ending=1
   kill -QUIT "$nginx" 2>/dev/null || true
-  # nginx gives calls --drain by itself; this is for one that does not.
+  # nginx normally ends calls after --drain by itself. This command ends it if it does not.
   (sleep $((drain + 5)); kill -TERM "$nginx" 2>/dev/null || true) >/dev/null 2>&1 &
 }
 trap end TERM INT
 until [[ -s "$dir/nginx.pid" ]] || ! kill -0 "$nginx" 2>/dev/null; do sleep 0.05; done
 kill -0 "$nginx" 2>/dev/null && echo "listening on $listen"
 
-# Certificates are renewed, and names come to stand for other addresses: nginx is told of both.
+# Reloads nginx when a certificate was renewed or a name resolves to other addresses.
 reload() {
   render "$dir/next.conf" || return 0
   local now

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Slices models with slicefarm and PrusaSlicer by the same config.ini. A checker of G-code then counts the moves between
-# the beads of both:
+# the beads of both.
 #
 #   TRAVEL_CHECK=PROGRAM tests/bench/peer_paths.sh MODEL...        `model key slicefarm peer ratio` rows
 #
-# TRAVEL_CHECK  a program that prints `key value` rows for a G-code file
-# KEYS    the selected rows (default: travel_mm retractions crossings paths paths_below_1mm)
-# CONFIG  the config.ini (default tests/corpus/config/peers.ini)
-# SET     further `key=value` settings for both programs, separated by spaces
-# SLICEFARM_BIN  folder of slicefarm (default build/bin)
+# TRAVEL_CHECK  a program that prints `key value` rows for a G-code file.
+# KEYS    the selected rows (default: travel_mm retractions crossings paths paths_below_1mm).
+# CONFIG  the config.ini (default tests/corpus/config/peers.ini).
+# SET     further `key=value` settings for both programs, separated by spaces.
+# SLICEFARM_BIN  folder of slicefarm (default build/bin).
 # PrusaSlicer is Debian's package prusa-slicer; only this benchmark needs it. A model that it refuses has `-`.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

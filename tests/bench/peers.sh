@@ -3,10 +3,10 @@
 #
 #   tests/bench/peers.sh MODEL...        `model key slicefarm peer ratio` rows
 #
-# keys  wall_s cpu_s rss_mb (medians of RUNS runs, whole process)  path_mm travel_mm (of the G-code)
-# RUNS    number of runs of each, in turn (default 3)
-# CONFIG  the config.ini (default tests/corpus/config/peers.ini)
-# SLICEFARM_BIN  folder of slicefarm (default build/bin)
+# keys  wall_s cpu_s rss_mb (medians of RUNS runs, whole process)  path_mm travel_mm (of the G-code).
+# RUNS    number of runs of each, in turn (default 3).
+# CONFIG  the config.ini (default tests/corpus/config/peers.ini).
+# SLICEFARM_BIN  folder of slicefarm (default build/bin).
 # PrusaSlicer is Debian's package prusa-slicer; only this benchmark needs it.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

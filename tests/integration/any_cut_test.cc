@@ -1,5 +1,5 @@
-// Tests that the bytes of a job are the same for all divisions into ranges of layers, and for all
-// numbers of threads. All features that connect layers are switched on.
+// Tests that the bytes of a job do not depend on its division into ranges of layers, or on the
+// number of threads. All features that connect layers are switched on.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 

@@ -163,7 +163,7 @@ class PoisonTest : public testing::Test {
 
 TEST_F(PoisonTest, AJobThatKillsWorkersEndsAndTakesNoOtherWithIt) {
   const std::string box = CorpusFile("models/textbox.stl");
-  // Both ranges are dispatched before any worker continues.
+  // The two ranges are dispatched before any worker continues.
   first_.Signal(SIGSTOP);
   second_.Signal(SIGSTOP);
   const v1::Job poison = SubmitPoison();

@@ -275,7 +275,7 @@ TEST_F(SecureFarmTest, TenantsKnowNothingOfEachOther) {
   const auto of_b = b.Create(Client::RequestFor(mesh_));
   ASSERT_TRUE(of_b.ok()) << of_b.status();
   EXPECT_EQ(b.AwaitEnd(of_b->id()).state(), v1::JOB_STATE_SUCCEEDED);
-  // Returns the error text for an id, without the id. It must be the same for all ids.
+  // Returns the error text for an id, without the id. The text must not depend on the id.
   const auto told = [&](const std::string& id) {
     grpc::ClientContext context;
     v1::GetJobRequest request;
