@@ -378,8 +378,7 @@ class OrcaReader {
     return Placeholder{HeadWrapExpression(Joined(zone->second->value, ",")), false};
   }
 
-  /// Returns the chamber cooling mode of Snapmaker's U1: 2 for a filament that softens at up to 50
-  /// C, 1 at up to 70 C, otherwise 0.
+  /// Returns the chamber cooling of Snapmaker's U1: 2 if the filament softens at 50 C, 1 at 70 C.
   std::optional<Placeholder> ChamberCooling() const {
     const auto soft_c = NumberOf("temperature_vitrification", filament_);
     const bool hot = NumberOf("filament_is_high_temperature", filament_).value_or(0) != 0;
@@ -387,8 +386,7 @@ class OrcaReader {
     return ValuePlaceholder(*soft_c <= 50 ? "2" : *soft_c <= 70 ? "1" : "0");
   }
 
-  /// Returns the outer wall's speed times its cross section, in mm3/s, limited by the filament's
-  /// maximum.
+  /// Returns the outer wall's flow, in mm3/s, limited by the filament's maximum.
   std::optional<Placeholder> OuterWallFlow() const {
     const auto speed = NumberOf("outer_wall_speed");
     const auto width = NumberOf("outer_wall_line_width");

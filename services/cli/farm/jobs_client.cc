@@ -30,8 +30,7 @@ constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
 
-/// Returns true if the same call may succeed later: the server does not answer, or asks for a
-/// retry.
+/// Returns true if the same call may succeed later.
 bool OutOfReach(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) ||
          DetailOf(status).reason == Reason::kOverloaded ||
@@ -212,8 +211,7 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
   writer->Finish(&status, nullptr);
   call.Await();
   if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
-    // Another client may have sent the same mesh meanwhile. The server then has more bytes than
-    // expected.
+    // If another client sent the same mesh, the server has more bytes than expected.
     if (DetailOf(outcome).reason != Reason::kUploadOffset) return outcome;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      std::string(outcome.message()));
@@ -343,8 +341,7 @@ absl::StatusOr<v1::ListMeshesResponse> JobsClient::ListMeshes(
                                       [&](auto... a) { return meshes_->AsyncListMeshes(a...); });
 }
 
-/// Deletes a mesh. An attempt without an answer may have deleted it, so a repeated attempt may not
-/// find it.
+/// Deletes a mesh. An attempt without an answer may have deleted it already.
 absl::StatusOr<bool> JobsClient::DeleteMesh(const std::string& sha256) {
   v1::DeleteMeshRequest request;
   request.set_sha256(sha256);

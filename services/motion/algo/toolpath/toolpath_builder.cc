@@ -32,8 +32,7 @@ constexpr int64_t kMostFilament = 1'000'000'000;
 /// flow per metre would exceed 30 %.
 constexpr double kFillWidthShare = 0.085;
 
-/// Share of the full wipe length above which a wipe retracts everything, a little faster. Wipes end
-/// a little early because of their steps.
+/// Share of the full wipe length above which a wipe retracts everything. Steps make wipes shorter.
 constexpr double kWholeWipe = 0.9;
 
 int32_t Units(double filament_mm) {
@@ -442,8 +441,7 @@ void ToolpathBuilder::PullBack(int32_t units) {
   path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
 
-/// Retracts `units` during the wipe. On a path much shorter than the wipe it retracts only the
-/// corresponding share. Returns the retracted units.
+/// Retracts `units` during the wipe, or a share on a path shorter than it. Returns the units.
 int32_t ToolpathBuilder::WipeBack(int32_t units) {
   const double reach_mm = WayMm(wipe_way_);
   const double whole_mm = reach_mm > kWholeWipe * wipe_.length_mm ? reach_mm : wipe_.length_mm;
@@ -491,8 +489,7 @@ FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
 }
 
 void ToolpathBuilder::Count(const Path& path, int64_t filament) {
-  // Pieces printed as bridges are counted as bridges. If the whole path is a bridge, rounding must
-  // not make the rest negative.
+  // Bridges count as bridges. Rounding must not make the rest of the path negative.
   const double own_mm = std::max(0.0, ToMm(PathLength(path)) - std::exchange(bridged_mm_, 0));
   const int64_t own_filament = filament - std::exchange(bridged_filament_, 0);
   stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(own_mm, own_filament));
