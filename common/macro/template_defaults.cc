@@ -3,9 +3,9 @@
 namespace slicefarm::macro {
 
 std::string_view TemplateDefaults() {
-  // What has no value at all in PrusaSlicer (printer_notes) is an empty text there as well.
-  // extruder_temperature_offset is SuperSlicer's, which left it in the G-code of its projects but
-  // not among the settings that PrusaSlicer reads.
+  // Settings without a value in PrusaSlicer (printer_notes) are empty texts, as in PrusaSlicer.
+  // extruder_temperature_offset is SuperSlicer's: it is in the G-code of its projects, but not
+  // among the settings that PrusaSlicer reads.
   return R"(automatic_extrusion_widths = 0
 bed_custom_model =
 bed_custom_texture =
