@@ -8,7 +8,7 @@ class App;
 
 namespace slicefarm::lab {
 
-/// Each adds its subcommand. `app` and `context` must outlive the parsing and the run.
+/// Functions that each add a subcommand. `app` and `context` must outlive the parsing and the run.
 void AddBeads(CLI::App& app, cli::CommandContext& context);       ///< beads_command.cc
 void AddFill(CLI::App& app, cli::CommandContext& context);        ///< fill_command.cc
 void AddDecompose(CLI::App& app, cli::CommandContext& context);   ///< decompose_command.cc
