@@ -35,6 +35,7 @@ void WriteUnits(const Dialect& dialect, GcodeText& out);
 /// long. REQUIRES: us > 0.
 void WriteDwell(const Dialect& dialect, double us, GcodeText& out);
 
+/// Writes the end of the program: M2, if the dialect has it.
 void WriteProgramEnd(const Dialect& dialect, GcodeText& out);
 
 }  // namespace slicefarm::gcode

@@ -30,8 +30,11 @@ class GcodeText {
   }
   /// Appends a piece of G-code, and a line end if it has none.
   GcodeText& Lines(std::string_view code);
+  /// Appends an integer.
   GcodeText& Integer(int64_t value);
+  /// Appends um as mm, without a zero before the point.
   GcodeText& Micrometers(int64_t um) { return Short(um, 3); }
+  /// Appends filament units as mm, without a zero before the point.
   GcodeText& Filament(int64_t units) { return Short(units, 5); }
   /// Appends value / 10^digits, with a zero before the point. REQUIRES: digits <= 6, value >
   /// INT64_MIN.

@@ -33,6 +33,7 @@ class Substitutions {
   /// rules, if a pattern is invalid or needs too much memory, or if a group does not exist.
   static absl::StatusOr<Substitutions> Of(const std::vector<std::string>& items);
 
+  /// Returns true if there are no rules.
   bool empty() const { return all_.empty(); }
 
   /// Returns `gcode` after all rules, applied one after another. Errors: ResourceExhausted as soon

@@ -36,7 +36,9 @@ struct JerkPhase {
   double acceleration_mm_s2 = 0;
   double jerk_mm_s3 = 0;
 
+  /// Returns the length covered at time t after the start of the phase.
   double LengthAt(double t) const;
+  /// Returns the speed at time t after the start of the phase.
   double SpeedAt(double t) const;
 };
 
@@ -70,10 +72,12 @@ class ProfileWalk {
   /// REQUIRES: `profile` outlives this object.
   explicit ProfileWalk(const JerkProfile& profile) : phases_(profile.phases()) {}
 
+  /// Time and speed at a position.
   struct Passing {
     double time_s = 0;
     double speed_mm_s = 0;
   };
+  /// Returns time and speed at a position, in mm from the start.
   Passing At(double way_mm);
 
  private:

@@ -17,7 +17,9 @@ struct KinematicMove {
   /// angle between the moves is half of 1.
   double corner_v2 = 0;
 
+  /// Returns true if only the filament moves.
   bool ExtruderOnly() const { return ratio[kX] == 0 && ratio[kY] == 0 && ratio[kZ] == 0; }
+  /// Returns true if the nozzle moves in x or y.
   bool InPlane() const { return ratio[kX] != 0 || ratio[kY] != 0; }
 };
 

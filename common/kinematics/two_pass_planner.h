@@ -10,6 +10,7 @@ namespace slicefarm {
 /// Planner that always runs as fast as the junctions allow. Firmwares differ only in their rules.
 class TwoPassPlanner : public Planner {
  public:
+  /// Rules of a firmware.
   struct Rules {
     KinematicMove (*limited)(KinematicMove move, const MachineLimits& limits);
     // Greatest squared speeds in mm^2/s^2 of limited moves: from rest, and from move to move.

@@ -18,19 +18,25 @@ class TemplateScanner {
   explicit TemplateScanner(std::string_view text) : text_(text) {}
 
   size_t at() const { return at_; }
+  /// Moves the scanner to an earlier or later position.
   void GoTo(size_t at) { at_ = at; }
   bool AtEnd() const { return at_ == text_.size(); }
   std::string_view Rest() const { return text_.substr(at_); }
+  /// Returns the number of the current line, counted from 1.
   int32_t Line() const;
 
   /// Returns the character `ahead` characters after the next non-blank one; '\0' at the end.
   char Peek(size_t ahead = 0);
+  /// Skips blanks and consumes `sign` if it follows. Returns false otherwise.
   bool Take(std::string_view sign);
+  /// Skips blanks and consumes `word` if it follows as a whole word. Returns false otherwise.
   bool TakeWord(std::string_view word);
+  /// Returns true if `word` follows as a whole word; consumes nothing.
   bool SeesWord(std::string_view word);
   /// Reads a name that is not a keyword; empty if there is none.
   std::string_view TakeName();
 
+  /// Returns an error about the text at the current position.
   absl::Status Unexpected() const;
 
  private:
@@ -49,6 +55,7 @@ using ParsedExpression = absl::StatusOr<Expression>;
 /// expressions.
 ParsedExpression ParseExpression(TemplateScanner& scanner, int& depth);
 
+/// Returns an error with this text about a malformed template.
 absl::Status Malformed(const std::string& what);
 
 }  // namespace slicefarm::macro

@@ -30,9 +30,11 @@ class ExpressionValue {
   /// Returns a whole number; none if it is unknown.
   absl::StatusOr<std::optional<int64_t>> IndexOf(const Expression& expression);
 
+  /// Returns the variable of a name; nullptr if there is none.
   const TemplateVariable* Find(std::string_view name) const;
   /// Returns a variable that templates may change; nullptr if it is not one.
   TemplateVariable* Writable(const std::string& name);
+  /// Returns the error for an assignment to a name that is not writable.
   absl::Status NotWritable(const std::string& name) const;
 
   TemplateVariables& locals() { return locals_; }

@@ -14,6 +14,7 @@ namespace slicefarm::macro {
 /// texts longer than limits::kMaxExpandedBytes. Cost: + appends to `a` in place, so a sum of texts
 /// is linear in its length if the texts are moved.
 absl::StatusOr<TemplateValue> Apply(std::string_view op, TemplateValue a, const TemplateValue& b);
+/// Returns the value with its sign changed.
 absl::StatusOr<TemplateValue> Negated(const TemplateValue& value);
 /// Applies `function` to `arguments`; the parser has checked their number. `patterns`: for one_of,
 /// marks the arguments that are regular expressions.

@@ -30,6 +30,7 @@ struct TemplateVariable {
   template <typename Item>
   requires std::is_constructible_v<TemplateValue, Item> TemplateVariable(Item item)
       : items{TemplateValue(std::move(item))} {}  // NOLINT: reads as one
+  /// Makes a variable with a list of values.
   static TemplateVariable List(std::vector<TemplateValue> items) {
     TemplateVariable list;
     list.items = std::move(items);
@@ -52,6 +53,7 @@ using TemplateVariables = std::map<std::string, TemplateVariable, std::less<>>;
 /// no items.
 const TemplateValue* ItemOf(const TemplateVariable& variable, int64_t index);
 
+/// Returns true if the value is Unknown.
 bool IsUnknown(const TemplateValue& value);
 
 /// Returns the text of a value in G-code: numbers with six significant digits, as with %g in C; an

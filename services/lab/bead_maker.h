@@ -9,6 +9,7 @@
 
 namespace slicefarm::lab {
 
+/// Bead width and layout of walls.
 struct BeadMakerOptions {
   double width_mm = 0.5;
   double min_feature_mm = 0.3;
@@ -16,6 +17,7 @@ struct BeadMakerOptions {
   int walls = 0;                 ///< number of walls on either side; 0: enough to fill the part
 };
 
+/// Figures summed over all outlines.
 struct BeadTotals {
   int outlines = 0;
   int fallbacks = 0;  ///< number of islands without a skeleton

@@ -28,6 +28,7 @@ class BinaryGcodeReader {
  public:
   using Take = std::function<absl::Status(const BinaryBlock& block)>;
 
+  /// Makes a reader that passes each block to `take`.
   explicit BinaryGcodeReader(Take take) : take_(std::move(take)) {}
 
   /// Adds bytes. Errors: InvalidArgument for bytes that do not belong to a version 1 file, with the

@@ -54,6 +54,7 @@ struct LooseComparison {
   }
 };
 
+/// Converter from the builder's number types to Loose.
 struct ToLoose {
   template <typename Number>
   Loose operator()(const Number& value) const {

@@ -8,6 +8,7 @@
 
 namespace slicefarm::rpc {
 
+/// Limits of the number of log lines.
 struct LineLimits {
   double burst = 20;       ///< maximum number of lines of one message at once
   double lines_per_s = 1;  ///< maximum average rate of one message

@@ -17,6 +17,7 @@
 
 namespace slicefarm::rpc {
 
+/// Slots, queue length and time limits of a gate.
 struct CallGateOptions {
   int slots = 1;  ///< number of calls that work at the same time
   int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
@@ -40,6 +41,7 @@ class CallGate {
  public:
   CallGate(const CallGateOptions& options, JsonLog log);
 
+  /// Waits for a slot, calls `work`, logs the call, and returns its status for gRPC.
   grpc::Status Run(const grpc::ServerContext& context, std::string_view method,
                    const std::function<absl::Status(Call&)>& work);
 

@@ -14,6 +14,7 @@
 
 namespace slicefarm::rpc {
 
+/// Time limits and minimum rate of streams.
 struct StreamTimes {
   std::chrono::milliseconds idle{60'000};  ///< maximum time without a message
   /// Minimum average rate: a stream that stays below it accumulates a delay, and is cut at a delay

@@ -28,6 +28,7 @@ struct FdmTask {
   TaskLabel Label() const { return LabelOf(range); }
 };
 
+/// Result of an FDM task.
 struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
