@@ -20,7 +20,7 @@ Priority MakePriority(Random& random) {
   return random.Chance(600) ? Priority::kNormal : static_cast<Priority>(random.Below(3));
 }
 
-/// Returns the requests of the clients. Some request the same work as others. Some of these are
+/// Returns the requests of the clients. Some clients request the same work. Some of these are
 /// repeated requests of one client, and some of the repetitions have other work under the same
 /// request_id.
 std::vector<ClientPlan> MakeRequests(Random& random) {

@@ -255,7 +255,7 @@ void SimCoordinator::CheckHeard(const SimRun& run) {
   missed = news;
 }
 
-/// Checks that a run ends before its lease expires if the store is away.
+/// Checks that a run ends before its lease expires if the store is unreachable.
 void SimCoordinator::CheckGivenUp(const SimRun& run) {
   const JobRecord* job = store_.Find(run.lease().job_id);
   if (!job || job->owner_epoch != run.lease().epoch || job->owner != Owner()) return;

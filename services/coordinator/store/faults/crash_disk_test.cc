@@ -41,7 +41,7 @@ CrashDisk CrashDisk::Of(const std::string& path) {
   CrashDisk disk;
   std::map<ino_t, int> nodes;  // a file may have two names
   const auto add = [&](const auto& self, const fs::path& directory, int parent) -> void {
-    // sorted by name, so that the order is the same every time
+    // Sorted by name, so that the order is the same every time.
     std::map<std::string, fs::directory_entry> entries;
     for (const auto& entry : fs::directory_iterator(directory))
       entries[entry.path().filename()] = entry;
@@ -170,7 +170,7 @@ std::string CrashDisk::FileAfter(const Node& node, Leftover leftover,
   const bool unsynced = std::any_of(node.pending.begin(), node.pending.end(),
                                     [](const Write& write) { return !write.synced; });
   if (unsynced && leftover == Leftover::kAnything && random() % 4 == 0) {
-    // the size reached the disk, but not the bytes
+    // The size reached the disk, but not the bytes.
     bytes.resize(std::max<size_t>(bytes.size(), node.size), '\0');
   }
   return bytes;

@@ -198,7 +198,7 @@ class LibcHooks {
     }
     const int result = static_cast<int>(syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to));
     if (calls == nullptr || result != 0) return result;
-    // a rename between two names of one file does nothing
+    // A rename between two names of one file does nothing.
     if (faccessat(AT_FDCWD, from, F_OK, 0) == 0) return 0;
     const auto source = calls->PlaceOf(from), target = calls->PlaceOf(to);
     calls->Note({.kind = Kind::kRename,

@@ -37,7 +37,7 @@ absl::StatusOr<SqlSession> PostgresDatabase::Take() {
     if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; })) {
       return StoreAway("PostgreSQL: all connections are busy");
     }
-    // the pulse may have stopped meanwhile
+    // The pulse may have stopped meanwhile.
     if (absl::Status beats = CheckPulse(); !beats.ok()) return beats;
     --free_;
     if (!idle_.empty()) {

@@ -57,7 +57,7 @@ TEST(PostgresPulse, OutlivesTheServer) {
   Await(*pulse, true);
   server.Start();
   Await(*pulse, false);
-  // waits until the first pulse has the name again
+  // Waits until the first pulse has the name again.
   while (Begin(name, "a").ok()) std::this_thread::yield();
 }
 
