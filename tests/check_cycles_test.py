@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_cycles.py must find each circle of folders in a small tree, and nothing else."""
+"""Tests that check_cycles.py finds each include cycle of folders in a small tree, and nothing else."""
 import pathlib
 
 from planted_tree import told_of

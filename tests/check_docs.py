@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""What the documentation names must be there:
+"""Checks that the things that the documentation names exist:
 
-  - the reasons of errors: the same in common/base/error.cc, error_reason.proto and proto/slicefarm/v1/README.md, and each
-    looked for by a test;
+  - error reasons: the same in common/base/error.cc, error_reason.proto and proto/slicefarm/v1/README.md, and each
+    expected by a test;
   - tests: every `Suite.Name` (or `.Name` after one) in a table of services/coordinator/README.md.
 
-Run without arguments from anywhere; exit code 1 and one line for each thing that is missing."""
+Run without arguments from any folder; exit code 1 and one line for each missing thing.
+"""
 import pathlib
 import re
 import sys

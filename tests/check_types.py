@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails when two files define one qualified type name: programs that link both would mix their member functions.
+"""Fails if two files define the same qualified type name: a program that links both would mix up their member
+functions.
 
 usage: check_types.py [repo root]        exit 1 and one line per name
 """

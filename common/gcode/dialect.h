@@ -7,8 +7,7 @@
 
 namespace slicefarm::gcode {
 
-/// Controller of a machine without filament, such as a mill or a laser. It determines the G-code
-/// dialect.
+/// Controller of a machine without filament. It determines the G-code dialect.
 enum class Controller : uint8_t { kMarlin, kGrbl, kLinuxCnc };
 
 /// Differences between controllers. Differences between the firmwares of printers are handled by

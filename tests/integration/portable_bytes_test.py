@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The same G-code whatever libm gives. Slices the corpus on this machine as it is, and again
-- with FMA and AVX2 hidden from libm, which then takes other variants of its functions, as on another CPU;
-- with a libm that is wrong from the fourth digit on (rough_libm.cc): a use that CPUs rarely tell apart shows too.
+"""Tests that the G-code does not depend on libm. Slices the corpus on this machine unchanged, and again
+- with FMA and AVX2 hidden from libm, which then selects other variants of its functions, as on another CPU;
+- with a libm that is wrong from the fourth digit on (rough_libm.cc), which also reveals uses that rarely differ between
+  CPUs.
 
 usage: portable_bytes_test.py SLICEFARM MODELS ROUGH_LIBM
 """

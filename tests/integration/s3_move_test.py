@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""deploy/move-blobs.sh with real processes: out of PostgreSQL while two coordinators work and are fetched from, ended in the middle
-and run again; and out of a state directory. Every G-code comes out as before, and nothing stays behind.
+"""Tests deploy/move-blobs.sh with real processes: out of PostgreSQL while two coordinators work and clients download,
+interrupted in the middle and run again; and out of a state directory. Every G-code must stay the same, and no blob
+may remain at the source.
 
 usage: s3_move_test.py SLICEFARM
 """
@@ -26,7 +27,7 @@ def digest_of(farm, job, folder, name="fetched"):
 
 
 def submit_some(farm, folder):
-    """{job: digest of its G-code}."""
+    """Submits jobs, waits for their end, and returns {job: digest of its G-code}."""
     jobs = [farm.submit(MODELS / "textbox.stl", "--set", f"layer_height=0.{20 + n}") for n in range(JOBS)]
     assert {job["state"] for job in farm.await_end()} == {"JOB_STATE_SUCCEEDED"}
     return {job: digest_of(farm, job, folder) for job in jobs}
@@ -44,7 +45,7 @@ def finish(moving):
 
 
 class Fetching(threading.Thread):
-    """Fetches the G-code of all jobs, again and again."""
+    """Downloads the G-code of all jobs repeatedly."""
 
     def __init__(self, farm, jobs, folder):
         super().__init__()

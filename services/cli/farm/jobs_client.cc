@@ -30,7 +30,7 @@ constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
 
-/// Returns true if the same call may succeed later.
+/// Returns true if the call may succeed later: the server does not answer, or requests a retry.
 bool OutOfReach(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) ||
          DetailOf(status).reason == Reason::kOverloaded ||
@@ -211,7 +211,7 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
   writer->Finish(&status, nullptr);
   call.Await();
   if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
-    // If another client sent the same mesh, the server has more bytes than expected.
+    // Another client may have sent bytes of the same mesh meanwhile.
     if (DetailOf(outcome).reason != Reason::kUploadOffset) return outcome;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      std::string(outcome.message()));
@@ -341,7 +341,7 @@ absl::StatusOr<v1::ListMeshesResponse> JobsClient::ListMeshes(
                                       [&](auto... a) { return meshes_->AsyncListMeshes(a...); });
 }
 
-/// Deletes a mesh. An attempt without an answer may have deleted it already.
+/// Deletes a mesh. An attempt without an answer may have deleted it, so NotFound may follow.
 absl::StatusOr<bool> JobsClient::DeleteMesh(const std::string& sha256) {
   v1::DeleteMeshRequest request;
   request.set_sha256(sha256);

@@ -441,7 +441,8 @@ void ToolpathBuilder::PullBack(int32_t units) {
   path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
 
-/// Retracts `units` during the wipe, or a share on a path shorter than it. Returns the units.
+/// Retracts `units` during the wipe, or the corresponding share on a path much shorter than the
+/// wipe. Returns the retracted units.
 int32_t ToolpathBuilder::WipeBack(int32_t units) {
   const double reach_mm = WayMm(wipe_way_);
   const double whole_mm = reach_mm > kWholeWipe * wipe_.length_mm ? reach_mm : wipe_.length_mm;
@@ -489,7 +490,7 @@ FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
 }
 
 void ToolpathBuilder::Count(const Path& path, int64_t filament) {
-  // Bridges count as bridges. Rounding must not make the rest of the path negative.
+  // Pieces printed as bridges are counted as bridges. Rounding must not make the rest negative.
   const double own_mm = std::max(0.0, ToMm(PathLength(path)) - std::exchange(bridged_mm_, 0));
   const int64_t own_filament = filament - std::exchange(bridged_filament_, 0);
   stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(own_mm, own_filament));
