@@ -212,7 +212,7 @@ double Bytes(const std::vector<Layer>& layers) {
 /// Bytes of the layer messages in both directions, for all calls of a job together.
 struct Traffic {
   double planned = 0;  ///< outlines to planning, and plans back
-  double sliced = 0;  ///< outlines with the ranges' halos, once
+  double sliced = 0;   ///< outlines with the ranges' halos, once
   double walled = 0;
   double filled = 0;
   double ordered = 0;

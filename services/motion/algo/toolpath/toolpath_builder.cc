@@ -27,9 +27,8 @@ namespace {
 /// Largest filament of one move, in 1e-5 mm: more than any printer can push.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-/// Largest difference between widths of solid infill and gap fill and the path's, as a share. These
-/// beads are inside the part, between others. With a larger share, more than ten changes of the
-/// flow per metre would exceed 30 %.
+/// Largest relative difference between the path's width and widths of solid infill and gap fill,
+/// which are inside the part. Above it, more than ten flow changes per metre would exceed 30 %.
 constexpr double kFillWidthShare = 0.085;
 
 /// Share of the full wipe length above which a wipe retracts everything. Steps make wipes shorter.
