@@ -38,7 +38,7 @@ namespace slicefarm::bench {
 namespace {
 
 constexpr int kRuns = 7;
-constexpr int kSlots = 4;  // as for a farm of four workers: decides how long the ranges are
+constexpr int kSlots = 4;  // as on a farm of four workers; sets the range length
 
 struct Cost {
   double wall_s = 0;

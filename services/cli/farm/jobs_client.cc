@@ -23,7 +23,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kUnaryDeadline{20'000};
-constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goes on after it
+constexpr milliseconds kTransferDeadline{600'000};  // a new call continues the transfer
 /// Deadline of one watch. A watch that was open continues after it, even without any event.
 constexpr milliseconds kWatchDeadline{3'600'000};
 constexpr milliseconds kMinRest{100};
@@ -152,7 +152,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
   const std::string sha256 = Sha256Hex(bytes);
   v1::GetUploadRequest request;
   request.set_sha256(sha256);
-  int64_t had = -1;  // what the server had at the attempt before
+  int64_t had = -1;  // bytes on the server at the previous attempt
   const absl::Status status = Persist([&]() -> absl::Status {
     v1::Upload upload;
     const absl::Status got =
@@ -190,7 +190,7 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
   chunk.set_sha256(sha256);
   chunk.set_size(static_cast<int64_t>(bytes.size()));
   chunk.set_write_offset(offset);
-  do {  // at least once: the first message says what is sent
+  do {  // at least once: the first message has the digest and size
     const std::string_view piece = bytes.substr(offset, limits::kUploadChunkBytes);
     chunk.set_data(piece.data(), piece.size());
     if (alive) {
