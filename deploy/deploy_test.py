@@ -22,7 +22,7 @@ DEPLOY = pathlib.Path(__file__).resolve().parent
 BIN = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else DEPLOY.parent / "build/bin")
 COMPOSE = [DEPLOY.parent / "docker-compose.yml", *sorted(DEPLOY.glob("compose.*.yml"))]
 OUR_IMAGES = {"slicefarm", "slicefarm-postgres", "slicefarm-prometheus"}
-OTHER_IMAGES = re.compile(r"docker\.io/grafana/grafana:\d+\.\d+\.\d+")  # a release, not what is the latest one
+OTHER_IMAGES = re.compile(r"docker\.io/grafana/grafana:\d+\.\d+\.\d+")  # a fixed release, not the latest one
 PROFILES = {"split", "monitoring"}
 PORT, METRICS_PORT = 50051, 9464  # as deploy/Dockerfile exposes them
 problems = []
@@ -117,7 +117,7 @@ def check_compose(path):
             source, own = volume.split(":")[0], ":" not in volume and volume.startswith("/")
             known = own or source in compose["volumes"] or (source.startswith("./") and (path.parent / source).exists())
             expect(known, f"{at}: volume {volume}")
-        if "SLICEFARM_POSTGRES" in service.get("environment", {}):  # /tmp is memory
+        if "SLICEFARM_POSTGRES" in service.get("environment", {}):  # /tmp is in memory
             expect(any(f"--spool {volume}" in service["command"] for volume in service.get("volumes", [])), f"{at}: spool in memory")
         check_rights(at, service)
         if not service.get("command"):
@@ -323,7 +323,7 @@ def check_types(value, kind, where):
 
 def check_kubernetes_types(manifests):
     try:
-        import kubernetes.client  # noqa: F401  (kubernetes alone may be the folder beside this file)
+        import kubernetes.client  # noqa: F401  (`kubernetes` alone may be the folder beside this file)
     except ImportError:
         return "not checked: Kubernetes' types (python3-kubernetes is not installed)"
     for path, document in manifests.all:

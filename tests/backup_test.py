@@ -116,7 +116,7 @@ def expect(condition, message):
 def check_damage(kind, work, backup):
     """Checks that a changed byte in the backup is detected."""
     if kind == "postgres":
-        return  # pg_restore and coordinators check for themselves
+        return  # pg_restore and coordinators detect damage themselves
     spoilt = work / "spoilt"
     shutil.copytree(backup, spoilt)
     blob = next(path for path in spoilt.rglob("*") if path.is_file() and len(path.name) == 64)
@@ -153,7 +153,7 @@ def run(kind, work, stages):
     submitter = threading.Thread(target=keep_submitting)
     submitter.start()
     enough.wait()
-    farm.call("watch", acknowledged[0])  # at least one has ended, others wait or run
+    farm.call("watch", acknowledged[0])  # at least one job has ended; the other jobs wait or run
     before = list(acknowledged)
     expect(original.notes_of_use() == 2, "a coordinator does not note its use of the database")
     original.backup(work / "backup")
@@ -163,7 +163,7 @@ def run(kind, work, stages):
     expect(original.restore(work / "backup").returncode != 0, "a state was overwritten")
     restored = [bring_back(kind, work, "first")]
     digests = {job: farm.result(job, work) for job in before}
-    original.backup(work / "backup")  # again, with the rest, into the same place
+    original.backup(work / "backup")  # second backup into the same folder, with all jobs
     restored.append(bring_back(kind, work, "second"))
     farm.coordinator.stop()
     original.close()
@@ -181,7 +181,7 @@ def run(kind, work, stages):
 def main():
     kind = sys.argv[1]
     work = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-backup-"))
-    os.chmod(work, 0o755)  # PostgreSQL's user has to come through
+    os.chmod(work, 0o755)  # PostgreSQL's user must be able to enter it
     servers = {name: Server(name) for name in ("slicing", "planning", "motion", "worker")}
     stages = ["--slicing", servers["slicing"].address, "--planning", servers["planning"].address, "--motion", servers["motion"].address,
               "--workers", servers["worker"].address]

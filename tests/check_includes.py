@@ -66,7 +66,7 @@ def check(texts):
         for name in sorted({name for scope, name in USE.findall(text) if scope not in FOREIGN}):
             header = types.get(name)
             if header and not TEST_FILE.search(path) and TEST_FILE.search(header):
-                continue  # product code names another type
+                continue  # product code means another type of this name
             if header and name not in own and header not in reached(path):
                 yield f"{path}: names {name}, and does not include {header}"
 

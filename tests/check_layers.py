@@ -17,7 +17,7 @@ import sys
 WIRE, GRPC = r"\.pb\.h$", r"^grpc"
 PURE = {"base", "gcode", "model", "geometry"}
 EDGE = PURE | {"config", "stage", "wire", "rpc", "algo"}
-PROCESS = {"settings", "task", "task_wire", "job"}  # a process's own, and the lists of them
+PROCESS = {"settings", "task", "task_wire", "job"}  # layers of a process's own code and of the process lists
 # layer: (path pattern, layers it may include, system and generated headers it must not include)
 LAYERS = [
     ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
@@ -46,12 +46,12 @@ LAYERS = [
     ("lab", r"services/(lab)/", EDGE | {"console", "lab", "picture"}, None),
 ]
 COMPOSITION_ROOTS = {"worker", "cli", "lab"}
-JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
+JOBS_OF = "coordinator"  # service that assembles jobs; processes/*/job implements its interfaces
 PROCESSES = re.compile(r"processes/(\w+)/(?!model/)")
 # Files of lasers beside their folders: the enumerators, and the stage that exposes layers.
 LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h")
 PROCESS_MODEL = re.compile(r'#include "processes/\w+/model/')
-CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
+CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # allowed only in common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 # libm's results depend on the CPU (FMA or not). The functions of common/base/portable_math.h have the same results everywhere.
 LIBM = re.compile(

@@ -19,7 +19,7 @@ SPECIALISATION = re.compile(r"\btemplate\s*<\s*>")
 def definitions(text):
     """Yields the qualified names of the types that `text` defines in named namespaces."""
     text = NOISE.sub(" ", DIGIT_SEPARATOR.sub("", text))
-    scopes = []  # a name for each open namespace or type, None for any other brace
+    scopes = []  # name of each open namespace or type; None for any other brace
     start = 0
     for match in re.finditer(r"[{};]", text):
         if match[0] == "{":

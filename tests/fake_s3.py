@@ -36,7 +36,7 @@ import threading
 import time
 import urllib.parse
 
-KINDS = ["500", "503", "403", "cut", "lost"]  # at a rate: what takes no time, and PUTs of wrong bytes too
+KINDS = ["500", "503", "403", "cut", "lost"]  # faults with --rate: the kinds that take no time; also `wrong` for PUTs
 BLOCK = 1 << 20
 CODES = {"500": "InternalError", "503": "SlowDown", "403": "AccessDenied"}
 
@@ -114,7 +114,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.answer(status, {"content-length": len(body)})
         if self.command != "HEAD":
             self.wfile.write(body)
-        self.close_connection = True  # a body may not have been read
+        self.close_connection = True  # the request body may be unread
 
     def answer(self, status, headers):
         self.send_response(status)
@@ -248,7 +248,7 @@ class Server(http.server.ThreadingHTTPServer):
     daemon_threads, request_queue_size = True, 256
 
     def handle_error(self, request, client_address):
-        if not isinstance(sys.exc_info()[1], OSError):  # the client may have gone
+        if not isinstance(sys.exc_info()[1], OSError):  # the client may have closed the connection
             super().handle_error(request, client_address)
 
 

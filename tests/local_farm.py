@@ -19,7 +19,7 @@ MODELS = ROOT / "tests/corpus/models"
 OPEN = ("JOB_STATE_QUEUED", "JOB_STATE_RUNNING")
 
 
-PORTS = set()  # that were given out
+PORTS = set()  # ports that were returned
 
 
 def free_port():
@@ -80,7 +80,7 @@ class Service:
         try:
             with urllib.request.urlopen(f"http://127.0.0.1:{self.metrics_port}/metrics", timeout=2) as page:
                 lines = page.read().decode().splitlines()
-        except (OSError, http.client.HTTPException):  # it may be killed in the middle of its answer
+        except (OSError, http.client.HTTPException):  # the service may be killed while it answers
             return None
         return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
 
@@ -120,7 +120,7 @@ class FakeS3:
 
     def start(self):
         self.process = subprocess.Popen(self.command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL)
-        self.process.stdout.readline()  # it listens
+        self.process.stdout.readline()  # waits until it listens
 
     def counts(self):
         with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/counts") as answer:
@@ -142,7 +142,7 @@ class Farm:
 
     def __init__(self, store, directory, workers=2, split=False, extra=(), postgres=None, programs=BIN, s3_faults=0.0):
         directory = pathlib.Path(directory)
-        directory.chmod(0o755)  # PostgreSQL's user goes through it
+        directory.chmod(0o755)  # PostgreSQL's user must be able to enter it
         self.log = directory / "log"
         self.log.mkdir()
         name_of = f"{directory.name}-" if postgres else ""
@@ -162,7 +162,7 @@ class Farm:
             state = ["--state-dir", str(directory / "state")]
         self.s3 = FakeS3(directory / "s3", s3_faults) if store == "s3" else None
         if self.s3:
-            os.environ.update(self.s3.environment)  # of the coordinators
+            os.environ.update(self.s3.environment)  # environment of the coordinators
             state += ["--s3", self.s3.url]
         self.coordinators = [
             Service(f"coordinator-{i}", self.log, "--name", f"{name_of}coordinator-{i}", *state, *arguments, *extra, programs=programs)

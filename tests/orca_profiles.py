@@ -62,7 +62,7 @@ class Vendor:
         for name in wanted:
             if name in self.presets[kind] or (self.library and name in self.library.presets[kind]):
                 whole = self.resolved(kind, name)
-                if machine in (whole.get("compatible_printers") or [machine]):  # an empty list is all printers
+                if machine in (whole.get("compatible_printers") or [machine]):  # an empty list means all printers
                     return whole
         for name, preset in self.presets[kind].items():
             if preset.get("instantiation") != "true":
@@ -70,7 +70,7 @@ class Vendor:
             try:
                 whole = self.resolved(kind, name)
             except LookupError:
-                continue  # broken, and hidden by OrcaSlicer
+                continue  # a broken preset, which OrcaSlicer hides
             if machine in (whole.get("compatible_printers") or [machine][:self.name == LIBRARY]):
                 return whole
         return self.library.of_machine(kind, machine, []) if self.library else None

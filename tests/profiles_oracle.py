@@ -106,7 +106,7 @@ def blocks(gcode):
         if line.startswith(";MARK "):
             now = (line[6:], [])
         elif line.startswith(";DONE ") and now:
-            found.setdefault(now[0], []).append([l for l in now[1] if l and not re.match(r"M73 [PQ]", l)])  # progress is put in between
+            found.setdefault(now[0], []).append([l for l in now[1] if l and not re.match(r"M73 [PQ]", l)])  # without progress lines
             now = None
         elif now:
             now[1].append(line)
@@ -124,7 +124,8 @@ def same(a, b):
 
 
 def cube(path):
-    corner = [[10.0 * (i >> k & 1) - 5 for k in range(3)] for i in range(8)]  # without a byte over 127 PrusaSlicer takes it for text
+    # Negative values give bytes over 127; without them PrusaSlicer reads the file as text.
+    corner = [[10.0 * (i >> k & 1) - 5 for k in range(3)] for i in range(8)]
     faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5))
     with open(path, "wb") as f:
         f.write(bytes(80) + struct.pack("<I", len(faces)))

@@ -28,8 +28,8 @@ import time
 from faults import Submitter, judge
 from local_farm import BIN, Farm, Postgres, Progress
 
-PAUSE_S = 0.6  # between kills, on average
-PHASES = 5  # old; old and new; new; new and old; old
+PAUSE_S = 0.6  # mean time between kills
+PHASES = 5  # running builds: old; old and new; new; new and old; old
 # Changes that a later build may make to a schema used by this one.
 LATER_SCHEMA = """
 ALTER TABLE jobs ADD COLUMN of_a_later_build TEXT NOT NULL DEFAULT '';
@@ -82,7 +82,7 @@ class TwoBuilds:
 
     def stop(self, build):
         farm = self.farms.pop(build)
-        for coordinator in farm.coordinators:  # first, as operators are told to
+        for coordinator in farm.coordinators:  # coordinators stop first, as the documentation tells operators
             coordinator.stop()
         for service in farm.services:
             if service not in farm.coordinators:

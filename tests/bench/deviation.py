@@ -12,7 +12,7 @@ import re
 import sys
 
 WORD = re.compile(r"([A-Z])(-?[0-9.]+)")
-CELL = 1.0  # mm
+CELL = 1.0  # cell size in mm
 
 
 def paths_of(name):

@@ -70,7 +70,7 @@ def along(u, v):
     return u * u / n / n, v * v / n / n, u * v / n / n
 
 
-STRESS = {  # the tensor, and where it counts
+STRESS = {  # tensor, and region of the measurement
     "aslant": (lambda x, y: along(0.8, 0.6), lambda x, y: True),
     "circles": (lambda x, y: along(*around(x, y)), lambda x, y: math.hypot(x - 40, y - 40) > 6),
     "waves": (lambda x, y: along(1, 0.4 * math.cos(x / 12)), lambda x, y: True),

@@ -28,12 +28,12 @@ class Counts:
     """Counts of moves and bytes in one file."""
 
     def __init__(self, path):
-        self.length = collections.Counter()  # mm, by feature
+        self.length = collections.Counter()  # length in mm by feature
         self.moves = collections.Counter()
         self.short = collections.Counter()
         self.bytes = collections.Counter()
         self.at = {"X": 0.0, "Y": 0.0, "E": 0.0}
-        self.absolute = True  # E
+        self.absolute = True  # E values are absolute
         self.feature = ""
         with open(path, encoding="utf-8", errors="replace") as lines:
             for line in lines:

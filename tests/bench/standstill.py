@@ -86,7 +86,7 @@ def main():
         print("| what | times | longest, s | ends |\n|---|---|---|---|", flush=True)
         farm.postgres.run("pause")
         asking = [Times(method, call(channel, method, by_id if method == "GetJob" else b"")) for method in READS]
-        asking += [Times(f"submit {i}", create(coordinator, 10 + i)) for i in range(12)]  # more than there are connections
+        asking += [Times(f"submit {i}", create(coordinator, 10 + i)) for i in range(12)]  # more jobs than database connections
         asking += [Times("/metrics", page(coordinator, "/metrics")), Times("/statusz", page(coordinator, "/statusz")),
                    Times("health", health(coordinator)), Times("health --live", health(coordinator, "--live"))]
         time.sleep(still_s)

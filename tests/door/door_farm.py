@@ -15,7 +15,7 @@ from local_farm import BIN, MODELS, ROOT
 # Attacks open thousands of connections.
 resource.setrlimit(resource.RLIMIT_NOFILE, (resource.getrlimit(resource.RLIMIT_NOFILE)[1],) * 2)
 
-SERVICES = 16  # ports above the door's that the farm may take
+SERVICES = 16  # ports above the door's port that the farm may use
 
 
 def free_range():
@@ -98,7 +98,7 @@ class MemoryGrowth:
     def __init__(self, pids):
         self.before = {pid: status_kib(pid, "VmRSS") for pid in pids}
         for pid in pids:
-            pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")  # the peak is what it has now
+            pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")  # resets the peak to the current value
 
     def mib(self):
         return sum(max(0, status_kib(pid, "VmHWM") - before) for pid, before in self.before.items()) / 1024

@@ -52,7 +52,7 @@ def check_attack(farm, name, folder):
     growth, honest = MemoryGrowth(farm.pids()), Honest(lambda: farm.client("list"))
     try:
         held = ATTACKS[name](door)
-        if isinstance(held, Held):  # uploads need a place that the attack leaves
+        if isinstance(held, Held):  # uploads must still be possible beside the attack
             submit(farm, folder / f"{name}.gcode", "--set", f"fill_density={len(name)}")
     finally:
         honest.stop()

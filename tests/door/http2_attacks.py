@@ -152,7 +152,7 @@ def idle(door, count, greet=False):
         try:
             held.append(door.connect() if greet else door.tcp())
         except OSError:
-            continue  # the server takes no more
+            continue  # the server accepts no more connections
     return held
 
 

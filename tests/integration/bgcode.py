@@ -11,7 +11,7 @@ import zlib
 
 Block = collections.namedtuple("Block", "type compression parameters data")
 FILE_METADATA, GCODE, SLICER_METADATA, PRINTER_METADATA, PRINT_METADATA, THUMBNAIL = range(6)
-PARAMETERS = {THUMBNAIL: 3}  # 16-bit words; all others have one
+PARAMETERS = {THUMBNAIL: 3}  # number of 16-bit words; 1 for all other block types
 PACKED = "0123456789. \nGX"
 
 

@@ -124,7 +124,7 @@ def check_queue(farm):
         continue
     assert places(farm, running) == [None] * 3
     old, bulk, new, urgent = waiting = [submit(), submit("bulk"), submit(), submit("interactive")]
-    while None in places(farm, waiting):  # a look at the queue serves for some milliseconds
+    while None in places(farm, waiting):  # queue positions are cached for some milliseconds
         continue
     assert places(farm, waiting) == [2, 4, 3, 1]
     for job in (json.loads(call(farm, "get", job)) for job in waiting):

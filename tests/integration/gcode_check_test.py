@@ -31,7 +31,7 @@ FORMS = {
     "by firmware": ["use_firmware_retraction=1", "retract_lift=0.2"],
     "commented": ["gcode_comments=1", "use_firmware_retraction=1", "use_relative_e_distances=0"],
 }
-NOT_FOR = {("volumes", "klipper")}  # it has no M200
+NOT_FOR = {("volumes", "klipper")}  # Klipper has no M200
 
 
 def run(program, *arguments):
@@ -65,7 +65,7 @@ def own_files_pass(program, corpus, folder):
         for flavor, reader in FLAVORS.items():
             for form, settings in FORMS.items():
                 if name != MODELS[0] and form != "plain" and flavor != "klipper":
-                    continue  # every form in every flavour on one model is enough
+                    continue  # one model is enough for all forms in all flavours
                 if (form, flavor) in NOT_FOR:
                     continue
                 slice_model(program, corpus / "models" / f"{name}.stl", output, [f"gcode_flavor={flavor}", *settings])

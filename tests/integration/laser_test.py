@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 USAGE, BAD_SETTING = 2, 3  # exit codes
-BOX = (30.0, 20.0, 1.0)  # mm
+BOX = (30.0, 20.0, 1.0)  # size in mm
 LAYER = 0.1
 
 
@@ -123,7 +123,7 @@ def check_strategies(program, models, folder):
         layers = read_cli(out.read_bytes())
         assert len(layers) == round(BOX[2] / LAYER), len(layers)
         middle = layers[5]
-        inside = 0.04 - 2e-3  # beam compensation, and a unit of the file
+        inside = 0.04 - 2e-3  # beam compensation less a unit of the file
         for x, y in points_of(middle):
             assert abs(x - 50) <= BOX[0] / 2 - inside and abs(y - 50) <= BOX[1] / 2 - inside, f"{strategy}: {x} {y}"
         wanted = (BOX[0] - 0.2) * (BOX[1] - 0.2) / 0.2

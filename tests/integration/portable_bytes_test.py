@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 MASK = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"
-SETTINGS = [  # each is a run of every model
+SETTINGS = [  # each entry is one run of every model
     [],
     ["--set", "perimeter_generator=classic", "--set", "fill_pattern=grid", "--set", "fill_angle=33.3"],
     ["--rotate", "10,20,30"],

@@ -308,7 +308,7 @@ def check_hostile(program, folder):
         for command in (["slice", path, "-o", folder / "bad.gcode"], ["inspect", path]):
             result = run(program, *command)
             if command[0] == "inspect" and name in ("no_such_corner", "nan"):
-                continue  # the structure does not tell
+                continue  # the structure does not show this fault
             assert result.returncode == BAD_MESH, f"{name}: {result.returncode} {result.stderr}"
             assert f"{name}.3mf" in result.stderr, f"{name}: {result.stderr}"
     assert not (folder / "bad.gcode").exists()

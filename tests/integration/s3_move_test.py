@@ -76,7 +76,7 @@ def out_of_postgres(folder):
     try:
         with running_farm("postgres", folder / "farm") as farm:
             jobs = submit_some(farm, folder)
-            for coordinator in farm.coordinators:  # one after the other, as an upgrade does
+            for coordinator in farm.coordinators:  # one after the other, as in an upgrade
                 coordinator.stop()
                 coordinator.command += ["--s3", bucket.url]
                 coordinator.start()
@@ -90,7 +90,7 @@ def out_of_postgres(folder):
             moving.kill()
             moving.wait()
             finish(move(farm.postgres.connection, bucket))
-            more = submit_some(farm, folder)  # of the same work: all that is needed is found
+            more = submit_some(farm, folder)  # same jobs: all results must be in the cache
             assert all(job["result"].get("cached") for job in farm.jobs() if job["id"] in more)
             fetching.stop()
             assert rows(farm, "SELECT count(*) FROM blobs WHERE complete = 1") == 0
@@ -127,7 +127,7 @@ def main(_):
             folder = pathlib.Path(name) / part.__name__
             (folder / "farm").mkdir(parents=True)
             for directory in (pathlib.Path(name), folder):
-                directory.chmod(0o755)  # PostgreSQL's user goes through it
+                directory.chmod(0o755)  # PostgreSQL's user must be able to enter it
             part(folder)
     print("all blobs moved, and every G-code is as before")
 

@@ -98,10 +98,10 @@ class Replay:
         self.radius, self.height = radius, height
         self.at, self.z = (0, 0), 0
         self.label, self.last = None, None
-        self.points = collections.defaultdict(set)   # of each copy's beads
+        self.points = collections.defaultdict(set)   # end points of each copy's beads
         self.tops = collections.defaultdict(float)
-        self.layers = collections.defaultdict(list)  # heights of each copy
-        self.finished = []                           # (label, hull)
+        self.layers = collections.defaultdict(list)  # layer heights of each copy
+        self.finished = []                           # (label, hull) of each finished copy
         self.heads_way = 0
 
     def enter(self, label):
@@ -151,7 +151,7 @@ def replay(gcode, radius, height):
 def check_plate(program, folder, models, plate):
     gcode = slice_plate(program, folder, models, plate.arguments)
     own = [line for line in plate.arguments if "between_objects_gcode" in line]
-    if own:  # its own way down is the user's: what counts is what comes after it
+    if own:  # removes the user's own move down before the replay
         between = re.findall(r";BETWEEN (\d+)\nG1 Z0\.1\nG21\nG90\nM83\n(G1 Z\S+) F\d+\nG1 X", gcode)
         assert [int(number) for number, _ in between] == list(range(1, len(between) + 1)) and between, between
         gcode = re.sub(r";BETWEEN \d+\nG1 Z0\.1\n", "", gcode)
