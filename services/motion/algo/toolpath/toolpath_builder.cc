@@ -256,8 +256,7 @@ void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps
   at_.rest = kFullRest;
 }
 
-/// Prints a piece of a wall over air: as a thread, except over supports. A thread sags below its
-/// layer and would weld itself to a support.
+/// Prints a piece of a wall over air: as a thread, except over supports, where a thread would weld.
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
   if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
