@@ -123,7 +123,7 @@ class RegionFill {
   /// Fills an area. `bare`: the area has no walls. `field`: the fields of the layer; null if there
   /// are none.
   absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field,
-                    Fills& fills) const {
+                    Fills& fills) {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
     Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
@@ -134,12 +134,10 @@ class RegionFill {
                                 .over_bridges = options_.over_bridges});
     SparseBridges over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_) && !skins.solid.empty() &&
-        SkinsBegin(field) &&
-        MayHoldBridges(skins.solid, SparsePitchNm(options_, view_.height_nm),
-                       Width(options_.solid_width_nm))) {
-      const auto under = SparseUnder(fill_area.area, {view_, options_, plan_, row_});
-      if (!under.ok()) return under.status();
-      over_sparse = TakeSparseBridges(*under, Width(options_.solid_width_nm), skins);
+        SkinsBegin(field)) {
+      auto bridges = BridgesOverSparse(fill_area.area, skins);
+      if (!bridges.ok()) return bridges.status();
+      over_sparse = *std::move(bridges);
     }
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
@@ -303,8 +301,23 @@ class RegionFill {
     return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
   }
 
-  /// Adds threads from line to line of the sparse infill below. They are thick even without
-  /// thick_bridges: they are not visible, and must not tear.
+  /// Takes from the skins what has to be bridged from line to line of the sparse infill below.
+  absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area, Skins& skins) {
+    const Coord width_nm = Width(options_.solid_width_nm);
+    const MultiPolygon middles = BridgeMiddles(skins.solid, SparsePitchNm(options_, view_.height_nm), width_nm);
+    if (middles.empty()) return SparseBridges{};
+    if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
+    SparseBelow below = under_->Within(fill_area, middles);
+    MultiPolygon unheld = UnheldParts(below, width_nm, skins);
+    if (unheld.empty()) return SparseBridges{};
+    auto beads = under_->BeadsIn(below);
+    if (!beads.ok()) return beads.status();
+    below.beads = *std::move(beads);
+    return TakeSparseBridges(std::move(unheld), below, width_nm, skins);
+  }
+
+  /// Threads from line to line of the sparse infill below, thick whatever thick_bridges says: they
+  /// are seen from nowhere, and must not tear.
   absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
     const BridgeBead bead = ThreadBead();
     for (const PolygonWithHoles& region : bridges.regions) {
@@ -436,6 +449,7 @@ class RegionFill {
   const Cover cover_;
   const FillLineAngles angles_;
   const FlowTable flows_;
+  std::optional<SparseUnder> under_;  ///< made when first needed
 };
 
 /// Sets settings, tool and feature of each path and each use.

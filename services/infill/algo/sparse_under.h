@@ -22,10 +22,32 @@ struct RegionView {
 /// infill, returns the value that skins above it use.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
-/// Returns the sparse infill of the layer below within `fill_area`: the area where the outlines
-/// give no skins and no walls there, and its lines if their positions follow from a formula.
-/// REQUIRES: BridgesSparse. Errors: as MakePattern. Cost: the cost of PartFillArea, and of the
-/// pattern.
-absl::StatusOr<SparseBelow> SparseUnder(const MultiPolygon& fill_area, const RegionView& region);
+/// The layer below a region, as the skins of all the region's fill areas look at it. Not for use by several
+/// threads at once.
+class SparseUnder {
+ public:
+  /// REQUIRES: BridgesSparse. Cost: a comparison of some outlines.
+  explicit SparseUnder(const RegionView& region);
+
+  /// Returns the sparse infill of the layer below within `fill_area`, where outlines say that it has no skins
+  /// and no walls there; without its lines, and nothing if it does not meet `wanted`. Cost: that of
+  /// SparsePart; for the first fill area also an offset of the layer.
+  SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
+
+  /// Returns the lines of sparse infill, as wide as they are, where a law says how they lie. Errors: as MakePattern.
+  /// Cost: that of the pattern, and a union of the lines.
+  absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
+
+ private:
+  /// The inside of the walls of the layer below.
+  const MultiPolygon& WithinWalls();
+
+  RegionView region_;
+  SectionView below_;
+  const MultiPolygon* outline_ = nullptr;  ///< of the layer below; null: there is none
+  bool same_outline_ = false;              ///< that of the layer itself
+  Cover cover_;
+  std::optional<MultiPolygon> within_walls_;
+};
 
 }  // namespace slicefarm::infill

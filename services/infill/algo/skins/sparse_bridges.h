@@ -20,16 +20,18 @@ struct SparseBridges {
   MultiPolygon bearers;  ///< supports of their lines: the beads below, and the solid areas there
 };
 
-/// Returns true if a solid part may contain a bridge over cells of this pitch. This is a fast test,
-/// because most parts contain none. Cost: an offset.
-bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
+/// Returns the middles of all bridges over cells of such a pitch that a solid part can hold: most hold none.
+/// Cost: an offset.
+MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
 
-/// Removes the parts of the skins that are over sparse infill and have to be bridged: the solid
-/// part there that is wide enough for a cell of the lines below. A cell that it touches is bridged
-/// completely, up to a pitch away and onto the beads around it, so that lines end on beads. This
-/// extension is removed from the skins' sparse part. Invariant: the skins and the bridges together
-/// tile the area of the original skins. Cost: some boolean operations if there is a bridge,
-/// otherwise one.
-SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins);
+/// Returns the parts of the skins that lie over sparse infill and are wide enough to need bridges, whatever lines
+/// are below. Cost: a boolean operation, and some where there are such parts.
+MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins);
+
+/// Takes `bridged` from the skins (UnheldParts). A cell that it touches is bridged as a whole, up
+/// to a pitch away and onto the beads around it, so that lines end on beads: that comes from the
+/// skins' sparse part. Invariant: the skins and the bridges tile what the skins did.
+/// Cost: some boolean operations.
+SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm, Skins& skins);
 
 }  // namespace slicefarm::infill
