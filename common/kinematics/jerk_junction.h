@@ -7,11 +7,12 @@ namespace slicefarm {
 
 /// Bend of the path between two straight moves.
 struct Bend {
-  /// in 1/mm: curvature of the circle through regular chords of the moves' lengths
+  /// Curvature, in 1/mm, of the circle through regular chords of the moves' lengths.
   double curvature = 0;
-  /// in 1/mm: curvature of the arc that cuts the corner by the junction deviation
+  /// Curvature, in 1/mm, of the arc that cuts the corner by the junction deviation.
   double corner = 0;
-  /// turns by more than 45 degrees, or moves only filament: not part of a curve
+  /// True if the path turns by more than 45 degrees, or only filament moves: the bend is not part
+  /// of a curve.
   bool sharp = false;
   bool stop = false;  ///< the machine must stop here
 };

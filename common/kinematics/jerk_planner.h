@@ -46,7 +46,7 @@ class JerkPlanner : public Planner {
   void LimitEntries();
   void Run(const Span& span, double exit_mm_s);
 
-  std::vector<KinematicMove> moves_;  ///< after limitation
+  std::vector<KinematicMove> moves_;  ///< moves after Limited()
   std::vector<Bend> bends_;  ///< bends before each move; the first and the last one are stops
   std::vector<double> through_mm_s_;  ///< greatest speed through each bend
   std::vector<Span> spans_;

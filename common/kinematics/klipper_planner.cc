@@ -8,8 +8,8 @@
 namespace slicefarm {
 namespace {
 
-/// Peak value of a move that decelerates from start to end; its peak is the peak of the previous
-/// move.
+/// Special value of peak_v2: the move decelerates from start to end, and its peak is the peak of
+/// the previous move.
 constexpr double kAsBefore = -1;
 
 }  // namespace

@@ -24,7 +24,7 @@ class KlipperPlanner : public Planner {
   /// A queued move with the greatest squared speeds that earlier moves allow. `calm` values use the
   /// acceleration reduced by minimum_cruise_ratio.
   struct Queued {
-    KinematicMove move;  ///< after limitation
+    KinematicMove move;  ///< move after Limited()
     double entry_v2 = 0;
     double calm_entry_v2 = 0;
     double calm_reach_v2 = 0;

@@ -31,7 +31,7 @@ class TwoPassPlanner : public Planner {
 
  private:
   Rules rules_;
-  std::vector<KinematicMove> moves_;  ///< after limitation
+  std::vector<KinematicMove> moves_;  ///< moves after Limited()
   std::vector<double> entry_v2_;      ///< greatest squared speed at the start of each move
   std::vector<MoveProfile> profiles_;
 };

@@ -68,7 +68,7 @@ struct SkeletalGraph {
 struct SkeletalOptions {
   double tolerance_nm = 2'000;  ///< maximum deviation of chords from parabolas, and of their radii
   double step_nm = 800'000;     ///< length of the longest chord
-  /// in radians: a chord ends where centrality changes at this angle
+  /// Angle in radians: a chord ends where centrality changes at this angle.
   double transition_angle = 0.1745;
 };
 

@@ -68,7 +68,7 @@ struct ToLoose {
   }
 };
 
-/// Traits of a builder for 32-bit coordinates that calculates with Loose.
+/// Traits of a Voronoi builder that has 32-bit coordinates and calculates with Loose numbers.
 struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
   using fpt_type = Loose;
   using ulp_cmp_type = LooseComparison;

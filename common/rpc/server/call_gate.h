@@ -21,7 +21,7 @@ namespace slicefarm::rpc {
 struct CallGateOptions {
   int slots = 1;  ///< number of calls that work at the same time
   int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
-  /// deadline of calls without a deadline of the client
+  /// Deadline of calls without a deadline of the client.
   std::chrono::milliseconds default_deadline{300'000};
   std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< time limit of every call
 };

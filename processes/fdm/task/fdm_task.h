@@ -32,7 +32,7 @@ struct FdmTask {
 struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
-  /// layer by layer, summed over all copies; for the order within a layer see AddUse
+  /// Layer by layer, summed over all copies; for the order within a layer see AddUse.
   std::vector<FillUse> fills;
   StageTimes times;
 
