@@ -22,7 +22,7 @@ class Substitutions {
   /// Reads the rules. `items`: four texts per rule, in PrusaSlicer's format: pattern, replacement,
   /// flags, notes. Flags:
   /// - `r`: the pattern is a regular expression in RE2's syntax, where ^ and $ match the ends of
-  ///   lines; the replacement may refer to groups as $1 or \1.
+  ///   lines. The replacement may refer to groups as $1 or \1.
   /// - `i`: ignores letter case.
   /// - `w`: matches whole words.
   /// - `s`: a dot matches a line end as well.
