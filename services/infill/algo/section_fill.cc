@@ -1,7 +1,5 @@
 #include "services/infill/algo/section_fill.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -12,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
@@ -20,6 +17,7 @@
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/axis/middle_lines.h"
 #include "services/infill/algo/fields/mean_density.h"
+#include "services/infill/algo/infill_check.h"
 #include "services/infill/algo/ironing.h"
 #include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/quality/fill_plastic.h"
@@ -38,37 +36,6 @@ namespace {
 /// Distance between the edges of the round threads of thick bridges, in nm. Threads sag, and would
 /// otherwise touch.
 constexpr double kThreadGapNm = 50'000;
-
-/// Checks that the lines of all widths have a positive spacing. Otherwise their number would be
-/// infinite.
-absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
-  if (view.on_bed) {
-    return CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
-                        view.height_nm);
-  }
-  absl::Status status =
-      CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
-  status.Update(CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
-  if (options.density > 0 || !options.density_field.empty()) {
-    status.Update(CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
-  }
-  return status;
-}
-
-const absl::StatusOr<FlowTable>& FlowTableOf(const InfillOptions& options) {
-  return options.small_area_flow_table.Once(
-      [](const std::string& text) { return ParseFlowTable(text); });
-}
-
-absl::Status CheckFlows(const InfillOptions& options) {
-  if (!options.small_area_flow) return absl::OkStatus();
-  const auto& table = FlowTableOf(options);
-  if (table.ok()) return absl::OkStatus();
-  constexpr const char* kSetting = "small_area_infill_flow_compensation_model";
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("{}: {}", kSetting, std::string(table.status().message())),
-                   {{"setting", kSetting}});
-}
 
 /// Returns the plan of a region's sparse infill, or null if there is none.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
@@ -89,13 +56,6 @@ void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& 
   if (share == 1 && from_nm == to_nm) return;
   for (Path& path : paths)
     for (Coord& width : path.widths_nm) width = WidthFor(share, width, from_nm, to_nm);
-}
-
-/// Returns the table of the plastic of short lines of solid infill. If it is empty, all lines have
-/// all their plastic. REQUIRES: CheckFlows.
-FlowTable FlowsOf(const InfillOptions& options) {
-  if (!options.small_area_flow) return {};
-  return *FlowTableOf(options);
 }
 
 /// Groups of paths that fill areas, and the reports of their plastic.
@@ -301,10 +261,11 @@ class RegionFill {
     return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
   }
 
-  /// Takes from the skins what has to be bridged from line to line of the sparse infill below.
+  /// Takes the parts of the skins that need bridges between the lines of the sparse infill below.
   absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area, Skins& skins) {
     const Coord width_nm = Width(options_.solid_width_nm);
-    const MultiPolygon middles = BridgeMiddles(skins.solid, SparsePitchNm(options_, view_.height_nm), width_nm);
+    const MultiPolygon middles =
+        BridgeMiddles(skins.solid, SparsePitchNm(options_, view_.height_nm), width_nm);
     if (middles.empty()) return SparseBridges{};
     if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
     SparseBelow below = under_->Within(fill_area, middles);
@@ -316,8 +277,8 @@ class RegionFill {
     return TakeSparseBridges(std::move(unheld), below, width_nm, skins);
   }
 
-  /// Threads from line to line of the sparse infill below, thick whatever thick_bridges says: they
-  /// are seen from nowhere, and must not tear.
+  /// Appends threads between the lines of the sparse infill below. They are thick for every value
+  /// of thick_bridges: they are invisible from outside and must not tear.
   absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
     const BridgeBead bead = ThreadBead();
     for (const PolygonWithHoles& region : bridges.regions) {

@@ -22,30 +22,30 @@ struct RegionView {
 /// infill, returns the value that skins above it use.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
-/// The layer below a region, as the skins of all the region's fill areas look at it. Not for use by several
-/// threads at once.
+/// Sparse infill of the layer below a region, for the skins of all fill areas of the region. Not
+/// thread-safe.
 class SparseUnder {
  public:
   /// REQUIRES: BridgesSparse. Cost: a comparison of some outlines.
   explicit SparseUnder(const RegionView& region);
 
-  /// Returns the sparse infill of the layer below within `fill_area`, where outlines say that it has no skins
-  /// and no walls there; without its lines, and nothing if it does not meet `wanted`. Cost: that of
-  /// SparsePart; for the first fill area also an offset of the layer.
+  /// Returns the sparse infill of the layer below within `fill_area`, without its lines: the area
+  /// without skins and walls, as computed from outlines. Returns nothing if it does not meet
+  /// `wanted`. Cost: that of SparsePart, and one offset of the layer for the first fill area.
   SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
 
-  /// Returns the lines of sparse infill, as wide as they are, where a law says how they lie. Errors: as MakePattern.
-  /// Cost: that of the pattern, and a union of the lines.
+  /// Returns the areas of the beads of sparse infill, for patterns whose lines follow from a
+  /// formula. Errors: those of MakePattern. Cost: that of the pattern, and a union of the lines.
   absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
 
  private:
-  /// The inside of the walls of the layer below.
+  /// Returns the area inside the walls of the layer below.
   const MultiPolygon& WithinWalls();
 
   RegionView region_;
   SectionView below_;
-  const MultiPolygon* outline_ = nullptr;  ///< of the layer below; null: there is none
-  bool same_outline_ = false;              ///< that of the layer itself
+  const MultiPolygon* outline_ = nullptr;  ///< outline of the layer below; null: no layer below
+  bool same_outline_ = false;  ///< true if the layer below and this layer have the same outline
   Cover cover_;
   std::optional<MultiPolygon> within_walls_;
 };

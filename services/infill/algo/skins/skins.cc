@@ -159,8 +159,9 @@ bool Meets(const MultiPolygon& region, const MultiPolygon* wanted) {
   return wanted == nullptr ? !region.empty() : !Intersection(*wanted, region).empty();
 }
 
-/// What no layer of the cover leaves bare. From far to near: what a far layer leaves bare is most
-/// often all that nearer ones do. Stops with nothing once `wanted` (may be null) is taken.
+/// Returns the part of the fill area that every layer of the cover covers. It goes from far layers
+/// to near ones: a far layer most often leaves everything bare that a nearer one does. Returns
+/// nothing as soon as the rest does not meet `wanted` (may be null).
 MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                          const Cover& cover, const SkinOptions& options,
                          const MultiPolygon* wanted = nullptr) {
@@ -205,11 +206,12 @@ MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare,
   return narrow;
 }
 
-/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid as far
-/// as it lies beside something bare, as between two skins; farther off it stays sparse: a wedge
-/// between walls is no skin. Small sparse regions become solid too. Returns false if `skins.solid` still lacks
-/// what became solid.
-bool PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, const SkinOptions& options, Skins& skins) {
+/// Divides a fill area into sparse and solid parts. A narrow covered part beside a bare part, as
+/// between two skins, becomes solid. Farther away it stays sparse: a wedge between walls is no
+/// skin. Small sparse regions become solid too. Returns false if `skins.solid` still lacks parts
+/// that became solid.
+bool PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, const SkinOptions& options,
+                Skins& skins) {
   bool complete = true;
   if (covered.empty()) {
     skins.solid = fill_area;

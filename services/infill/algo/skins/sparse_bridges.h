@@ -20,18 +20,19 @@ struct SparseBridges {
   MultiPolygon bearers;  ///< supports of their lines: the beads below, and the solid areas there
 };
 
-/// Returns the middles of all bridges over cells of such a pitch that a solid part can hold: most hold none.
-/// Cost: an offset.
+/// Returns the centres of all bridges over cells of this pitch that fit into a solid part. Most
+/// parts have none. Cost: one offset.
 MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
 
-/// Returns the parts of the skins that lie over sparse infill and are wide enough to need bridges, whatever lines
-/// are below. Cost: a boolean operation, and some where there are such parts.
+/// Returns the parts of the skins over sparse infill that are wide enough to need bridges,
+/// independently of the lines below. Cost: one boolean operation, and a few more per part found.
 MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins);
 
-/// Takes `bridged` from the skins (UnheldParts). A cell that it touches is bridged as a whole, up
-/// to a pitch away and onto the beads around it, so that lines end on beads: that comes from the
-/// skins' sparse part. Invariant: the skins and the bridges tile what the skins did.
-/// Cost: some boolean operations.
-SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm, Skins& skins);
+/// Takes `bridged` (the result of UnheldParts) from the skins. A cell that it touches is bridged as
+/// a whole, up to one pitch away and onto the beads around it, so that lines end on beads. This
+/// area is taken from the sparse part of the skins. Invariant: the skins and the bridges together
+/// cover the area that the skins covered before. Cost: a few boolean operations.
+SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm,
+                                Skins& skins);
 
 }  // namespace slicefarm::infill
