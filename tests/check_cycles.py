@@ -41,7 +41,7 @@ def reached(start, edges):
     return seen
 
 
-def circles(found):
+def cycles(found):
     """Returns the sets of folders in which each folder reaches every other folder."""
     edges = collections.defaultdict(set)
     for a, b in found:
@@ -52,12 +52,12 @@ def circles(found):
 
 
 def check(found):
-    for group in circles(found):
+    for group in cycles(found):
         yield f"{group[0]}: includes itself through {', '.join(group[1:])} (--list shows where)"
 
 
 def show(found):
-    for group in circles(found):
+    for group in cycles(found):
         print(" ".join(group))
         for (a, b), includes in sorted(found.items()):
             if a in group and b in group:
