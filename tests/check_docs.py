@@ -3,7 +3,7 @@
 
   - the reasons of errors: the same in common/base/error.cc, error_reason.proto and proto/slicefarm/v1/README.md, and each
     looked for by a test;
-  - tests: every `Suite.Name` (or `.Name` after one) in a table of services/coordinator/README.md.
+  - tests: every `Suite.Name` (or `.Name` after one) in a table of docs/reliability.md.
 
 Run without arguments from anywhere; exit code 1 and one line for each thing that is missing."""
 import pathlib
@@ -49,14 +49,14 @@ def existing_tests():
 
 def check_named_tests():
     existing = existing_tests()
-    for line in read("services/coordinator/README.md").splitlines():
+    for line in read("docs/reliability.md").splitlines():
         if not line.startswith("| "):
             continue
         suite = None
         for given, name in re.findall(r"`([A-Z]\w+)?\.([A-Z]\w+)`", line.rsplit("|", 2)[-2]):
             suite = given or suite
             if (suite, name) not in existing:
-                yield f"services/coordinator/README.md: there is no test {suite}.{name}"
+                yield f"docs/reliability.md: there is no test {suite}.{name}"
 
 
 def main():
