@@ -6,6 +6,8 @@ from planted_tree import told_of
 
 CHECK = pathlib.Path(__file__).with_name("check_docs.py")
 TREE = {
+    "CMakeLists.txt": ("project(farm VERSION 1.2.0 LANGUAGES CXX)\n",),
+    "CHANGELOG.md": ("# Changelog\n\n## 1.1.0\n",),
     "common/base/error.cc": ('{Reason::kLate, "LATE"}\n{Reason::kEarly, "EARLY"}\n',),
     "proto/slicefarm/v1/error_reason.proto": ("  LATE = 1;\n  EARLY = 2;\n",),
     "proto/slicefarm/v1/README.md": ("| LATE | CODE | never |\n| EARLY | CODE | never |\n| ODD | CODE | never |\n",),
@@ -16,6 +18,7 @@ TREE = {
     "services/coordinator/clock_test.cc": ("TEST(Clock, Ticks) { Reason::kLate; }\n",),
 }
 EXPECTED = [
+    "CHANGELOG.md begins with 1.1.0, CMakeLists.txt has 1.2.0",
     "EARLY is not in docs/users/troubleshooting.md",
     "ODD of the README's table is no reason",
     "docs/guide.md: the link missing.md has no file",
