@@ -8,6 +8,7 @@ usage: check_docs.py [repo root]        exit 1 and one line per violation
 - Tests: each `Suite.Name` (or `.Name` after one) in a table of docs/reliability.md is a test.
 - Paths: README.md, CHANGELOG.md, docs, processes/README.md and proto/slicefarm/v1/README.md name files and folders that exist.
   A path may have `<name>`, `*` or `{a,b}`, and a file of C++ may be named without its suffix.
+- The first version of CHANGELOG.md is the version of CMakeLists.txt.
 - Links: the file and the heading of each link of these documents exist.
 """
 import itertools
@@ -93,6 +94,16 @@ def check_paths():
                         yield f"{document.relative_to(ROOT)}:{number}: there is no {path}"
 
 
+def check_version():
+    if not (ROOT / "CHANGELOG.md").exists():
+        yield "there is no CHANGELOG.md"
+        return
+    version = re.search(r"^project\(\w+ VERSION ([\d.]+)", read("CMakeLists.txt"), re.M)[1]
+    newest = re.search(r"^## ([\d.]+)", read("CHANGELOG.md"), re.M)[1]
+    if newest != version:
+        yield f"CHANGELOG.md begins with {newest}, CMakeLists.txt has {version}"
+
+
 def anchors(document):
     """Returns the anchors of the document's headings, as GitHub makes them."""
     headings = re.findall(r"^#+ (.*)$", document.read_text(), re.M)
@@ -114,7 +125,7 @@ def check_links():
 
 
 def main():
-    problems = [*check_reasons(), *check_named_tests(), *check_paths(), *check_links()]
+    problems = [*check_reasons(), *check_named_tests(), *check_paths(), *check_version(), *check_links()]
     for problem in problems:
         print(problem)
     if not problems:
