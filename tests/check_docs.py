@@ -5,7 +5,7 @@ usage: check_docs.py [repo root]        exit 1 and one line per violation
 
 - Reasons of errors: common/base/error.cc, error_reason.proto, the table in proto/slicefarm/v1/README.md and the headings of
   docs/users/troubleshooting.md have the same reasons, and a test expects each reason.
-- Tests: each `Suite.Name` (or `.Name` after one) in a table of services/coordinator/README.md is a test.
+- Tests: each `Suite.Name` (or `.Name` after one) in a table of docs/reliability.md is a test.
 - Paths: README.md, CHANGELOG.md, docs, processes/README.md and proto/slicefarm/v1/README.md name files and folders that exist.
   A path may have `<name>`, `*` or `{a,b}`, and a file of C++ may be named without its suffix.
 - The first version of CHANGELOG.md is the version of CMakeLists.txt.
@@ -59,14 +59,14 @@ def existing_tests():
 
 def check_named_tests():
     existing = existing_tests()
-    for line in read("services/coordinator/README.md").splitlines():
+    for line in read("docs/reliability.md").splitlines():
         if not line.startswith("| "):
             continue
         suite = None
         for given, name in re.findall(r"`([A-Z]\w+)?\.([A-Z]\w+)`", line.rsplit("|", 2)[-2]):
             suite = given or suite
             if (suite, name) not in existing:
-                yield f"services/coordinator/README.md: there is no test {suite}.{name}"
+                yield f"docs/reliability.md: there is no test {suite}.{name}"
 
 
 def documents():

@@ -14,7 +14,8 @@ TREE = {
     "docs/users/troubleshooting.md": ("# Help\n\n### LATE\n\nSee [the guide](../guide.md#two-words) and [a gap](#nothing).\n",),
     "docs/guide.md": ("# Two words\n\nFiles: common/base/error, common/base/{error,fault}.cc, `services/<name>/README.md`, common/gone/.\n"
                       "[a page](missing.md) [a site](https://example.org/docs/none)\n",),
-    "services/coordinator/README.md": ("| a promise | `Clock.Ticks`, `.Stops` |\n",),
+    "services/coordinator/README.md": ("# Clock\n",),
+    "docs/reliability.md": ("| a promise | `Clock.Ticks`, `.Stops` |\n",),
     "services/coordinator/clock_test.cc": ("TEST(Clock, Ticks) { Reason::kLate; }\n",),
 }
 EXPECTED = [
@@ -24,9 +25,9 @@ EXPECTED = [
     "docs/guide.md: the link missing.md has no file",
     "docs/guide.md:3: there is no common/base/fault.cc",
     "docs/guide.md:3: there is no common/gone/",
+    "docs/reliability.md: there is no test Clock.Stops",
     "docs/users/troubleshooting.md: the link #nothing has no heading",
     "no test looks for EARLY",
-    "services/coordinator/README.md: there is no test Clock.Stops",
 ]
 
 
