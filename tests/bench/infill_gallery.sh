@@ -1,6 +1,6 @@
 #!/bin/bash
 # Draws a layer of every pattern of sparse infill into services/infill/gallery/NAME.png. Prints the table of
-# services/infill/README.md: actual density, paths, travel, and CPU time on the box of tests/bench/infill.sh, and the average
+# docs/figures/infill.md: actual density, paths, travel, and CPU time on the box of tests/bench/infill.sh, and the average
 # speed of the lines by the print's own estimate. The pictures show a box of 40 x 40 x 8 mm at a height of 3.2 mm.
 #   tests/bench/infill_gallery.sh [PATTERN...]
 set -euo pipefail

@@ -1,4 +1,4 @@
-// Tests the statements of services/coordinator/README.md about broken connections, full disks, and
+// Tests the statements of docs/reliability.md about broken connections, full disks, and
 // damaged bytes, with real processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -30,8 +30,8 @@ std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const FdmSe
 /// - Lines are printed at their speed, with a full stop at each sharp corner.
 /// - Each section uses the settings of its first region.
 ///
-/// Cost: linear in the number of points; no stage runs. tests/bench/README.md states the error of
-/// the estimate.
+/// Cost: linear in the number of points; no stage runs. docs/figures/coordinator.md states the
+/// error of the estimate.
 JobEstimate EstimatePrint(const SlicedOutlines& job, const FdmSettings& settings);
 
 }  // namespace slicefarm::coordinator

@@ -7,9 +7,10 @@
 
 namespace slicefarm::beading {
 
-/// Returns the stage that makes the walls of each island of each region, see README.md. Walls of
-/// kArachne depend on the object's outlines in kBeadingHaloLayers layers above and below. Walls of
-/// kClassic depend on their own layer only. Stateless.
+/// Returns the stage that makes the walls of each island of each region, see
+/// docs/algorithms/walls.md. Walls of kArachne depend on the object's outlines in
+/// kBeadingHaloLayers layers above and below. Walls of kClassic depend on their own layer only.
+/// Stateless.
 ///
 /// Errors: Cancelled, polled once per section and gap. InvalidArgument with SETTING_OUT_OF_RANGE
 /// for widths not above their layer's height times 1 - pi/4 (no spacing is left). REQUEST_MALFORMED

@@ -8,8 +8,8 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the slicing stage that runs in this process and reads its meshes by `source`. README.md
-/// lists its steps.
+/// Returns the slicing stage that runs in this process and reads its meshes by `source`.
+/// docs/algorithms/slicing.md lists its steps.
 ///
 /// Errors: the errors of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT
 /// if no layer has an outline; Cancelled.

@@ -7,7 +7,8 @@
 
 namespace slicefarm::texture {
 
-/// Data that all layers of a job share: steps 8 to 10 of the README.
+/// Data that all layers of a job share: steps 8 to 10 of
+/// docs/algorithms/texture.md.
 struct EngraveJob {
   EngravePlan plan;
   ProgramOptions program;

@@ -20,8 +20,8 @@ struct GapFillOptions {
 /// fills nothing visible.
 inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
 /// Smallest area of a bead in a gap that the infill reaches too: 0.4 mm3 in a layer of 0.2 mm, or
-/// 4.9 mm of a bead 0.45 mm wide. services/beading/README.md describes the smaller gaps and their
-/// total.
+/// 4.9 mm of a bead 0.45 mm wide. docs/algorithms/walls.md describes the smaller gaps,
+/// docs/figures/beading.md their effect.
 inline constexpr double kLeastNeckNm2 = 2 * kNmPerMm * kNmPerMm;
 
 /// Returns beads of variable width along the middle of each gap (see MedialAxis). Between walls,

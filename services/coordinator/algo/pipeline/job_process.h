@@ -90,7 +90,7 @@ class PlannedJob {
   virtual absl::StatusOr<JobOutput> Assemble(const StageCall& call) = 0;
 };
 
-/// Cuts the jobs of one process into tasks: DESIGN section 1, "A process". There is one class per
+/// Cuts the jobs of one process into tasks (docs/design.md, section 4). There is one class per
 /// process. Pipeline, dispatcher, cache, watch and cancel are shared by all processes.
 class JobProcess {
  public:

@@ -187,9 +187,9 @@ std::vector<ObjectStack> Decks() {
   return decks;
 }
 
-// Checks on pixels that solid infill over a hollow place is close to support. The README defines
-// the distance to a wall, a line, or solid infill as wide as the line distance. Narrower strips may
-// have no support.
+// Checks on pixels that solid infill over a hollow place is close to support. Close is
+// the distance of docs/algorithms/planned-infill.md to a wall, a line, or solid infill as wide as
+// the line distance. Narrower strips may have no support.
 TEST(LightningLines, CarrySkinsOfSlopesByARastersMeasure) {
   for (const ObjectStack& stack : Decks()) {
     const Sample sample = SampleOf(stack);

@@ -25,7 +25,7 @@ inline constexpr Coord kEdgeNm = 8'000;
 /// not below a layer with a bottom less than top_gap_nm above t. It is not above a layer with a top
 /// less than bottom_gap_nm below b. So on a slope the top has the requested vertical distance under
 /// each step. A requirement for the same distance from the steps' edges in space would leave steps
-/// of half a millimetre without a top at that distance (README.md has figures).
+/// of half a millimetre without a top at that distance (docs/figures/supports.md).
 class Clearance {
  public:
   /// Prepares layers of support up to `top_nm`. `problem` and `options` must outlive this object.
