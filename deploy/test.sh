@@ -14,6 +14,7 @@ python3 tests/check_includes.py
 python3 tests/check_types.py
 python3 tests/check_cycles.py
 python3 tests/check_docs.py
+docs/make_api.py --check
 [[ -f build/CMakeCache.txt ]] || cmake --preset cold
 cmake --build --preset release
 tests=(-LE slow)
