@@ -106,7 +106,15 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
   // The job's statements begin with the search that found it. Only one search for work succeeded;
   // the repeated search statements of other threads found nothing.
   std::set<std::string> looks;
+  bool in_renewal = false;
   for (const std::string& statement : of_run) {
+    // A renewal of the lease is a transaction of its own. The end of the runner may cause one.
+    if (std::exchange(in_renewal, false) && statement == "COMMIT") continue;
+    if (statement.starts_with("UPDATE jobs SET owner_until_us = CASE")) {
+      in_renewal = true;
+      if (!statements.empty() && statements.back() == "BEGIN") statements.pop_back();
+      continue;
+    }
     const bool looks_for_work = statement.starts_with("WITH RECURSIVE open_tenants") ||
                                 statement.starts_with("SELECT number, action_digest FROM jobs");
     const bool in_vain = looks_for_work && !looks.insert(statement).second;
