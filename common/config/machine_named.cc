@@ -18,8 +18,7 @@ absl::Status CheckMachineNamed(std::span<const Setting> given, Process process) 
   }
   if (unset.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kPrinterMissing,
-                   "the settings name no printer, so it would be a made-up one: nothing sets " +
-                       unset,
+                   "the settings name no printer; missing settings: " + unset,
                    {{"settings", unset}});
 }
 

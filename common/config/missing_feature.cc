@@ -12,14 +12,16 @@ namespace slicefarm::config {
 namespace {
 
 constexpr Allowance kAllowances[] = {
-    {kPaintedFilaments, "filaments painted on an object: it is printed with one"},
-    {kSeveralTools, "objects or parts for several extruders: the first of these prints all"},
+    {kPaintedFilaments, "print objects painted with several filaments with one filament"},
+    {kSeveralTools,
+     "print objects or parts for several extruders with the first of these extruders"},
     {kGcodeTemplates,
-     "a G-code template that cannot be expanded is left out (start_gcode and end_gcode never are)"},
+     "omit custom G-code that cannot be expanded (never start_gcode and end_gcode)"},
     {kIncompatibleProfiles,
-     "profiles whose compatible_printers_condition or compatible_prints_condition is not met"},
-    {"colorprint_heights", "changes of colour at the heights of colorprint_heights are left out"},
-    {"printer_technology", "a profile of a resin printer (printer_technology = SLA)"},
+     "use profiles although their compatible_printers_condition or compatible_prints_condition is "
+     "not met"},
+    {"colorprint_heights", "omit colour changes at the heights of colorprint_heights"},
+    {"printer_technology", "use a profile of a resin printer (printer_technology = SLA)"},
 };
 
 }  // namespace
@@ -38,7 +40,7 @@ absl::Status CheckAllowed(std::span<const std::string> allowed) {
     for (const std::string_view each : names) list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-        fmt::format("allow: there is no feature '{}'{}; a job can do without: {}", name,
+        fmt::format("allow: there is no feature '{}'{}; the features are: {}", name,
                     nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest), list),
         std::move(metadata));
   }

@@ -228,7 +228,7 @@ class ObjectResolver {
       if (!(0 <= range.from_mm && range.from_mm < range.to_mm && range.to_mm < 1e4))
         return OfObject(object_.name,
                         MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                                  fmt::format("from {} mm to {} mm is no range of heights",
+                                  fmt::format("from {} mm to {} mm is not a range of heights",
                                               range.from_mm, range.to_mm)));
       auto own = resolver_.Fitting(object_.name, range.settings, Scope::kRegion, true);
       if (!own.ok()) return own.status();

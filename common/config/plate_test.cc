@@ -151,7 +151,7 @@ TEST(ResolvePlate, TellsOfHeightsThatAProfileTakesThePlaceOf) {
   object.settings = Settings({{"layer_height_profile", "0;0.2;10;0.2"}});
   EXPECT_THAT(PlateOrDie({}, {object}).no_effect,
               ElementsAre("cup: layer_height = 0.1 from 1 to 2 mm: needs no layer_height_profile, "
-                          "which takes its place"));
+                          "which replaces it"));
 }
 
 TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {

@@ -688,8 +688,8 @@ TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
   EXPECT_EQ(FdmOf(resolved.settings).region.infill.every_layers, 2);
-  EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
-                                              "nozzle_diameter allow"));
+  EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: layer_height and "
+                                              "nozzle_diameter allow only 2"));
 }
 
 TEST(Resolve, LinesOfTheWholePartFollowNoField) {

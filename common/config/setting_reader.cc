@@ -191,7 +191,7 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry&
   const std::string item = ItemOf(spec, all, tool_);
   const std::string value = setting.source == Source::kRequest ? item : Readable(spec, item);
   if (value.empty() && setting.source != Source::kRequest && IsNumber(spec)) {
-    Warn(fmt::format("{} has no value: {} is taken", spec.key, spec.standard));
+    Warn(fmt::format("{} has no value: the default {} is used", spec.key, spec.standard));
     return absl::OkStatus();
   }
   entry.all = std::string(all);
@@ -247,7 +247,7 @@ void SettingReader::NoteEffective(const SettingSpec& spec, const Draft::Entry& e
     Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
   }
   if (WantsOtherFormat(spec, value)) {
-    Warn(Quoted(spec.key, value) + ": the pictures are made as PNG, in the same sizes");
+    Warn(Quoted(spec.key, value) + ": thumbnails are written as PNG, in the same sizes");
   }
   NoteOtherItems(spec, entry);
   if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
@@ -274,7 +274,7 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& 
   const std::string text = fmt::format("{}: only {}, {}, has an effect", Quoted(spec.key, all),
                                        tool_ == 0 || spec.list != List::kPerExtruder
                                            ? "the first value"
-                                           : fmt::format("that of extruder {}", tool_ + 1),
+                                           : fmt::format("the value of extruder {}", tool_ + 1),
                                        entry.written);
   // A profile has values for all extruders, and the printing extruder is known. No machine here
   // uses the silent mode.

@@ -80,7 +80,7 @@ absl::Status BadSubstitution(std::string_view pattern, std::string_view why) {
 
 absl::Status TooLong(size_t most_bytes) {
   return absl::ResourceExhaustedError(
-      fmt::format("a rule makes a text of more than {} bytes", most_bytes));
+      fmt::format("a rule produces a text of more than {} bytes", most_bytes));
 }
 
 /// Returns the end of the UTF-8 character at `begin`; at the end of the text, one byte beyond it.
@@ -95,9 +95,9 @@ size_t EndOfCharacter(std::string_view text, size_t begin) {
 absl::StatusOr<Substitutions> Substitutions::Of(const std::vector<std::string>& items) {
   if (items.size() % kItems != 0)
     return absl::InvalidArgumentError(
-        "four texts are needed for each: pattern, replacement, flags, notes");
+        "each rule needs four texts: pattern, replacement, flags, notes");
   if (items.size() > kItems * kMostRules)
-    return absl::InvalidArgumentError(fmt::format("there are {} rules, at most {} are possible",
+    return absl::InvalidArgumentError(fmt::format("there are {} rules, at most {} are allowed",
                                                   items.size() / kItems, kMostRules));
   Substitutions result;
   for (size_t i = 0; i < items.size(); i += kItems) {

@@ -190,7 +190,7 @@ class ExpressionParser {
       }
       text += c;
     }
-    if (at == rest.size()) return Malformed("text without end");
+    if (at == rest.size()) return Malformed("text without an end");
     in_.GoTo(in_.at() + at + 1);
     return LiteralOf(std::move(text));
   }
@@ -207,7 +207,7 @@ class ExpressionParser {
       if (escaped) ++at;
       pattern += rest[at];
     }
-    if (at == rest.size()) return Malformed("regular expression without end");
+    if (at == rest.size()) return Malformed("regular expression without an end");
     in_.GoTo(in_.at() + at + 1);
     return LiteralOf(std::move(pattern));
   }
@@ -265,7 +265,7 @@ class ExpressionParser {
     if (!in_.Take(")")) return Malformed("\")\" expected");
     const size_t count = call.parts.size();
     if (function.least <= count && count <= function.most) return call;
-    return Malformed("wrong number of arguments of " + call.text);
+    return Malformed("wrong number of arguments for " + call.text);
   }
 
   ParsedExpression OfVariable(std::string_view name) {
@@ -311,7 +311,7 @@ class ExpressionParser {
       }
       in_.Take(",");
     }
-    if (call.parts.size() < 3) return Malformed("a table needs a point");
+    if (call.parts.size() < 3) return Malformed("a table needs at least one point");
     if (!in_.Take(")")) return Malformed("\")\" expected");
     return call;
   }

@@ -116,7 +116,7 @@ absl::StatusOr<std::optional<int64_t>> ExpressionValue::IndexOf(const Expression
   if (!index.ok()) return index.status();
   if (IsUnknown(*index)) return std::optional<int64_t>();
   const auto* whole = std::get_if<int64_t>(&*index);
-  if (whole == nullptr) return absl::InvalidArgumentError("an index is a whole number");
+  if (whole == nullptr) return absl::InvalidArgumentError("an index must be a whole number");
   return *whole;
 }
 
@@ -237,7 +237,7 @@ absl::StatusOr<TemplateValue> ExpressionValue::OfVariable(const Expression& expr
     return TemplateValue(value == nullptr || std::holds_alternative<Nil>(*value));
   }
   if (!named->is_list || !variable.parts.empty())
-    return absl::InvalidArgumentError("\"" + variable.text + "\" is no list");
+    return absl::InvalidArgumentError("\"" + variable.text + "\" is not a list");
   if (expression.text == "empty") return TemplateValue(named->items.empty());
   return TemplateValue(static_cast<int64_t>(named->items.size()));
 }

@@ -125,7 +125,7 @@ absl::StatusOr<TemplateValue> Interpolated(std::span<const TemplateValue> argume
   const double x = numbers[0];
   for (size_t i = 3; i < numbers.size(); i += 2) {
     const double x0 = numbers[i - 2], y0 = numbers[i - 1], x1 = numbers[i], y1 = numbers[i + 1];
-    if (x0 > x1) return absl::InvalidArgumentError("x of a table must grow");
+    if (x0 > x1) return absl::InvalidArgumentError("the x values of a table must increase");
     if (x < x0 || x > x1) continue;
     if (x == x0 || x0 == x1) return TemplateValue(y0);
     return TemplateValue(x == x1 ? y1 : y0 + (y1 - y0) * ((x - x0) / (x1 - x0)));
@@ -220,7 +220,7 @@ absl::StatusOr<TemplateValue> Random(const TemplateValue& from, const TemplateVa
   const bool whole = std::holds_alternative<int64_t>(from) && std::holds_alternative<int64_t>(to);
   if (!whole) return TemplateValue(*x + (*y - *x) * share);
   if (!(*x <= *y) || std::abs(*x) > kMostWhole || std::abs(*y) > kMostWhole)
-    return absl::InvalidArgumentError("random: no range");
+    return absl::InvalidArgumentError("random: the range is empty");
   return TemplateValue(static_cast<int64_t>(*x + std::floor((*y - *x + 1) * share)));
 }
 
@@ -228,7 +228,7 @@ absl::StatusOr<bool> Truth(const TemplateValue& value) {
   if (const auto* truth = std::get_if<bool>(&value)) return *truth;
   if (const auto* whole = std::get_if<int64_t>(&value)) return *whole != 0;
   if (const auto* number = std::get_if<double>(&value)) return *number != 0;
-  return absl::InvalidArgumentError("a condition is true or false, not text");
+  return absl::InvalidArgumentError("a condition must be true or false, not text");
 }
 
 }  // namespace slicefarm::macro

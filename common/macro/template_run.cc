@@ -21,7 +21,7 @@ absl::StatusOr<TemplateValue> InTypeOf(const TemplateValue& old, TemplateValue v
   if (std::holds_alternative<double>(old) && whole != nullptr)
     return TemplateValue(static_cast<double>(*whole));
   if (std::holds_alternative<int64_t>(old) && real != nullptr) return Call("int", {&value, 1});
-  return absl::InvalidArgumentError("a value of another type than the variable's");
+  return absl::InvalidArgumentError("the value has another type than the variable");
 }
 
 /// Converts the items of a list literal to one type: text if there is a text, else real if there is
@@ -32,7 +32,7 @@ absl::Status MakeAlike(std::vector<TemplateValue>& items) {
   };
   const TemplateValue text = std::string(), real = 0.0, truth = false, whole = int64_t{0};
   if (!any(text.index()) && any(truth.index()) && (any(whole.index()) || any(real.index())))
-    return absl::InvalidArgumentError("numbers and truth values in one list");
+    return absl::InvalidArgumentError("a list cannot mix numbers and truth values");
   const TemplateValue* const type = any(text.index())                          ? &text
                                     : any(real.index()) && !any(truth.index()) ? &real
                                                                                : nullptr;
@@ -139,7 +139,7 @@ class Runner {
     const auto index = names_.IndexOf(statement.index[0]);
     if (!index.ok()) return index.status();
     if (statement.right != Statement::Right::kValue || !variable->is_list)
-      return absl::InvalidArgumentError("\"" + statement.text + "\" is no list of lists");
+      return absl::InvalidArgumentError("\"" + statement.text + "\" is not a list of lists");
     auto value = names_.Evaluate(statement.values[0]);
     if (!value.ok()) return value.status();
     if (!index->has_value()) return ForgetItems(*variable);

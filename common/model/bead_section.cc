@@ -22,10 +22,12 @@ Coord Spacing(Coord width_nm, Coord height_nm) {
 absl::Status CheckSpacing(std::string_view setting, Coord width_nm, Coord height_nm) {
   if (Spacing(width_nm, height_nm) > 0) return absl::OkStatus();
   const double width_mm = ToMm(static_cast<double>(width_nm));
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("{} = {} mm leaves no spacing between beads of layers of {} mm",
-                               setting, width_mm, ToMm(static_cast<double>(height_nm))),
-                   {{"setting", std::string(setting)}, {"value", fmt::format("{}", width_mm)}});
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+      fmt::format(
+          "{} = {} mm is too narrow for a layer height of {} mm: lines would have no spacing",
+          setting, width_mm, ToMm(static_cast<double>(height_nm))),
+      {{"setting", std::string(setting)}, {"value", fmt::format("{}", width_mm)}});
 }
 
 Coord WidthForSpacing(Coord spacing_nm, Coord height_nm) {

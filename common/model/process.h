@@ -24,10 +24,10 @@ struct ProcessInfo {
 
 /// Table of all processes, in the order of Process.
 inline constexpr ProcessInfo kProcesses[] = {
-    {Process::kFdm, "fdm", "Filament is laid down in beads; the result is G-code"},
-    {Process::kLaser, "laser", "A laser scans each layer's area, in powder or resin"},
-    {Process::kMill, "mill", "A cutter mills a part out of its stock, in three axes"},
-    {Process::kEngrave, "engrave", "A texture is worked onto a curved surface or into it"},
+    {Process::kFdm, "fdm", "Filament is extruded in layers; the result is G-code"},
+    {Process::kLaser, "laser", "A laser scans the area of each layer, in powder or resin"},
+    {Process::kMill, "mill", "A cutter mills a part out of its stock, with three axes"},
+    {Process::kEngrave, "engrave", "A texture is engraved into a curved surface or built up on it"},
 };
 
 /// Process of jobs that name none.

@@ -26,26 +26,19 @@ void AddVersion(CLI::App& app, CommandContext& context) {
 namespace {
 
 constexpr char kDescription[] =
-    "slicefarm turns 3D models into G-code: here (slice), or on a farm (submit).";
+    "slicefarm turns 3D models into G-code: on this machine (slice) or on a farm (submit).";
 
 constexpr char kFooter[] =
-    "`slicefarm COMMAND --help` tells more, with examples. To begin with:\n"
-    "  slicefarm slice part.stl -o part.gcode\n"
-    "  slicefarm slice part.stl -o part.gcode --config prusa.ini --set fill_density=30%\n"
-    "  slicefarm render part.gcode --layer 12 -o layer.png\n"
-    "\n"
-    "Exit codes:\n"
-    "  0  done\n"
-    "  1  a fault of slicefarm's own; of `check`: the file has findings\n"
-    "  2  wrong command line, or an input file that cannot be read\n"
-    "  3  a setting is unknown, malformed or out of range\n"
-    "  4  the model cannot be read, does not fit or has nothing to print\n"
-    "  5  the server cannot be reached, or not in time\n"
-    "  6  the job failed on the server, or its bytes are spoilt there\n"
-    "  7  cancelled\n"
-    "  8  no such job, or it has no result\n"
-    "  9  the output cannot be written\n"
-    "  10 the farm takes no more at the moment (--patience S waits): quota, queue or disk";
+    "`slicefarm COMMAND --help` explains a command, with examples. To begin with:\n  slicefarm "
+    "slice part.stl -o part.gcode\n  slicefarm slice part.stl -o part.gcode --config prusa.ini "
+    "--set fill_density=30%\n  slicefarm render part.gcode --layer 12 -o layer.png\n\nExit "
+    "codes:\n  0  success\n  1  an internal error of slicefarm; for `check`: the file has "
+    "findings\n  2  wrong command line, or an input file that cannot be read\n  3  a setting is "
+    "unknown, malformed or out of range\n  4  the model cannot be read, does not fit or has "
+    "nothing to print\n  5  the server cannot be reached, or did not answer in time\n  6  the job "
+    "failed on the server, or its result is damaged there\n  7  cancelled\n  8  no such job, or it "
+    "has no result\n  9  the output cannot be written\n  10 the farm accepts no more jobs now "
+    "(--patience S waits): quota, queue or disk";
 
 constexpr AddCommand kCommands[] = {
     AddSlice,    AddSubmit, AddInspect, AddWatch,   AddList,       AddGet,    AddCancel,

@@ -312,7 +312,7 @@ INSTANTIATE_TEST_SUITE_P(
         FailureCase{"NoOutputOfALaser",
                     {"slice", "@cube.obj", "--machine", "laser"},
                     ExitCode::kUsage,
-                    "say which file the result goes to"},
+                    "the output file is not named"},
         FailureCase{"NoModelFile",
                     {"slice", "@none.stl", "-o", "@out.gcode"},
                     ExitCode::kUsage,
@@ -628,7 +628,8 @@ TEST_F(Program, SaysThatAServerIsNoCoordinator) {
   const Outcome outcome = Run({"list", "--server", "127.0.0.1:" + std::to_string(port)});
   EXPECT_EQ(outcome.code, ExitCode::kServerUnavailable);
   EXPECT_THAT(outcome.err, HasSubstr("the server has no such method"));
-  EXPECT_THAT(outcome.err, HasSubstr("is a coordinator of this version at that address?"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("check that a coordinator of this version runs at that address"));
 }
 
 TEST_F(Program, SaysThatAJobIsNotThere) {

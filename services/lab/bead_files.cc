@@ -52,11 +52,10 @@ bool ReadPoint(NumberReader& reader, Point& point) {
 }
 
 absl::Status NotOutlines(size_t ring) {
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
-      fmt::format("ring {} is not a number of points and as many pairs of coordinates, in mm and "
-                  "at most {} from 0",
-                  ring, kMaxMm));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
+                   fmt::format("ring {} is not a number of points followed by as many pairs of "
+                               "coordinates, in mm and at most {} from 0",
+                               ring, kMaxMm));
 }
 
 }  // namespace

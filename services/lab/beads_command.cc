@@ -70,44 +70,52 @@ cli::ExitCode Beads(const BeadsOptions& options) {
 }  // namespace
 
 void AddBeads(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command = app.add_subcommand("beads", "Walls of variable width for outlines");
+  CLI::App* command = app.add_subcommand("beads", "Make walls of variable width for outlines");
   const auto options = std::make_shared<BeadsOptions>();
-  command->add_option("DIR_OF_OUTLINES", options->outlines, "Its .txt files: outlines, in mm")
+  command
+      ->add_option("DIR_OF_OUTLINES", options->outlines,
+                   "Directory of .txt files with outlines, in mm")
       ->required();
-  command->add_option("-o,--output", options->output, "Where the beads go, by the same names")
+  command
+      ->add_option("-o,--output", options->output,
+                   "Directory for the beads, in files of the same names")
       ->required()
       ->type_name("DIR");
-  command->add_option("--width", options->beads.width_mm, "Of beads")
+  command->add_option("--width", options->beads.width_mm, "Extrusion width of the walls, in mm")
       ->check(cli::InRange(0.01, 10.0))
       ->capture_default_str()
       ->type_name("MM");
-  command->add_option("--min-feature", options->beads.min_feature_mm, "Thinner places get no bead")
+  command
+      ->add_option("--min-feature", options->beads.min_feature_mm,
+                   "Thickness below which parts of an outline get no wall, in mm")
       ->check(cli::InRange(0.001, 10.0))
       ->capture_default_str()
       ->type_name("MM");
   command
       ->add_option("--transition-angle", options->beads.transition_angle,
-                   "Sides that meet at less get beads of variable width between them")
+                   "Angle between opposite sides below which walls of variable width fill the "
+                   "wedge, in degrees")
       ->check(cli::InRange(1.0, 89.0))
       ->capture_default_str()
       ->type_name("DEGREES");
   command
-      ->add_option("--walls", options->beads.walls, "On either side; 0: as many as fill the part")
+      ->add_option("--walls", options->beads.walls,
+                   "Number of walls on either side; 0: as many as fill the part")
       ->check(cli::InRange(0, 1000))
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--threads", options->threads, "How many outlines at a time")
+  command
+      ->add_option("--threads", options->threads, "Number of outlines processed at the same time")
       ->check(cli::InRange(1, 256))
       ->capture_default_str()
       ->type_name("N");
   command->footer(
-      "An outline: two numbers (not used), then rings: number of points, x and y of each.\n"
-      "A bead: inset, 1 along the middle, 1 closed, number of points, x, y and width of each.\n"
-      "Prints what it took: `seconds` over all threads, files not counted, and what part of them\n"
-      "went into Voronoi diagrams; `fallbacks` are islands with walls of constant width instead.\n"
-      "Example:\n"
-      "  slicefarm-lab beads outlines -o beads --width 0.5 --min-feature 0.3 --transition-angle "
-      "45");
+      "Format of an outline: two unused numbers, then rings: number of points, x and y of "
+      "each.\nFormat of a bead: inset, 1 along the middle, 1 closed, number of points, x, y and "
+      "width of each.\nPrints times: `seconds` is the sum over all threads without file access, "
+      "`voronoi_seconds` the part\nspent in Voronoi diagrams; `fallbacks` counts islands with "
+      "walls of constant width instead.\nExample:\n  slicefarm-lab beads outlines -o beads --width "
+      "0.5 --min-feature 0.3 --transition-angle 45");
   command->callback([options, &context] { context.run = [options] { return Beads(*options); }; });
 }
 

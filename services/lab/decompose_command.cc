@@ -95,28 +95,32 @@ cli::ExitCode Decompose(const DecomposeCommandOptions& options) {
 }  // namespace
 
 void AddDecompose(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command = app.add_subcommand("decompose", "Convex pieces of a polygon");
+  CLI::App* command = app.add_subcommand("decompose", "Divide a polygon into convex pieces");
   const auto options = std::make_shared<DecomposeCommandOptions>();
-  command->add_option("FILE", options->file, "A .poly file, outlines, or `x y` a line")->required();
-  command->add_option("-o,--output", options->output, "Where the pieces go: `n x y x y ...` a line")
+  command
+      ->add_option("FILE", options->file, "Polygon: a .poly file, outlines, or one `x y` per line")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "File for the pieces: one `n x y x y ...` per line")
       ->required()
       ->type_name("FILE");
   command
-      ->add_option("--method", options->method,
-                   "bian: good shapes, by visibility and angles; optimal: fewest pieces, slow; "
-                   "approximate: fast; ymonotone: fast, of parts that are monotone in y")
+      ->add_option(
+          "--method", options->method,
+          "Method of division. bian: well-shaped pieces, by visibility and angles. optimal: fewest "
+          "pieces (slow). approximate: fast. ymonotone: fast, for parts that are monotone in y")
       ->check(cli::OneOf(cli::NamesOf(kMethods)))
       ->capture_default_str()
       ->type_name("NAME");
   command->footer(
-      "Prints rows: `worst_shape` is the greatest perimeter^2 / (4 pi area) of a piece, 1 for a\n"
-      "disc; `extra_points` are ends of cuts that are no corners; `replaced` are outlines that\n"
-      "Bian's method has cut, as the one asked for cannot. Bian's rule of 30 degrees holds\n"
-      "where a cut ends in a convex corner: `ruled_cuts` are so many, `min_ruled_angle_deg` is\n"
-      "their least angle there. `sharp_cuts` have an angle below 30 degrees at the end where the\n"
-      "rule does not hold. Pieces have the file's unit.\n"
-      "Example:\n"
-      "  slicefarm-lab decompose texas.poly -o pieces.txt");
+      "Prints rows: `worst_shape` is the largest perimeter^2 / (4 pi area) of a piece, 1 for a "
+      "disc;\n`extra_points` are ends of cuts that are not corners; `replaced` counts outlines "
+      "that Bian's\nmethod has cut because the requested one cannot. Bian's rule of 30 degrees "
+      "applies where a cut\nends in a convex corner: `ruled_cuts` counts these cuts, "
+      "`min_ruled_angle_deg` is the smallest\nangle there. `sharp_cuts` have an angle below 30 "
+      "degrees at the end where the rule does not\napply. Pieces have the unit of the "
+      "file.\nExample:\n  slicefarm-lab decompose texas.poly -o pieces.txt");
   command->callback(
       [options, &context] { context.run = [options] { return Decompose(*options); }; });
 }

@@ -180,7 +180,7 @@ cli::ExitCode Fill(const FillOptions& options) {
   if (info->planned) {
     return cli::Fail(MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-        fmt::format("{} is laid out over all layers of a part, by slicefarm slice", info->name)));
+        fmt::format("{} is planned over all layers of a part: use slicefarm slice", info->name)));
   }
   const std::optional<double> density = ReadDensity(options.density);
   if (!density) {
@@ -213,50 +213,60 @@ cli::ExitCode Fill(const FillOptions& options) {
 }  // namespace
 
 void AddFill(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command = app.add_subcommand("fill", "Infill of outlines, by any pattern");
+  CLI::App* command = app.add_subcommand("fill", "Fill outlines with any infill pattern");
   const auto options = std::make_shared<FillOptions>();
-  command->add_option("DIR_OF_OUTLINES", options->outlines, "Its .txt files: outlines, in mm")
+  command
+      ->add_option("DIR_OF_OUTLINES", options->outlines,
+                   "Directory of .txt files with outlines, in mm")
       ->required();
-  command->add_option("-o,--output", options->output, "Where the paths go, by the same names")
+  command
+      ->add_option("-o,--output", options->output,
+                   "Directory for the paths, in files of the same names")
       ->required()
       ->type_name("DIR");
-  command->add_option("--pattern", options->pattern, "As in fill_pattern")
+  command->add_option("--pattern", options->pattern, "Pattern, with the names of fill_pattern")
       ->capture_default_str()
       ->type_name("NAME");
   command
       ->add_option("--density", options->density,
-                   "20% or 0.2; 100%: solid, where the pattern can be")
+                   "Density, 20% or 0.2; 100%: solid, if the pattern supports it")
       ->capture_default_str()
       ->type_name("D");
-  command->add_option("--width", options->width_mm, "Of beads, which fill what they are wide")
+  command->add_option("--width", options->width_mm, "Extrusion width, in mm")
       ->check(cli::InRange(0.01, 10.0))
       ->capture_default_str()
       ->type_name("MM");
-  command->add_option("--angle", options->angle_degrees, "As fill_angle")
+  command
+      ->add_option("--angle", options->angle_degrees,
+                   "Direction of the lines, as fill_angle, in degrees")
       ->check(cli::InRange(-360.0, 360.0))
       ->capture_default_str()
       ->type_name("DEGREES");
-  command->add_option("--z", options->z_mm, "Height, for patterns that change with it")
+  command
+      ->add_option("--z", options->z_mm,
+                   "Height above the bed, in mm, for patterns that change with it")
       ->check(cli::InRange(0.0, 1000.0))
       ->capture_default_str()
       ->type_name("MM");
-  command->add_option("--layer", options->layer, "For patterns that turn from layer to layer")
+  command
+      ->add_option("--layer", options->layer,
+                   "Number of the layer, for patterns that turn from layer to layer")
       ->check(cli::InRange(0, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
   command->add_flag("--quality", options->quality,
-                    "Also: plastic, coverage, travel, isotropy and locality, and what they bound");
+                    "Report material, coverage, travel, isotropy and locality too, and bounds of "
+                    "stiffness and conductivity");
   command->footer(
-      "An outline: two numbers (not used), then rings: number of points, x and y of each.\n"
-      "A path: number of points, x and y of each; one a line.\n"
-      "Prints rows over all outlines: `components` are pieces of the region half a width inside,\n"
-      "`density_by_length` is length times width by area, links and anchors at their full width.\n"
-      "--quality: `density_got` is plastic by what would fill the region; `isotropy` 1 is\n"
-      "alike in all directions, 0 has one; `locality` is the greatest |p - q|^2 / path between, in "
-      "widths;\n"
-      "stiffness is a share of the material's, conductivity is for PLA (0.2 W/mK) in air (0.026).\n"
-      "Example:\n"
-      "  slicefarm-lab fill outlines -o paths --pattern gyroid --density 20%");
+      "Format of an outline: two unused numbers, then rings: number of points, x and y of "
+      "each.\nFormat of a path: number of points, x and y of each; one path per line.\nPrints rows "
+      "over all outlines: `components` are pieces of the region half a width "
+      "inside,\n`density_by_length` is length times width by area, links and anchors at their full "
+      "width.\n--quality: `density_got` is the material relative to a solid filling; `isotropy` is "
+      "1 for equal\nlength in all directions, 0 for one direction; `locality` is the largest |p - "
+      "q|^2 / path between, in widths;\nstiffness is a share of the material's, conductivity is "
+      "for PLA (0.2 W/mK) in air (0.026).\nExample:\n  slicefarm-lab fill outlines -o paths "
+      "--pattern gyroid --density 20%");
   command->callback([options, &context] { context.run = [options] { return Fill(*options); }; });
 }
 

@@ -84,23 +84,25 @@ cli::ExitCode FlattenSurface(const FlattenCommandOptions& options) {
 }  // namespace
 
 void AddFlatten(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("flatten", "Lay a curved surface flat, one to one and little distorted");
+  CLI::App* command = app.add_subcommand(
+      "flatten", "Flatten a curved surface into a map, one to one and with little distortion");
   const auto options = std::make_shared<FlattenCommandOptions>();
-  command->add_option("MESH", options->model, "OBJ, PLY or STL, in mm: one part, closed or not")
+  command
+      ->add_option("MESH", options->model,
+                   "Surface: OBJ, PLY or STL, in mm; one part, closed or open")
       ->required();
-  command->add_option("-o,--output", options->output, "The same surface as OBJ, with its map as vt")
+  command
+      ->add_option("-o,--output", options->output,
+                   "File for the same surface as OBJ, with its map as vt")
       ->required()
       ->type_name("UV.obj");
   command->add_flag("--no-seam", options->no_seam,
-                    "Refuse a surface that has to be cut: a closed one, or one with handles");
+                    "Refuse a surface that must be cut: a closed one, or one with handles");
   command->footer(
-      "No part of the map lies upon another. Distortion is the symmetric Dirichlet energy over 4,\n"
-      "by area: 1 of a surface that can be laid flat as it is. A closed surface is cut along a "
-      "short\n"
-      "seam, where a vertex has several vt.\n"
-      "Example:\n"
-      "  slicefarm-lab flatten mask.obj -o mask_uv.obj");
+      "The map does not overlap itself. Distortion is the symmetric Dirichlet energy over 4, by "
+      "area:\n1 for a surface that can be flattened without distortion. A closed surface is cut "
+      "along a short\nseam, where a vertex has several vt.\nExample:\n  slicefarm-lab flatten "
+      "mask.obj -o mask_uv.obj");
   command->callback(
       [options, &context] { context.run = [options] { return FlattenSurface(*options); }; });
 }

@@ -8,14 +8,12 @@ constexpr cli::AddCommand kCommands[] = {AddBeads,   AddFill,      AddDecompose,
                                          AddFlatten, AddWaterline, AddSupportLab};
 
 constexpr char kDescription[] =
-    "slicefarm-lab runs one algorithm of slicefarm on a file of its own, to judge it without a "
-    "job.";
+    "slicefarm-lab runs one algorithm of slicefarm on a file, to examine it without a job.";
 
 constexpr char kFooter[] =
-    "`slicefarm-lab COMMAND --help` tells more, with an example. Exit codes are those of "
-    "slicefarm:\n"
-    "0 done, 1 a fault of slicefarm's own, 2 wrong command line or input, 3 to 9 as `slicefarm\n"
-    "--help` lists them.";
+    "`slicefarm-lab COMMAND --help` explains a command, with an example. Exit codes are those of "
+    "slicefarm:\n0 success, 1 an internal error, 2 wrong command line or input, 3 to 9 as "
+    "`slicefarm --help`\nlists them.";
 
 }  // namespace
 }  // namespace slicefarm::lab

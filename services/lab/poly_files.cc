@@ -147,7 +147,7 @@ absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
   WordReader reader(words);
   std::vector<ReadRing> rings;
   const std::optional<int64_t> chains = ToCount(reader.Next());
-  if (!chains) return NotPolygons("no number of chains");
+  if (!chains) return NotPolygons("the number of chains is missing");
   for (int64_t chain = 0; chain < *chains; ++chain) {
     const std::optional<int64_t> count = ToCount(reader.Next());
     const std::string_view kind = reader.Next();
@@ -167,7 +167,7 @@ absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
     }
     rings.push_back(std::move(ring));
   }
-  if (!reader.AtEnd()) return NotPolygons("there is more behind the last chain");
+  if (!reader.AtEnd()) return NotPolygons("there is text after the last chain");
   return rings;
 }
 

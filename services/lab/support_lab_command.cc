@@ -125,46 +125,51 @@ cli::ExitCode SupportLab(SupportLabOptions options) {
 }  // namespace
 
 void AddSupportLab(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("support-lab", "Supports of a model alone: pictures and figures");
+  CLI::App* command = app.add_subcommand(
+      "support-lab", "Plan the supports of a model only, with pictures and figures");
   const auto options = std::make_shared<SupportLabOptions>();
-  command->add_option("MODEL", options->model, "STL, OBJ or PLY, in mm; it stands as it is")
+  command
+      ->add_option("MODEL", options->model,
+                   "Model: STL, OBJ or PLY, in mm; its orientation is kept")
       ->required();
   command
       ->add_option("-o,--output", options->folder,
-                   "Where pictures go, and lab.gcode: walls and supports, for judges to read")
+                   "Directory for pictures and lab.gcode, which contains walls and supports")
       ->type_name("FOLDER");
-  command->add_option("--style", options->style, "Of supports")
+  command->add_option("--style", options->style, "Style of supports")
       ->check(cli::OneOf(std::vector<std::string>{"grid", "snug", "organic"}))
       ->capture_default_str();
-  command->add_option("--layer-height", options->layer_height_mm, "Of all layers")
+  command->add_option("--layer-height", options->layer_height_mm, "Height of all layers, in mm")
       ->check(cli::InRange(0.05, 1.0))
       ->capture_default_str()
       ->type_name("MM");
-  command->add_option("--gap", options->gap_mm, "Contact distance, above and below supports")
+  command->add_option("--gap", options->gap_mm, "Contact distance above and below supports, in mm")
       ->check(cli::InRange(0.0, 5.0))
       ->capture_default_str()
       ->type_name("MM");
   command
       ->add_option("--threshold", options->threshold_degrees,
-                   "Undersides less steep are carried, from level; 0: by the width of a wall")
+                   "Slope below which undersides are supported, from horizontal, in degrees; 0: by "
+                   "the width of a wall")
       ->check(cli::InRange(0.0, 89.0))
       ->type_name("DEGREES");
-  command->add_option("--interface-layers", options->how.top_interface_layers, "Dense ones on top")
+  command
+      ->add_option("--interface-layers", options->how.top_interface_layers,
+                   "Number of dense layers on top")
       ->check(cli::InRange(0, 100))
       ->capture_default_str();
-  command->add_flag("--build-plate-only", options->how.bed_only, "Nothing on the part");
-  command->add_option("--every", options->every, "A picture of each Nth layer; 0: none")
+  command->add_flag("--build-plate-only", options->how.bed_only,
+                    "Generate only supports that stand on the bed");
+  command->add_option("--every", options->every, "Interval of layers with a picture; 0: none")
       ->type_name("N");
   command->add_option("--threads", options->threads, "Threads")
       ->check(cli::InRange(1, 1024))
       ->capture_default_str()
       ->type_name("N");
   command->footer(
-      "Rows are volumes of the regions (not of the beads in them), what is not carried, and the\n"
-      "CPU time of planning.\n"
-      "Example:\n"
-      "  slicefarm-lab support-lab part.stl --style organic -o lab --every 20");
+      "Prints rows: the volumes of the regions (not of the lines in them), the unsupported area, "
+      "and\nthe CPU time of planning.\nExample:\n  slicefarm-lab support-lab part.stl --style "
+      "organic -o lab --every 20");
   command->callback(
       [options, &context] { context.run = [options] { return SupportLab(*options); }; });
 }

@@ -140,25 +140,32 @@ cli::ExitCode Tsp(const TspOptions& options) {
 }  // namespace
 
 void AddTsp(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command = app.add_subcommand("tsp", "A short tour of a travelling-salesman instance");
+  CLI::App* command =
+      app.add_subcommand("tsp", "Compute a short tour of a travelling-salesman instance");
   const auto options = std::make_shared<TspOptions>();
-  command->add_option("FILE.tsp", options->file, "As TSPLIB writes it")->required();
-  command->add_option("--seconds", options->seconds, "At most, beyond a first tour and a bound")
+  command->add_option("FILE.tsp", options->file, "Instance in TSPLIB format")->required();
+  command
+      ->add_option("--seconds", options->seconds,
+                   "Time limit in seconds, not counting a first tour and a bound")
       ->check(cli::InRange(0.0, 86400.0))
       ->capture_default_str()
       ->type_name("S");
-  command->add_option("--seed", options->seed, "Of the exchanges")
+  command->add_option("--seed", options->seed, "Seed of the random exchanges")
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--tour", options->tour, "Where the tour goes")->type_name("FILE");
-  command->add_option("--start", options->start, "nearest, greedy, insertion or christofides")
+  command->add_option("--tour", options->tour, "File for the tour")->type_name("FILE");
+  command
+      ->add_option("--start", options->start,
+                   "Construction of the first tour: nearest, greedy, insertion or christofides")
       ->transform(cli::OneOf(std::map<std::string, Start>{{"nearest", Start::kNearest},
                                                           {"greedy", Start::kGreedy},
                                                           {"insertion", Start::kInsertion},
                                                           {"christofides", Start::kChristofides}}))
       ->default_str("greedy")
       ->type_name("NAME");
-  command->add_option("--moves", options->depth, "none, 2opt (and Or-opt), 3opt or chains")
+  command
+      ->add_option("--moves", options->depth,
+                   "Improvement: none, 2opt (and Or-opt), 3opt or chains")
       ->transform(
           cli::OneOf(std::map<std::string, SearchDepth>{{"none", SearchDepth::kNone},
                                                         {"2opt", SearchDepth::kTwoOptAndOrOpt},
@@ -166,15 +173,15 @@ void AddTsp(CLI::App& app, cli::CommandContext& context) {
                                                         {"chains", SearchDepth::kChains}}))
       ->default_str("chains")
       ->type_name("NAME");
-  command->add_flag("--local", options->local, "Only moves, no exchanges");
-  command->add_flag("--bounds", options->bounds,
-                    "Also the lengths of the shortest spanning tree, and of a matching of its odd "
-                    "nodes");
+  command->add_flag("--local", options->local, "Use moves only, no exchanges");
+  command->add_flag(
+      "--bounds", options->bounds,
+      "Print the lengths of the minimum spanning tree and of a matching of its odd nodes too");
   command->footer(
-      "Prints rows: name n length lower_bound seconds. The lower bound is that of Held and Karp.\n"
-      "Work is counted in moves: the same seed gives the same tour unless the time is up before.\n"
-      "Example:\n"
-      "  slicefarm-lab tsp berlin52.tsp --seconds 1 --seed 7 --tour berlin52.tour");
+      "Prints rows: name n length lower_bound seconds. The lower bound is the Held-Karp "
+      "bound.\nWork is counted in moves: the same seed gives the same tour unless the time limit "
+      "ends it.\nExample:\n  slicefarm-lab tsp berlin52.tsp --seconds 1 --seed 7 --tour "
+      "berlin52.tour");
   command->callback([options, &context] { context.run = [options] { return Tsp(*options); }; });
 }
 

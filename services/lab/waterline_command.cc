@@ -71,49 +71,51 @@ cli::ExitCode Waterline(const WaterlineCommandOptions& options) {
 }  // namespace
 
 void AddWaterline(CLI::App& app, cli::CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("waterline", "Ways of a milling cutter around a model, level by level");
+  CLI::App* command = app.add_subcommand(
+      "waterline", "Compute toolpaths of a milling cutter around a model, level by level");
   const auto options = std::make_shared<WaterlineCommandOptions>();
-  command->add_option("MODEL", options->model, "STL, OBJ or PLY, in mm")->required();
+  command->add_option("MODEL", options->model, "Model: STL, OBJ or PLY, in mm")->required();
   command
       ->add_option("-o,--output", options->output,
-                   "Where the loops go: `z n x y x y ...` a line, closed without repeating the "
-                   "first point")
+                   "File for the loops: one `z n x y x y ...` per line, closed without repeating "
+                   "the first point")
       ->required()
       ->type_name("FILE");
   command
       ->add_option("--cutter", options->cutter,
-                   "cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
+                   "Cutter: cyl:D, ball:D, bull:D:CORNER, cone:D:ANGLE, ballcone:TIP:ANGLE:D, "
                    "bullcone:TIP:CORNER:ANGLE:D or conecone:TIP:TIP_ANGLE:ANGLE:D; diameters and "
-                   "corners in mm, half angles in degrees")
+                   "corner radii in mm, half angles in degrees")
       ->required()
       ->type_name("CUTTER");
-  command->add_option("--z", options->levels_mm, "Heights of the cutter's tip")
+  command->add_option("--z", options->levels_mm, "Heights of the cutter's tip, in mm")
       ->required()
       ->delimiter(',')
       ->type_name("MM,...");
-  command->add_option("--sampling", options->how.sampling_mm, "Distance of fibers")
+  command
+      ->add_option("--sampling", options->how.sampling_mm,
+                   "Distance between sampling lines (fibers), in mm")
       ->capture_default_str()
       ->type_name("MM");
   command
       ->add_option("--tolerance", options->how.tolerance_mm,
-                   "Points are put in where a loop leaves its chords by more; 0: nowhere")
+                   "Deviation from a chord beyond which a point is inserted into a loop, in mm; 0: "
+                   "none is inserted")
       ->capture_default_str()
       ->type_name("MM");
   command
       ->add_option("--least-sampling", options->how.least_sampling_mm,
-                   "But no points nearer than this")
+                   "Smallest distance between inserted points, in mm")
       ->capture_default_str()
       ->type_name("MM");
-  command->add_option("--threads", options->how.threads, "Threads")
+  command->add_option("--threads", options->how.threads, "Number of threads")
       ->check(cli::InRange(1, 1024))
       ->capture_default_str()
       ->type_name("N");
   command->footer(
-      "At every point of a loop the cutter touches the model; its tip must not go inside. Outer\n"
-      "loops run counter-clockwise, inner ones clockwise.\n"
-      "Example:\n"
-      "  slicefarm-lab waterline part.stl --cutter ball:4 --z 1.5,2.0 --sampling 0.2 -o loops.txt");
+      "The cutter touches the model at every point of a loop; its tip must not enter the loop. "
+      "Outer\nloops run counter-clockwise, inner loops clockwise.\nExample:\n  slicefarm-lab "
+      "waterline part.stl --cutter ball:4 --z 1.5,2.0 --sampling 0.2 -o loops.txt");
   command->callback(
       [options, &context] { context.run = [options] { return Waterline(*options); }; });
 }

@@ -32,7 +32,7 @@ def main():
         code = process.wait()
         log = open(f"{folder}/log").read()
         assert code == TAKES_NO_CONNECTIONS, (code, log)
-        assert "no new connection is taken any more" in log, log
+        assert "no new connections are accepted any more" in log, log
         assert '"msg":"stopped"' in log, log
         print("ended with", code)
 

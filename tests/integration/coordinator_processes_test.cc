@@ -244,7 +244,7 @@ TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
     std::string error;  ///< beginning of the error text
   };
   for (const Case& c :
-       {Case{some, "either --workers or "}, Case{half, "--beading, --infill and --ordering go "},
+       {Case{some, "either --workers or "}, Case{half, "--beading, --infill and --ordering must "},
         Case{{}, "--slicing is "},
         Case{{"--slicing", "a:1", "--motion", "a:1", "--workers", "a:1"}, "--planning is "},
         Case{with(some, {"--workers", "a:1", "--split-slots", "4"}), "--split-slots requires "},

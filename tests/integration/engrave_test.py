@@ -154,7 +154,7 @@ def check_refusals(program, folder):
         (roof, [*engraving, "--texture", folder / "none.png"], "none.png"),
         (roof, [*engraving, "--set", "perimeters=3"], "process fdm"),
         (roof, [*engraving, "--copies", "roof.obj=2"], "one copy"),
-        (broken, engraving, "do not hang together"),
+        (broken, engraving, "separate parts"),
         (roof, ["--texture", "bumps"], "--machine engrave"),
         (roof, [*engraving, "--format", "stl", "--set", "displaced_edge=0.0015", "--texture", "bumps"], "triangles"),
     ):

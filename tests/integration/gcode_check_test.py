@@ -92,9 +92,9 @@ FAULTS = {
     "unknown command": (r"G1 X.*E", lambda line: ["M98765", line], "M98765"),
     "outside": (r"G1 X.*E", lambda line: ["G1 X999 Y50", line], "outside"),
     "below the bed": (r"G1 Z", lambda line: ["G1 Z-1", line], "outside"),
-    "thick bead": (r"G1 X.*E", lambda line: [re.sub(r"E\S+", "E50", line)], "a bead of"),
+    "thick bead": (r"G1 X.*E", lambda line: [re.sub(r"E\S+", "E50", line)], "a line with a section of"),
     "no restart": (r"G1 E\.?\d", lambda line: [], "retracted by"),
-    "no retraction": (r"G1 E-", lambda line: [], "without a retraction"),
+    "no retraction": (r"G1 E-", lambda line: [], "without a preceding retraction"),
     "malformed": (r"G1 X\S+ Y.*E", lambda line: [line.replace("Y", "Y-.")], "cannot be read"),
     "no speed": (r"G1 X.*E", lambda line: [line + " F0"], "F0"),
     "bad arc": (r"G1 X.*E", lambda line: ["G2 X100 Y100 I3 J0", line], "an arc begins"),
@@ -112,7 +112,7 @@ def faults_are_found(program, corpus, folder):
         code, text = check(program, bad, "marlin")
         findings = [line for line in text.splitlines() if line.startswith("line ")]
         assert code == 1 and any(want in line for line in findings), f"{name}: {text[:1000]}"
-        if want in ("M98765", "outside", "a bead of", "F0", "an arc begins"):
+        if want in ("M98765", "outside", "a line with a section of", "F0", "an arc begins"):
             assert f"line {number}:" in text, f"{name}: not in line {number}: {text[:1000]}"
     bad.write_text("\n".join("; filament used [mm] = 1.00" if "filament used [mm]" in line else line for line in lines))
     code, text = check(program, bad, "marlin")

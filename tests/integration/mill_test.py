@@ -99,9 +99,9 @@ def check_refusals(program, models, folder):
             (box, ["cutter=drill:6"], "bull:D:CORNER"),
             (box, ["cutter=cyl:60"], "wider than the stock"),
             (box, ["cutter=conecone:2:20:60:6"], "steeper"),
-            (box, ["cutter=cyl:4", "bottom=9"], "no level of the part"),
-            (box, ["cutter=cyl:4", "tool_length=3"], "3 mm long"),
-            (box, ["cutter=cyl:4", "stock=blank.obj"], "is the name of no object"),
+            (box, ["cutter=cyl:4", "bottom=9"], "leaves no level to mill"),
+            (box, ["cutter=cyl:4", "tool_length=3"], "tool_length = 3 mm"),
+            (box, ["cutter=cyl:4", "stock=blank.obj"], "is not the name of an object"),
             (box, ["cutter=cyl:4", "output_format=svg", "output_step=99999"], "output_step"),
             (box, ["perimeters=3"], "process fdm"),
             (opened, ["cutter=cyl:4"], "not closed")):

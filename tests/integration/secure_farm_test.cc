@@ -186,10 +186,10 @@ TEST_F(SecureFarmTest, TheCommandLineSubmitsAndIsToldWhatIsWrong) {
   EXPECT_EQ(List(TlsFlags(tenant_a_)).code, 0);
   const Outcome without = List(TlsFlags(nobody_));
   EXPECT_EQ(without.code, 5);
-  EXPECT_THAT(without.error, testing::HasSubstr("want a client certificate (--tls-cert"));
+  EXPECT_THAT(without.error, testing::HasSubstr("require a client certificate (--tls-cert"));
   const Outcome plain = List({});
   EXPECT_EQ(plain.code, 5);
-  EXPECT_THAT(plain.error, testing::HasSubstr("may want TLS (--tls-ca)"));
+  EXPECT_THAT(plain.error, testing::HasSubstr("may require TLS (--tls-ca)"));
   const Outcome late = List(TlsFlags(certs_.Make("tenant/late", 0)));
   EXPECT_EQ(late.code, 2);
   EXPECT_THAT(late.error, testing::HasSubstr("tenant-late/cert.pem expired on "));
@@ -198,7 +198,7 @@ TEST_F(SecureFarmTest, TheCommandLineSubmitsAndIsToldWhatIsWrong) {
   EXPECT_EQ(role.error, "the certificate is spiffe://slicefarm/worker's, and no tenant's");
   const Outcome stranger = List(TlsFlags(certs_.Make("tenant/stranger")));
   EXPECT_EQ(stranger.code, 2);
-  EXPECT_EQ(stranger.error, "the certificate's tenant is not known");
+  EXPECT_EQ(stranger.error, "the tenant of the certificate is unknown");
   rpc::DevCerts others;
   rpc::TlsFiles forged = others.Make("tenant/a");
   forged.ca = tenant_a_.ca;
@@ -246,10 +246,10 @@ TEST_F(SecureFarmTest, TokensDecideWhereCertificatesAreOptional) {
   EXPECT_EQ(none.error, "a token is needed: `authorization: Bearer TOKEN`");
   const Outcome wrong = List(TlsFlags(nobody_) + token_file("a-3"));
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_EQ(wrong.error, "the token is not known, or not any more");
+  EXPECT_EQ(wrong.error, "the token is unknown or has expired");
   const Outcome mixed = List(TlsFlags(tenant_b_) + token_file("a-1"));
   EXPECT_EQ(mixed.code, 2);
-  EXPECT_EQ(mixed.error, "token and certificate are of two tenants");
+  EXPECT_EQ(mixed.error, "token and certificate belong to different tenants");
 
   Client reader(coordinator_->address, nobody_, "a-2");
   const absl::Status scope = reader.Upload(mesh_).status();
@@ -407,7 +407,7 @@ TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
     EXPECT_NE(process.AwaitLine(line), "") << line;
     EXPECT_NE(process.Wait(), 0);
   };
-  refusal({"--tenants", tenants_file_, "--listen", "0.0.0.0:0"}, "--tenants without --tls-cert: ");
+  refusal({"--tenants", tenants_file_, "--listen", "0.0.0.0:0"}, "--tenants needs --tls-cert: ");
   refusal(TlsFlags(files) + Arguments{"--client-certs", "optional"}, "--client-certs optional ");
   refusal({"--tls-cert", files.cert, "--tls-key", files.key}, "--tls-cert requires ");
   refusal({"--tls-ca", files.ca}, "--tls-ca requires ");

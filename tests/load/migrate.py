@@ -93,7 +93,7 @@ def measure(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rows", type=int, default=1_000_000)
-    parser.add_argument("--seconds", type=float, default=20, help="before the migration")
+    parser.add_argument("--seconds", type=float, default=20, help="Seconds of load before the migration")
     rows = measure(parser.parse_args())
     while True:
         try:

@@ -67,10 +67,10 @@ struct VirtualWorker {
 
 int main(int argc, char** argv) {
   using namespace slicefarm;
-  CLI::App app("Workers that sleep");
+  CLI::App app("Run virtual workers that sleep instead of slicing");
   int count = 64;
   double layer_ms = 50;
-  app.add_option("--count", count, "Workers, of one slot each")
+  app.add_option("--count", count, "Number of workers, with one slot each")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--layer-ms", layer_ms, "Milliseconds that a layer takes")->capture_default_str();

@@ -54,7 +54,7 @@ Variant BesideSqlite(const std::filesystem::path& directory) {
     }
     auto sqlite = OpenSqliteJobStore(directory / "jobs.db");
     if (!sqlite.ok()) {
-      world.Violated("no SQLite store: {}", sqlite.status().ToString());
+      world.Violated("SQLite store failed: {}", sqlite.status().ToString());
       return nullptr;
     }
     return std::make_unique<TwinStore>(world, store, *std::move(sqlite));
@@ -67,15 +67,16 @@ Variant BesideSqlite(const std::filesystem::path& directory) {
 
 int main(int argc, char** argv) {
   using namespace slicefarm::coordinator::sim;
-  CLI::App app("The coordinator's scheduler and job states under simulated faults");
+  CLI::App app("Simulate the coordinator's scheduler and job states under faults");
   int64_t seeds = 1000;
   uint64_t seed = 0;
   bool trace = false;
   std::string sqlite;
-  auto* count = app.add_option("--seeds", seeds, "how many: 1 to N")->check(CLI::PositiveNumber);
-  auto* one = app.add_option("--seed", seed, "only this one")->excludes(count);
-  app.add_flag("--trace", trace, "tell what happens")->needs(one);
-  app.add_option("--sqlite", sqlite, "check a SQLite store in this directory as well")
+  auto* count = app.add_option("--seeds", seeds, "Number of seeds to run: 1 to N")
+                    ->check(CLI::PositiveNumber);
+  auto* one = app.add_option("--seed", seed, "Single seed to run")->excludes(count);
+  app.add_flag("--trace", trace, "Print the events of the simulation")->needs(one);
+  app.add_option("--sqlite", sqlite, "Directory in which a SQLite store is checked as well")
       ->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv);
   const Variant variant = sqlite.empty() ? Variant() : BesideSqlite(sqlite);

@@ -67,7 +67,7 @@ SharedCache::Value SharedCache::TakeAny(const std::string& digest, std::string_v
     if (found == by_digest_.end()) {
       ++counts_.misses;
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kSharedMissing,
-                       fmt::format("{} of digest {} is not kept here", kind, digest),
+                       fmt::format("{} with digest {} is not stored here", kind, digest),
                        {{"digest", digest}});
     }
     ++counts_.hits;
@@ -75,9 +75,10 @@ SharedCache::Value SharedCache::TakeAny(const std::string& digest, std::string_v
     entry = entries_.front();
   }
   if (entry->kind != kind)
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     fmt::format("what was sent as {} is asked for as {}", entry->kind, kind),
-                     {{"field", "shared"}});
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+        fmt::format("the bytes were sent as {} but requested as {}", entry->kind, kind),
+        {{"field", "shared"}});
   const std::lock_guard lock(entry->mutex);
   if (!entry->value.has_value()) {
     Value value = read(entry->bytes);

@@ -93,17 +93,17 @@ std::string_view QuotedPart(std::string_view text) {
 /// Checks that the text is not from OrcaSlicer or Bambu Studio. Their presets are JSON with only
 /// the differences from another preset. Their G-code quotes settings under other names.
 absl::Status CheckNotOrca(std::string_view text) {
-  constexpr std::string_view kUse = "; save the project as 3MF, and slice that";
+  constexpr std::string_view kUse = "; save the project as 3MF and slice that file";
   if (Trim(text).starts_with('{')) {
-    return Malformed(1,
-                     fmt::format("this is JSON, as OrcaSlicer and Bambu Studio keep presets, and "
-                                 "no config.ini{}",
-                                 kUse));
+    return Malformed(
+        1, fmt::format("this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini{}",
+                       kUse));
   }
   if (HasLine(text, "; CONFIG_BLOCK_START")) {
-    return Malformed(1, fmt::format("this is G-code of OrcaSlicer or Bambu Studio, whose settings "
-                                    "have other names{}",
-                                    kUse));
+    return Malformed(
+        1, fmt::format(
+               "this is G-code of OrcaSlicer or Bambu Studio, which has other names for settings{}",
+               kUse));
   }
   return absl::OkStatus();
 }
@@ -151,7 +151,8 @@ absl::StatusOr<std::vector<Setting>> ReadIni(std::string_view text) {
   const bool gcode = LooksLikeGcode(text);
   auto settings = gcode ? ReadQuoted(text) : ReadLines(text);
   if (settings.ok() && settings->empty()) {
-    return Malformed(1, gcode ? "this G-code quotes no settings" : "there are no settings in it");
+    return Malformed(
+        1, gcode ? "this G-code file contains no settings" : "the file contains no settings");
   }
   if (settings.ok() && IsSuperSlicers(text)) return FromSuperSlicer(*std::move(settings));
   return settings;

@@ -132,7 +132,7 @@ absl::StatusOr<size_t> ChosenPlate(const Project& project, int plate) {
   if (plate > 0) return static_cast<size_t>(plate) - 1;
   const auto is_used = [](const ProjectPlate& each) { return !each.members.empty(); };
   if (std::ranges::count_if(project.plates, is_used) > 1) {
-    return NotAPlate(project, "the project has several plates, and a job prints one; choose from " +
+    return NotAPlate(project, "the project has several plates, but a job prints one; choose from " +
                                   PlatesText(project));
   }
   const auto used = std::ranges::find_if(project.plates, is_used);
@@ -167,7 +167,7 @@ std::vector<MissingFeature> MissingOn(const Project& project, size_t plate) {
                            project.objects[static_cast<size_t>(object)].name);
   if (names.empty()) return {};
   return {{std::string(kPaintedFilaments),
-           "filaments are painted on " + names + ", and a job prints with one",
+           "several filaments are painted on " + names + ", but a job prints with one",
            {{"objects", names}}}};
 }
 
@@ -236,7 +236,7 @@ absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
   job.objects = ObjectsOn(project, *chosen);
   if (job.objects.empty()) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                     fmt::format("plate {} has no object that is to be printed", *chosen + 1));
+                     fmt::format("plate {} has no object to print", *chosen + 1));
   }
   job.settings = std::move(project.settings);
   if (!project.plates.empty())

@@ -10,7 +10,7 @@ namespace slicefarm::config {
 namespace {
 
 constexpr std::string_view kNotYet = "not supported yet";
-constexpr std::string_view kSeveral = "not supported yet; prints with one extruder do without";
+constexpr std::string_view kSeveral = "not supported yet; prints with one extruder do not need it";
 constexpr std::string_view kProfile = "describes the profile, not the print";
 constexpr std::string_view kSending = "concerns sending files to a printer";
 constexpr std::string_view kResin = "concerns resin printers";
@@ -81,13 +81,13 @@ constexpr Group kGroups[] = {
      "printer_notes "
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version "
      "variable_layer_height"},
-    {"decides between several tools, and one prints", "idle_temperature"},
-    {"the widths that it has led to are written beside it", "automatic_extrusion_widths"},
-    {"interfaces of supports end in a loop anyway", "support_material_interface_contact_loops"},
+    {"chooses between several tools, but a job prints with one", "idle_temperature"},
+    {"its results are stored in the width settings", "automatic_extrusion_widths"},
+    {"support interfaces always end in a loop", "support_material_interface_contact_loops"},
     {kProfile, "compatible_*", false},
     {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
     {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},
-    {"--threads is the option here", "threads", false},
+    {"the option --threads replaces it", "threads", false},
 };
 
 std::vector<KnownKey> MakeKnownKeys() {

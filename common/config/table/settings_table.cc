@@ -203,7 +203,7 @@ absl::Status CheckRange(const SettingSpec& spec, double number, std::string_view
   if (spec.min <= number && number <= spec.max) return absl::OkStatus();
   const std::string comes_to =
       spec.kind == Kind::kNumberOrPercent && written.ends_with("%") && number >= 0
-          ? fmt::format(" (which comes to {})", PrintNumber(number))
+          ? fmt::format(" (that is, {})", PrintNumber(number))
           : "";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                    fmt::format("{} = {}{} is out of range: it must be {}{}{}", spec.key, written,

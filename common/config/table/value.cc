@@ -55,8 +55,8 @@ PictureFormat MadeFormat(std::string_view name) {
 absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "/");
   if (parts.size() > 2 || (parts.size() == 2 && !IsPictureFormat(parts[1]))) {
-    return Malformed(
-        fmt::format("'{}': the format is none of {}", text, absl::StrJoin(kPictureFormats, ", ")));
+    return Malformed(fmt::format("'{}': the format must be one of {}", text,
+                                 absl::StrJoin(kPictureFormats, ", ")));
   }
   const std::vector<std::string_view> sides = Split(parts[0], "x");
   if (sides.size() != 2) return Malformed(fmt::format("'{}' is not WIDTHxHEIGHT", text));

@@ -189,7 +189,7 @@ absl::Status BinaryGcodeReader::Add(std::string_view bytes) {
 }
 
 absl::Status BinaryGcodeReader::TakeHeader() {
-  if (!IsBinaryGcode(held_)) return absl::InvalidArgumentError("this is no binary G-code");
+  if (!IsBinaryGcode(held_)) return absl::InvalidArgumentError("this is not binary G-code");
   const uint32_t version = NumberAt(held_, 4, 4), checksum = NumberAt(held_, 8, 2);
   if (version != 1 || checksum > 1)
     return absl::InvalidArgumentError(
@@ -208,7 +208,7 @@ absl::Status BinaryGcodeReader::TakeBlocks() {
     const std::string_view rest = std::string_view(held_).substr(begin);
     const int64_t offset = held_at_ + static_cast<int64_t>(begin);
     if (head->size > kMostBlockBytes || head->stored > kMostBlockBytes)
-      return Broken(offset, "is larger than any can be");
+      return Broken(offset, "is larger than allowed");
     if (rest.size() < head->end) break;
     const std::string_view whole = rest.substr(0, head->end);
     if (has_checksums_ && !IsIntact(whole)) return Broken(offset, "has a wrong checksum");
@@ -233,7 +233,7 @@ absl::Status BinaryGcodeReader::End() const {
 }
 
 absl::StatusOr<std::string> TextOf(const BinaryBlock& block) {
-  if (block.type != kGcode) return absl::InvalidArgumentError("this block is no G-code");
+  if (block.type != kGcode) return absl::InvalidArgumentError("this block does not contain G-code");
   std::string lines = block.data;
   if (block.parameters[0] != 0) {
     auto unpacked = MeatUnpack(block.data);

@@ -168,7 +168,7 @@ class BitReader {
 }  // namespace
 
 absl::StatusOr<std::string> Unheatshrink(std::string_view stream, size_t size, int window_bits) {
-  const auto broken = [] { return absl::InvalidArgumentError("is no Heatshrink stream"); };
+  const auto broken = [] { return absl::InvalidArgumentError("is not a Heatshrink stream"); };
   BitReader in(stream);
   std::string bytes;
   bytes.reserve(size);

@@ -115,7 +115,7 @@ class Unpacker {
     for (size_t at = 0; at < packed.size();) {
       if (packed.substr(at).starts_with(kSignal)) {
         if (at + kSignal.size() == packed.size() || !Obey(packed[at + kSignal.size()]))
-          return absl::InvalidArgumentError("has a command that MeatPack does not know");
+          return absl::InvalidArgumentError("contains an unknown MeatPack command");
         at += kSignal.size() + 1;
         continue;
       }

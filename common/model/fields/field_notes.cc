@@ -32,18 +32,18 @@ std::vector<std::string> FieldNotes(const DensityField& field, FillPattern patte
                                     double spacing_mm) {
   std::vector<std::string> notes;
   if (field.dither != Dither::kNone) {
-    notes.push_back(fmt::format(
-        "density_field: cells of {:g} mm that are filled or empty are as dense as asked for on "
-        "average, not to 5 % in each 5 mm; without dither they would be",
-        field.cell_mm));
+    notes.push_back(
+        fmt::format("density_field: with dither, cells of {:g} mm have the requested density on "
+                    "average only, not within 5 % in each 5 mm; omit dither for that",
+                    field.cell_mm));
     return notes;
   }
   const double most = MostEvenPitchMm(pattern);
   if (most > 0 && field.Least() * most < spacing_mm)
-    notes.push_back(fmt::format(
-        "density_field: where it asks for less than {:.0f} %, the lines of {} are more than {:g} "
-        "mm apart, and cells of 5 mm are off by more than 5 % on average",
-        100 * spacing_mm / most, InfoOf(pattern).name, most));
+    notes.push_back(
+        fmt::format("density_field: below {:.0f} %, the lines of {} are more than {:g} mm apart, "
+                    "so that the density of 5 mm cells deviates by more than 5 % on average",
+                    100 * spacing_mm / most, InfoOf(pattern).name, most));
   return notes;
 }
 

@@ -49,7 +49,7 @@ class Reader {
     if (!status_.ok()) return;
     for (const auto& [key, value] : json_.items()) {
       if (std::ranges::find(known, key) == known.end())
-        Fail(fmt::format("there is no entry '{:.60}'; known here: {}", key,
+        Fail(fmt::format("unknown entry '{:.60}'; known entries: {}", key,
                          absl::StrJoin(known, ", ")));
     }
   }
@@ -90,7 +90,7 @@ class Reader {
     const auto got = static_cast<int64_t>(entry->size());
     if (size >= 0 ? got != size : got < 1)
       Fail(fmt::format("{} has {} numbers: it must have {}", key, got,
-                       size >= 0 ? std::to_string(size) : "one at least"));
+                       size >= 0 ? std::to_string(size) : "at least one"));
     for (const Json& item : *entry) {
       if (!status_.ok()) break;
       numbers.push_back(NumberOf(item, key, min, max));
@@ -118,7 +118,7 @@ class Reader {
   double NumberOf(const Json& json, const std::string& key, double min, double max) {
     const double number = json.is_number() ? json.get<double>() : NAN;
     if (!std::isfinite(number)) {
-      Fail(fmt::format("{} has what is not a finite number", key));
+      Fail(fmt::format("{} contains a number that is not finite", key));
     } else if (number < min || number > max) {
       Fail(fmt::format("{} has {:.6g}: it must be {:.6g} to {:.6g}", key, number, min, max));
     } else {
@@ -140,15 +140,15 @@ FieldGrid ReadNodes(Reader& reader) {
   if (!reader.status().ok()) return grid;
   double nodes = 1;
   for (size_t i = 0; i < 3; ++i) {
-    if (count[i] != std::floor(count[i])) reader.Fail("count has what is not a whole number");
+    if (count[i] != std::floor(count[i])) reader.Fail("count contains a number that is not whole");
     nodes *= count[i];
     grid.count[i] = static_cast<int32_t>(count[i]);
     grid.origin_mm[i] = origin[i];
     grid.spacing_mm[i] = spacing[i];
   }
   if (nodes > static_cast<double>(limits::kMaxFieldValues))
-    reader.Fail(
-        fmt::format("the grid has {:.0f} nodes: the limit is {}", nodes, limits::kMaxFieldValues));
+    reader.Fail(fmt::format("the grid has {:.0f} nodes, at most {} are allowed", nodes,
+                            limits::kMaxFieldValues));
   return grid;
 }
 
@@ -170,7 +170,7 @@ void ReadHeights(Reader& reader, DensityField& field) {
     if (numbers[1] < 0 || numbers[1] > 1)
       return reader.Fail(fmt::format("table has {:.6g}: it must be 0 to 1", numbers[1]));
     if (!field.at_mm.empty() && numbers[0] <= field.at_mm.back())
-      return reader.Fail("the heights of table do not ascend");
+      return reader.Fail("the heights of table must increase");
     field.at_mm.push_back(numbers[0]);
     field.values.push_back(numbers[1]);
   }
@@ -327,7 +327,9 @@ absl::StatusOr<StressField> ParseStressField(std::string_view text) {
   auto field = Parse(text, ReadStressField);
   if (field.ok() && field->xx.values == field->yy.values &&
       std::ranges::all_of(field->xy.values, [](double value) { return value == 0; }))
-    return Wrong("the stress is the same in all directions everywhere: no line could follow it");
+    return Wrong(
+        "the stress is the same in all directions everywhere, so that lines have no direction to "
+        "follow");
   return field;
 }
 
@@ -345,7 +347,7 @@ absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text) {
   const Json* parts = reader.List("parts");
   if (!reader.status().ok()) return reader.status();
   if (parts->size() < 2 || parts->size() > limits::kMaxMixedMaterials)
-    return Wrong(fmt::format("there are {} parts: there must be 2 to {}", parts->size(),
+    return Wrong(fmt::format("there are {} parts, but there must be 2 to {}", parts->size(),
                              limits::kMaxMixedMaterials));
   for (const Json& part : *parts) {
     Reader one(part);

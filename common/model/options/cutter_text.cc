@@ -48,7 +48,7 @@ absl::StatusOr<Cutter> ParseCutter(std::string_view text) {
       return kind.make(measures);
   }
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("the cutter '{}' is none of {}", text, kCutterForms),
+                   fmt::format("the cutter '{}' is not one of {}", text, kCutterForms),
                    {{"setting", "cutter"}});
 }
 

@@ -47,7 +47,7 @@ absl::StatusOr<std::vector<AngleStep>> ParseFillAngles(std::string_view text) {
       return Malformed(fmt::format("more than {} layers", kMaxAngleSteps));
     steps.insert(steps.end(), static_cast<size_t>(*count), *step);
   }
-  if (steps.empty()) return Malformed("there is none");
+  if (steps.empty()) return Malformed("the list is empty");
   return steps;
 }
 

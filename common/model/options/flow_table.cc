@@ -18,13 +18,14 @@ absl::StatusOr<FlowPoint> PointOf(std::string_view text) {
   const std::vector<std::string_view> parts = Split(Trim(text, "\" \t\r\n"), ",");
   const auto number = [&](size_t part) { return ToNumber(Trim(parts[part])); };
   if (parts.size() != 2 || !number(0) || !number(1))
-    return BadTable(fmt::format("'{}' is no LENGTH,FACTOR", text.substr(0, 20)));
+    return BadTable(fmt::format("'{}' is not LENGTH,FACTOR", text.substr(0, 20)));
   const FlowPoint point{*number(0) + 0.0, *number(1) + 0.0};  // no negative zeros
   if (!(0 <= point.length_mm && point.length_mm <= kMaxFlowLengthMm))
-    return BadTable(
-        fmt::format("a length of {} mm is not in 0 to {}", point.length_mm, kMaxFlowLengthMm));
+    return BadTable(fmt::format("a length of {} mm is not in the range 0 to {}", point.length_mm,
+                                kMaxFlowLengthMm));
   if (!(0 <= point.factor && point.factor <= kMaxFlowFactor))
-    return BadTable(fmt::format("a factor of {} is not in 0 to {}", point.factor, kMaxFlowFactor));
+    return BadTable(
+        fmt::format("a factor of {} is not in the range 0 to {}", point.factor, kMaxFlowFactor));
   return point;
 }
 
@@ -38,7 +39,7 @@ absl::StatusOr<FlowTable> ParseFlowTable(std::string_view text) {
     if (table.empty() && point->length_mm != 0) return BadTable("the first length is not 0");
     if (!table.empty() && point->length_mm <= table.back().length_mm)
       return BadTable(
-          fmt::format("{} mm does not lie above the length before it", point->length_mm));
+          fmt::format("the length {} mm is not greater than the one before it", point->length_mm));
     if (std::ssize(table) == kMaxFlowPoints)
       return BadTable(fmt::format("more than {} points", kMaxFlowPoints));
     table.push_back(*point);

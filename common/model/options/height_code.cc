@@ -53,7 +53,7 @@ absl::StatusOr<HeightCode> CodeOf(const HeightJson& entry) {
   if (!entry.is_object()) return BadCode("each item must be an object");
   for (const auto& [key, value] : entry.items())
     if (key != "z" && key != "type" && key != "text")
-      return BadCode(fmt::format("there is no entry '{:.40}'", key));
+      return BadCode(fmt::format("unknown entry '{:.40}'", key));
   const auto kind = KindOf(entry);
   if (!kind.ok()) return kind.status();
   const auto height = HeightOf(entry);
@@ -62,11 +62,11 @@ absl::StatusOr<HeightCode> CodeOf(const HeightJson& entry) {
   const auto text = entry.find("text");
   if (text == entry.end()) return code;
   if (!text->is_string() || !IsClean(text->get_ref<const std::string&>()))
-    return BadCode("text must be a text without control characters");
+    return BadCode("text must be a string without control characters");
   code.text = text->get<std::string>();
   const bool lines = code.text.find_first_of("\r\n") != std::string::npos;
   if (lines && code.kind != HeightCodeKind::kCustom)
-    return BadCode("a text other than G-code must be one line");
+    return BadCode("text must be one line, except for type custom");
   return code;
 }
 
@@ -83,7 +83,8 @@ absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text) 
       HeightJson::parse(text.begin(), text.end(), is_flat, /*allow_exceptions=*/false);
   if (!list.is_array()) return BadCode("it must be a JSON list");
   if (list.size() > kMaxHeightCodes)
-    return BadCode(fmt::format("{} items, and at most {} may be", list.size(), kMaxHeightCodes));
+    return BadCode(
+        fmt::format("the list has {} items, at most {} are allowed", list.size(), kMaxHeightCodes));
   for (const HeightJson& entry : list) {
     auto code = CodeOf(entry);
     if (!code.ok()) return code.status();

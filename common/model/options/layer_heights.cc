@@ -33,7 +33,7 @@ absl::StatusOr<std::vector<LayerHeightAt>> ParseLayerHeights(std::string_view te
           fmt::format("must have heights from {} to {} mm", kLowestMm, kHighestMm));
     const LayerHeightAt at = {FromMm(*z), FromMm(*height)};
     if (!heights.empty() && at.z_nm < heights.back().z_nm)
-      return absl::InvalidArgumentError("must not fall in z");
+      return absl::InvalidArgumentError("must not decrease in z");
     heights.push_back(at);
   }
   return heights;

@@ -47,7 +47,7 @@ absl::Status ClientCall::Outcome(const grpc::Status& status) const {
   }
   if (status.error_code() == grpc::StatusCode::CANCELLED) {
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                     "the server gave the call up: " + status.error_message());
+                     "the server cancelled the call: " + status.error_message());
   }
   return FromGrpc(status);
 }

@@ -36,10 +36,11 @@ absl::StatusOr<std::string> ReadToken(const ClientSecurity& security) {
   }
   absl::StripAsciiWhitespace(&token);
   for (const unsigned char c : token) {
-    if (!absl::ascii_isgraph(c)) return Refused("the token has characters that no token has");
+    if (!absl::ascii_isgraph(c))
+      return Refused("the token contains characters that a token cannot have");
   }
   if (token.empty() && !security.token_file.empty()) {
-    return Refused(security.token_file + " holds no token");
+    return Refused(security.token_file + " contains no token");
   }
   return token;
 }
@@ -47,14 +48,15 @@ absl::StatusOr<std::string> ReadToken(const ClientSecurity& security) {
 }  // namespace
 
 void AddTlsOptions(CLI::App& app, ClientSecurity* security) {
-  auto* ca = AddTlsCa(app, &security->tls,
-                      "Speak TLS, with a server whose certificate one of these CAs signed");
-  auto* cert = AddTlsCert(app, &security->tls, "This client's certificate");
-  auto* key = AddTlsKey(app, &security->tls, "Its key");
+  auto* ca = AddTlsCa(
+      app, &security->tls,
+      "CA certificates that sign the server's certificate; with it, the connection uses TLS");
+  auto* cert = AddTlsCert(app, &security->tls, "Certificate of this client");
+  auto* key = AddTlsKey(app, &security->tls, "Private key of the certificate");
   cert->needs(key)->needs(ca);
   key->needs(cert);
   app.add_option("--tls-server-name", security->server_name,
-                 "The name in the server's certificate, if it is not the host's")
+                 "Name in the server's certificate, if it differs from the host name")
       ->envname("SLICEFARM_TLS_SERVER_NAME")
       ->type_name("NAME")
       ->needs(ca);
@@ -63,7 +65,7 @@ void AddTlsOptions(CLI::App& app, ClientSecurity* security) {
 void AddTokenOptions(CLI::App& app, ClientSecurity* security) {
   security->with_token = true;
   app.add_option("--token-file", security->token_file,
-                 std::string("Holds the token that the server asks for; or the variable ") +
+                 std::string("File with the token that the server requires; or set the variable ") +
                      kTokenVariable + " does")
       ->envname("SLICEFARM_TOKEN_FILE")
       ->type_name("FILE");
@@ -88,21 +90,23 @@ absl::StatusOr<ChannelOptions> Secured(ChannelOptions options, const ClientSecur
 std::string ConnectionHint(const absl::Status& status, const ClientSecurity& security) {
   const absl::string_view message = status.message();
   if (absl::IsUnavailable(status) && absl::StrContains(message, "Connection refused"))
-    return ": nothing listens there";
+    return ": nothing listens at this address";
   const bool is_grpc = !absl::StrContains(message, "Failed parsing HTTP/2") &&
                        !absl::StrContains(message, "http1.x server");
   if (absl::IsUnavailable(status) && !is_grpc)
-    return "; what listens there is no gRPC server: is it the port of the metrics?";
+    return "; a program that is not a gRPC server listens there: is the port that of the metrics?";
   if (!absl::IsUnavailable(status) ||
       !(absl::StrContains(message, "Socket closed") ||
         absl::StrContains(message, "Connection reset") || absl::StrContains(message, "andshake"))) {
     return "";
   }
-  if (!security.tls.enabled()) return "; it may want TLS (--tls-ca)";
+  if (!security.tls.enabled()) return "; the server may require TLS (--tls-ca)";
   if (security.tls.has_certificate()) {
-    return absl::StrCat("; it may not speak TLS, or refuse the certificate ", security.tls.cert);
+    return absl::StrCat("; the server may not use TLS, or may refuse the certificate ",
+                        security.tls.cert);
   }
-  return "; it may not speak TLS, or want a client certificate (--tls-cert, --tls-key)";
+  return "; the server may not use TLS, or may require a client certificate (--tls-cert, "
+         "--tls-key)";
 }
 
 }  // namespace slicefarm::rpc

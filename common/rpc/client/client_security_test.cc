@@ -79,10 +79,10 @@ TEST_F(ClientSecurityTest, HintsFitTheFilesAtHand) {
   security_.tls.cert = "cert.pem";
   EXPECT_THAT(ConnectionHint(closed, security_), testing::HasSubstr("cert.pem"));
   EXPECT_EQ(ConnectionHint(absl::UnavailableError("Connection refused"), security_),
-            ": nothing listens there");
+            ": nothing listens at this address");
   for (const char* words : {"Failed parsing HTTP/2", "Trying to connect an http1.x server"})
     EXPECT_THAT(ConnectionHint(absl::UnavailableError(words), security_),
-                testing::HasSubstr("no gRPC server"));
+                testing::HasSubstr("not a gRPC server"));
   EXPECT_EQ(ConnectionHint(absl::InternalError("Socket closed"), security_), "");
 }
 

@@ -79,15 +79,15 @@ std::string CodeName(grpc::StatusCode code) {
 CallMetrics::CallMetrics(prometheus::Registry& registry)
     : started_(prometheus::BuildCounter()
                    .Name("grpc_server_started_total")
-                   .Help("Calls that came in")
+                   .Help("Received calls")
                    .Register(registry)),
       handled_(prometheus::BuildCounter()
                    .Name("grpc_server_handled_total")
-                   .Help("Calls that were answered, by status code")
+                   .Help("Answered calls, by status code")
                    .Register(registry)),
       handling_seconds_(prometheus::BuildHistogram()
                             .Name("grpc_server_handling_seconds")
-                            .Help("Time from a call's coming in to its answer")
+                            .Help("Time from receiving a call to its answer")
                             .Register(registry)) {}
 
 void CallMetrics::Started(const std::string& method) { started_.Add(Labels(method)).Increment(); }

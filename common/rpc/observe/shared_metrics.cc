@@ -29,19 +29,19 @@ ClientMetric Takes(const char* result, int64_t value) {
 std::vector<prometheus::MetricFamily> SharedMetrics::Collect() const {
   const SharedCache::Counts counts = cache_.counts();
   return {{"slicefarm_shared_bytes",
-           "Bytes kept of what jobs' calls have in common, as they came",
+           "Stored bytes of values that the calls of jobs share",
            MetricType::Gauge,
            {Gauge(counts.bytes)}},
           {"slicefarm_shared_values",
-           "Values kept of what jobs' calls have in common",
+           "Stored values that the calls of jobs share",
            MetricType::Gauge,
            {Gauge(counts.entries)}},
           {"slicefarm_shared_takes_total",
-           "Values that calls named: kept, or to be sent first",
+           "Values that calls referred to: stored, or to be sent first",
            MetricType::Counter,
            {Takes("hit", counts.hits), Takes("miss", counts.misses)}},
           {"slicefarm_shared_evictions_total",
-           "Values that had to go for newer ones",
+           "Values that were removed for newer ones",
            MetricType::Counter,
            {Counter(counts.evicted)}}};
 }

@@ -57,7 +57,7 @@ absl::StatusOr<std::shared_ptr<Authorizer>> Authorizer::Watch(const std::string&
 void Authorizer::Reload(const absl::StatusOr<std::string>& text) {
   auto policy = text.ok() ? AuthzPolicy::Parse(*text) : text.status();
   if (!policy.ok()) {
-    return log_.Error("the last authorization policy stays in force",
+    return log_.Error("the last authorization policy remains in use",
                       {{"error", std::string(policy.status().message())}});
   }
   {

@@ -104,7 +104,7 @@ absl::StatusOr<CallPeer> PeerOf(const grpc::ServerContextBase& context) {
     if (!named) return direct;
     return MakeError(absl::StatusCode::kPermissionDenied, Reason::kPermissionDenied,
                      std::string(kProxiedCertificate) + " and " + kProxiedAddress +
-                         " are the farm's proxy's to send");
+                         " may be sent only by the farm's proxy");
   }
   CallPeer client{.address = Metadata(context, kProxiedAddress).value_or(direct.address)};
   if (metadata.count(kProxiedCertificate) == 0) return client;

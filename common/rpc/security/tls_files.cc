@@ -39,7 +39,7 @@ absl::StatusOr<Certificate> ReadCertificate(const std::string& path) {
   if (!file.ok()) return file.status();
   Certificate certificate(PEM_read_bio_X509(file->get(), nullptr, &NoPassword, nullptr),
                           &X509_free);
-  if (certificate == nullptr) return BadFile(path, "holds no PEM certificate");
+  if (certificate == nullptr) return BadFile(path, "contains no PEM certificate");
   return certificate;
 }
 
@@ -47,7 +47,7 @@ absl::StatusOr<Key> ReadKey(const std::string& path) {
   const auto file = Open(path);
   if (!file.ok()) return file.status();
   Key key(PEM_read_bio_PrivateKey(file->get(), nullptr, &NoPassword, nullptr), &EVP_PKEY_free);
-  if (key == nullptr) return BadFile(path, "holds no PEM private key without a password");
+  if (key == nullptr) return BadFile(path, "contains no PEM private key without a password");
   return key;
 }
 
@@ -99,7 +99,7 @@ absl::StatusOr<std::time_t> CertificateExpiry(const TlsFiles& files) {
   if (!certificate.ok()) return certificate.status();
   std::tm until = {};
   if (ASN1_TIME_to_tm(X509_get0_notAfter(certificate->get()), &until) != 1) {
-    return BadFile(files.cert, "has no time of its end");
+    return BadFile(files.cert, "has no expiry time");
   }
   return timegm(&until);
 }

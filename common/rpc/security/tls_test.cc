@@ -255,7 +255,7 @@ TEST_F(TlsTest, APolicyInAFileIsReadAgainWhenItChanges) {
   write(kCoordinatorIdentity);
   while (!Call(channel).ok()) std::this_thread::yield();
   std::ofstream(path) << "{";
-  while (log_text_.str().find("stays in force") == std::string::npos) std::this_thread::yield();
+  while (log_text_.str().find("remains in use") == std::string::npos) std::this_thread::yield();
   EXPECT_TRUE(Call(channel).ok());
 }
 

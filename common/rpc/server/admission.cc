@@ -23,7 +23,7 @@ absl::StatusOr<Admission::Ticket> Admission::Enter(const CancelToken& cancel) {
   if (working_ >= slots_ && waiting_ >= queue_) {
     return MakeError(
         absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
-        "as many calls as this server takes are at work and waiting",
+        "the server is busy: it works on as many calls as it accepts, and its queue is full",
         {{"limit", std::to_string(slots_ + queue_)}, {kRetryAfterMs, std::to_string(kRetryAfter)}});
   }
   ++waiting_;

@@ -19,11 +19,11 @@ std::vector<prometheus::MetricFamily> GateMetrics::Collect() const {
   ClientMetric slots;
   slots.gauge.value = admission_.slots();
   return {{"slicefarm_calls",
-           "Heavy calls that are worked on, and that wait for their turn",
+           "Heavy calls that are processed or wait",
            MetricType::Gauge,
            {Calls("working", admission_.working()), Calls("waiting", admission_.waiting())}},
           {"slicefarm_call_slots",
-           "Heavy calls that are worked on at most",
+           "Largest number of heavy calls processed at the same time",
            MetricType::Gauge,
            {slots}}};
 }

@@ -58,15 +58,17 @@ int Serve(int argc, char** argv, const std::string& name, const std::string& abo
 }
 
 void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
-  auto* cert =
-      AddTlsCert(app, &flags->tls, "Serve with TLS: this server's certificate; also as a client's");
-  auto* key = AddTlsKey(app, &flags->tls, "Its key");
-  auto* ca = AddTlsCa(app, &flags->tls, "The CAs that sign its peers' certificates");
+  auto* cert = AddTlsCert(
+      app, &flags->tls,
+      "TLS certificate of this server, which it also uses as a client; without it, no TLS");
+  auto* key = AddTlsKey(app, &flags->tls, "Private key of the certificate");
+  auto* ca = AddTlsCa(app, &flags->tls,
+                      "CA certificates that sign the certificates of this server's peers");
   cert->needs(key)->needs(ca);
   key->needs(cert)->needs(ca);
   ca->needs(cert)->needs(key);
   app.add_option("--authz-policy", flags->policy_file,
-                 "Who may call what, instead of the policy that is built in (common/rpc)")
+                 "Authorization policy that replaces the built-in one (see common/rpc)")
       ->type_name("FILE")
       ->needs(ca);
 }
@@ -76,19 +78,19 @@ void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
 void AddServeFlags(CLI::App& app, ServeFlags* flags) {
   app.set_version_flag(
       "--version", fmt::format("slicefarm {} ({}) build {}", Version(), ReleaseDate(), BuildId()));
-  app.add_option("--listen", flags->server.listen, "Address to serve on; port 0 takes any free one")
+  app.add_option("--listen", flags->server.listen, "Address to serve on; port 0: any free port")
       ->capture_default_str();
   app.add_option("--metrics-port", flags->metrics_port,
-                 "Port for Prometheus (/metrics) and people; 0 takes any free one, -1 serves none")
+                 "Port for Prometheus (/metrics) and status pages; 0: any free port, -1: none")
       ->check(CLI::Range(-1, 65535))
       ->capture_default_str();
-  app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
+  app.add_option("--drain", flags->drain_s,
+                 "Seconds after SIGTERM in which calls in flight may end")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
-  app.add_option(
-         "--accept-patience", flags->accept_patience_s,
-         "Seconds after which a server that takes no new connections ends, with exit code 3, "
-         "so that it is started anew; 0: never")
+  app.add_option("--accept-patience", flags->accept_patience_s,
+                 "Seconds after which a server that can no longer accept connections ends with "
+                 "exit code 3, to be restarted; 0: never")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
   AddTlsFlags(app, flags);
@@ -114,7 +116,7 @@ absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credenti
     const ServeFlags& flags) const {
   if (!flags.tls.enabled()) {
     if (!IsLoopback(flags.server.listen)) {
-      log_.Warn("served without TLS: whoever reaches this address may call",
+      log_.Warn("served without TLS: everybody who reaches this address may call",
                 {{"address", flags.server.listen}});
     }
     return nullptr;
@@ -181,7 +183,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   if (flags.accept_patience_s > 0) {
     watch.emplace(fmt::format("{}:{}", host, (*server)->port()), flags.tls.enabled(),
                   std::chrono::seconds(flags.accept_patience_s), [&] {
-                    log_.Error("no new connection is taken any more: this process ends");
+                    log_.Error("no new connections are accepted any more: this process ends");
                     dead = true;
                     kill(getpid(), SIGTERM);
                   });

@@ -29,7 +29,7 @@ absl::Status Check(const v1::KeepStart& start) {
   if (start.kind().empty()) return Refused("start.kind", "is missing");
   if (start.size() < 0) return Refused("start.size", "is negative");
   if (start.size() > limits::kMaxSharedBytes)
-    return LimitError(Reason::kRequestTooLarge, "bytes that the calls of a job have in common",
+    return LimitError(Reason::kRequestTooLarge, "bytes that the calls of a job share",
                       limits::kMaxSharedBytes, start.size());
   return absl::OkStatus();
 }
@@ -70,7 +70,7 @@ class SharedService final : public v1::SharedValues::Service {
     if (!bytes.ok()) return bytes.status();
     if (SharedDigest(start.kind(), *bytes) != start.digest())
       return MakeError(absl::StatusCode::kDataLoss, Reason::kBlobDigestMismatch,
-                       "what came is not what its digest promises");
+                       "the received bytes do not match their digest");
     cache_.Put(
         {std::move(*start.mutable_kind()), std::move(*start.mutable_digest()), *std::move(bytes)});
     return absl::OkStatus();

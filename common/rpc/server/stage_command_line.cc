@@ -17,7 +17,7 @@ StageCommandLine::~StageCommandLine() = default;
 
 void StageCommandLine::AddConcurrency(ServeFlags* flags) {
   AddCount("--max-concurrent", &flags->max_concurrent,
-           "Calls worked on at once; 0: one for each core", 0, 1024);
+           "Number of calls that run at the same time; 0: one for each core", 0, 1024);
 }
 
 void StageCommandLine::AddCount(const std::string& option, int* count, const std::string& about,

@@ -14,7 +14,7 @@ std::string TextFor(const absl::Status& status) {
   if (absl::IsDataLoss(status)) return "";
   switch (DetailOf(status).reason) {
     case Reason::kDiskFull:
-      return "the server has no room left to store this; its log says where";
+      return "the server has no space left to store this; its log says where";
     case Reason::kStoreFailed:
       return "the server's storage failed; its log says why";
     default:

@@ -15,7 +15,7 @@ class UnreadableRequestInterceptor : public grpc::experimental::Interceptor {
       if (status.error_code() == grpc::StatusCode::INTERNAL && status.error_details().empty()) {
         methods->ModifySendStatus(ToGrpc(MakeError(
             absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-            "the request is no message of this method, or has a text that is not UTF-8")));
+            "the request is not a valid message of this method, or has a text that is not UTF-8")));
       }
     }
     methods->Proceed();

@@ -36,7 +36,7 @@ absl::StatusOr<Roles> RolesOf(const std::vector<ObjectInput>& objects,
   const bool is_object = settings.image.empty() && named != objects.end() && objects.size() > 1;
   if (objects.size() != (is_object ? 2u : 1u))
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     "a job of engraving has one object that is the surface, and one besides if "
+                     "an engraving job needs one object as the surface, and a second one only if "
                      "`texture` names it");
   if (!is_object) return Roles();
   const auto texture = static_cast<size_t>(named - objects.begin());

@@ -49,10 +49,10 @@ std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<Laye
   std::vector<std::string> warnings;
   const Spread& distance = map.line_distance_mm;
   if (distance.p99 > kUneven * distance.p1)
-    warnings.push_back(
-        fmt::format("lines lie {:.3g} to {:.3g} mm apart on the surface (1 % to 99 % of it): the "
-                    "map is stretched; equidistant lines or another cut would help",
-                    distance.p1, distance.p99));
+    warnings.push_back(fmt::format(
+        "distances of lines on the surface are {:.3g} to {:.3g} mm (1 % to 99 % of it), because "
+        "the map is stretched; set equidistant = 1 or cut the surface elsewhere",
+        distance.p1, distance.p99));
   int64_t folds = 0;
   double folds_mm = 0;
   const LayerNumbers* first = nullptr;
@@ -64,8 +64,8 @@ std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<Laye
   if (first != nullptr) {
     const Eigen::Vector3d& p = first->first_fold_mm;
     warnings.push_back(fmt::format(
-        "the surface bends more than the texture is high in {} places, {:.2f} mm of lines in all: "
-        "there the tool turns back on its way; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
+        "the surface curves more tightly than the texture is high in {} places, along {:.2f} mm of "
+        "lines; the tool reverses there; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
         folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
   }
   const auto is_empty = [](const LayerNumbers& layer) { return layer.runs == 0; };

@@ -31,15 +31,15 @@ absl::StatusOr<std::vector<double>> NumbersOf(std::string_view setting, std::str
   const bool fits = count > 0 ? numbers.size() == count : numbers.size() <= kMostNumbers;
   if (fits && numbers.size() == items.size()) return numbers;
   return Malformed(setting, text,
-                   count > 0 ? fmt::format("{} numbers between commas are needed", count)
-                             : fmt::format("numbers between commas are needed, at most {}",
+                   count > 0 ? fmt::format("{} numbers, separated by commas, are needed", count)
+                             : fmt::format("numbers, separated by commas, are needed, at most {}",
                                            kMostNumbers));
 }
 
 absl::StatusOr<std::string> ImageBytes(std::string_view setting, std::string_view base64) {
   std::string bytes;
   if (absl::Base64Unescape(absl::string_view(base64.data(), base64.size()), &bytes)) return bytes;
-  return Malformed(setting, base64, "a PNG in base64 is needed");
+  return Malformed(setting, base64, "a PNG file in base64 is needed");
 }
 
 absl::Status CheckTexts(const EngraveSettings& settings) {

@@ -17,7 +17,7 @@ bool HasImage(const JobRows& s) { return !EngraveOf(s).texture.image.empty(); }
 
 constexpr Need kNeeds[] = {
     {"texture_width texture_height", "a texture_image", HasImage},
-    {"texture texture_pitch", "no texture_image, which takes its place",
+    {"texture texture_pitch", "no texture_image, which replaces it",
      [](const JobRows& s) { return !HasImage(s); }},
     {"axes tool centre pivot tilt steepest power feed link_feed turn_feed", "output_format = gcode",
      IsProgram},

@@ -157,8 +157,8 @@ std::string WallWarning(const std::vector<LayerWarning>& warnings) {
   const size_t named = std::min(kNamed, layers.size());
   return absl::StrCat(
       islands,
-      " islands got walls of constant width and gap fill, as no trustworthy medial axis "
-      "of their outlines was found; in layers ",
+      " islands were printed with walls of constant width and gap fill, because no reliable medial "
+      "axis of their outlines was found; layers ",
       absl::StrJoin(layers.begin(), layers.begin() + static_cast<std::ptrdiff_t>(named), ", "),
       layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
 }

@@ -48,10 +48,9 @@ absl::Status DropEmptyTops(std::vector<SpooledProgram>& programs) {
   }
   programs = std::move(kept);
   if (!programs.empty()) return absl::OkStatus();
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-      "no layer has a bead: the outlines are too thin for one, or the settings ask for "
-      "none (perimeters, fill_density, solid layers)");
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                   "no layer contains an extrusion: the outlines are too thin, or the settings ask "
+                   "for none (perimeters, fill_density, solid layers)");
 }
 
 LayerSummary Summarize(const LayerProgram& program) {
@@ -97,7 +96,7 @@ absl::StatusOr<std::string> Substituted(std::string text, const gcode::Substitut
   if (!absl::IsResourceExhausted(substituted.status())) return substituted;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestTooLarge,
                    absl::StrCat("gcode_substitutions: ", substituted.status().message(),
-                                ", which is more than twice the text that it began with"),
+                                ", more than twice the original text"),
                    {{"setting", "gcode_substitutions"}, {"limit", absl::StrCat(most)}});
 }
 

@@ -62,7 +62,7 @@ absl::Status CheckRaft(const Draft& draft) {
   const double least = Quantise(height / 2);
   if (draft.Number(kWidth) < least)
     return Refuse(draft, kWidth,
-                  fmt::format("it must be at least half of the height of a raft's layers, {} mm",
+                  fmt::format("it must be at least half the height of a raft layer, {} mm",
                               PrintNumber(least)),
                   least, kUnbounded);
   return CheckWidth(draft, kWidth, "layer_height");
@@ -76,8 +76,8 @@ absl::Status CheckSkirt(const Draft& draft) {
   if (!shields && draft.Number("skirt_height") <= 1) return absl::OkStatus();
   const std::string key = shields ? "draft_shield" : "skirt_height";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("{} = {}: with complete_objects = 1 a skirt may have one layer, or "
-                               "the head would meet it",
+                   fmt::format("{} = {}: with complete_objects = 1 a skirt must have only one "
+                               "layer, or the print head would hit it",
                                key, draft.At(key).written),
                    {{"setting", key}, {"value", draft.At(key).written}});
 }
@@ -105,15 +105,15 @@ absl::Status CheckWords(const Draft& draft) {
   if (draft.Number(kByFirmware) != 0) {
     if (draft.Number("wipe") != 0)
       return RefuseWords(kByFirmware,
-                         "wipe = 1 cannot be had with it: the machine retracts by "
-                         "itself, in place");
+                         "wipe must be 0, because the firmware retracts without moving");
     if (flavor == GcodeFlavor::kPrusaBuddy || flavor == GcodeFlavor::kBambu)
       return RefuseWords(kByFirmware,
                          "gcode_flavor must be marlin, marlin2, klipper or "
                          "reprapfirmware");
   }
   if (draft.Number("use_volumetric_e") != 0 && flavor == GcodeFlavor::kKlipper)
-    return RefuseWords("use_volumetric_e", "gcode_flavor = klipper knows no volumes of filament");
+    return RefuseWords("use_volumetric_e",
+                       "gcode_flavor = klipper cannot measure filament by volume");
   return absl::OkStatus();
 }
 
@@ -123,7 +123,7 @@ absl::Status CheckAdaptiveHeights(const Draft& draft) {
   const double most = draft.Number("max_layer_height"), least = draft.Number("min_layer_height");
   if (most == 0 || least <= most) return absl::OkStatus();
   return Refuse(draft, "max_layer_height",
-                fmt::format("it must be no less than min_layer_height = {} mm", PrintNumber(least)),
+                fmt::format("it must be at least min_layer_height = {} mm", PrintNumber(least)),
                 least, kUnbounded);
 }
 
@@ -144,12 +144,12 @@ absl::Status CheckSettings(const Draft& draft) {
   if (length > 0 && draft.Number("retract_restart_extra") < -length)
     return Refuse(
         draft, "retract_restart_extra",
-        fmt::format("it must not take back more than retract_length = {} mm", PrintNumber(length)),
+        fmt::format("it must not be less than minus retract_length = {} mm", PrintNumber(length)),
         -length, kUnbounded);
   if (length > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     "retract_speed = 0 is out of range: it must be more than 0 mm/s while "
-                     "retract_length is",
+                     "retract_speed = 0 is out of range: it must be more than 0 mm/s if "
+                     "retract_length is more than 0",
                      {{"setting", "retract_speed"}, {"value", "0"}});
   }
   const double widest_gap = draft.Number("gap_fill_max_width");

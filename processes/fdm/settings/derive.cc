@@ -196,8 +196,8 @@ std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
   const Draft::Entry& height = draft.At("skirt_height");
   if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
   std::string note = fmt::format(
-      "skirt_height = {}: with complete_objects = 1 the skirt has one "
-      "layer, or the head would meet it",
+      "skirt_height = {}: with complete_objects = 1 the skirt has only one layer, or the print "
+      "head would hit it",
       height.written);
   draft.SetNumber("skirt_height", 1);
   return note;
@@ -215,7 +215,7 @@ std::vector<std::string> DeriveVase(Draft& draft) {
     if (draft.Number(key) == value) continue;
     if (entry.given)
       notes.push_back(
-          fmt::format("{} = {}: it is {} with spiral_vase = 1", key, entry.written, value));
+          fmt::format("{} = {}: with spiral_vase = 1 it is {}", key, entry.written, value));
     draft.SetNumber(key, value);
   }
   return notes;

@@ -17,22 +17,21 @@ bool HasSupports(const JobRows& s) { return FdmOf(s).object.support.on; }
 
 bool Combines(const Draft& draft) { return draft.Number("automatic_infill_combination") != 0; }
 
-constexpr std::string_view kNoProfile = "no layer_height_profile, which takes its place";
+constexpr std::string_view kNoProfile = "no layer_height_profile, which replaces it";
 
 constexpr Need kNeeds[] = {
     {"retract_lift retract_speed deretract_speed retract_restart_extra retract_before_travel "
      "filament_retract_lift filament_retract_speed filament_deretract_speed "
      "filament_retract_restart_extra filament_retract_before_travel wipe filament_wipe",
-     "retract_length of more than 0",
+     "retract_length above 0",
      [](const JobRows& s) { return FdmOf(s).tool.retraction.length_mm > 0; }},
     {"retract_lift filament_retract_lift", "travel_ramping_lift = 0",
      [](const JobRows& s) { return !FdmOf(s).tool.retraction.ramping; }},
     {"travel_max_lift travel_slope travel_lift_before_obstacle filament_travel_max_lift "
      "filament_travel_slope filament_travel_lift_before_obstacle",
-     "travel_ramping_lift = 1",
-     [](const JobRows& s) { return FdmOf(s).tool.retraction.ramping; }},
+     "travel_ramping_lift = 1", [](const JobRows& s) { return FdmOf(s).tool.retraction.ramping; }},
     {"retract_restart_extra filament_retract_restart_extra",
-     "use_firmware_retraction = 0, as the machine pushes what it is set to",
+     "use_firmware_retraction = 0, because the firmware sets this length itself",
      [](const JobRows& s) { return !FdmOf(s).machine.motion.writing.firmware_retraction; }},
     {"adaptive_layer_cusp adaptive_layer_ratio", "adaptive_layer_height = 1",
      [](const JobRows& s) { return s.object.adaptive.on; }},
@@ -45,12 +44,12 @@ constexpr Need kNeeds[] = {
      [](const JobRows& s) { return !FdmOf(s).machine.plan.sequence.complete_objects; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
      "filament_retract_lift_below",
-     "retract_lift or, with travel_ramping_lift = 1, travel_max_lift of more than 0",
+     "retract_lift above 0 or, with travel_ramping_lift = 1, travel_max_lift above 0",
      [](const JobRows& s) {
        const RetractionOptions& retraction = FdmOf(s).tool.retraction;
        return (retraction.ramping ? retraction.ramp_lift_mm : retraction.lift_mm) > 0;
      }},
-    {"travel_short_distance_acceleration", "travel_acceleration of more than 0",
+    {"travel_short_distance_acceleration", "travel_acceleration above 0",
      [](const JobRows& s) { return FdmOf(s).machine.motion.travel_acceleration_mm_s2 > 0; }},
     {"cooling_perimeter_transition_distance", "cooling_slowdown_logic = consistent_surface",
      [](const JobRows& s) { return FdmOf(s).tool.cooling.consistent_surface; }},
@@ -62,7 +61,7 @@ constexpr Need kNeeds[] = {
     {"perimeter_acceleration external_perimeter_acceleration infill_acceleration "
      "solid_infill_acceleration top_solid_infill_acceleration bridge_acceleration "
      "first_layer_acceleration travel_acceleration",
-     "default_acceleration of more than 0",
+     "default_acceleration above 0",
      [](const JobRows& s) { return FdmOf(s).machine.motion.default_acceleration_mm_s2 > 0; }},
     {"square_corner_velocity minimum_cruise_ratio", "gcode_flavor = klipper",
      [](const JobRows& s) { return FdmOf(s).machine.motion.flavor == GcodeFlavor::kKlipper; }},
@@ -73,7 +72,7 @@ constexpr Need kNeeds[] = {
     // The minimum fan speed and the bridge fan speed have an effect without cooling.
     {"max_fan_speed fan_below_layer_time slowdown_below_layer_time min_print_speed", "cooling = 1",
      [](const JobRows& s) { return FdmOf(s).tool.cooling.enabled; }},
-    {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts of more than 0",
+    {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts above 0",
      [](const JobRows& s) { return FdmOf(s).machine.plan.skirt.loops > 0; }},
     {"brim_width", "a brim_type other than auto_brim",
      [](const JobRows& s) { return !FdmOf(s).object.brim.automatic.on; }},
@@ -83,17 +82,15 @@ constexpr Need kNeeds[] = {
        return object.brim.type != BrimType::kNone && object.raft.heights.layers == 0;
      }},
     {"brim_ears_max_angle brim_ears_detection_length", "brim_type = brim_ears",
-     [](const JobRows& s) {
-       return FdmOf(s).object.brim.type == BrimType::kEars;
-     }},
+     [](const JobRows& s) { return FdmOf(s).object.brim.type == BrimType::kEars; }},
     {"avoid_crossing_perimeters_max_detour", "avoid_crossing_perimeters = 1",
      [](const JobRows& s) { return FdmOf(s).machine.order.travel.avoid_crossing; }},
     {"retract_inside_after retract_layer_change", "only_retract_when_crossing_perimeters = 1",
      [](const JobRows& s) { return FdmOf(s).machine.order.travel.hide; }},
-    {"raft_contact_distance raft_expansion", "raft_layers of more than 0",
+    {"raft_contact_distance raft_expansion", "raft_layers above 0",
      [](const JobRows& s) { return FdmOf(s).object.raft.heights.layers > 0; }},
     {"raft_first_layer_expansion",
-     "raft_layers of more than 0 or support_material_style = organic with support_material = 1",
+     "raft_layers above 0, or support_material = 1 with support_material_style = organic",
      [](const JobRows& s) {
        const ObjectPlanOptions& object = FdmOf(s).object;
        return object.raft.heights.layers > 0 ||
@@ -101,7 +98,7 @@ constexpr Need kNeeds[] = {
      }},
     {"raft_first_layer_density support_material_spacing support_material_angle "
      "support_material_interface_spacing",
-     "raft_layers of more than 0 or support_material = 1",
+     "raft_layers above 0 or support_material = 1",
      [](const JobRows& s) {
        const ObjectPlanOptions& object = FdmOf(s).object;
        return object.raft.heights.layers > 0 || object.support.on;
@@ -145,9 +142,9 @@ constexpr Need kNeeds[] = {
      }},
     {"infill_goal", "fill_pattern = auto",
      [](const JobRows& s) { return FdmOf(s).region.infill.choose_pattern; }},
-    {"fill_density", "no density_field, which takes its place",
+    {"fill_density", "no density_field, which replaces it",
      [](const JobRows& s) { return FdmOf(s).region.infill.density_field.empty(); }},
-    {"fill_pattern", "no stress_field, whose streamlines take its place",
+    {"fill_pattern", "no stress_field, which replaces it",
      [](const JobRows& s) { return FdmOf(s).region.infill.stress_field.empty(); }},
     {"automatic_infill_combination_max_layer_height", "automatic_infill_combination = 1", nullptr,
      Combines},

@@ -135,7 +135,7 @@ absl::Status TakeRoom(JobRows& settings) {
   machine.order.travel.room = machine.motion.room = machine.plan.bed;
   if (!machine.plan.bed.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   "bed_exclude_area leaves nothing of bed_shape",
+                   "bed_exclude_area covers the whole bed_shape",
                    {{"setting", "bed_exclude_area"}});
 }
 
@@ -190,9 +190,10 @@ absl::Status TakeDensityField(JobRows& settings) {
   const auto& field = DensityFieldOf(infill.density_field);
   if (!field.ok()) return field.status();
   if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     "density_field: dither has no effect on the streamlines of stress_field",
-                     {{"setting", "density_field"}});
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+        "density_field: dither has no effect on the lines of stress_field: omit one of them",
+        {{"setting", "density_field"}});
   }
   const double height_mm = ToMm(settings.object.layer_height_nm);
   const double layers = std::ceil(field->ReachMm() / height_mm);
@@ -215,8 +216,8 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
   const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
   if (!planned || infill.density_field.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("density_field: fill_pattern = {} is laid out over the whole part, "
-                               "and cannot follow a field",
+                   fmt::format("density_field: fill_pattern = {} is planned over the whole part "
+                               "and cannot follow a density field",
                                infill.choose_pattern ? "auto" : InfoOf(infill.pattern).name),
                    {{"setting", "density_field"}});
 }
@@ -236,7 +237,7 @@ std::optional<std::string> TakeEveryLayers(JobRows& settings) {
   const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
   if (every <= most) return std::nullopt;
   const int32_t asked = std::exchange(every, most);
-  return fmt::format("infill_every_layers = {}: {} is what layer_height and nozzle_diameter allow",
+  return fmt::format("infill_every_layers = {}: layer_height and nozzle_diameter allow only {}",
                      asked, most);
 }
 

@@ -45,7 +45,7 @@ absl::Status CheckScan(const Draft& draft) {
   for (const std::string_view key : HatchDistances(draft)) {
     if (draft.Number(key) < kLeastHatchMm)
       return Refuse(draft, key,
-                    fmt::format("it must be 0, for hatch_distance, or at least {} mm",
+                    fmt::format("it must be 0 (hatch_distance applies) or at least {} mm",
                                 PrintNumber(kLeastHatchMm)),
                     kLeastHatchMm, kUnbounded);
     if (draft.Number("ring_overlap") > draft.Number(key))
@@ -65,8 +65,8 @@ absl::Status CheckGas(const Draft& draft) {
   if (!islands || window <= widest) return absl::OkStatus();
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-      fmt::format("gas_window = {} degrees is out of range: with scan_strategy = islands, whose "
-                  "lines run both ways, it must not exceed {} degrees",
+      fmt::format("gas_window = {} degrees is out of range: with scan_strategy = islands, which "
+                  "has lines in two directions, it must not exceed {} degrees",
                   PrintNumber(window), PrintNumber(widest)),
       {{"setting", "gas_window"}, {"value", PrintNumber(window)}, {"max", PrintNumber(widest)}});
 }

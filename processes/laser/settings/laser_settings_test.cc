@@ -108,29 +108,30 @@ TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
   };
   const Case kCases[] = {
       {{{"jump_delay", "100"}},
-       {"jump_delay = 100: needs output_format = grbl or marlin, or only the report heeds it"}},
+       {"jump_delay = 100: needs output_format = grbl or marlin, otherwise only the report uses "
+        "it"}},
       {{{"output_format", "grbl"}, {"hatch_frequency", "20"}},
-       {"hatch_frequency = 20: needs output_format = cli or cli_binary, or only the report heeds "
+       {"hatch_frequency = 20: needs output_format = cli or cli_binary, otherwise only the report uses "
         "it"}},
       {{{"output_format", "grbl"}, {"jump_speed", "3000"}},
-       {"jump_speed = 3000: needs output_format = marlin, or only the report heeds it"}},
+       {"jump_speed = 3000: needs output_format = marlin, otherwise only the report uses it"}},
       {{{"output_format", "svg"}, {"hatch_focus", "1"}},
-       {"hatch_focus = 1: needs output_format = cli, cli_binary, grbl or marlin, or only the "
-        "report heeds it"}},
+       {"hatch_focus = 1: needs output_format = cli, cli_binary, grbl or marlin, otherwise only the "
+        "report uses it"}},
       {{{"contours", "0"}, {"contour_power", "100"}},
-       {"contour_power = 100: needs contours of more than 0"}},
-      {{{"upskin_power", "100"}}, {"upskin_power = 100: needs upskin_layers of more than 0"}},
+       {"contour_power = 100: needs contours above 0"}},
+      {{{"upskin_power", "100"}}, {"upskin_power = 100: needs upskin_layers above 0"}},
       {{{"scan_strategy", "rings"}, {"skywriting", "0.1"}},
        {"skywriting = 0.1: needs scan_strategy = stripes, islands or hatch"}},
       {{{"layer_gcode", "M100"}}, {"layer_gcode = M100: needs output_format = grbl or marlin"}},
       {{{"gas_flow", "90"}},
-       {"gas_flow = 90: needs gas_window of more than 0, or jump_order = against_gas"}},
+       {"gas_flow = 90: needs gas_window above 0, or jump_order = against_gas"}},
       {{{"gas_flow", "90"}, {"jump_order", "against_gas"}}, {}},
       {{{"scan_strategy", "rings"}, {"gas_window", "9"}},
        {"gas_window = 9: needs scan_strategy = stripes, islands or hatch"}},
-      {{{"upskin_distance", "0.1"}}, {"upskin_distance = 0.1: needs upskin_layers of more than 0"}},
+      {{{"upskin_distance", "0.1"}}, {"upskin_distance = 0.1: needs upskin_layers above 0"}},
       {{{"contours", "0"}, {"contour_start", "rear"}},
-       {"contour_start = rear: needs contours of more than 0"}},
+       {"contour_start = rear: needs contours above 0"}},
       {{{"contour_run", "0.1"}, {"z_compensation_layers", "2"}, {"recoating_time", "7"}}, {}},
       {{{"laser_spot", "0.1"}, {"contours", "0"}}, {}},  // the report has the unmelted share
       {{{"output_format", "grbl"},

@@ -28,34 +28,30 @@ constexpr Need kNeeds[] = {
      "scan_strategy = rings or rings_inward", IsRings},
     {"hatch_angle hatch_rotation alternate_hatch skywriting gas_window",
      "scan_strategy = stripes, islands or hatch", IsHatched},
-    {"gas_flow", "gas_window of more than 0, or jump_order = against_gas",
+    {"gas_flow", "gas_window above 0, or jump_order = against_gas",
      [](const JobRows& s) {
        const ExposureOptions& region = ExposureOf(s).region;
        return region.gas_window_deg > 0 || region.jump_order == JumpOrder::kAgainstGas;
      }},
     {"stripe_width", "scan_strategy = stripes",
-     [](const JobRows& s) {
-       return ExposureOf(s).region.strategy == ScanStrategy::kStripes;
-     }},
+     [](const JobRows& s) { return ExposureOf(s).region.strategy == ScanStrategy::kStripes; }},
     {"island_width", "scan_strategy = islands",
-     [](const JobRows& s) {
-       return ExposureOf(s).region.strategy == ScanStrategy::kIslands;
-     }},
+     [](const JobRows& s) { return ExposureOf(s).region.strategy == ScanStrategy::kIslands; }},
     {"scan_overlap", "scan_strategy = stripes or islands",
      [](const JobRows& s) {
        const ScanStrategy strategy = ExposureOf(s).region.strategy;
        return strategy == ScanStrategy::kStripes || strategy == ScanStrategy::kIslands;
      }},
-    {"hatch_offset", "scan_strategy = stripes, islands or hatch, and contours of more than 0",
+    {"hatch_offset", "scan_strategy = stripes, islands or hatch, and contours above 0",
      [](const JobRows& s) { return HasContours(s) && !IsRings(s); }},
     {"contour_start contours_first contour_power contour_speed contour_focus contour_frequency "
      "contour_point_distance contour_point_time contour_point_delay",
-     "contours of more than 0", HasContours},
-    {"contour_run", "contours of more than 0, or thin_wall_exposure = 1",
+     "contours above 0", HasContours},
+    {"contour_run", "contours above 0, or thin_wall_exposure = 1",
      [](const JobRows& s) { return HasContours(s) || ExposureOf(s).region.thin_walls; }},
-    {"contour_distance", "contours of more than 1, or of 1 and rings",
+    {"contour_distance", "contours above 1, or contours = 1 with rings",
      [](const JobRows& s) { return ExposureOf(s).region.contours > (IsRings(s) ? 0 : 1); }},
-    {"skin_overlap", "upskin_layers or downskin_layers of more than 0",
+    {"skin_overlap", "upskin_layers or downskin_layers above 0",
      [](const JobRows& s) {
        const ExposureOptions& region = ExposureOf(s).region;
        return region.upskin_layers > 0 || region.downskin_layers > 0;
@@ -63,31 +59,30 @@ constexpr Need kNeeds[] = {
     {"upskin_distance upskin_power upskin_speed upskin_focus upskin_frequency "
      "upskin_point_distance "
      "upskin_point_time upskin_point_delay",
-     "upskin_layers of more than 0",
+     "upskin_layers above 0",
      [](const JobRows& s) { return ExposureOf(s).region.upskin_layers > 0; }},
     {"downskin_distance downskin_power downskin_speed downskin_focus downskin_frequency "
      "downskin_point_distance "
      "downskin_point_time downskin_point_delay",
-     "downskin_layers of more than 0",
+     "downskin_layers above 0",
      [](const JobRows& s) { return ExposureOf(s).region.downskin_layers > 0; }},
     {"thin_wall_power thin_wall_speed thin_wall_focus thin_wall_frequency "
      "thin_wall_point_distance thin_wall_point_time thin_wall_point_delay",
-     "thin_wall_exposure = 1",
-     [](const JobRows& s) { return ExposureOf(s).region.thin_walls; }},
+     "thin_wall_exposure = 1", [](const JobRows& s) { return ExposureOf(s).region.thin_walls; }},
     {"contour_frequency hatch_frequency upskin_frequency downskin_frequency thin_wall_frequency "
      "contour_point_distance hatch_point_distance upskin_point_distance downskin_point_distance "
      "thin_wall_point_distance contour_point_time hatch_point_time upskin_point_time "
      "downskin_point_time thin_wall_point_time contour_point_delay hatch_point_delay "
      "upskin_point_delay downskin_point_delay thin_wall_point_delay",
-     "output_format = cli or cli_binary, or only the report heeds it", IsCli},
+     "output_format = cli or cli_binary, otherwise only the report uses it", IsCli},
     {"contour_focus hatch_focus upskin_focus downskin_focus thin_wall_focus contour_power "
      "hatch_power upskin_power downskin_power thin_wall_power contour_speed hatch_speed "
      "upskin_speed downskin_speed thin_wall_speed",
-     "output_format = cli, cli_binary, grbl or marlin, or only the report heeds it",
+     "output_format = cli, cli_binary, grbl or marlin, otherwise only the report uses it",
      [](const JobRows& s) { return IsCli(s) || IsGcode(s); }},
     {"jump_delay mark_delay polygon_delay",
-     "output_format = grbl or marlin, or only the report heeds it", IsGcode},
-    {"jump_speed", "output_format = marlin, or only the report heeds it",
+     "output_format = grbl or marlin, otherwise only the report uses it", IsGcode},
+    {"jump_speed", "output_format = marlin, otherwise only the report uses it",
      [](const JobRows& s) { return ExposureOf(s).output.format == OutputFormat::kMarlin; }},
     {"output_layer", "output_format = dxf",
      [](const JobRows& s) { return ExposureOf(s).output.format == OutputFormat::kDxf; }},

@@ -124,7 +124,7 @@ class MillJob : public PlannedJob {
     report_.object_height_mm = layout_.part_mm.sizes().z();
     if (milled.gouges > 0)
       report_.warnings.push_back(absl::StrCat("the program gouges the part at ", milled.gouges,
-                                              " of ", milled.checked, " places that were checked"));
+                                              " of ", milled.checked, " checked points"));
     auto own = std::make_unique<MillJobReport>();
     own->report = milled;
     own->cutter = input_->settings.how.cutter.name();

@@ -83,11 +83,10 @@ absl::Status CheckRoles(const PlacedScene& scene) {
   for (const PlacedSceneObject& object : scene.objects)
     for (const PlacedScenePart& part : object.parts)
       if (part.role == PartRole::kNegative)
-        return MakeError(
-            absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-            absl::StrCat("object \"", absl::Utf8SafeCEscape(object.name),
-                         "\" has a negative part: meshes are milled as they are, none is cut out "
-                         "of another one"));
+        return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                         absl::StrCat("object \"", absl::Utf8SafeCEscape(object.name),
+                                      "\" has a negative part: milling does not subtract meshes "
+                                      "from each other; remove the part"));
   return absl::OkStatus();
 }
 
@@ -101,12 +100,11 @@ absl::Status CheckReach(const IndexedMesh& mesh) {
   for (const Vertex& v : mesh.vertices)
     for (const Coord c : {v.x, v.y, v.z})
       if (std::abs(c) > limits::kMaxCoord)
-        return MakeError(
-            absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
-            absl::StrCat("a part reaches ", ToMm(static_cast<double>(std::abs(c))),
-                         " mm from the program's origin, at most ",
-                         ToMm(static_cast<double>(limits::kMaxCoord)),
-                         " mm are possible; origin = bed or stock_top has it elsewhere"));
+        return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
+                         absl::StrCat("a part reaches ", ToMm(static_cast<double>(std::abs(c))),
+                                      " mm from the program's origin, but at most ",
+                                      ToMm(static_cast<double>(limits::kMaxCoord)),
+                                      " mm are possible; use origin = bed or stock_top"));
   return absl::OkStatus();
 }
 
@@ -133,8 +131,9 @@ void AddReports(PlacedScene& scene, const Vertex& by, MillScene& result) {
   for (PlacedSceneObject& object : scene.objects) {
     for (PlacedScenePart& part : object.parts) {
       if (part.role != PartRole::kSolid) {
-        result.warnings.push_back(absl::StrCat(object.name, ": ", part.report.name,
-                                               " is no solid part and has no effect on milling"));
+        result.warnings.push_back(
+            absl::StrCat(object.name, ": ", part.report.name,
+                         " is not a solid part and has no effect on milling"));
         continue;
       }
       const Coord moved[] = {by.x, by.y, by.z};
@@ -154,12 +153,12 @@ absl::StatusOr<PartsAndStock> TakeStock(PlacingInput job, std::string_view stock
   std::vector<ObjectInput>& objects = job.meshes.objects;
   const auto named = [&](const ObjectInput& object) { return object.name == stock; };
   const auto found = std::ranges::find_if(objects, named);
-  if (found == objects.end()) return StockError(stock, "is the name of no object", objects);
+  if (found == objects.end()) return StockError(stock, "is not the name of an object", objects);
   if (std::ranges::count_if(objects, named) > 1 || found->copies.size() > 1)
-    return StockError(stock, "is the name of several", objects);
+    return StockError(stock, "is the name of several objects or copies", objects);
   if (objects.size() == 1)
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                     "the stock is the only object: there is nothing to mill out of it");
+                     "the stock is the only object: add the part to mill out of it");
   const auto index = found - objects.begin();
   PlacingInput own;
   own.meshes.files = FilesOf(*found, job.meshes.files);

@@ -20,7 +20,7 @@ constexpr Need kNeeds[] = {
      [](const JobRows& s) { return MillOf(s).how.machining.entry == EntryKind::kHelix; }},
     {"ramp_angle", "entry = helix or ramp",
      [](const JobRows& s) { return MillOf(s).how.machining.entry != EntryKind::kPlunge; }},
-    {"stock_margin", "no stock: a box",
+    {"stock_margin", "no stock (the stock is a box)",
      [](const JobRows& s) { return MillOf(s).stock.empty(); }},
     {"output_step", "output_format = svg", [](const JobRows& s) { return !IsProgram(s); }},
     {"dialect arcs direction entry feed plunge_feed rapid spindle coolant tool_number "

@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::beading::MakeLocalBeading();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "beading", "Outlines to walls", [&](auto& gate, auto& shared) {
+      argc, argv, "beading", "generates walls from outlines", [&](auto& gate, auto& shared) {
         return slicefarm::beading::MakeBeadingService(*stage, gate, shared);
       });
 }

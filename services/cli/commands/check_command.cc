@@ -39,15 +39,14 @@ ExitCode CheckGcode(const GcodeOptions& options) {
 
 void AddCheck(CLI::App& app, CommandContext& context) {
   CLI::App* command =
-      app.add_subcommand("check", "Read a G-code file as strictly as its firmware would");
+      app.add_subcommand("check", "Check a G-code file as strictly as its firmware reads it");
   const auto options = std::make_shared<GcodeOptions>();
   AddGcodeOptions(*command, *options);
   command->footer(
-      "Exit code 1 if something is found, with a `line N: ...` for each finding: unknown commands\n"
-      "and words, moves outside of the machine, too thick beads, sums of filament, arcs,\n"
-      "retractions and restarts that do not fit, filament pushed cold.\n"
-      "Example:\n"
-      "  slicefarm check part.gcode --flavor klipper --config prusa.ini");
+      "Prints `line N: ...` for each finding and ends with exit code 1 if there are any: "
+      "unknown\ncommands and words, moves outside the machine, lines that are too thick, wrong "
+      "extrusion sums,\nwrong arcs, unbalanced retractions, cold extrusion.\nExample:\n  slicefarm "
+      "check part.gcode --flavor klipper --config prusa.ini");
   command->callback(
       [options, &context] { context.run = [options] { return CheckGcode(*options); }; });
 }

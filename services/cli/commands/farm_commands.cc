@@ -71,7 +71,7 @@ ExitCode WatchAll(const FarmOptions& options, Interrupt& interrupt) {
               ? JsonLine(response) + "\n"
               : fmt::format("{}  {}  {:>4}  {}\n", TimeUtil::ToString(event.time()),
                             event.job().id(), event.sequence(), StateName(event.job().state())));
-    return ++told == options.count ? absl::OutOfRangeError("as many as were asked for")
+    return ++told == options.count ? absl::OutOfRangeError("as many as --count says")
                                    : absl::OkStatus();
   });
   return absl::IsOutOfRange(ended) ? ExitCode::kOk : Fail(ended);
@@ -213,7 +213,7 @@ CLI::App* AddFarmCommand(CLI::App& parent, const char* name, const char* about,
 }
 
 void AddTenantOption(CLI::App& command, FarmOptions& options) {
-  command.add_option("--tenant", options.tenant, "Of this tenant, for those with the scope admin")
+  command.add_option("--tenant", options.tenant, "Tenant to show (needs the scope admin)")
       ->type_name("NAME");
 }
 
@@ -221,31 +221,35 @@ void AddTenantOption(CLI::App& command, FarmOptions& options) {
 
 void AddEvents(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<FarmOptions>();
-  CLI::App* command = AddFarmCommand(app, "events", "Show what happens to all jobs, as it happens",
+  CLI::App* command = AddFarmCommand(app, "events", "Show events of all jobs as they happen",
                                      options, context, WatchAll);
-  command->add_option("--from", options->from, "Begin with what happened since; default: now")
+  command->add_option("--from", options->from, "Time of the first event to show; default: now")
       ->type_name("TIME");
-  command->add_option("--cursor", options->cursor, "Go on after an event that --json showed")
+  command
+      ->add_option("--cursor", options->cursor,
+                   "Cursor of an event that --json printed; shows the events after it")
       ->excludes("--from");
-  command->add_option("--count", options->count, "End after so many events")
+  command->add_option("--count", options->count, "Number of events after which the command ends")
       ->check(AboveZero())
       ->type_name("N");
-  command->add_flag("--json", options->json, "All that is known of each, a line each");
+  command->add_flag("--json", options->json,
+                    "Print each event with all its fields, as one line of JSON");
   AddTenantOption(*command, *options);
   command->footer(
-      "Each line: time, job, number of the event, state. Some come again after a cursor.");
+      "Each line shows time, job, event number and state. After a cursor, some events may be "
+      "repeated.");
 }
 
 void AddArtifacts(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand(
-      "artifacts", "List what can be fetched of a job, as JSON; or fetch one of it");
+  CLI::App* command =
+      app.add_subcommand("artifacts", "List the artifacts of a job, as JSON, or fetch one of them");
   const auto options = std::make_shared<ArtifactOptions>();
-  command->add_option("JOB", options->id, "Its id, or the beginning of it")->required();
+  command->add_option("JOB", options->id, "Job id, or the beginning of it")->required();
   std::vector<std::string> kinds;
   for (const auto& [kind, artifact] : kArtifacts) kinds.push_back(kind);
   auto* const kind =
-      command->add_option("--kind", options->kind, "Which to fetch")->check(OneOf(kinds));
-  command->add_option("-o,--output", options->output, "Where it goes; -: to stdout")
+      command->add_option("--kind", options->kind, "Artifact to fetch")->check(OneOf(kinds));
+  command->add_option("-o,--output", options->output, "File for the artifact; -: to stdout")
       ->needs(kind)
       ->capture_default_str()
       ->type_name("FILE");
@@ -257,41 +261,47 @@ void AddArtifacts(CLI::App& app, CommandContext& context) {
 
 void AddUsage(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<FarmOptions>();
-  AddTenantOption(*AddFarmCommand(app, "usage", "Show what the farm keeps of a tenant, as JSON",
-                                  options, context, ShowUsage),
-                  *options);
+  AddTenantOption(
+      *AddFarmCommand(app, "usage", "Show the storage that a tenant uses on the farm, as JSON",
+                      options, context, ShowUsage),
+      *options);
 }
 
 void AddCaller(CLI::App& app, CommandContext& context) {
-  AddFarmCommand(app, "caller", "Show who one is to the farm, and what one may, as JSON",
+  AddFarmCommand(app, "caller", "Show your identity on the farm and your permissions, as JSON",
                  std::make_shared<FarmOptions>(), context, ShowCaller);
 }
 
 void AddMeshes(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("meshes", "Meshes that the farm keeps");
+  CLI::App* command =
+      app.add_subcommand("meshes", "List, fetch and remove meshes that the farm stores");
   command->require_subcommand(1);
   const auto options = std::make_shared<FarmOptions>();
-  AddFarmCommand(*command, "list", "List them, uploads that are not complete too", options, context,
-                 ListMeshes)
-      ->add_flag("--json", options->json, "Each as one line of JSON");
-  CLI::App* get = AddFarmCommand(*command, "get", "Fetch one", options, context, GetMesh);
+  AddFarmCommand(*command, "list", "List all meshes, including incomplete uploads", options,
+                 context, ListMeshes)
+      ->add_flag("--json", options->json, "Print each mesh as one line of JSON");
+  CLI::App* get = AddFarmCommand(*command, "get", "Fetch a mesh", options, context, GetMesh);
   get->add_option("SHA256", options->sha256)->required();
-  get->add_option("-o,--output", options->output, "Where it goes; -: to stdout")
+  get->add_option("-o,--output", options->output, "File for the mesh; -: to stdout")
       ->required()
       ->type_name("FILE");
-  CLI::App* remove = AddFarmCommand(*command, "delete", "Remove one, unless a job has it", options,
-                                    context, DeleteMesh);
+  CLI::App* remove = AddFarmCommand(*command, "delete", "Remove a mesh unless a job uses it",
+                                    options, context, DeleteMesh);
   remove->add_option("SHA256", options->sha256)->required();
 }
 
 void AddUpdate(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("update", "Change a job's priority, deadline or labels");
+  CLI::App* command =
+      app.add_subcommand("update", "Change the priority, the deadline or the labels of a job");
   const auto options = std::make_shared<UpdateOptions>();
-  command->add_option("JOB", options->id, "Its id, or the beginning of it")->required();
+  command->add_option("JOB", options->id, "Job id, or the beginning of it")->required();
   command->add_option("--priority", options->priority)
       ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}));
-  command->add_option("--deadline", options->deadline, "A time, or none")->type_name("TIME");
-  command->add_option("--label", options->labels, "In place of those that it has. May be repeated")
+  command->add_option("--deadline", options->deadline, "Time of the deadline, or none")
+      ->type_name("TIME");
+  command
+      ->add_option("--label", options->labels,
+                   "Label that replaces the present ones; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "Print the job as JSON");

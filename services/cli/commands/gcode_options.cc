@@ -17,18 +17,17 @@ constexpr std::string_view kFlavors = "klipper, marlin, rrf, prusabuddy, bambu, 
 }  // namespace
 
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
-  app.add_option("GCODE", options.gcode, "G-code of any slicer")->required();
-  app.add_option(
-         "--flavor", options.flavor,
-         fmt::format(
-             "Firmware of the machine: {} (rrf: RepRapFirmware; jerk: none, but slicefarm's "
-             "own planner)",
-             kFlavors))
+  app.add_option("GCODE", options.gcode, "G-code file of any slicer")->required();
+  app.add_option("--flavor", options.flavor,
+                 fmt::format("Firmware of the machine: {} (rrf: RepRapFirmware; jerk: slicefarm's "
+                             "own motion planner, without a firmware)",
+                             kFlavors))
       ->required()
       ->type_name("NAME");
-  app.add_option("-c,--config", options.config,
-                 "The machine: PrusaSlicer config.ini (machine_max_*, bed_shape, ...) or Klipper's "
-                 "printer.cfg. Default: the settings that the G-code quotes, else PrusaSlicer's")
+  app.add_option(
+         "-c,--config", options.config,
+         "Machine limits: PrusaSlicer config.ini (machine_max_*, bed_shape, ...) or Klipper's "
+         "printer.cfg. Default: the settings in the G-code file, otherwise PrusaSlicer's defaults")
       ->type_name("FILE");
 }
 

@@ -50,21 +50,22 @@ ExitCode CheckHealth(const HealthOptions& options, Interrupt& interrupt) {
 }  // namespace
 
 void AddHealth(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("health", "Ask a service whether it is serving");
+  CLI::App* command = app.add_subcommand("health", "Check whether a service is serving");
   const auto options = std::make_shared<HealthOptions>();
-  command->add_option("ADDRESS", options->address, "Of any slicefarm service")
+  command->add_option("ADDRESS", options->address, "Address of a slicefarm service")
       ->required()
       ->type_name("HOST:PORT");
   command->add_option("--timeout", options->timeout_s, "Seconds to wait for the answer")
       ->check(InRange(0.01, 600.0))
       ->capture_default_str()
       ->type_name("S");
-  command->add_flag("--live", options->live,
-                    "Ask whether it runs, though it may not be ready because its store is away");
+  command->add_flag(
+      "--live", options->live,
+      "Check only that the process runs; it may not be ready, for example if its store is away");
   rpc::AddTlsOptions(*command, &options->security);
   command->footer(
-      "Exit code 0: serving; 5: not, or nobody answers; 2: its own certificate cannot be used. For "
-      "container health checks.");
+      "Exit code 0: serving; 5: not serving, or no answer; 2: your own certificate cannot be used. "
+      "For health checks of containers.");
   command->callback([options, &context] {
     context.run = [options, &context] { return CheckHealth(*options, *context.interrupt); };
   });

@@ -24,15 +24,13 @@ ExitCode Inspect(const std::string& path) {
 
 void AddInspect(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand(
-      "inspect", "Tell the objects, parts, places, plates and settings of a project as JSON");
+      "inspect", "Print the objects, parts, positions, plates and settings of a project as JSON");
   const auto path = std::make_shared<std::string>();
-  command->add_option("MODEL", *path, "3MF project, or any other model")->required();
+  command->add_option("MODEL", *path, "3MF project or other model file")->required();
   command->footer(
-      "Settings have PrusaSlicer's names, those of OrcaSlicer's and Bambu Studio's projects too; "
-      "what\n"
-      "has no counterpart is listed as without_effect.\n"
-      "Example:\n"
-      "  slicefarm inspect plate.3mf | jq '.objects[].name'");
+      "All settings have PrusaSlicer's names, also in projects of OrcaSlicer and Bambu "
+      "Studio;\nsettings without a counterpart are listed as without_effect.\nExample:\n  "
+      "slicefarm inspect plate.3mf | jq '.objects[].name'");
   command->callback([path, &context] { context.run = [path] { return Inspect(*path); }; });
 }
 

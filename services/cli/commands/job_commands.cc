@@ -52,7 +52,9 @@ struct ListOptions : JobCommandOptions {
 
 std::shared_ptr<JobCommandOptions> AddJobCommand(CLI::App& command,
                                                  std::shared_ptr<JobCommandOptions> options) {
-  command.add_option("JOB", options->id, "As submit and list print it, or the beginning of it")
+  command
+      .add_option("JOB", options->id,
+                  "Job id, as printed by submit and list, or the beginning of it")
       ->required();
   AddServerOptions(command, options->server);
   return options;
@@ -128,8 +130,8 @@ ExitCode Watch(const JobCommandOptions& options, Interrupt& interrupt) {
   if (options.json) Print(JsonOfJob(*job, "") + "\n");
   if (!OutcomeOf(*job).ok()) return FailJob(*job);
   if (options.json) return ExitCode::kOk;
-  Print(fmt::format("job {} succeeded; `slicefarm get {} -o OUT.gcode` fetches it\n", job->id(),
-                    job->id()));
+  Print(fmt::format("job {} succeeded; `slicefarm get {} -o OUT.gcode` fetches its result\n",
+                    job->id(), job->id()));
   return ExitCode::kOk;
 }
 
@@ -262,7 +264,7 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
   std::string text = TextOf({"JOB", "STATE", "PLACE", "LAYERS", "DONE", "CREATED", "PRINT TIME",
                              "COST", "PROFILES", "LABELS", "MODEL"});
   for (const v1::Job& job : all->jobs()) text += TextOf(RowOf(job));
-  if (!all->next_page_token().empty()) text += "there are more: --limit N\n";
+  if (!all->next_page_token().empty()) text += "there are more jobs: use a larger --limit N\n";
   Print(text);
   Warn(WaitsOf(all->jobs()));
   return ExitCode::kOk;
@@ -271,13 +273,12 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
 }  // namespace
 
 void AddWatch(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("watch", "Wait for the end of a job");
+  CLI::App* command = app.add_subcommand("watch", "Wait until a job has ended");
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
-  command->add_flag("--json", options->json,
-                    "Print the job, when it has ended, as one line of JSON");
+  command->add_flag("--json", options->json, "Print the job as one line of JSON when it has ended");
   command->footer(
-      "While the job waits, a terminal shows its place in the queue and when it may be done.\n"
-      "Exit code as the job's outcome. Ctrl-C stops the watching; the job goes on.");
+      "While the job waits, a terminal shows its position in the queue and its expected end.\nThe "
+      "exit code is that of the job's outcome. Ctrl-C ends only this command; the job continues.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Watch(*options, *context.interrupt); };
   });
@@ -286,23 +287,23 @@ void AddWatch(CLI::App& app, CommandContext& context) {
 void AddList(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("list", "List jobs, newest first");
   const auto options = std::make_shared<ListOptions>();
-  command->add_option("--limit", options->limit, "How many at most")
+  command->add_option("--limit", options->limit, "Largest number of jobs to list")
       ->check(InRange(1, 100'000))
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--state", options->states, "Only jobs in this state. May be repeated")
+  command->add_option("--state", options->states, "State of the jobs to list; may be repeated")
       ->check(
           OneOf(std::vector<std::string>{"queued", "running", "succeeded", "failed", "cancelled"}))
       ->allow_extra_args(false);
-  command->add_option("--label", options->labels, "Only jobs with this label. May be repeated")
+  command->add_option("--label", options->labels, "Label of the jobs to list; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--oldest-first", options->oldest_first);
-  command->add_flag("--json", options->json, "All that is known of them, as JSON");
+  command->add_flag("--json", options->json, "Print all fields of the jobs as JSON");
   command->footer(
-      "PLACE: of a waiting job, in the queue of the whole farm; 1 begins next. DONE: when a job "
-      "is\n"
-      "expected to have ended, by its layers, or by its place and the time that other jobs took.");
+      "PLACE: position of a waiting job in the queue of the whole farm; 1 starts next. DONE: "
+      "expected\nend of a job, estimated from its layers, or from its position and the duration of "
+      "other jobs.");
   AddServerOptions(*command, options->server);
   command->callback([options, &context] {
     context.run = [options, &context] { return List(*options, *context.interrupt); };
@@ -315,23 +316,25 @@ void AddGet(CLI::App& app, CommandContext& context) {
   AddJobCommand(*command, options);
   command
       ->add_option("-o,--output", options->files.gcode,
-                   "Where the G-code goes; -: to stdout; a folder: a file there, called as "
-                   "output_filename_format says")
+                   "File for the G-code; -: to stdout; a folder: a file in it, named by "
+                   "output_filename_format")
       ->type_name("OUT.gcode");
-  command->add_option("--report", options->files.report, "Where the report goes; -: to stdout")
+  command->add_option("--report", options->files.report, "File for the report; -: to stdout")
       ->type_name("REPORT.json");
   command->footer(
-      "Without -o and --report, all that is known of the job, as JSON: of a waiting one also\n"
-      "queue_position and estimated_end_time.");
+      "Without -o and --report, prints all fields of the job as JSON; for a waiting job "
+      "also\nqueue_position and estimated_end_time.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Get(*options, *context.interrupt); };
   });
 }
 
 void AddCancel(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("cancel", "Stop jobs; their records stay");
+  CLI::App* command = app.add_subcommand("cancel", "Cancel jobs; their records are kept");
   const auto options = std::make_shared<CancelOptions>();
-  command->add_option("JOB", options->ids, "As submit and list print them, or their beginnings")
+  command
+      ->add_option("JOB", options->ids,
+                   "Job ids, as printed by submit and list, or the beginnings of them")
       ->required();
   command->add_flag("--json", options->json, "Print each job as one line of JSON");
   AddServerOptions(*command, options->server);
@@ -341,7 +344,7 @@ void AddCancel(CLI::App& app, CommandContext& context) {
 }
 
 void AddDelete(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("delete", "Remove a job that ended, with its results");
+  CLI::App* command = app.add_subcommand("delete", "Remove an ended job with its results");
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
   command->callback([options, &context] {
     context.run = [options, &context] { return Delete(*options, *context.interrupt); };
@@ -350,7 +353,7 @@ void AddDelete(CLI::App& app, CommandContext& context) {
 
 void AddWebhook(CLI::App& app, CommandContext& context) {
   CLI::App* command =
-      app.add_subcommand("webhook", "Show what became of a job's webhook: each try, as JSON");
+      app.add_subcommand("webhook", "Show each delivery attempt of a job's webhook, as JSON");
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
   command->callback([options, &context] {
     context.run = [options, &context] { return Webhook(*options, *context.interrupt); };
@@ -358,16 +361,17 @@ void AddWebhook(CLI::App& app, CommandContext& context) {
 }
 
 void AddTrace(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("trace", "Show where the time of a job that ended went");
+  CLI::App* command = app.add_subcommand("trace", "Show how an ended job spent its time");
   const auto options = std::make_shared<GetOptions>();
   options->files.trace = "-";
   AddJobCommand(*command, options);
-  command->add_option("-o,--output", options->files.trace, "Where the trace goes; -: to stdout")
+  command->add_option("-o,--output", options->files.trace, "File for the trace; -: to stdout")
       ->capture_default_str()
       ->type_name("TRACE.json");
   command->footer(
-      "In Chrome's trace event format: open it at https://ui.perfetto.dev or chrome://tracing.\n"
-      "Each worker is a process of its own; a range that was done again has several attempts.");
+      "The trace has Chrome's trace event format: open it at https://ui.perfetto.dev or "
+      "chrome://tracing.\nEach worker is a process in it; a layer range that was repeated has "
+      "several attempts.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Trace(*options, *context.interrupt); };
   });

@@ -35,8 +35,8 @@ absl::Status TakeRevision(ProfileOptions& options) {
   if (!absl::SimpleAtoi(options.name.substr(at + 1), &revision) || revision < 1)
     return Malformed(fmt::format("{}: after '@' comes the number of a revision", options.name));
   if (options.revision > 0 && options.revision != revision)
-    return Malformed(
-        fmt::format("{} and --revision {} are two revisions", options.name, options.revision));
+    return Malformed(fmt::format("{} and --revision {} name two different revisions", options.name,
+                                 options.revision));
   options.name.resize(at);
   options.revision = revision;
   return absl::OkStatus();
@@ -123,34 +123,36 @@ CLI::App* AddTo(CLI::App& parent, const char* name, const char* about,
 }  // namespace
 
 void AddProfile(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("profile", "Settings that the farm keeps under a name");
+  CLI::App* command =
+      app.add_subcommand("profile", "Manage settings that the farm stores under a name");
   command->require_subcommand(1);
   const auto options = std::make_shared<ProfileOptions>();
-  CLI::App* put =
-      AddTo(*command, "put", "Add a revision, and print NAME@REVISION", options, context, Put);
-  put->add_option("NAME", options->name, "Letters, digits, -, _ and .")->required();
+  CLI::App* put = AddTo(*command, "put", "Add a revision to a profile and print NAME@REVISION",
+                        options, context, Put);
+  put->add_option("NAME", options->name, "Name of the profile: letters, digits, -, _ and .")
+      ->required();
   AddSettingOptions(*put, options->settings);
   CLI::App* get =
       AddTo(*command, "get", "Print a revision as a config.ini", options, context, GetProfile);
-  get->add_option("NAME", options->name, "Or NAME@REVISION")->required();
-  get->add_flag("--json", options->json, "As JSON");
-  get->add_option("--revision", options->revision, "Default: the newest")
+  get->add_option("NAME", options->name, "Name of the profile, or NAME@REVISION")->required();
+  get->add_flag("--json", options->json, "Print the revision as JSON");
+  get->add_option("--revision", options->revision, "Revision to print; default: the newest")
       ->check(AboveZero())
       ->type_name("N");
   CLI::App* remove =
       AddTo(*command, "delete", "Remove a profile; jobs made with it stay as they are", options,
             context, DeleteProfile);
-  remove->add_option("NAME", options->name, "Or NAME@REVISION")->required();
-  remove->add_option("--revision", options->revision, "Default: all of them")
+  remove->add_option("NAME", options->name, "Name of the profile, or NAME@REVISION")->required();
+  remove->add_option("--revision", options->revision, "Revision to remove; default: all")
       ->check(AboveZero())
       ->type_name("N");
-  AddTo(*command, "list", "List the newest revisions", options, context, ListProfiles)
-      ->add_flag("--json", options->json, "Each as one line of JSON");
+  AddTo(*command, "list", "List all profiles with their newest revisions", options, context,
+        ListProfiles)
+      ->add_flag("--json", options->json, "Print each profile as one line of JSON");
   command->footer(
-      "A revision never changes: a job says which it was made with.\n"
-      "Examples:\n"
-      "  slicefarm profile put mk4-pla --config prusa.ini\n"
-      "  slicefarm submit part.stl -o part.gcode --profile mk4-pla --set fill_density=30%");
+      "Revisions never change; each job records the revision it was made with.\nExamples:\n  "
+      "slicefarm profile put mk4-pla --config prusa.ini\n  slicefarm submit part.stl -o part.gcode "
+      "--profile mk4-pla --set fill_density=30%");
 }
 
 }  // namespace slicefarm::cli

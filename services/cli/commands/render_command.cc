@@ -41,9 +41,10 @@ absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
   const std::string_view end = options.format.empty() ? options.output : name;
   if (end.ends_with(".svg")) return ImageFormat::kSvg;
   if (end.ends_with(".png")) return ImageFormat::kPng;
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-      fmt::format("{}: give it a name that ends in .png or .svg, or say --format", options.output));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("{}: the format of the picture is unknown: use a name that ends in "
+                               ".png or .svg, or --format",
+                               options.output));
 }
 
 /// Returns the firmware from --flavor, or else the one that the file quotes, or else Marlin.
@@ -77,7 +78,7 @@ absl::StatusOr<GcodeLayer> ReadAny(const RenderOptions& options, std::string_vie
   if (IsMillProgram(gcode)) return ReadMillLayer(gcode, options.layer);
   if (!options.layer)
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     "--layer is needed: milling programs alone are drawn as a whole");
+                     "--layer is needed: only milling programs are drawn as a whole");
   if (IsCliFile(gcode)) return ReadCliLayer(gcode, *options.layer, options.spot_mm);
   return ReadLayer(options, gcode);
 }
@@ -108,23 +109,24 @@ void AddRender(CLI::App& app, CommandContext& context) {
   command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")
       ->required();
   command
-      ->add_option(
-          "-l,--layer", options->layer,
-          "Which layer; 0 is the first. Of milling: a level, from the top down; without, all "
-          "ways")
+      ->add_option("-l,--layer", options->layer,
+                   "Layer to draw, counted from 0. For milling: a level, from the top down; "
+                   "without it, all toolpaths")
       ->check(ZeroOrMore())
       ->type_name("N");
-  command->add_option("-o,--output", options->output, "Where the picture goes; -: to stdout")
+  command->add_option("-o,--output", options->output, "File for the picture; -: to stdout")
       ->required()
       ->type_name("LAYER.png|svg");
-  command->add_option("--format", options->format, "If the output's name does not say it")
+  command
+      ->add_option("--format", options->format,
+                   "Format of the picture; default: by the ending of the output's name")
       ->check(OneOf(std::vector<std::string>{"png", "svg"}));
   command
       ->add_option(
           "--color,--by", options->colour_by,
-          "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
-          "is laid, by --flavor's look-ahead), order, or energy: J/mm2 where a CLI file's "
-          "labels say power and speed, else passes")
+          "Property that the colours show: feature (the default), width, speed, flow, time, order "
+          "or energy. time: when a line is printed, by the look-ahead of --flavor. energy: J/mm2 "
+          "if the labels of a CLI file give power and speed, otherwise the number of passes")
       ->transform(OneOf(std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
                                                         {"width", ColourBy::kWidth},
                                                         {"speed", ColourBy::kSpeed},
@@ -136,24 +138,21 @@ void AddRender(CLI::App& app, CommandContext& context) {
   command
       ->add_option(
           "--flavor", options->flavor,
-          "Firmware whose look-ahead tells times; default: the one that the file quotes, else "
-          "marlin")
+          "Firmware used to estimate times; default: the one that the file names, otherwise marlin")
       ->type_name("NAME");
-  command->add_option("--spot", options->spot_mm, "Width of the lines of a CLI file, mm")
+  command->add_option("--spot", options->spot_mm, "Line width in a CLI file, in mm")
       ->check(InRange(0.001, 10.0))
       ->capture_default_str()
       ->type_name("MM");
-  command->add_option("--size", options->size_px, "Longer side of the part's picture, pixels")
+  command->add_option("--size", options->size_px, "Longer side of the picture, in pixels")
       ->check(InRange(50, 8000))
       ->capture_default_str()
       ->type_name("PX");
-  command->add_flag("--travels", options->travels, "Draw travel moves too, as thin lines");
+  command->add_flag("--travels", options->travels, "Draw travels too, as thin lines");
   command->footer(
-      "Beads have their true width and round ends, in the order of printing.\n"
-      "Example:\n"
-      "  slicefarm render part.gcode --layer 12 -o layer.png\n"
-      "  slicefarm render part.cli --layer 12 -o order.png --color order\n"
-      "  slicefarm render part.nc -o ways.png");
+      "Lines are drawn in printing order, with their true width and round ends.\nExample:\n  "
+      "slicefarm render part.gcode --layer 12 -o layer.png\n  slicefarm render part.cli --layer 12 "
+      "-o order.png --color order\n  slicefarm render part.nc -o toolpaths.png");
   command->callback([options, &context] { context.run = [options] { return Render(*options); }; });
 }
 

@@ -123,19 +123,20 @@ void AddSettings(CLI::App& app, CommandContext& context) {
   CLI::App* command =
       app.add_subcommand("settings", "List every setting with its range, default and meaning");
   const auto options = std::make_shared<SettingsOptions>();
-  command->add_option("PATTERN", options->pattern, "Only those with this in their name");
+  command->add_option("PATTERN", options->pattern,
+                      "Part of the names of the settings to list; default: all settings");
   AddMachineOption(*command, options->process);
-  CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
-  command->add_flag("--ini", options->ini, "As a commented config.ini of the defaults")
+  CLI::Option* json = command->add_flag("--json", options->json, "Print the settings as JSON");
+  command->add_flag("--ini", options->ini, "Print a config.ini with the defaults and comments")
       ->excludes(json);
   command
       ->add_option("--coverage", options->coverage,
-                   "How many keys of a config.ini have an effect here, and which have none")
+                   "Profile to check: prints how many of its keys have an effect here, and the "
+                   "keys without effect")
       ->type_name("PROFILE.ini");
   command->footer(
-      "Names and meanings are those of PrusaSlicer's config.ini.\n"
-      "Example:\n"
-      "  slicefarm settings speed");
+      "Names and meanings are the same as in PrusaSlicer's config.ini.\nExample:\n  slicefarm "
+      "settings speed");
   command->callback(
       [options, &context] { context.run = [options] { return ListSettings(*options); }; });
 }

@@ -155,18 +155,19 @@ ExitCode Help(const CLI::App& app, const HelpOptions& options) {
 }  // namespace
 
 void AddHelp(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("help", "Tell about the program, or about a command");
+  CLI::App* command = app.add_subcommand("help", "Explain the program or a command");
   const auto options = std::make_shared<HelpOptions>();
-  command->add_option("COMMAND", options->words, "As in `slicefarm help profile put`");
+  command->add_option("COMMAND", options->words,
+                      "Command to explain, such as `slicefarm help profile put`");
   command->callback(
       [options, &app, &context] { context.run = [options, &app] { return Help(app, *options); }; });
 }
 
 void AddCompletion(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand(
-      "completion", "Print what a shell needs to complete command lines, or the manual page");
+  CLI::App* command =
+      app.add_subcommand("completion", "Print a completion script for a shell, or the manual page");
   const auto options = std::make_shared<CompletionOptions>();
-  command->add_option("SHELL", options->shell, "man: the manual page, as roff")
+  command->add_option("SHELL", options->shell, "Shell of the script; man: the manual page, as roff")
       ->required()
       ->check(OneOf(std::vector<std::string>{"bash", "zsh", "fish", "man"}));
   command->footer(

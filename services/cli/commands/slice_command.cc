@@ -187,10 +187,9 @@ ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
   const bool named = config::FindSetting("output_filename_format", options.job.process) >= 0;
   if (!named && IsNamedBySettings(options.output))
-    return Fail(Malformed(
-        fmt::format("say which file the result goes to (-o FILE): the settings of --machine {} "
-                    "name none",
-                    ProcessName(options.job.process))));
+    return Fail(Malformed(fmt::format(
+        "the output file is not named (-o FILE), and the settings of --machine {} give no name",
+        ProcessName(options.job.process))));
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
   auto models = ReadModels(options.job);
@@ -207,23 +206,21 @@ ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
 }  // namespace
 
 void AddSlice(CLI::App& app, CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("slice", "Make G-code of models or of a project, in this process");
-  const auto options = std::make_shared<SliceOptions>();  // owned by the callback
+  CLI::App* command = app.add_subcommand("slice", "Slice models or a project on this machine");
+  const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
   AddJobOptions(*command, options->job);
   command
       ->add_option("-o,--output", options->output,
-                   "Where the G-code, or what else the machine reads, goes; -: to stdout; a "
-                   "folder, or nothing "
-                   "for that of the model: a file there, called as output_filename_format says")
+                   "File for the G-code or other output; -: to stdout; a folder, or no -o for the "
+                   "model's folder: a file in it, named by output_filename_format")
       ->type_name("OUT.gcode");
   command
       ->add_option("--orient", options->job.texture.orient,
-                   "Along which the texture's x runs at --anchor; on a farm: --set orient=X,Y,Z")
+                   "Direction of the texture's x at --anchor; for a farm: --set orient=X,Y,Z")
       ->type_name("X,Y,Z");
   command
       ->add_option("--threads", options->threads,
-                   "How many to use; the result is the same. Default: one per processor")
+                   "Number of threads; it does not change the result. Default: one per processor")
       ->check(InRange(1, kMaxThreads))
       ->type_name("N");
   std::string of_processes;
@@ -232,13 +229,11 @@ void AddSlice(CLI::App& app, CommandContext& context) {
         !example.empty())
       of_processes += fmt::format("\n  {}", example);
   command->footer(
-      "The output appears when it is complete, or not at all. Ctrl-C stops the work (exit code "
-      "7).\n"
-      "Examples:\n"
-      "  slicefarm slice part.stl -o part.gcode --config prusa.ini\n"
-      "  slicefarm slice project.3mf -o plate2.gcode --plate 2\n"
-      "  slicefarm slice part.obj -o part.gcode --set layer_height=0.15 --set fill_density=30%\n"
-      "  slicefarm slice bracket.stl -o - --units inch --rotate 90,0,0 | gzip > bracket.gcode.gz" +
+      "The output file appears when it is complete, or not at all. Ctrl-C cancels (exit code "
+      "7).\nExamples:\n  slicefarm slice part.stl -o part.gcode --config prusa.ini\n  slicefarm "
+      "slice project.3mf -o plate2.gcode --plate 2\n  slicefarm slice part.obj -o part.gcode --set "
+      "layer_height=0.15 --set fill_density=30%\n  slicefarm slice bracket.stl -o - --units inch "
+      "--rotate 90,0,0 | gzip > bracket.gcode.gz" +
       of_processes);
   command->callback([options, &context] {
     context.run = [options, &context] { return Slice(*options, *context.interrupt); };

@@ -200,14 +200,15 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
   JobsClient client(ClientOptions(options.server, nullptr));
   const auto job = client.CancelJob(id);
   if (!job.ok()) {
-    fmt::print(stderr, "job {} may go on: it could not be cancelled\n", id);
+    fmt::print(stderr, "job {} may continue: it could not be cancelled\n", id);
     Fail(job.status());
     return ExitCode::kCancelled;
   }
   if (job->state() == v1::JOB_STATE_FAILED) return FailJob(*job);
   if (job->state() == v1::JOB_STATE_SUCCEEDED) {
-    fmt::print(stderr,
-               "job {0} had succeeded before; `slicefarm get {0} -o OUT.gcode` fetches it\n", id);
+    fmt::print(
+        stderr,
+        "job {0} had already succeeded; `slicefarm get {0} -o OUT.gcode` fetches its result\n", id);
   } else {
     fmt::print(stderr, "job {} {}\n", id, HasEnded(*job) ? "was cancelled" : "is being cancelled");
   }
@@ -218,7 +219,7 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
 void CancelAfterError(const SubmitOptions& options, const std::string& id) {
   JobsClient client(ClientOptions(options.server, nullptr));
   if (const auto job = client.CancelJob(id); !job.ok()) {
-    fmt::print(stderr, "job {} may go on: it could not be cancelled\n", id);
+    fmt::print(stderr, "job {} may continue: it could not be cancelled\n", id);
     Fail(job.status());
   }
 }
@@ -257,18 +258,19 @@ void PrintSummary(const SubmitOptions& options, const v1::Job& job, const std::s
 absl::Status CheckWishes(const SubmitOptions& options) {
   const bool gcode = !options.output.empty();
   if (options.check && (gcode || !options.job.report.empty())) {
-    return Malformed("--check makes nothing: there is no G-code and no report");
+    return Malformed("--check does not slice: omit -o and --report");
   }
   if (options.check && (options.detach || options.quote)) {
-    return Malformed("--check makes no job: leave --detach and --quote out");
+    return Malformed("--check creates no job: omit --detach and --quote");
   }
-  if (options.orient && !options.check) return Malformed("--orient is a question of --check");
-  if (options.quote && gcode) return Malformed("--quote makes no G-code: leave -o out");
+  if (options.orient && !options.check) return Malformed("--orient works only with --check");
+  if (options.quote && gcode) return Malformed("--quote makes no G-code: omit -o");
   if (options.detach && (gcode || !options.job.report.empty())) {
     return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
   }
   if (!gcode && !options.detach && !options.quote && !options.check) {
-    return Malformed("say where the G-code goes (-o OUT.gcode), or --detach, --quote or --check");
+    return Malformed(
+        "the output file is not named: use -o OUT.gcode, --detach, --quote or --check");
   }
   return CheckOutputs(options.job, options.output);
 }
@@ -285,7 +287,7 @@ std::string AdviceText(const v1::OrientationAdvice& advice) {
                        lying.stable() ? "" : ", not stable");
   };
   return fmt::format(
-      "{} would print better turned by {},{},{} degrees about x, y, z: {}; now: {}\n",
+      "{} would print better if rotated by {},{},{} degrees about x, y, z: {}; now: {}\n",
       advice.object(), angle(0), angle(1), angle(2), describe(advice.advised()),
       describe(advice.asked()));
 }
@@ -321,7 +323,7 @@ ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient&
   bar.Clear();
   if (interrupt.Requested()) return CancelAfterInterrupt(options, created.id());
   if (!job.ok()) {
-    fmt::print(stderr, "job {} goes on; `slicefarm watch {}` follows it\n", created.id(),
+    fmt::print(stderr, "job {} continues; `slicefarm watch {}` follows it\n", created.id(),
                created.id());
     return Fail(job.status());
   }
@@ -387,59 +389,60 @@ ExitCode Submit(SubmitOptions options, Interrupt& interrupt) {
 
 void AddSubmit(CLI::App& app, CommandContext& context) {
   CLI::App* command =
-      app.add_subcommand("submit", "Have a farm make the G-code, and fetch it when it is done");
+      app.add_subcommand("submit", "Slice on a farm and fetch the G-code when it is done");
   const auto options = std::make_shared<SubmitOptions>();
   AddJobOptions(*command, options->job);
   command
       ->add_option("-o,--output", options->output,
-                   "Where the G-code goes; -: to stdout; a folder: a file there, called as "
-                   "output_filename_format says")
+                   "File for the G-code; -: to stdout; a folder: a file in it, named by "
+                   "output_filename_format")
       ->type_name("OUT.gcode");
-  command->add_flag("--detach", options->detach, "Do not wait; print the job's id");
-  command->add_option("--label", options->labels, "Kept with the job. May be repeated")
+  command->add_flag("--detach", options->detach, "Print the job's id and do not wait for the job");
+  command
+      ->add_option("--label", options->labels,
+                   "Label that the farm stores with the job; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command
       ->add_option("--profile", options->profiles,
-                   "Settings kept by the farm (`slicefarm profile`), before those given here. "
-                   "May be repeated")
+                   "Profile of settings that the farm stores (`slicefarm profile`); settings given "
+                   "here override it. May be repeated")
       ->type_name("NAME[@REVISION]")
       ->allow_extra_args(false);
-  command->add_option("--priority", options->priority, "Among the jobs that wait")
+  command->add_option("--priority", options->priority, "Queue priority of the job")
       ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}))
       ->capture_default_str();
   command
       ->add_option("--deadline", options->deadline_s,
-                   "Seconds after which the job is of no use, and fails")
+                   "Seconds after which the job fails if it is not done")
       ->check(AboveZero())
       ->type_name("S");
   command
       ->add_option("--webhook", options->webhook,
-                   "Is posted the job when it has ended; the farm must allow it")
+                   "URL that receives the job by POST when it has ended; the farm must allow it")
       ->type_name("URL");
   command->add_flag("--json", options->json,
                     "Print each job as one line of JSON: id, state, result, warnings, error, and "
-                    "`output`, where the result went");
-  command->add_flag("--quote", options->quote, "Time, filament and cost only: no G-code is made");
+                    "`output`, the file of the result");
+  command->add_flag("--quote", options->quote,
+                    "Compute only time, filament and cost; no G-code is made");
   command->add_flag("--check", options->check,
-                    "Only look whether the job can be made, and estimate it; nothing is kept but "
-                    "the mesh");
+                    "Check only whether the job can be made, and estimate it; the farm stores "
+                    "nothing but the mesh");
   command->add_flag("--orient", options->orient,
-                    "With --check: name objects that would print better another way round, with a "
-                    "large face on the bed and little that needs support");
+                    "Report objects that would print better in another orientation, with a large "
+                    "face on the bed and little support (with --check)");
   command
       ->add_option("--traceparent", options->traceparent,
-                   "The trace that the job belongs to (W3C Trace Context)")
+                   "Trace that the job belongs to (W3C Trace Context)")
       ->envname("TRACEPARENT")
       ->type_name("00-TRACE-SPAN-01");
   AddServerOptions(*command, options->server);
   command->footer(
-      "A broken connection is taken up again, the upload where it broke off. Ctrl-C cancels the "
-      "job\n"
-      "(exit code 7); a job submitted with --detach goes on without this program.\n"
-      "Examples:\n"
-      "  slicefarm submit part.stl -o part.gcode --config prusa.ini --server farm:50050\n"
-      "  job=$(slicefarm submit part.stl --detach) && slicefarm watch $job");
+      "After a broken connection the command and its upload continue from the point of "
+      "interruption.\nCtrl-C cancels the job (exit code 7); a job submitted with --detach does not "
+      "need this program.\nExamples:\n  slicefarm submit part.stl -o part.gcode --config prusa.ini "
+      "--server farm:50050\n  job=$(slicefarm submit part.stl --detach) && slicefarm watch $job");
   command->callback([options, &context] {
     context.run = [options, &context] { return Submit(*options, *context.interrupt); };
   });

@@ -34,8 +34,8 @@ ExitCode ExportAll(const TenantOptions& options, Interrupt& interrupt) {
 ExitCode EraseAll(const TenantOptions& options, Interrupt& interrupt) {
   if (!options.yes) {
     return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                          fmt::format("this would erase all jobs, meshes, results and profiles of "
-                                      "the tenant '{}': --yes does it",
+                          fmt::format("all jobs, meshes, results and profiles of the tenant '{}' "
+                                      "would be erased: add --yes to confirm",
                                       options.tenant)));
   }
   JobsClient client(ClientOptions(options.server, &interrupt));
@@ -54,7 +54,7 @@ CLI::App* AddTenantCommand(CLI::App& parent, const char* name, const char* about
                            const std::shared_ptr<TenantOptions>& options, CommandContext& context,
                            ExitCode (*run)(const TenantOptions&, Interrupt&)) {
   CLI::App* command = parent.add_subcommand(name, about);
-  command->add_option("TENANT", options->tenant, "Its name; '' on a farm without tenants")
+  command->add_option("TENANT", options->tenant, "Name of the tenant; '' on a farm without tenants")
       ->required()
       ->type_name("NAME");
   AddServerOptions(*command, options->server);
@@ -67,20 +67,23 @@ CLI::App* AddTenantCommand(CLI::App& parent, const char* name, const char* about
 }  // namespace
 
 void AddTenant(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("tenant", "All that the farm keeps of a tenant");
+  CLI::App* command = app.add_subcommand("tenant", "Export or erase all data of a tenant");
   command->require_subcommand(1);
   const auto options = std::make_shared<TenantOptions>();
-  AddTenantCommand(*command, "export", "Write it to a tar archive: jobs, meshes, results, profiles",
+  AddTenantCommand(*command, "export",
+                   "Write the jobs, meshes, results and profiles of a tenant to a tar archive",
                    options, context, ExportAll)
-      ->add_option("-o,--output", options->output, "Where it goes; -: to stdout")
+      ->add_option("-o,--output", options->output, "File for the archive; -: to stdout")
       ->required()
       ->type_name("FILE");
-  CLI::App* erase = AddTenantCommand(*command, "erase", "Cancel its jobs, and erase it all",
-                                     options, context, EraseAll);
-  erase->add_flag("--yes", options->yes, "Without it, nothing is done");
+  CLI::App* erase =
+      AddTenantCommand(*command, "erase", "Cancel all jobs of a tenant and erase all its data",
+                       options, context, EraseAll);
+  erase->add_flag("--yes", options->yes,
+                  "Confirm the erasure; nothing is erased without this flag");
   erase->footer(
-      "Remove its entry from --tenants first, so that nothing new comes. Backups, logs and the "
-      "audit trail are not touched.");
+      "Remove the tenant's entry from --tenants first, so that no new data arrives. Backups, logs "
+      "and the audit trail are not changed.");
 }
 
 }  // namespace slicefarm::cli

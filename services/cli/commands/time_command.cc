@@ -72,20 +72,19 @@ ExitCode Time(const TimeOptions& options) {
 }  // namespace
 
 void AddTime(CLI::App& app, CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("time", "Time of any G-code file, by its firmware's look-ahead");
+  CLI::App* command = app.add_subcommand(
+      "time", "Estimate the print time of any G-code file from its firmware's look-ahead");
   const auto options = std::make_shared<TimeOptions>();
   AddGcodeOptions(*command, *options);
-  command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Rows of `key value`, in seconds: time_s is move_s, dwell_s (G4) and heating_s (waits whose\n"
-      "nozzle_heating_rate or bed_heating_rate the settings know); move_s is travel_s,\n"
-      "retract_s (filament alone) and feature_NAME_s of what the slicer's comments name; "
-      "layer_N_s\n"
-      "and before_layers_s are all of it, once more. What no program tells takes 0 s and is\n"
-      "counted: homings, heat_waits, tool_changes.\n"
-      "Example:\n"
-      "  slicefarm time part.gcode --flavor klipper --config printer.cfg");
+      "Prints rows of `key value`, in seconds. time_s is the sum of move_s, dwell_s (G4) and "
+      "heating_s\n(waiting for temperatures, if the settings have nozzle_heating_rate or "
+      "bed_heating_rate).\nmove_s is the sum of travel_s, retract_s (filament only) and the "
+      "feature_NAME_s of the features\nthat the slicer's comments name. layer_N_s and "
+      "before_layers_s add up to time_s as well.\nEvents of unknown duration take 0 s and are "
+      "counted: homings, heat_waits, tool_changes.\nExample:\n  slicefarm time part.gcode --flavor "
+      "klipper --config printer.cfg");
   command->callback([options, &context] { context.run = [options] { return Time(*options); }; });
 }
 

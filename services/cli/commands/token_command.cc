@@ -37,7 +37,7 @@ std::string CheckTime(const std::string& text) {
   absl::Time time;
   std::string error;
   if (absl::ParseTime(absl::RFC3339_full, text, &time, &error)) return "";
-  return "it is not a time such as 2027-01-31T12:00:00Z";
+  return "not a time such as 2027-01-31T12:00:00Z";
 }
 
 ExitCode Make(const TokenOptions& options) {
@@ -56,18 +56,18 @@ void AddToken(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<TokenOptions>();
   command
       ->add_option("--scope", options->scopes,
-                   "submit, read or admin. May be repeated; none: submit and read")
+                   "Permission of the token: submit, read or admin; may be repeated. Default: "
+                   "submit and read")
       ->check(OneOf(std::vector<std::string>{"submit", "read", "admin"}))
       ->allow_extra_args(false);
-  command->add_option("--expires", options->expires, "When it is no longer good; else it always is")
+  command
+      ->add_option("--expires", options->expires, "Time at which the token expires; default: never")
       ->check(CheckTime)
       ->type_name("TIME");
   command->footer(
-      "Prints two lines: the token, which is kept nowhere, for the client; and an entry for the\n"
-      "\"tokens\" of the tenant in the coordinator's --tenants file, from which nobody learns the "
-      "token.\n"
-      "Example:\n"
-      "  slicefarm token --expires 2027-01-31T12:00:00Z");
+      "Prints two lines: the token for the client, which is not stored anywhere, and an entry for "
+      "the\n\"tokens\" of the tenant in the coordinator's --tenants file, which does not reveal "
+      "the token.\nExample:\n  slicefarm token --expires 2027-01-31T12:00:00Z");
   command->callback([options, &context] { context.run = [options] { return Make(*options); }; });
 }
 

@@ -59,7 +59,7 @@ std::string FaultOfNumber(const std::string& text, double min, double max, bool 
   const std::string range = RangeText(min, max, open_end);
   const std::string_view kind = whole ? "a whole number" : "a number";
   if (!number || !std::isfinite(*number))
-    return fmt::format("'{}' is no number: {} {} is needed", text, kind, range);
+    return fmt::format("'{}' is not a number: {} {} is needed", text, kind, range);
   const bool outside = *number < min || *number > max || (open_end && *number == min);
   if (outside || (whole && *number != std::floor(*number)))
     return fmt::format("{} is out of range: {} {} is needed", text, kind, range);

@@ -33,24 +33,24 @@ std::string AdviceOnValue(const ErrorDetail& detail) {
   if (setting == detail.metadata.end()) return "";
   const std::string how = HowToShow(setting->second);
   if (how.empty()) return "";
-  return fmt::format("`{}` says what it means; --set {}=VALUE replaces it", how, setting->second);
+  return fmt::format("`{}` explains it; --set {}=VALUE replaces it", how, setting->second);
 }
 
 std::string AdviceOnFeature(const ErrorDetail& detail) {
   const auto allow = detail.metadata.find("allow");
   if (allow == detail.metadata.end()) return AdviceOnValue(detail);
   const bool tools = allow->second == config::kSeveralTools;
-  return fmt::format("{}--allow {} makes the job all the same, with a warning",
-                     tools ? "give all objects the same extruder, or print them as jobs of their "
-                             "own; "
-                           : "",
-                     allow->second);
+  return fmt::format(
+      "{}--allow {} makes the job without it, with a warning",
+      tools ? "give all objects the same extruder, or print them as separate jobs; " : "",
+      allow->second);
 }
 
 }  // namespace
 
 std::string Advice(const absl::Status& status) {
-  if (absl::IsUnimplemented(status)) return "is a coordinator of this version at that address?";
+  if (absl::IsUnimplemented(status))
+    return "check that a coordinator of this version runs at that address";
   const ErrorDetail detail = DetailOf(status);
   switch (detail.reason) {
     case Reason::kSettingUnknown:
@@ -62,27 +62,28 @@ std::string Advice(const absl::Status& status) {
     case Reason::kNotSupported:
       return AdviceOnFeature(detail);
     case Reason::kPrinterMissing:
-      return "--profile NAME (`slicefarm profile list`) or --config FILE names the printer; "
-             "--generic makes the job without one";
+      return "name the printer with --profile NAME (see `slicefarm profile list`) or --config "
+             "FILE, or add --generic for no particular printer";
     case Reason::kRequestMalformed:
       return detail.metadata.contains("plates")
-                 ? "--plate N takes one of them, --plates makes a job of each"
+                 ? "choose one of them with --plate N, or make a job of each with --plates"
                  : "";
     case Reason::kMeshFormatUnknown:
       return "give an STL (binary or ASCII), OBJ, PLY or 3MF file";
     case Reason::kMeshEmpty:
-      return "is a model in the file? What a slicer exports sliced (.gcode.3mf) may hold G-code "
-             "alone";
+      return "check that the file contains a model; a sliced export (.gcode.3mf) may contain "
+             "G-code only";
     case Reason::kMeshTruncated:
-      return "the file was cut off: export or download it again";
+      return "the file is incomplete: export or download it again";
     case Reason::kOutOfRange:
     case Reason::kOutOfBuildVolume:
       return "use --scale or --rotate, or another bed_shape and max_print_height; --units if the "
              "file is not in mm; --plates for more copies than fit on a bed";
     case Reason::kNothingToPrint:
-      return "is the model empty, or much smaller than a layer? --units says what its numbers mean";
+      return "the model may be empty or much smaller than a layer; set the unit of its coordinates "
+             "with --units";
     case Reason::kUnavailable:
-      return "is the coordinator running there? `slicefarm health HOST:PORT` asks it";
+      return "check that the coordinator runs there: `slicefarm health HOST:PORT`";
     case Reason::kDeadlineExceeded:
       return detail.metadata.contains("field")  // deadline of a job, not of a call
                  ? "submit the job again with a later --deadline, or with a higher --priority"
@@ -90,14 +91,15 @@ std::string Advice(const absl::Status& status) {
     case Reason::kOverloaded:
     case Reason::kQueueFull:
     case Reason::kDiskLow:
-      return "the farm took no more for as long as --patience says: try again later, or with a "
-             "larger --patience";
+      return "the farm accepted no more jobs for as long as --patience says: try again later, or "
+             "with a larger --patience";
     case Reason::kJobNotFound:
-      return "`slicefarm list` shows the jobs there are";
+      return "`slicefarm list` shows the existing jobs";
     case Reason::kJobNotFinished:
       return "`slicefarm watch JOB` waits for its end";
     case Reason::kInternal:
-      return absl::IsDataLoss(status) ? "" : "this is a fault of slicefarm's; please report it";
+      return absl::IsDataLoss(status) ? ""
+                                      : "this is an internal error of slicefarm; please report it";
     default:
       return "";
   }

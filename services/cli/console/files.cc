@@ -53,10 +53,11 @@ bool Replaceable(const std::string& path) {
 }
 
 absl::Status WouldReplaceInput(const std::string& path) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("{} is also an input, which the output would replace: give the "
-                               "output another name",
-                               path));
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+      fmt::format(
+          "{} is also an input, which the output would replace: give the output another name",
+          path));
 }
 
 /// Returns the target if `path` is a symbolic link, so that the link itself stays.

@@ -88,7 +88,7 @@ std::string DigestOf(const v1::JobResult& result, v1::Artifact artifact) {
 absl::Status CheckDigest(const std::string& wanted, const std::string& got) {
   if (wanted.empty() || wanted == got) return absl::OkStatus();
   return MakeError(absl::StatusCode::kDataLoss, Reason::kBlobDigestMismatch,
-                   "what came is not what the job's result says; fetch it again",
+                   "the received file differs from the job's result; fetch it again",
                    {{"sha256", wanted}, {"got", got}});
 }
 
@@ -430,7 +430,7 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
         });
     if (!end.ok() || HasEnded(last)) return end;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                     "the server stopped telling of the job before its end");
+                     "the server ended the stream of job states before the job had ended");
   });
   if (!status.ok()) return status;
   return last;
@@ -456,7 +456,7 @@ absl::Status JobsClient::WatchJobs(
     if (!enough.ok()) return absl::OkStatus();
     if (!end.ok()) return end;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                     "the server stopped telling of jobs");
+                     "the server ended the stream of events");
   });
   return enough.ok() ? status : enough;
 }

@@ -21,13 +21,13 @@ namespace slicefarm::cli {
 
 void AddServerOptions(CLI::App& app, ServerOptions& options) {
   app.add_option("--server", options.server,
-                 "The coordinator; of several: a name with the addresses of all, or "
-                 "ipv4:A:PORT,B:PORT")
+                 "Address of the coordinator; for several coordinators: a name that resolves to "
+                 "all of them, or ipv4:A:PORT,B:PORT")
       ->envname("SLICEFARM_SERVER")
       ->capture_default_str()
       ->type_name("HOST:PORT");
   app.add_option("--patience", options.patience_s,
-                 "Seconds that the server may be out of reach before that is an error")
+                 "Seconds for which an unreachable server is tried again before the command fails")
       ->check(InRange(0.0, 86400.0))
       ->capture_default_str()
       ->type_name("S");

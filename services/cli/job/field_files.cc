@@ -73,7 +73,7 @@ absl::StatusOr<Picture> ReadPng(const std::string& bytes) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
-    return NotField(fmt::format("is no PNG picture: {}", image.message));
+    return NotField(fmt::format("is not a PNG image: {}", image.message));
   Picture picture{image.width, image.height, {}};
   const int64_t pixels = picture.width * picture.height;
   if (pixels > limits::kMaxFieldValues) {
@@ -85,7 +85,7 @@ absl::StatusOr<Picture> ReadPng(const std::string& bytes) {
   const png_color black = {};
   std::vector<png_byte> grey(static_cast<size_t>(pixels));
   if (png_image_finish_read(&image, &black, grey.data(), 0, nullptr) == 0)
-    return NotField(fmt::format("is no PNG picture: {}", image.message));
+    return NotField(fmt::format("is not a PNG image: {}", image.message));
   for (int64_t y = picture.height - 1; y >= 0; --y)
     for (int64_t x = 0; x < picture.width; ++x)
       picture.grey.push_back(grey[static_cast<size_t>(y * picture.width + x)] / 255.0);
@@ -145,7 +145,7 @@ class Inliner {
     if (file->second.size() % size != 0)
       return InFile(file->first, NotField("ends within a number"));
     if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
-      return InFile(file->first, NotField("has what is not a finite number"));
+      return InFile(file->first, NotField("contains a number that is not finite"));
     field.erase("file");
     field.erase("type");
     field[kind_ == FieldKind::kStress ? "stress" : "values"] = std::move(numbers);

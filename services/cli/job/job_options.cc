@@ -37,18 +37,18 @@ absl::Status CheckText(const config::Setting& setting) {
 
 void AddSettingOptions(CLI::App& app, SettingOptions& options) {
   app.add_option("-c,--config", options.config_files,
-                 "PrusaSlicer config.ini, or a G-code file that quotes its settings; of several, "
-                 "later ones win")
+                 "PrusaSlicer config.ini, or a G-code file with settings at its end; may be "
+                 "repeated: later files override earlier ones")
       ->type_name("FILE.ini")
       ->allow_extra_args(false);
-  app.add_option("-s,--set", options.sets, "One setting; wins over --config. May be repeated")
+  app.add_option("-s,--set", options.sets, "Setting that overrides --config; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 
 void AddMachineOption(CLI::App& app, Process& process) {
   std::map<std::string, Process> names;
-  std::string words = "What the job is for:";
+  std::string words = "Manufacturing process of the job:";
   for (const ProcessInfo& info : kProcesses) {
     names[std::string(info.name)] = info.process;
     words += fmt::format(" {}{}: {}.", info.name,
@@ -60,90 +60,92 @@ void AddMachineOption(CLI::App& app, Process& process) {
 }
 
 void AddJobOptions(CLI::App& app, JobOptions& options) {
-  app.add_option(
-         "MODEL", options.models,
-         "STL (binary or ASCII), OBJ or PLY file, or 3MF project; several: a plate of them; "
-         "-: from stdin")
+  app.add_option("MODEL", options.models,
+                 "Model: STL (binary or ASCII), OBJ, PLY or 3MF project; several models share a "
+                 "plate; -: from stdin")
       ->required();
   AddSettingOptions(app, options);
   AddMachineOption(app, options.process);
-  auto* plate =
-      app.add_option("--plate", options.plate, "Which plate of a project with several, from 1")
-          ->check(InRange(1, static_cast<int>(limits::kMaxProjectPlates)))
-          ->type_name("N");
-  app.add_flag(
-         "--plates", options.plates,
-         "A job for each plate of a project, or for as many beds as all parts and copies take; "
-         "-o OUT.gcode gives OUT-1.gcode, OUT-2.gcode, ... `slice` makes those that can be made, "
-         "and "
-         "ends with the error of the first that cannot; `submit` makes all or none")
+  auto* plate = app.add_option("--plate", options.plate,
+                               "Plate to slice of a project with several plates, counted from 1")
+                    ->check(InRange(1, static_cast<int>(limits::kMaxProjectPlates)))
+                    ->type_name("N");
+  app.add_flag("--plates", options.plates,
+               "Make a job for each plate of a project, or for as many beds as all parts and "
+               "copies need; -o OUT.gcode writes OUT-1.gcode, OUT-2.gcode, ... `slice` makes all "
+               "plates that can be made and ends with the error of the first one that fails; "
+               "`submit` makes all or none")
       ->excludes(plate);
   app.add_option("--copies", options.copies,
-                 "How often a model, or an object of a project, is printed; may be repeated")
+                 "Number of copies of a model, or of an object of a project; may be repeated")
       ->type_name("MODEL=N")
       ->allow_extra_args(false);
   app.add_option("--object-set", options.object_sets,
-                 "A setting of one model, or of an object of a project, alone; may be repeated")
+                 "Setting for one model or one object of a project only; may be repeated")
       ->type_name("MODEL:KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--units", options.units, "What a unit of the model means")
+  app.add_option("--units", options.units, "Length unit of the model's coordinates")
       ->check(OneOf(std::vector<std::string>{"mm", "cm", "m", "inch"}))
       ->capture_default_str();
-  app.add_option("--scale", options.scale, "Factor, or one for each axis")->type_name("S|X,Y,Z");
+  app.add_option("--scale", options.scale, "Scale factor, or one factor for each axis")
+      ->type_name("S|X,Y,Z");
   auto* rotate_z = app.add_option("--rotate-z", options.rotate_z_deg,
-                                  "Turn about the vertical, counter-clockwise")
+                                  "Rotation about the vertical axis, counter-clockwise")
                        ->type_name("DEG");
-  app.add_option("--rotate", options.rotate, "Turn about x, then y, then z")
+  app.add_option("--rotate", options.rotate, "Rotation about x, then y, then z, in degrees")
       ->type_name("X,Y,Z")
       ->excludes(rotate_z);
-  auto* center = app.add_option("--center", options.centers,
-                                "Where the middle of the part lies, mm; repeated: a copy at each. "
-                                "Default: the middle of the bed; several parts: arranged")
-                     ->type_name("X,Y")
-                     ->allow_extra_args(false);
+  auto* center =
+      app.add_option("--center", options.centers,
+                     "Position of the part's centre on the bed, in mm; each repetition places a "
+                     "copy. Default: the middle of the bed; several parts are arranged")
+          ->type_name("X,Y")
+          ->allow_extra_args(false);
   app.add_flag("--arrange", options.arrange,
-               "Find places for all parts and copies, as without --center; for those of a project, "
-               "too")
+               "Arrange all parts and copies on the bed, as without --center; objects of a project "
+               "are arranged too")
       ->excludes(center);
   app.add_option("--density-field", options.fields.density,
-                 "How dense the sparse infill is, by place")
+                 "Density of the sparse infill by position")
       ->type_name("FIELD.json");
   app.add_option("--stress-field", options.fields.stress,
-                 "Stresses whose directions the sparse infill follows")
+                 "Stresses by position; the sparse infill follows their directions")
       ->type_name("FIELD.json");
   app.add_option("--materials", options.fields.materials,
-                 "Shares of the materials of a mixing extruder, by place on the plate")
+                 "Mixing ratio of the materials of a mixing extruder, by position on the plate")
       ->type_name("FIELD.json");
   app.add_option("--texture", options.texture.texture,
-                 "With --machine engrave: a planar solid (STL, OBJ, PLY), a height image (PNG), or "
-                 "a computed texture, kind:key=value,...")
+                 "Texture for --machine engrave: a flat solid (STL, OBJ, PLY), a height image "
+                 "(PNG), or a computed texture, kind:key=value,...")
       ->type_name("TEXTURE");
   app.add_option("--mask", options.texture.mask,
-                 "PNG over the surface's map: engraving works where it is bright")
+                 "Mask image (PNG) over the surface's map: bright areas are engraved")
       ->type_name("MASK.png");
   app.add_option("--anchor", options.texture.anchor,
-                 "Where on the surface the texture's origin lies")
+                 "Point on the surface where the texture's origin is placed, in mm")
       ->type_name("X,Y,Z");
-  app.add_option(
-         "--format", options.format,
-         "What the output is, whatever it is called and the settings say: gcode, bgcode; of "
-         "other machines cli, nc, ngc, svg, dxf, csv, stl, obj, png, map.png")
+  app.add_option("--format", options.format,
+                 "Format of the output, regardless of its name and the settings: gcode, bgcode; "
+                 "for other machines cli, nc, ngc, svg, dxf, csv, stl, obj, png, map.png")
       ->type_name("FORMAT");
   std::string features;
   for (const config::Allowance& each : config::Allowances())
     features += fmt::format("{} {}: {}", features.empty() ? "" : ";", each.name, each.doc);
   app.add_option("--allow", options.allow,
-                 "What the job can do without; else it is refused, as its print would be spoilt." +
+                 "Features that the job may lose; without this option a job that would lose one is "
+                 "refused." +
                      features)
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
   app.add_flag("--generic", options.generic,
-               "The job is for no particular printer: no profile sets bed_shape, nozzle_diameter "
-               "and gcode_flavor");
-  app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
+               "Allow a job for no particular printer, in which no profile sets bed_shape, "
+               "nozzle_diameter and gcode_flavor");
+  app.add_option("--report", options.report,
+                 "File for a report of the result, as JSON; -: to stdout")
       ->type_name("REPORT.json");
-  app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
+  app.add_flag("-q,--quiet", options.quiet,
+               "Print only warnings and errors, no progress and no summary");
 }
 
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text) {

@@ -68,8 +68,8 @@ std::string_view ValueOf(std::string_view settings_text, std::string_view key) {
 absl::Status Contradiction(const std::string& output, std::string_view what,
                            std::string_view made) {
   return Malformed(
-      fmt::format("--output {}: the name says {}, and the job makes {}: give it another name, or "
-                  "say with --format that the name is meant",
+      fmt::format("--output {}: the name means {}, but the job makes {}: choose another name, or "
+                  "state the format with --format",
                   output, what, made));
 }
 
@@ -126,8 +126,7 @@ absl::StatusOr<config::Setting> FormatSetting(const std::string& format, Process
     return Malformed(
         fmt::format("--format {}: --machine {} makes such files", format, owner->name));
   const std::string nearest = config::Nearest(format, names);
-  return Malformed(fmt::format("--format {}: there is no such format{}; --machine {} makes {}",
-                               format,
+  return Malformed(fmt::format("--format {}: unknown format{}; --machine {} makes {}", format,
                                nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest),
                                ProcessName(process), EndingsOf(process)));
 }

@@ -32,7 +32,7 @@ std::string SummaryText(const Summary& summary) {
     text += fmt::format(", {:.2f} m of filament", summary.filament_mm / 1000);
   if (summary.filament_g > 0) text += fmt::format(" ({:.1f} g)", summary.filament_g);
   if (!summary.cost.empty()) text += ", " + summary.cost;
-  if (summary.cached) text += "; found by content, not made anew";
+  if (summary.cached) text += "; from the cache";
   if (!summary.job.empty()) text += "; job " + summary.job;
   text += '\n';
   const int64_t matter = summary.settings_without_effect - summary.beside_print;

@@ -17,7 +17,7 @@ TEST(SummaryText, SaysWhatMatters) {
                          .filament_mm = 10,
                          .cached = true,
                          .settings_without_effect = 3}),
-            "1 layer, 5s to print, 0.01 m of filament; found by content, not made anew\n"
+            "1 layer, 5s to print, 0.01 m of filament; from the cache\n"
             "3 of the given settings have no effect; --report FILE.json lists them\n");
   EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 54, .beside_print = 52}),
             "1 layer, 0s to print\n"

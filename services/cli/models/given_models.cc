@@ -45,7 +45,7 @@ absl::Status CheckName(const std::string& path, const MeshFile& model, MeshForma
       model.bytes.empty())
     return absl::OkStatus();
   return InFile(path, MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                                "no 3MF, which is a ZIP archive: this file does not begin as one"));
+                                "not a 3MF project: the file does not begin like a ZIP archive"));
 }
 
 /// Reads the models for one plate.
@@ -62,7 +62,7 @@ class PlateReader {
     for (const std::string& path : options_.models)
       if (absl::Status ok = Read(path); !ok.ok()) return ok;
     if (chosen_ > 0 && !has_project_)
-      return Malformed("--plate: none of the models is a 3MF project");
+      return Malformed("--plate works only with a 3MF project; none is given");
     absl::Status ok = TakeCopies();
     if (ok.ok()) ok = TakeSettings();
     if (!ok.ok()) return ok;
@@ -112,7 +112,7 @@ class PlateReader {
   /// Applies the position of the command line, if there is one, to an object of a project.
   absl::Status PlaceAgain(const std::string& path, size_t objects, SceneObject& object) const {
     if (placement_.unit_mm != 1)
-      return Malformed("--units: the unit of " + path + " is said in the file");
+      return Malformed("--units: omit it, the unit of " + path + " is stored in the file");
     const std::vector<Point>& centers = placement_.centers;
     Placement turn = placement_;
     turn.centers.clear();
@@ -120,8 +120,8 @@ class PlateReader {
     for (Instance& instance : object.instances) {
       if (instance.placed) {
         return Malformed(
-            fmt::format("--scale, --rotate, --rotate-z and --center would move what "
-                        "{} has placed; with --arrange it is placed anew",
+            fmt::format("--scale, --rotate, --rotate-z and --center would move objects that {} has "
+                        "placed; add --arrange to place them anew",
                         path));
       }
       instance.to_plate = Combined(TransformOf(turn), instance.to_plate);
@@ -163,8 +163,8 @@ class PlateReader {
         if (!named.IsCalled(of.name)) continue;
         if (named.IsPlaced()) {
           return Malformed(
-              fmt::format("--copies {}: the project has placed it; with --arrange its "
-                          "copies are placed anew",
+              fmt::format("--copies {}: the project has already placed it; add --arrange to place "
+                          "its copies anew",
                           text));
         }
         named.object.instances.assign(static_cast<size_t>(*count), named.object.instances.front());
@@ -177,10 +177,9 @@ class PlateReader {
     for (const std::string& text : options_.object_sets) {
       const OfModel of = TakeApart(text, ':', KnownNames());
       if (of.name.empty()) {
-        return Malformed(
-            fmt::format("--object-set {}: MODEL:key=value is needed, with one of the "
-                        "models",
-                        text));
+        return Malformed(fmt::format(
+            "--object-set {}: MODEL:key=value is needed, with the name of one of the models",
+            text));
       }
       const auto setting = ParseSet("--object-set", of.what);
       if (!setting.ok()) return setting.status();
@@ -304,9 +303,9 @@ std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setti
 absl::Status CheckOutputs(const JobOptions& options, const std::string& output) {
   if (absl::Status ok = config::CheckAllowed(options.allow); !ok.ok()) return ok;
   if (output != "-" && output == options.report && !output.empty())
-    return Malformed(fmt::format("-o and --report name one file: {}", output));
+    return Malformed(fmt::format("-o and --report name the same file: {}", output));
   if (!options.plates || (output != "-" && options.report != "-")) return absl::OkStatus();
-  return Malformed("--plates makes several files: stdout is no place for them");
+  return Malformed("--plates makes several files, which cannot all go to stdout: use -o FILE");
 }
 
 absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate) {

@@ -330,7 +330,7 @@ TEST(ReadModels, WhatIsNamed3mfMustBeOne) {
   const auto models = ReadModels(options);
   EXPECT_EQ(DetailOf(models.status()).reason, Reason::kMeshFormatUnknown);
   EXPECT_THAT(std::string(models.status().message()), HasSubstr("page.3mf"));
-  EXPECT_THAT(std::string(models.status().message()), HasSubstr("no 3MF"));
+  EXPECT_THAT(std::string(models.status().message()), HasSubstr("not a 3MF project"));
 }
 
 TEST(ReadModels, DamagedProjectsAreNamed) {

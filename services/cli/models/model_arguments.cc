@@ -23,7 +23,7 @@ absl::StatusOr<std::vector<double>> Numbers(std::string_view option, std::string
   }
   if (numbers.size() != count || Split(text, ",").size() != count) {
     return Malformed(
-        fmt::format("{} {}: {} numbers between commas are needed", option, text, count));
+        fmt::format("{} {}: {} numbers, separated by commas, are needed", option, text, count));
   }
   return numbers;
 }
@@ -88,9 +88,10 @@ absl::StatusOr<int> CopiesOf(const std::string& text, const OfModel& of) {
   const auto count = ToNumber(Trim(of.what));
   if (of.name.empty() || !count || *count != std::floor(*count) || *count < 1 ||
       *count > limits::kMaxObjects) {
-    return Malformed(fmt::format("--copies {}: MODEL=N is needed, with one of the models and a "
-                                 "number from 1 to {}",
-                                 text, limits::kMaxObjects));
+    return Malformed(
+        fmt::format("--copies {}: MODEL=N is needed, with the name of one of the models and a "
+                    "number from 1 to {}",
+                    text, limits::kMaxObjects));
   }
   return static_cast<int>(*count);
 }

@@ -49,7 +49,7 @@ absl::Status TakeTexture(JobOptions& options) {
                    !given.orient.empty();
   if (!any) return absl::OkStatus();
   if (options.process != Process::kEngrave)
-    return Malformed("--texture, --mask, --anchor and --orient are of --machine engrave");
+    return Malformed("--texture, --mask, --anchor and --orient need --machine engrave");
   if (!given.texture.empty())
     if (absl::Status added = AddTexture(options); !added.ok()) return added;
   if (!given.mask.empty())

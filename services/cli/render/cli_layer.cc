@@ -25,7 +25,7 @@ constexpr std::string_view kHeaderEnd = "$$HEADEREND";
 
 absl::Status NotCli(const std::string& what) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   "not a CLI file as the format says: " + what);
+                   "not a valid CLI file: " + what);
 }
 
 /// Replaces each `// comment //` by a blank. Text without the end mark is no comment.
@@ -132,7 +132,7 @@ absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKe
   const size_t each = name == "HATCHES" ? 4 : 2;
   const double count = (*numbers)[header - 1];
   if (static_cast<double>(numbers->size() - header) != count * static_cast<double>(each))
-    return NotCli(fmt::format("$${} has not the {} items that it says", name, count));
+    return NotCli(fmt::format("$${} does not have the {} items that it announces", name, count));
   const std::vector<double> xy(numbers->begin() + static_cast<std::ptrdiff_t>(header),
                                numbers->end());
   const int id = IdOf(numbers->front());
@@ -234,7 +234,7 @@ bool IsCliFile(std::string_view bytes) {
 
 absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm) {
   const size_t end = bytes.find(kHeaderEnd);
-  if (!IsCliFile(bytes) || end == std::string_view::npos) return NotCli("it has no whole header");
+  if (!IsCliFile(bytes) || end == std::string_view::npos) return NotCli("its header is incomplete");
   const std::string header = WithoutComments(bytes.substr(0, end));
   constexpr std::string_view kUnits = "$$UNITS/";
   double unit_mm = 0;

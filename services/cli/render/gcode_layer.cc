@@ -225,14 +225,14 @@ absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index,
   }
   GcodeLayer layer = reader.Finish();
   if (layer.layer_count == 0) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     "there is no ;LAYER_CHANGE comment in it: this is not G-code by slicefarm or "
-                     "PrusaSlicer");
-  }
-  if (index < 0 || index >= layer.layer_count) {
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-        fmt::format("there is no layer {}: they go from 0 to {}", index, layer.layer_count - 1));
+        "the file has no ;LAYER_CHANGE comment: it is not G-code of slicefarm or PrusaSlicer");
+  }
+  if (index < 0 || index >= layer.layer_count) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     fmt::format("there is no layer {}: layers are numbered from 0 to {}", index,
+                                 layer.layer_count - 1));
   }
   return layer;
 }

@@ -171,8 +171,8 @@ absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<i
   const std::vector<int64_t> levels = LevelsOf(ways);
   if (levels.empty()) return Refused("the program cuts nothing");
   if (level && (*level < 0 || *level >= std::ssize(levels)))
-    return Refused(
-        fmt::format("there is no level {}: they go from 0 to {}", *level, levels.size() - 1));
+    return Refused(fmt::format("there is no level {}: levels are numbered from 0 to {}", *level,
+                               levels.size() - 1));
   GcodeLayer layer;
   layer.index = level.value_or(0);
   layer.layer_count = static_cast<int>(levels.size());

@@ -124,7 +124,7 @@ class Reader {
       return token;
     }
     token.sha256 = sha256.get<std::string>();
-    if (!tokens_.insert(token.sha256).second) Fail(place, "stands twice in the file");
+    if (!tokens_.insert(token.sha256).second) Fail(place, "is in the file twice");
     token.scopes = ReadScopes(json["scopes"], place + ".scopes");
     if (json.contains("expires")) token.expires_us = ReadTime(json["expires"], place + ".expires");
     return token;
@@ -139,7 +139,7 @@ class Reader {
     for (const Json& name : json) {
       const auto scope = name.is_string() ? ScopeFromName(name.get<std::string>()) : std::nullopt;
       if (!scope) {
-        Fail(place, absl::StrCat("has what is no scope (submit, read, admin): ",
+        Fail(place, absl::StrCat("contains an unknown scope (scopes are submit, read, admin): ",
                                  name.dump(-1, ' ', true, Json::error_handler_t::replace)));
         return scopes;
       }

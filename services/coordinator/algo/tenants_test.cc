@@ -83,14 +83,15 @@ TEST(Tenants, WhatCannotBeMeantIsRefusedByItsPlace) {
            Case{FileWith(R"({"tokens": [{"sha256": "ABC", "scopes": []}]})"),
                 "tenants.a.tokens[0].sha256 is not a SHA-256, 64 lower-case hex digits"},
            Case{FileWith(R"({"tokens": [)" + Entry("1", R"("write")") + "]}"),
-                "tenants.a.tokens[0].scopes has what is no scope (submit, read, admin): \"write\""},
+                "tenants.a.tokens[0].scopes contains an unknown scope (scopes are submit, read, "
+                "admin): \"write\""},
            Case{FileWith(R"({"tokens": [)" + Entry("1", "", R"(, "expires": "tomorrow")") + "]}"),
                 "tenants.a.tokens[0].expires is not a time such as 2027-01-31T12:00:00Z"},
            Case{FileWith(R"({"tokens": [)" + Entry("1", "", R"(, "token": "sf_1")") + "]}"),
                 "tenants.a.tokens[0] has an unknown key: token"},
            Case{File(R"("a": {"tokens": [)" + Entry("1") + R"(]}, "b": {"tokens": [)" + Entry("1") +
                      "]}"),
-                "tenants.b.tokens[0] stands twice in the file"},
+                "tenants.b.tokens[0] is in the file twice"},
            Case{FileWith(R"({"certificate_scopes": "read"})"),
                 "tenants.a.certificate_scopes is not a list"},
        }) {

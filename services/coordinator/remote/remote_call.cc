@@ -12,10 +12,10 @@ namespace slicefarm::coordinator {
 
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
   if (IsOutOfMemory(why) || absl::IsCancelled(why)) return why;
-  return MakeError(
-      absl::StatusCode::kInternal, Reason::kInternal,
-      fmt::format("{} answered what does not fit the call: {}", stage, std::string(why.message())),
-      {{"stage", std::string(stage)}});
+  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                   fmt::format("{} sent an answer that does not fit the call: {}", stage,
+                               std::string(why.message())),
+                   {{"stage", std::string(stage)}});
 }
 
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
@@ -28,7 +28,7 @@ absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadlin
     return LostCall(stage, "connection", "was lost: " + std::string(status.message()));
   if (absl::IsUnimplemented(status))
     return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
-                     fmt::format("what answers as {} is another service, or of another build: {}",
+                     fmt::format("the server at {} is another service, or of another build: {}",
                                  stage, std::string(status.message())),
                      {{"stage", std::string(stage)}});
   return status;

@@ -22,7 +22,7 @@ constexpr int kSends = 3;
 
 absl::Status Forgetful() {
   return MakeError(absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
-                   "the server forgets what it is sent before it is used");
+                   "the server drops shared values before they are used");
 }
 
 }  // namespace

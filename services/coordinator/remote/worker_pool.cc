@@ -36,7 +36,8 @@ absl::Status CheckInfo(const v1::WorkerInfo& info) {
                      "the worker is of build " + info.build_id());
   }
   if (ProcessesOf(info).empty()) {
-    return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "the worker knows no process");
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     "the worker supports no process");
   }
   if (info.slots() < 1) {
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "the worker has no slots");
@@ -160,7 +161,7 @@ void WorkerPool::Dismiss(const MemberPtr& member) {
       greeting->context.TryCancel();
     }
   }
-  Leave(member, "its address is gone");
+  Leave(member, "its address does not exist any more");
   std::unique_lock lock(mutex_);
   greeted_.wait(lock, [&] { return member->greetings == 0; });
 }
@@ -209,7 +210,7 @@ void WorkerPool::Seat(const MemberPtr& member, int slots, ProcessSet processes) 
     const std::lock_guard lock(mutex_);
     if (member->runner != 0 && member->slots == slots && member->processes == processes) return;
   }
-  Leave(member, "another one was started in its place");
+  Leave(member, "another worker was started at its address");
   if (slots == 0) return;
   Runner runner;
   runner.name = member->address;

@@ -46,9 +46,10 @@ absl::Status LostRuns::MayBegin() const {
   if (!condemned() && rest_us_ == 0) return absl::OkStatus();
   const std::string text =
       condemned()
-          ? fmt::format("{} runs of this job began and came to no end", count_)
-          : fmt::format("the job rests: {} of its runs came to no end, and of {} services died",
-                        count_, deadly_);
+          ? fmt::format("{} runs of this job started and did not end", count_)
+          : fmt::format(
+                "the job is suspended: {} of its runs did not end, and {} of them killed services",
+                count_, deadly_);
   return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned, text,
                    {{"lost_runs", fmt::format("{}", count_)}});
 }

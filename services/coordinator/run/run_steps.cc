@@ -26,7 +26,7 @@ Step After(Step step) {
 Step RunSteps::Next(const RunWishes& wishes, int64_t now_us) {
   if (wishes.lost()) return Step::kOver;
   const bool begun = step_ != Step::kFindCached && step_ != Step::kBegin;
-  if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("given up before it began"));
+  if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("cancelled before it began"));
   if (step_ == Step::kBegin) {
     if (absl::Status may = lost_runs_.MayBegin(); !may.ok()) Took(may);
   }

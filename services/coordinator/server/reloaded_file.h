@@ -56,7 +56,7 @@ class ReloadedFile {
         log_(std::move(log)),
         usable_(prometheus::BuildGauge()
                     .Name("slicefarm_" + name + "_file_usable")
-                    .Help("0: the file of " + name + " cannot be used, an older content holds")
+                    .Help("0: the file of " + name + " cannot be used and an older content applies")
                     .Register(registry)
                     .Add({})),
         content_(std::make_shared<const Content>(std::move(content))) {
@@ -67,7 +67,7 @@ class ReloadedFile {
     auto content = text.ok() ? parse_(*text) : text.status();
     usable_.Set(content.ok() ? 1 : 0);
     if (!content.ok()) {
-      return log_.Error("the last file of " + name_ + " stays in force",
+      return log_.Error("the last file of " + name_ + " remains in use",
                         {{"error", std::string(content.status().message())}});
     }
     log_.Info("new file of " + name_, {});

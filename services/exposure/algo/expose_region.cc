@@ -27,8 +27,8 @@ absl::Status Strayed(const StrayVector& stray, const RegionInput& region) {
   const auto place = [](Coord nm) { return fmt::format("{:.3f}", ToMm(static_cast<double>(nm))); };
   return MakeError(
       absl::StatusCode::kInternal, Reason::kInternal,
-      fmt::format("layer {}: a {} vector at ({}, {}) mm leaves the compensated outline; it is a "
-                  "fault of slicefarm, and nothing was written",
+      fmt::format("layer {}: a {} vector at ({}, {}) mm leaves the compensated outline; this is an "
+                  "internal error of slicefarm, and nothing was written",
                   region.layer, ExposureKindName(stray.kind), place(at.x), place(at.y)),
       {{"layer", fmt::format("{}", region.layer)}, {"x_mm", place(at.x)}, {"y_mm", place(at.y)}});
 }

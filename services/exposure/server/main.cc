@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::exposure::MakeLocalExposure();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "exposure", "Scan vectors of lasers", [&](auto& gate, auto& shared) {
+      argc, argv, "exposure", "generates scan vectors for lasers", [&](auto& gate, auto& shared) {
         return slicefarm::exposure::MakeExposureService(*stage, gate, shared);
       });
 }

@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::infill::MakeLocalInfill();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "infill", "Skins and infill", [&](auto& gate, auto& shared) {
+      argc, argv, "infill", "generates solid and sparse infill", [&](auto& gate, auto& shared) {
         return slicefarm::infill::MakeInfillService(*stage, gate, shared);
       });
 }

@@ -5,7 +5,8 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::milling::MakeLocalMilling();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "milling", "Programs of milling machines", [&](auto& gate, auto& shared) {
+      argc, argv, "milling", "generates programs for milling machines",
+      [&](auto& gate, auto& shared) {
         return slicefarm::milling::MakeMillingService(*stage, gate, shared);
       });
 }

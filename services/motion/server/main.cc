@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::motion::MakeLocalMotion();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "motion", "Paths to G-code", [&](auto& gate, auto& shared) {
+      argc, argv, "motion", "converts paths to G-code", [&](auto& gate, auto& shared) {
         return slicefarm::motion::MakeMotionService(*stage, gate, shared);
       });
 }

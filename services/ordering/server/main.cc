@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::ordering::MakeLocalOrdering();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "ordering", "The order and direction of paths", [&](auto& gate, auto& shared) {
+      argc, argv, "ordering", "orders and directs paths", [&](auto& gate, auto& shared) {
         return slicefarm::ordering::MakeOrderingService(*stage, gate, shared);
       });
 }

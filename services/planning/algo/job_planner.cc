@@ -56,7 +56,7 @@ absl::Status CheckRaftsAreAlike(const PlanningOptions& options, std::span<const 
     const std::string a = NameOf(first, names), b = NameOf(copy.object, names);
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kObjectsCollide,
                      fmt::format("'{}' and '{}' cannot be printed one after the other: their rafts "
-                                 "are not of one height",
+                                 "have different heights",
                                  a, b),
                      {{"first", a}, {"second", b}, {"rule", "raft"}});
   }

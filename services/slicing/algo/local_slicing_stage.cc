@@ -242,7 +242,7 @@ class SlicingRun {
         absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
         std::string("no layer has an outline: the mesh has no volume, or its openings are wider "
                     "than open_loop_max_gap") +
-            (shrinks ? ", or xy_size_compensation takes all of it away" : ""));
+            (shrinks ? ", or xy_size_compensation removes it completely" : ""));
   }
 
   absl::Status AdviseOrientations() {

@@ -86,9 +86,9 @@ Request RequestOf(std::string_view file, ReadDepth depth) {
 
 absl::Status CheckHead(const AnswerHead& head, const Request& request) {
   if (head.build_id != ThisBuild())
-    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
-                     "slicefarm-mesh-reader is of another build than this service: start the "
-                     "service anew");
+    return MakeError(
+        absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
+        "slicefarm-mesh-reader is of another build than this service: restart the service");
   switch (head.kind) {
     case AnswerKind::kContents:
       return IsSoundContentsHead(head, request) ? absl::OkStatus() : Nonsense("impossible counts");

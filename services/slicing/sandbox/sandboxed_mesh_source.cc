@@ -28,9 +28,9 @@ absl::Status TooExpensive(std::string_view resource, int64_t limit) {
 }
 
 absl::Status KilledFromOutside() {
-  return MakeError(absl::StatusCode::kUnavailable, Reason::kMeshReaderKilled,
-                   "the process that read this mesh was killed from outside, as the system does "
-                   "when its memory runs out");
+  return MakeError(
+      absl::StatusCode::kUnavailable, Reason::kMeshReaderKilled,
+      "the process that read this mesh was killed from outside, probably because memory ran out");
 }
 
 /// Returns the reason why a reader ended without a complete answer.
@@ -38,7 +38,7 @@ absl::Status ErrorOf(const ProcessEnd& end, const ReaderLimits& limits) {
   if (WIFEXITED(end.wait_status)) {
     const int code = WEXITSTATUS(end.wait_status);
     if (code == kNoMemoryExit) return TooExpensive("memory_bytes", limits.memory_bytes);
-    return ReaderCrashed(fmt::format("gave up without an answer, exit code {}", code),
+    return ReaderCrashed(fmt::format("ended without an answer, exit code {}", code),
                          {{"exit_code", std::to_string(code)}});
   }
   const int signal = WTERMSIG(end.wait_status);
@@ -52,7 +52,7 @@ absl::Status ErrorOf(const ProcessEnd& end, const ReaderLimits& limits) {
 
 absl::Status NotConfined(std::string_view why) {
   return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kInternal,
-                   fmt::format("a mesh reader cannot be shut in: {}", why));
+                   fmt::format("a mesh reader cannot be confined: {}", why));
 }
 
 template <typename T>

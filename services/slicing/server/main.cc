@@ -20,17 +20,19 @@ int main(int argc, char** argv) {
   const int64_t half = slicefarm::DefaultMemoryBudget() >> 20;
   int reader_memory_mib = static_cast<int>(half);
   int memory_mib = static_cast<int>(half * 3 / 4);
-  slicefarm::rpc::StageCommandLine command_line("slicing", "meshes to outlines", &flags);
+  slicefarm::rpc::StageCommandLine command_line("slicing", "slices meshes into outlines", &flags);
   command_line.AddConcurrency(&flags);
-  command_line.AddCount("--threads", &threads, "Threads that one call may use", 1, 1024);
+  command_line.AddCount("--threads", &threads, "Largest number of threads for one call", 1, 1024);
   command_line.AddCount("--memory", &memory_mib,
-                        "MiB that the meshes and outlines of all calls may take", 64, 1 << 30);
+                        "MiB of memory for the meshes and outlines of all calls together", 64,
+                        1 << 30);
   command_line.AddCount("--reader-memory", &reader_memory_mib,
-                        "MiB that all processes that read meshes may take together", 64, 1 << 30);
-  command_line.AddChoice("--mesh-sandbox", &sandbox_name,
-                         "Where strangers' meshes are read: off: in this process; limits: in a "
-                         "process for each, with resource limits; strict: and without system calls",
-                         slicefarm::slicing::MeshSandboxNames());
+                        "MiB of memory for all processes that read meshes together", 64, 1 << 30);
+  command_line.AddChoice(
+      "--mesh-sandbox", &sandbox_name,
+      "Isolation of the code that reads meshes. off: in this process. limits: a process for each "
+      "mesh, with resource limits. strict: as limits, and without system calls",
+      slicefarm::slicing::MeshSandboxNames());
   if (const auto code = command_line.Parse(argc, argv)) return *code;
 
   const auto sandbox = slicefarm::slicing::MeshSandboxOf(sandbox_name);

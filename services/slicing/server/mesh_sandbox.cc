@@ -26,13 +26,13 @@ std::string ReaderProgram() {
 absl::Status WithAdvice(MeshSandbox sandbox, const absl::Status& error) {
   const std::string weaker =
       sandbox == MeshSandbox::kStrict
-          ? "let this container use seccomp, or say --mesh-sandbox limits (resource limits alone)"
-          : "see that a process may set its resource limits";
+          ? "allow seccomp in this container, or use --mesh-sandbox limits (resource limits only)"
+          : "allow processes to set their resource limits";
   const ErrorDetail detail = DetailOf(error);
   return MakeError(
       error.code(), detail.reason,
-      fmt::format("--mesh-sandbox {} cannot be had here: {}; {}, or --mesh-sandbox off (whoever "
-                  "finds a fault in the readers has this process)",
+      fmt::format("--mesh-sandbox {} does not work here: {}; {}, or use --mesh-sandbox off (a "
+                  "fault in a mesh reader then endangers this process)",
                   kNames[static_cast<size_t>(sandbox)], std::string(error.message()), weaker),
       detail.metadata);
 }

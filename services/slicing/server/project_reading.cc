@@ -47,7 +47,8 @@ ReadProjects MakeReadProjects(std::shared_ptr<const MeshSource> meshes) {
   return [meshes = std::move(meshes)](
              const MeshFile& file,
              const CancelToken& cancel) -> absl::StatusOr<v1::ReadProjectResponse> {
-    if (DetectFormat(file.bytes) != MeshFormat::k3mf) return Malformed("mesh", "is no 3MF project");
+    if (DetectFormat(file.bytes) != MeshFormat::k3mf)
+      return Malformed("mesh", "is not a 3MF project");
     const auto read = meshes->Read(file.bytes, MeshFormat::k3mf, limits::kMaxMeshCoordinateMm,
                                    ReadDepth::kStructure, cancel);
     if (!read.ok()) return read.status();

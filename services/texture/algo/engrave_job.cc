@@ -111,7 +111,7 @@ absl::Status CheckMap(const MappedSurface& surface) {
       }))
     return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   "the map is not one of the surface: a triangle is flipped");
+                   "the map does not fit the surface: a triangle is flipped");
 }
 
 }  // namespace

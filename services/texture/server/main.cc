@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   const auto stage = slicefarm::texture::MakeLocalTexture();
   return slicefarm::rpc::ServeSharingStage(
-      argc, argv, "texture", "Textures on curved surfaces", [&](auto& gate, auto& shared) {
+      argc, argv, "texture", "maps textures onto curved surfaces", [&](auto& gate, auto& shared) {
         return slicefarm::texture::MakeTextureService(*stage, gate, shared);
       });
 }

@@ -26,8 +26,8 @@ Value PatternOf(const InfillOptions& infill) {
   return {.number = infill.choose_pattern ? kAutoPattern : static_cast<double>(infill.pattern)};
 }
 
-SettingSpec AnglesByLayer(std::string_view key, std::string_view of, Field field) {
-  return {.key = key, .kind = Kind::kAngles, .standard = "", .doc = of, .field = field};
+SettingSpec AnglesByLayer(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key, .kind = Kind::kAngles, .standard = "", .doc = doc, .field = field};
 }
 
 std::vector<SettingSpec> IroningSettings() {

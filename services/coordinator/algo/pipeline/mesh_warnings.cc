@@ -25,13 +25,13 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
     warn(Count(mesh.non_manifold_edges, "edge") + " with more than two faces");
   }
   if (mesh.flipped_faces > 0) {
-    warn(Count(mesh.flipped_faces, "face") + " turned the wrong way round");
+    warn(Count(mesh.flipped_faces, "face") + " with the wrong orientation");
   }
   if (mesh.degenerate_faces > 0) {
-    warn(Count(mesh.degenerate_faces, "face") + " without area left out");
+    warn(Count(mesh.degenerate_faces, "face") + " without area omitted");
   }
   if (mesh.repeated_faces > 0) {
-    warn(Count(mesh.repeated_faces, "face") + " that the file has twice left out");
+    warn(Count(mesh.repeated_faces, "face") + " that the file repeats omitted");
   }
   if (mesh.volume_mm3 < 0) warn("the whole mesh is inside out");
   if (mesh.open_loops_closed > 0) {
@@ -48,14 +48,15 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
                          mesh.cracks_closed_mm));
   }
   if (mesh.copies_off_bed > 0) {
-    warn(absl::StrCat(mesh.copies_off_bed, mesh.copies_off_bed == 1
-                                               ? " copy stands beside the bed and is left out"
-                                               : " copies stand beside the bed and are left out"));
+    warn(
+        absl::StrCat(mesh.copies_off_bed, mesh.copies_off_bed == 1
+                                              ? " copy is outside the bed and is not printed"
+                                              : " copies are outside the bed and are not printed"));
   }
   if (mesh.overlapping_copies > 0) {
     warn(absl::StrCat(mesh.overlapping_copies,
                       mesh.overlapping_copies == 1 ? " copy shares" : " copies share",
-                      " room with others: they are printed through one another"));
+                      " space with others: they are printed through each other"));
   }
   return warnings;
 }

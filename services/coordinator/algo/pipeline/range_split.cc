@@ -64,7 +64,7 @@ absl::Status CheckNeighbourhoods(std::span<const SlicedLayer> layers,
       return LimitError(Reason::kRequestTooLarge,
                         "points of outlines in layers " + std::to_string(grown.first) + " to " +
                             std::to_string(grown.last - 1) +
-                            ", which the settings ask to look at together",
+                            ", which the settings require to be processed together",
                         most_points, points);
   }
   return absl::OkStatus();

@@ -10,7 +10,7 @@ namespace {
 
 absl::Status IsAQuote(const std::string& id) {
   return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
-                   fmt::format("job {} is a quote: it has a report, and no G-code", id),
+                   fmt::format("job {} is a quote: it has a report, but no G-code", id),
                    {{"job", id}});
 }
 
@@ -37,7 +37,7 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
     case v1::ARTIFACT_REPORT:
       return job.result->report_sha256;
     default:
-      return Malformed("artifact", "is none of this version");
+      return Malformed("artifact", "is not a kind of this version");
   }
 }
 

@@ -89,10 +89,11 @@ absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) co
   const auto caller = token ? CallerWithToken(*tenants, *token, now_us_())
                             : CallerWithCertificate(*tenants, *shown);
   if (!caller) {
-    return Unauthenticated(token ? "the token is not known, or not any more"
-                                 : "the certificate's tenant is not known");
+    return Unauthenticated(token ? "the token is unknown or has expired"
+                                 : "the tenant of the certificate is unknown");
   }
-  if (shown && caller->tenant != *shown) return Denied("token and certificate are of two tenants");
+  if (shown && caller->tenant != *shown)
+    return Denied("token and certificate belong to different tenants");
   return *caller;
 }
 

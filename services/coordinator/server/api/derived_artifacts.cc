@@ -44,7 +44,7 @@ absl::StatusOr<std::string> LayersOf(const JobRecord& job, const std::shared_ptr
     at += std::ssize(*piece);
   }
   const std::vector<LayerPlace> layers = std::move(scan).Layers();
-  if (layers.empty()) return HasNone(job, "comments that tell of layers");
+  if (layers.empty()) return HasNone(job, "comments that mark layers");
   return LayersJson(layers, LayerTimesOf(report));
 }
 

@@ -13,7 +13,7 @@ absl::StatusOr<std::string> TenantAskedFor(const Caller& caller, bool asked,
   if (!asked || tenant == caller.tenant) return caller.tenant;
   if (caller.may(Scope::kAdmin)) return tenant;
   return MakeError(absl::StatusCode::kPermissionDenied, Reason::kPermissionDenied,
-                   "another tenant is for administrators",
+                   "only administrators may name another tenant",
                    {{"scope", std::string(ScopeName(Scope::kAdmin))}});
 }
 
@@ -40,7 +40,7 @@ void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
   const Process process =
       EnumFromProto<Process>(job.spec().process(), kProcessCount, "process").value_or(kDefaultProcess);
   if (executor.Slots(process) > 0) return;
-  job.set_waits_for(fmt::format("a worker: none is connected that runs jobs of process {}",
+  job.set_waits_for(fmt::format("a worker: none that runs jobs of process {} is connected",
                                 ProcessName(process)));
   job.clear_estimated_end_time();
 }

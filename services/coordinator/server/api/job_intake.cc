@@ -31,7 +31,7 @@ absl::StatusOr<std::shared_ptr<const ResolvedJob>> JobIntake::Check(const Submis
   if (!processes_.Has(submission.request.process)) {
     const std::string_view process = ProcessName(submission.request.process);
     return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProcessUnavailable,
-                     fmt::format("this farm makes no jobs of process {}", process),
+                     fmt::format("this farm does not run jobs of process {}", process),
                      {{"process", std::string(process)}});
   }
   auto resolved = resolved_.Of(submission.spec, submission.request,

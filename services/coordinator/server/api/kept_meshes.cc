@@ -85,8 +85,7 @@ absl::StatusOr<v1::ReadProjectResponse> WithSpecOf(int32_t plate, v1::ReadProjec
       return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes, bytes);
   }
   if (!found) {
-    return Malformed("plate", fmt::format("is none of those with something to print, of which "
-                                          "there are {}",
+    return Malformed("plate", fmt::format("is not one of the {} plates with objects to print",
                                           project.plates_size()));
   }
   return project;

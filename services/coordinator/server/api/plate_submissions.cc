@@ -73,7 +73,7 @@ absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
     const v1::CreateJobRequest& each = request.requests(i);
     if (!each.request_id().empty() || each.validate_only())
       return Within("requests", i,
-                    Malformed("request_id, validate_only", "are those of all plates"));
+                    Malformed("request_id, validate_only", "apply to all plates, not to one"));
     if (each.advise_orientations() && !request.validate_only())
       return Within("requests", i, Malformed("advise_orientations", "is for validate_only"));
   }

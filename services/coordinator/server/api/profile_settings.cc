@@ -37,7 +37,7 @@ absl::Status CheckProfileName(const std::string& name) {
                       std::ssize(name));
   }
   if (std::ranges::all_of(name, IsNameCharacter)) return absl::OkStatus();
-  return Malformed("name", "may have letters, digits, '-', '_' and '.'");
+  return Malformed("name", "may contain only letters, digits, '-', '_' and '.'");
 }
 
 absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text) {
@@ -48,7 +48,7 @@ absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [read, error] = std::from_chars(text.data() + at + 1, end, ref.revision);
   if (error != std::errc() || read != end || ref.revision < 1) {
-    return Malformed("name", "after '@' comes the number of a revision");
+    return Malformed("name", "after '@', the number of a revision is needed");
   }
   return ref;
 }

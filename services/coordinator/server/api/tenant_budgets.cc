@@ -45,8 +45,8 @@ absl::Status TenantBudgets::Check(Kept& kept, const Count& count, const char* bu
     return absl::OkStatus();
   }
   return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
-                   fmt::format("the tenant may keep {} {}, and would have {}: delete jobs, or wait "
-                               "until old ones go",
+                   fmt::format("the tenant may store {} {}, and would have {}: delete jobs, or "
+                               "wait until old jobs are removed",
                                most, budget, then),
                    {{"budget", budget},
                     {"limit", std::to_string(most)},

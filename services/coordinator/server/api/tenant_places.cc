@@ -15,9 +15,10 @@ absl::StatusOr<TenantPlaces::Place> TenantPlaces::Enter(const std::string& tenan
   const int mine = found == by_tenant_.end() ? 0 : found->second;
   const int free = all_ - used_;
   if (tenant.empty() ? free <= 0 : mine >= free) {
-    return MakeError(absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
-                     "as many calls of this kind as the tenant may have now are under way",
-                     {{"limit", std::to_string(mine)}, {rpc::kRetryAfterMs, "200"}});
+    return MakeError(
+        absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
+        "the tenant already has as many calls of this kind in progress as it may have now",
+        {{"limit", std::to_string(mine)}, {rpc::kRetryAfterMs, "200"}});
   }
   ++used_;
   ++by_tenant_[tenant];

@@ -50,12 +50,13 @@ absl::Status DiskGuard::CheckRoom(int64_t bytes) const {
   if (!free_) return absl::OkStatus();
   const std::optional<int64_t> free = free_();
   if (!free || *free - bytes >= min_free_bytes_) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
-                   fmt::format("the server has room for {} MiB more; it takes nothing new below {}",
-                               std::max<int64_t>(0, *free) >> 20, min_free_bytes_ >> 20),
-                   {{"free_bytes", std::to_string(*free)},
-                    {"min_free_bytes", std::to_string(min_free_bytes_)},
-                    {rpc::kRetryAfterMs, "30000"}});
+  return MakeError(
+      absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
+      fmt::format("the server has {} MiB of free space; it accepts no new data below {}",
+                  std::max<int64_t>(0, *free) >> 20, min_free_bytes_ >> 20),
+      {{"free_bytes", std::to_string(*free)},
+       {"min_free_bytes", std::to_string(min_free_bytes_)},
+       {rpc::kRetryAfterMs, "30000"}});
 }
 
 }  // namespace slicefarm::coordinator

@@ -159,7 +159,7 @@ std::string JobRun::KeepTrace(std::string_view outcome) {
                        {"outcome", std::string(outcome)}}};
   const auto kept = JobTraces(environment_.jobs, environment_.blobs).Keep(job_, spans_, whole);
   if (kept.ok()) return *kept;
-  environment_.log.Warn("trace not kept",
+  environment_.log.Warn("trace not stored",
                         Fields({{"error", std::string(kept.status().message())}}));
   return "";
 }

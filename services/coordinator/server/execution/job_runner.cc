@@ -107,7 +107,7 @@ void JobRunner::Serve(Place place) {
       run->Run();
       Count(place, -1);
       if (run->met_other_build() && !met_other_build_.exchange(true))
-        environment_.log.Warn("stages are of another build: no job begins until they fit", {});
+        environment_.log.Warn("stages are of another build: no job starts until they match", {});
     }
     std::unique_lock lock(mutex_);
     --at_work_;
@@ -162,7 +162,7 @@ bool JobRunner::StagesFit() {
 bool JobRunner::HasRoom() {
   const bool room = environment_.room();
   if (!room && !without_room_.exchange(true))
-    environment_.log.Warn("the disk is nearly full: no job begins until there is room", {});
+    environment_.log.Warn("the disk is nearly full: no job starts until there is space", {});
   if (room) without_room_ = false;
   return room;
 }

@@ -44,12 +44,14 @@ void CheckSecurity(const CoordinatorFlags& flags) {
   const bool optional = flags.serve.client_certs == rpc::ClientCerts::kOptional;
   if (optional && (!tls || flags.tenants_file.empty())) {
     throw CLI::ValidationError(
-        "--client-certs optional takes tokens instead: it needs --tenants and --tls-cert");
+        "--client-certs optional accepts tokens instead of certificates: add --tenants and "
+        "--tls-cert");
   }
   const std::string& listen = flags.serve.server.listen;
   if (!flags.tenants_file.empty() && !tls && !rpc::IsLoopback(listen)) {
-    throw CLI::ValidationError("--tenants without --tls-cert: tokens would come to " + listen +
-                               " in plain text, which is for loopback addresses only");
+    throw CLI::ValidationError("--tenants needs --tls-cert: without it, tokens would be sent to " +
+                               listen +
+                               " in plain text, which is allowed on loopback addresses only");
   }
 }
 
@@ -63,7 +65,7 @@ void Check(const CoordinatorFlags& flags) {
   const bool all = std::ranges::all_of(kOfLayers, there);
   const bool any = std::ranges::any_of(kOfLayers, there);
   if (any && !all) {
-    throw CLI::ValidationError("--beading, --infill and --ordering go together");
+    throw CLI::ValidationError("--beading, --infill and --ordering must be given together");
   }
   if (!any && flags.workers.empty()) {
     throw CLI::ValidationError("either --workers or --beading, --infill and --ordering is needed");
@@ -113,14 +115,17 @@ struct StageFlag {
 
 constexpr StageFlag kStageFlags[] = {
     {Stage::kSlicing, "Addresses of slicing services, host:port,...", true},
-    {Stage::kPlanning, "Addresses of planning services", true},
-    {Stage::kMotion, "Addresses of motion services", true},
-    {Stage::kBeading, "Addresses of beading services, for split stages"},
-    {Stage::kInfill, "Addresses of infill services"},
-    {Stage::kOrdering, "Addresses of ordering services"},
-    {Stage::kExposure, "Addresses of exposure services; without, no jobs that need it are made"},
-    {Stage::kMilling, "Addresses of milling services; without, no jobs that need it are made"},
-    {Stage::kTexture, "Addresses of texture services; without, no jobs that need it are made"},
+    {Stage::kPlanning, "Addresses of planning services, host:port,...", true},
+    {Stage::kMotion, "Addresses of motion services, host:port,...", true},
+    {Stage::kBeading, "Addresses of beading services, host:port,..., for split stages"},
+    {Stage::kInfill, "Addresses of infill services, host:port,..."},
+    {Stage::kOrdering, "Addresses of ordering services, host:port,..."},
+    {Stage::kExposure,
+     "Addresses of exposure services; without them, jobs that need exposure are refused"},
+    {Stage::kMilling,
+     "Addresses of milling services; without them, jobs that need milling are refused"},
+    {Stage::kTexture,
+     "Addresses of texture services; without them, jobs that need textures are refused"},
 };
 static_assert(std::size(kStageFlags) == kStageCount - 1, "all but placing, which slicing does");
 
@@ -142,86 +147,91 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->serve.server.max_connection_age = kConnectionAge;
   AddServeFlags(app, &flags->serve);
   app.add_option("--state-dir", flags->stores.state_dir,
-                 "Directory for jobs and blobs, of this coordinator alone; made if needed");
-  auto* postgres =
-      app.add_option("--postgres", flags->stores.postgres,
-                     "Or a PostgreSQL database, which coordinators share: its connection string")
-          ->envname("SLICEFARM_POSTGRES");
+                 "Directory for the jobs and blobs of this coordinator; created if needed");
+  auto* postgres = app.add_option("--postgres", flags->stores.postgres,
+                                  "Connection string of a PostgreSQL database that several "
+                                  "coordinators may share (instead of --state-dir)")
+                       ->envname("SLICEFARM_POSTGRES");
   AddS3Flags(app, &flags->s3);
   app.add_option("--name", flags->runner.owner,
-                 "Of this coordinator among those that share a database; the same after a restart")
+                 "Name of this coordinator, unique among coordinators that share a database and "
+                 "kept across restarts")
       ->capture_default_str();
   app.add_option("--lease", flags->lease_s,
-                 "Seconds after which other coordinators take over from one that is silent")
+                 "Seconds without a sign of life after which other coordinators take over the jobs "
+                 "of a coordinator")
       ->check(CLI::Range(1.0, 600.0))
       ->capture_default_str();
   app.add_option("--spool", flags->spool_dir,
-                 "Directory for the programs of running jobs while they are made; default: in "
-                 "--state-dir, or where the system has temporary files")
+                 "Directory for the programs of running jobs; default: in --state-dir, or the "
+                 "system's directory for temporary files")
       ->check(CLI::ExistingDirectory);
   app.add_option("--keep-jobs", flags->keep_jobs_days,
                  "Days after which ended jobs are removed; 0: never")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--keep-blobs", flags->keep_blobs_hours,
-                 "Hours for which meshes and results that no job refers to are kept")
+                 "Hours for which meshes and results without a job are kept")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
   app.add_option(
          "--sweep-after", flags->sweep_after_hours,
-         "Hours for which nothing is removed after the start with a new or restored database")
+         "Hours after the start with a new or restored database in which nothing is removed")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   AddStageFlags(app, flags);
-  app.add_option("--workers", flags->workers, "Addresses of fused workers");
+  app.add_option("--workers", flags->workers, "Addresses of fused workers, host:port,...");
   app.add_option("--split-slots", flags->split_slots,
-                 "Layer ranges in flight over the split stages")
+                 "Number of layer ranges that split stages process at the same time")
       ->check(CLI::Range(1, 1024))
       ->needs("--beading")
       ->capture_default_str();
   app.add_option("--jobs", flags->runner.jobs,
-                 "Jobs that run at the same time; one more if it is INTERACTIVE")
+                 "Number of jobs that run at the same time; one more if it is INTERACTIVE")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("--guests", flags->runner.guests,
-                 "Jobs that run beyond --jobs, each of a tenant none of whose jobs runs")
+  app.add_option(
+         "--guests", flags->runner.guests,
+         "Number of jobs that may run beyond --jobs, only for tenants without a running job")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--tenants", flags->tenants_file,
-                 "JSON file of tenants, their tokens and what they may; without, all are one")
+                 "JSON file of tenants, their tokens and permissions; without it, all clients are "
+                 "one tenant")
       ->check(CLI::ExistingFile);
   app.add_flag("--share-cache", flags->share_cache,
-               "Tenants take each other's results for the same work, and may so learn of it");
+               "Let tenants share cached results of the same work; a tenant can then find out that "
+               "another one sliced it");
   app.add_option("--client-certs", flags->serve.client_certs,
-                 "With TLS, whether clients must show a certificate: required or optional")
+                 "Client certificates with TLS: required or optional")
       ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
           {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
       ->type_name("HOW");
   app.add_option("--min-free", flags->min_free_mib,
-                 "MiB of --state-dir's disk below which nothing new is taken")
+                 "Free MiB on the disk of --state-dir below which new data is refused")
       ->check(CLI::NonNegativeNumber)
       ->excludes(postgres)
       ->capture_default_str();
-  app.add_option("--max-database", flags->max_database_gib,
-                 "GiB of --postgres's database above which nothing new is taken; 0: any number")
+  app.add_option(
+         "--max-database", flags->max_database_gib,
+         "Size of the --postgres database in GiB above which new data is refused; 0: no limit")
       ->check(CLI::NonNegativeNumber)
       ->needs(postgres)
       ->capture_default_str();
-  app.add_option(
-         "--memory", flags->memory_mib,
-         "MiB that the meshes, outlines and plans of all running jobs may take; default: half "
-         "of what the container or the machine has")
+  app.add_option("--memory", flags->memory_mib,
+                 "MiB of memory for the meshes, outlines and plans of all running jobs; default: "
+                 "half the memory of the container or machine")
       ->check(CLI::Range(int64_t{64}, int64_t{1} << 30))
       ->type_name("MIB");
   app.add_option("--rates", flags->rates_file,
-                 "JSON file of what the farm charges: jobs then tell what they cost")
+                 "JSON file of the farm's rates; with it, jobs report their cost")
       ->check(CLI::ExistingFile);
   app.add_option("--default-profile", flags->default_profile,
-                 "The profile of jobs that name no printer; without, they are refused. A tenant's "
-                 "default_profile wins")
+                 "Profile for jobs that name no printer; without it, such jobs are refused. A "
+                 "tenant's default_profile overrides it")
       ->type_name("NAME");
   app.add_option("--webhooks", flags->webhooks_file,
-                 "JSON file of where webhooks may go; without, none are sent")
+                 "JSON file of allowed webhook targets; without it, no webhooks are sent")
       ->check(CLI::ExistingFile);
   app.callback([flags] { Check(*flags); });
 }

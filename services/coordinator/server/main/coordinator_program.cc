@@ -94,9 +94,9 @@ absl::StatusOr<std::unique_ptr<Coordinator>> OpenPatiently(const CoordinatorOpti
     auto coordinator = Coordinator::Open(options, stages, executor, program.log());
     if (!absl::IsUnavailable(coordinator.status()) || options.stores.postgres.empty())
       return coordinator;
-    program.log().Warn("the store is away: it is waited for",
+    program.log().Warn("the store cannot be reached: waiting for it",
                        {{"error", std::string(coordinator.status().message())}});
-    if (program.EndsWithin(kAskStoreEvery)) return absl::CancelledError("a signal to end came");
+    if (program.EndsWithin(kAskStoreEvery)) return absl::CancelledError("ended by a signal");
   }
 }
 
@@ -211,10 +211,12 @@ int Main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "migrate") return Migrate(argc - 1, argv + 1);
   if (argc > 1 && std::string_view(argv[1]) == "move-blobs") return MoveBlobs(argc - 1, argv + 1);
   rpc::ServerProgram program("coordinator");
-  CLI::App app("slicefarm-coordinator: jobs, fan-out over workers or stages, durable state");
+  CLI::App app(
+      "slicefarm-coordinator: accepts jobs, distributes them over workers or stages, and stores "
+      "them durably");
   app.footer(
-      "`slicefarm-coordinator migrate` brings a PostgreSQL database to the present schema,\n"
-      "`slicefarm-coordinator move-blobs` moves blobs into a bucket.");
+      "`slicefarm-coordinator migrate` migrates a PostgreSQL database to the current "
+      "schema,\n`slicefarm-coordinator move-blobs` moves blobs into a bucket.");
   CoordinatorFlags flags;
   AddCoordinatorFlags(app, &flags);
   CLI11_PARSE(app, argc, argv);

@@ -41,13 +41,15 @@ absl::Status MigrateAt(const std::string& conninfo, std::chrono::seconds patienc
 }  // namespace
 
 int Migrate(int argc, char** argv) {
-  CLI::App app("slicefarm-coordinator migrate: the schema of a PostgreSQL database, step by step");
+  CLI::App app(
+      "slicefarm-coordinator migrate: migrates a PostgreSQL database to the current schema, step "
+      "by step");
   std::string conninfo;
   int patience_s = 60;
-  app.add_option("--postgres", conninfo, "The database: its connection string")
+  app.add_option("--postgres", conninfo, "Connection string of the database")
       ->envname("SLICEFARM_POSTGRES")
       ->required();
-  app.add_option("--wait", patience_s, "Seconds for which a server that is away is waited for")
+  app.add_option("--wait", patience_s, "Seconds for which an unreachable server is tried again")
       ->check(CLI::Range(0, 86'400))
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -71,14 +71,15 @@ absl::Status Move(const StoreOptions& from, const S3Flags& to) {
 }  // namespace
 
 int MoveBlobs(int argc, char** argv) {
-  CLI::App app("slicefarm-coordinator move-blobs: from a database or a directory into a bucket");
+  CLI::App app(
+      "slicefarm-coordinator move-blobs: moves blobs from a database or a directory into a bucket");
   StoreOptions from;
   S3Flags to;
   auto* const postgres =
-      app.add_option("--postgres", from.postgres, "From this database: its connection string");
+      app.add_option("--postgres", from.postgres, "Connection string of the database to move from");
   auto* const directory =
       app.add_option("--state-dir", from.state_dir,
-                     "Or from the state of a coordinator, which does not run meanwhile")
+                     "State directory to move from; its coordinator must not run meanwhile")
           ->check(CLI::ExistingDirectory)
           ->excludes(postgres);
   AddS3Flags(app, &to);

@@ -26,9 +26,9 @@ absl::Status TakeAmount(const std::string& key, const Json& value, Rates& rates)
       {"printer_power_w", &Rates::printer_power_w},
       {"filament_per_kg", &Rates::filament_per_kg}};
   const auto amount = kAmounts.find(key);
-  if (amount == kAmounts.end()) return Refused(key, "there is no such key");
+  if (amount == kAmounts.end()) return Refused(key, "unknown key");
   if (!value.is_number() || value.get<double>() < 0) {
-    return Refused(key, "a number is needed, 0 or more");
+    return Refused(key, "a number that is 0 or more is needed");
   }
   rates.*amount->second = value.get<double>();
   return absl::OkStatus();

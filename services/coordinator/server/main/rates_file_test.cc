@@ -23,7 +23,7 @@ TEST(ParseRates, NamesWhatItCannotTake) {
       {"", "JSON object"},
       {"[1]", "JSON object"},
       {R"({"setup": 1,})", "JSON object"},
-      {R"({"machine_per_hours": 1})", "machine_per_hours: there is no such key"},
+      {R"({"machine_per_hours": 1})", "machine_per_hours: unknown key"},
       {R"({"setup": "1"})", "setup: a number"},
       {R"({"setup": -1})", "setup: a number"},
       {R"({"setup": null})", "setup: a number"},

@@ -19,22 +19,22 @@ std::string OfEnvironment(const char* name) {
 }  // namespace
 
 void AddS3Flags(CLI::App& app, S3Flags* flags) {
-  auto* const url =
-      app.add_option("--s3", flags->url,
-                     "Blobs are in a bucket, http[s]://HOST[:PORT]/BUCKET[/PREFIX]; jobs and "
-                     "uploads stay where they are without")
-          ->envname("SLICEFARM_S3");
+  auto* const url = app.add_option("--s3", flags->url,
+                                   "Bucket for blobs, http[s]://HOST[:PORT]/BUCKET[/PREFIX]; jobs "
+                                   "and uploads remain in the other store")
+                        ->envname("SLICEFARM_S3");
   app.add_flag("--s3-bucket-in-host", flags->bucket_in_host,
-               "--s3 is http[s]://BUCKET.HOST[/PREFIX]")
+               "Use the address form http[s]://BUCKET.HOST[/PREFIX] in --s3")
       ->needs(url);
-  app.add_option("--s3-region", flags->region, "Of the bucket")
+  app.add_option("--s3-region", flags->region, "Region of the bucket")
       ->envname("AWS_REGION")
       ->capture_default_str();
-  app.add_option("--s3-ca", flags->ca_file,
-                 "PEM file of who signs the bucket's certificate; default: the system's")
+  app.add_option(
+         "--s3-ca", flags->ca_file,
+         "PEM file of CA certificates that sign the bucket's certificate; default: the system's")
       ->check(CLI::ExistingFile);
   app.add_option("--s3-credentials", flags->credentials_file,
-                 "JSON file of `access_key` and `secret_key`; default: AWS_ACCESS_KEY_ID and "
+                 "JSON file with `access_key` and `secret_key`; default: AWS_ACCESS_KEY_ID and "
                  "AWS_SECRET_ACCESS_KEY of the environment")
       ->check(CLI::ExistingFile);
 }
@@ -52,7 +52,7 @@ absl::StatusOr<S3Credentials> ParseS3Credentials(const std::string& text) {
     } else if (key == "session_token") {
       credentials.session_token = value.get<std::string>();
     } else {
-      return absl::InvalidArgumentError(absl::StrCat("S3: ", key, ": there is no such key"));
+      return absl::InvalidArgumentError(absl::StrCat("S3: ", key, ": unknown key"));
     }
   }
   if (credentials.access_key.empty() || credentials.secret_key.empty())
@@ -74,7 +74,7 @@ absl::StatusOr<S3Credentials> S3CredentialsOfEnvironment() {
                             OfEnvironment("AWS_SESSION_TOKEN")};
   if (!credentials.access_key.empty() && !credentials.secret_key.empty()) return credentials;
   return absl::InvalidArgumentError(
-      "S3: --s3-credentials, or AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, are needed");
+      "S3: give --s3-credentials, or set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY");
 }
 
 absl::StatusOr<std::shared_ptr<S3Client>> MakeS3Client(const S3Flags& flags,

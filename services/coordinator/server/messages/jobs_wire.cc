@@ -110,7 +110,8 @@ absl::Status CheckNoProjects(const v1::JobSpec& spec) {
     if (object.parts().empty() && object.format() == v1::MESH_FORMAT_3MF) {
       return Within(
           "objects", i,
-          Malformed("format", "a 3MF project is no single mesh; ReadProject gives its objects"));
+          Malformed("format",
+                    "a 3MF project is not a single mesh; call ReadProject for its objects"));
     }
   }
   return absl::OkStatus();
@@ -242,7 +243,7 @@ absl::Status TakePageToken(const std::string& token, ListQuery& query) {
   const bool is_of_this = error == std::errc() && query.after_number > 0 &&
                           token == PageToken(query.after_number, query);
   return is_of_this ? absl::OkStatus()
-                    : Malformed("page_token", "is none that a list with these conditions gave");
+                    : Malformed("page_token", "is not a token of a list with these conditions");
 }
 
 }  // namespace
@@ -290,7 +291,7 @@ absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request) {
       changing.labels.emplace(request.labels().begin(), request.labels().end());
       if (absl::Status ok = CheckLabels(*changing.labels); !ok.ok()) return ok;
     } else {
-      return Malformed("update_mask", "names what cannot be changed");
+      return Malformed("update_mask", "names a field that cannot be changed");
     }
   }
   return changing;
@@ -342,7 +343,7 @@ v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job) {
 absl::StatusOr<int64_t> WatchedFrom(const v1::WatchJobsRequest& request, int64_t now_us) {
   if (!request.cursor().empty()) {
     const auto time_us = TimeOfCursor(request.cursor());
-    if (!time_us) return Malformed("cursor", "is none of an answer");
+    if (!time_us) return Malformed("cursor", "is not a cursor of an answer");
     return *time_us;
   }
   if (!request.has_from()) return now_us;

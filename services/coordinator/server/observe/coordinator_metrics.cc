@@ -41,7 +41,7 @@ MetricFamily Jobs(const std::map<JobState, int64_t>& counts) {
 void AddQueue(const std::vector<OpenJobs>& open, std::vector<MetricFamily>& families) {
   MetricFamily depth{"slicefarm_queue_depth", "Jobs that wait", MetricType::Gauge, {}};
   MetricFamily age{"slicefarm_queue_age_seconds",
-                   "Age of the oldest job that waits; 0: none does",
+                   "Age of the oldest waiting job; 0: no job waits",
                    MetricType::Gauge,
                    {}};
   for (const Priority priority : {Priority::kBulk, Priority::kNormal, Priority::kInteractive}) {
@@ -61,7 +61,7 @@ void AddQueue(const std::vector<OpenJobs>& open, std::vector<MetricFamily>& fami
 
 MetricFamily Ranges(const DispatchCounts& counts) {
   MetricFamily family{
-      "slicefarm_ranges_total", "Layer ranges by what became of them", MetricType::Counter, {}};
+      "slicefarm_ranges_total", "Layer ranges by their result", MetricType::Counter, {}};
   for (const auto& [outcome, count] : {std::pair{"ok", counts.done},
                                        {"requeued", counts.requeued},
                                        {"hedged", counts.hedged},
@@ -75,7 +75,7 @@ MetricFamily Ranges(const DispatchCounts& counts) {
 
 /// Returns the number of waiting ranges. Autoscalers use it together with the number of busy slots.
 MetricFamily Waiting(const DispatchCounts& counts) {
-  return Gauge("slicefarm_ranges_waiting", "Layer ranges that no worker has yet",
+  return Gauge("slicefarm_ranges_waiting", "Layer ranges that no worker processes yet",
                static_cast<double>(counts.waiting));
 }
 
@@ -90,7 +90,7 @@ void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
   families.push_back(
       Gauge("slicefarm_workers", "Workers that have joined", static_cast<double>(runners.size())));
   families.push_back({"slicefarm_worker_slots",
-                      "Ranges that the workers there are can take at once",
+                      "Ranges that the connected workers can process at the same time",
                       MetricType::Gauge,
                       {Value(MetricType::Gauge, busy, "state", "busy"),
                        Value(MetricType::Gauge, std::max(slots - busy, 0), "state", "idle")}});
@@ -99,7 +99,7 @@ void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
 void AddDisk(const std::string& directory, std::vector<MetricFamily>& families) {
   const auto disk = DiskOf(directory);
   if (!disk) return;
-  families.push_back(Gauge("slicefarm_disk_free_bytes", "Free on the disk of the state",
+  families.push_back(Gauge("slicefarm_disk_free_bytes", "Free bytes on the disk of the state",
                            static_cast<double>(disk->available)));
   families.push_back(Gauge("slicefarm_disk_size_bytes", "Size of the disk of the state",
                            static_cast<double>(disk->capacity)));
@@ -109,25 +109,27 @@ void AddDatabase(const DatabaseFill& fill, int64_t max_bytes, std::vector<Metric
   const auto add = [&](const char* name, const char* help, int64_t value) {
     families.push_back(Gauge(name, help, static_cast<double>(value)));
   };
-  add("slicefarm_database_bytes", "Bytes of the database that are in use", fill.bytes);
+  add("slicefarm_database_bytes", "Bytes of the database that are used", fill.bytes);
   if (max_bytes > 0)
-    add("slicefarm_database_max_bytes", "Above this nothing new is taken", max_bytes);
-  add("slicefarm_database_connections", "Connections to the database's server", fill.connections);
-  add("slicefarm_database_max_connections", "Connections that it allows", fill.max_connections);
+    add("slicefarm_database_max_bytes", "Size above which no new data is accepted", max_bytes);
+  add("slicefarm_database_connections", "Connections to the database server", fill.connections);
+  add("slicefarm_database_max_connections", "Largest number of connections to the database server",
+      fill.max_connections);
 }
 
 void AddStore(const std::optional<CoordinatorMetrics::StoreFacts>& store, int64_t max_bytes,
               std::vector<MetricFamily>& families) {
   const bool up = store && store->status.ok();
-  families.push_back(Gauge("slicefarm_store_up", "Whether the job store answers", up ? 1 : 0));
+  families.push_back(Gauge("slicefarm_store_up", "1 if the job store answers, else 0", up ? 1 : 0));
   if (!up) return;
   families.push_back(Jobs(store->jobs));
   AddQueue(store->open, families);
   if (store->fill) AddDatabase(*store->fill, max_bytes, families);
   if (store->retention_overdue) {
-    families.push_back(Gauge("slicefarm_retention_overdue",
-                             "Whether a job is there a day after it should have gone",
-                             *store->retention_overdue ? 1 : 0));
+    families.push_back(
+        Gauge("slicefarm_retention_overdue",
+              "1 if a job still exists a day after it should have been removed, else 0",
+              *store->retention_overdue ? 1 : 0));
   }
 }
 

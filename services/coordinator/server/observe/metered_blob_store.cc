@@ -91,9 +91,9 @@ MeteredBlobStores::MeteredBlobStores(BlobStores& stores, prometheus::Registry& r
                    "Bytes of blobs and uploads when the store was last swept")),
       blobs_(Gauge(registry, "slicefarm_blobs", "Blobs and uploads when the store was last swept")),
       written_(OneCounter(registry, "slicefarm_blob_written_bytes_total",
-                          "Bytes of uploads and results that were written")),
+                          "Bytes of written uploads and results")),
       corrupt_(OneCounter(registry, "slicefarm_blob_corrupt_total",
-                          "Blobs whose bytes were found to be others than their name says")) {}
+                          "Blobs with bytes that differ from their digest")) {}
 
 absl::StatusOr<std::shared_ptr<BlobStore>> MeteredBlobStores::Of(const std::string& tenant) {
   auto store = stores_.Of(tenant);

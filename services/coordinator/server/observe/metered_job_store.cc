@@ -38,32 +38,31 @@ double SecondsBetween(int64_t from_us, int64_t to_us) {
 
 MeteredJobStore::MeteredJobStore(JobStore& store, Registry& registry)
     : ForwardingJobStore(store),
-      submitted_(
-          CounterFamily(registry, "slicefarm_jobs_submitted_total", "Jobs that were made").Add({})),
-      ended_(CounterFamily(registry, "slicefarm_jobs_total", "Jobs that ended")),
-      job_seconds_(HistogramFamily(
-          registry, "slicefarm_job_seconds",
-          "Of jobs that ended: from their making to their first run (queue), from there to their "
-          "end (run), and both (total)")),
+      submitted_(CounterFamily(registry, "slicefarm_jobs_submitted_total", "Created jobs").Add({})),
+      ended_(CounterFamily(registry, "slicefarm_jobs_total", "Ended jobs")),
+      job_seconds_(HistogramFamily(registry, "slicefarm_job_seconds",
+                                   "Durations of ended jobs: from creation to first run (queue), "
+                                   "from there to the end (run), and both (total)")),
       requeued_(CounterFamily(registry, "slicefarm_jobs_requeued_total",
-                              "Runs of jobs that ended with the job back in the queue: because "
-                              "services or stores were not there, or for another reason")),
+                              "Runs that ended with the job back in the queue, because services or "
+                              "stores were unavailable or for another reason")),
       hits_(CounterFamily(registry, "slicefarm_cache_hits_total",
-                          "Jobs that ended with the result of the same work")
+                          "Jobs that ended with the cached result of the same work")
                 .Add({})),
       misses_(CounterFamily(registry, "slicefarm_cache_misses_total",
-                            "Runs that began to compute, as there was no result of the same work")
+                            "Runs that computed a result because there was no cached one")
                   .Add({})),
       expired_(CounterFamily(registry, "slicefarm_lease_expired_total",
-                             "Claims of jobs that a coordinator, or an earlier life of this one, "
-                             "left running")
+                             "Claims of jobs that another coordinator, or an earlier run of this "
+                             "one, left running")
                    .Add({})),
-      fenced_(CounterFamily(registry, "slicefarm_fenced_writes_total",
-                            "Writes that were refused because the job was claimed since")
-                  .Add({})),
+      fenced_(
+          CounterFamily(registry, "slicefarm_fenced_writes_total",
+                        "Writes that were refused because another coordinator has claimed the job")
+              .Add({})),
       commit_seconds_(HistogramFamily(registry, "slicefarm_store_commit_seconds",
-                                      "Time of calls that write to the job store")) {
-  // A counter that first appears with the value 1 looks to Prometheus as if it had never risen.
+                                      "Duration of calls that write to the job store")) {
+  // A counter that appears with a 1 looks to Prometheus as if it had never risen.
   for (const char* state : {"SUCCEEDED", "CANCELLED"})
     ended_.Add({{"state", state}, {"reason", ""}});
   for (int reason = 0; reason <= static_cast<int>(Reason::kInternal); ++reason) {

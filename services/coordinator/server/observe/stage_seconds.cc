@@ -10,7 +10,8 @@ prometheus::Histogram& OfStage(prometheus::Registry& registry, const std::string
       0.01, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60, 300, 1800};
   return prometheus::BuildHistogram()
       .Name("slicefarm_stage_seconds")
-      .Help("What a stage took for a job, summed over its ranges, as its caller sees it")
+      .Help(
+          "Seconds that a stage took for a job, summed over its ranges, as measured by its caller")
       .Register(registry)
       .Add({{"stage", stage}}, kBuckets);
 }

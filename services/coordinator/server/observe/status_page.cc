@@ -91,7 +91,7 @@ std::string Running(const CoordinatorStatus& status) {
                     fmt::format("{} of {}", job.layers_done, job.layers_total),
                     Duration(AgeS(status, job.start_us)), fmt::format("{}", job.retries)});
   }
-  return Heading("Running jobs, the oldest first") +
+  return Heading("Running jobs, oldest first") +
          Table({"job", "tenant", "coordinator", "layers", "for", "retries"}, rows);
 }
 
@@ -108,7 +108,7 @@ std::string Workers(const CoordinatorStatus& status) {
   for (const auto& [stage, addresses] : status.replicas) {
     for (const std::string& address : addresses) replicas.push_back({stage, address});
   }
-  return Heading("Workers that have joined (others than of this build are not let in)") +
+  return Heading("Connected workers (workers of another build are refused)") +
          Table({"worker", "slots", "busy", "build"}, runners) + Heading("Tasks in flight") +
          Table({"worker", "job", "task", "for"}, tasks) + Heading("Stages") +
          Table({"stage", "address"}, replicas);

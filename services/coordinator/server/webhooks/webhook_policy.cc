@@ -65,7 +65,7 @@ absl::Status TakeAllow(const std::string& tenant, const Json& value, WebhookRule
   if (!value.is_array()) return Invalid(tenant, "allow", "a list of URLs is needed");
   for (const Json& url : value) {
     if (!url.is_string() || !ParseUrl(url.get<std::string>())) {
-      return Invalid(tenant, "allow", fmt::format("{} is no http(s) URL", url.dump()));
+      return Invalid(tenant, "allow", fmt::format("{} is not an http(s) URL", url.dump()));
     }
     rules.allow.push_back(url.get<std::string>());
   }
@@ -99,7 +99,7 @@ absl::StatusOr<WebhookRules> RulesFrom(const std::string& tenant, const Json& js
     } else if (key == "private" && value.is_boolean()) {
       rules.private_addresses = value.get<bool>();
     } else {
-      return Invalid(tenant, key, "is unknown, or of another type");
+      return Invalid(tenant, key, "is unknown, or has another type");
     }
   }
   if (rules.secrets.empty()) return Invalid(tenant, "secret", "there is none");
@@ -131,16 +131,16 @@ absl::Status WebhookPolicy::Check(const std::string& tenant, const std::string& 
                       std::ssize(url));
   }
   const WebhookRules* rules = RulesOf(tenant);
-  if (rules == nullptr) return Refused(url, "this farm sends none");
+  if (rules == nullptr) return Refused(url, "this farm sends no webhooks");
   const std::optional<Url> wanted = ParseUrl(url);
-  if (!wanted) return Refused(url, "is no http(s) URL, or names a user");
+  if (!wanted) return Refused(url, "is not an http(s) URL, or contains a user name");
   for (const std::string& entry : rules->allow) {
     const std::optional<Url> allowed = ParseUrl(entry);
     if (allowed->origin == wanted->origin && IsBelow(wanted->path, allowed->path)) {
       return absl::OkStatus();
     }
   }
-  return Refused(url, "is not among the places that are allowed");
+  return Refused(url, "is not one of the allowed targets");
 }
 
 const WebhookRules* WebhookPolicy::RulesOf(const std::string& tenant) const {

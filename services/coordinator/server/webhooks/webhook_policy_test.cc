@@ -63,7 +63,7 @@ TEST(WebhookPolicy, NamesWhatItCannotTake) {
       {R"({"a": {"secret": "0123456789abcdef", "secrets": ["0123456789abcdef"]}})", "exclude"},
       {R"({"a": {"allow": []}})", "secret: there is none"},
       {R"({"a": {"secret": "0123456789abcdef", "allow": "x"}})", "allow: a list"},
-      {R"({"a": {"secret": "0123456789abcdef", "allow": ["x y"]}})", "no http(s) URL"},
+      {R"({"a": {"secret": "0123456789abcdef", "allow": ["x y"]}})", "not an http(s) URL"},
       {R"({"a": {"secret": "0123456789abcdef", "alow": []}})", "alow: is unknown"},
       {R"({"a": {"secret": "0123456789abcdef", "private": 1}})", "private: is unknown"},
   };

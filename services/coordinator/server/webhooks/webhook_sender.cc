@@ -19,7 +19,7 @@ int64_t Us(std::chrono::milliseconds time) { return time.count() * 1'000; }
 prometheus::Counter& Tries(prometheus::Registry& registry, const char* outcome) {
   return prometheus::BuildCounter()
       .Name("slicefarm_webhook_tries_total")
-      .Help("Tries to tell a receiver of a job's end; given_up: the last one of a webhook failed")
+      .Help("Attempts to deliver a webhook; given_up: the last attempt failed")
       .Register(registry)
       .Add({{"outcome", outcome}});
 }

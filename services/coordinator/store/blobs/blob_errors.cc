@@ -9,7 +9,7 @@ namespace slicefarm::coordinator {
 absl::Status CheckBlobName(const std::string& digest) {
   if (IsSha256Hex(digest)) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   "a blob's name is a SHA-256 of 64 lower-case hex digits");
+                   "a blob's name must be a SHA-256 of 64 lower-case hex digits");
 }
 
 absl::Status BlobNotFound(const std::string& digest) {
@@ -20,7 +20,7 @@ absl::Status BlobNotFound(const std::string& digest) {
 absl::Status UploadOffset(const std::string& digest, int64_t committed, int64_t got) {
   return MakeError(
       absl::StatusCode::kFailedPrecondition, Reason::kUploadOffset,
-      absl::StrCat("the upload of ", digest, " goes on at ", committed, ", not at ", got),
+      absl::StrCat("the upload of ", digest, " continues at ", committed, ", not at ", got),
       {{"committed_size", absl::StrCat(committed)}, {"got", absl::StrCat(got)}});
 }
 

@@ -12,9 +12,10 @@ absl::StatusOr<std::string> BlobReader::Read(int64_t offset, int64_t limit) {
   if (count == 0) return std::string();
   auto bytes = ReadWithin(offset, count);
   if (!bytes.ok() || std::ssize(*bytes) == count) return bytes;
-  return MakeError(absl::StatusCode::kDataLoss, Reason::kStoreFailed,
-                   absl::StrCat("of ", size(), " bytes of a blob, those from ",
-                                offset + std::ssize(*bytes), " on are gone since it was opened"));
+  return MakeError(
+      absl::StatusCode::kDataLoss, Reason::kStoreFailed,
+      absl::StrCat("of ", size(), " bytes of a blob, those from ", offset + std::ssize(*bytes),
+                   " on have disappeared since it was opened"));
 }
 
 }  // namespace slicefarm::coordinator

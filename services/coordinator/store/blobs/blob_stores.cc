@@ -18,7 +18,7 @@ namespace {
 absl::Status CheckTenant(const std::string& tenant) {
   if (tenant.empty() || IsTenantName(tenant)) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   "a tenant's name is 1 to 63 of a-z, 0-9, '-' and '_'");
+                   "a tenant's name must be 1 to 63 characters of a-z, 0-9, '-' and '_'");
 }
 
 class DirectoryBlobs : public BlobStores {

@@ -61,22 +61,22 @@ std::string S3Address::UrlOf(const std::string& key) const {
 
 absl::StatusOr<S3Address> ParseS3Address(const std::string& url, bool bucket_in_host) {
   const auto bad = [&](std::string_view why) {
-    return absl::InvalidArgumentError(
-        fmt::format("the address of a bucket is http[s]://HOST[:PORT]/BUCKET[/PREFIX]: {}", why));
+    return absl::InvalidArgumentError(fmt::format(
+        "the address of a bucket must be http[s]://HOST[:PORT]/BUCKET[/PREFIX]: {}", why));
   };
   const size_t scheme = url.find("://");
   if (scheme == std::string::npos ||
       (url.substr(0, scheme) != "https" && url.substr(0, scheme) != "http"))
-    return bad("it begins with http:// or https://");
+    return bad("it must begin with http:// or https://");
   const std::string_view rest = std::string_view(url).substr(scheme + 3);
   const size_t slash = std::min(rest.find('/'), rest.size());
   const std::string_view host = rest.substr(0, slash);
-  if (!IsHost(host)) return bad("the host is missing, or has other characters");
+  if (!IsHost(host)) return bad("the host is missing, or has invalid characters");
   std::string_view path = rest.substr(slash);
   while (path.starts_with('/')) path.remove_prefix(1);
   while (path.ends_with('/')) path.remove_suffix(1);
   if (path.size() > kMostPrefix || !IsPlainPath(path))
-    return bad("the path is of a-z, A-Z, 0-9, '-', '_', '.' and single slashes");
+    return bad("the path must consist of a-z, A-Z, 0-9, '-', '_', '.' and single slashes");
   S3Address address;
   address.endpoint = fmt::format("{}://{}", url.substr(0, scheme), host);
   if (!bucket_in_host) {

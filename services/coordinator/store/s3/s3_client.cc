@@ -75,7 +75,7 @@ absl::StatusOr<HttpAnswer> S3Client::AskOnce(const Wanted& wanted, const CancelT
   http.cancel = cancel;
   auto answer = http_.Do(http);
   if (answer.ok() && answer->is_cut)
-    answer = absl::UnavailableError("the answer is longer than what was asked for");
+    answer = absl::UnavailableError("the answer is longer than the requested range");
   again = absl::IsUnavailable(answer.status());
   if (!answer.ok() || answer->status / 100 == 2) return answer;
   again = MayGoBetter(answer->status, CodeOf(answer->body));
@@ -109,7 +109,7 @@ absl::StatusOr<std::string> S3Client::Get(const std::string& key, int64_t offset
   // A server without support for ranges sends the whole object, which is correct only if offset is
   // 0.
   if ((answer->status != 206 && offset > 0) || std::ssize(answer->body) > count)
-    return absl::UnavailableError("the bucket answers with other bytes than were asked for");
+    return absl::UnavailableError("the bucket returned other bytes than the requested ones");
   return std::move(answer->body);
 }
 
@@ -134,7 +134,7 @@ absl::Status S3Client::Probe() {
   const auto got = Get(key, 0, std::ssize(text));
   if (!got.ok()) return got.status();
   if (*got == text) return absl::OkStatus();
-  return absl::UnavailableError("the bucket answers with other bytes than were put");
+  return absl::UnavailableError("the bucket stored other bytes than it was given");
 }
 
 }  // namespace slicefarm::coordinator

@@ -71,7 +71,7 @@ absl::Status PostgresPulse::AwaitName() {
     if (since.Seconds() * 1000 >= static_cast<double>(options_.name_patience.count())) {
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
                        absl::StrCat("another coordinator with the name '", name_,
-                                    "' works with this database: give each its own --name"));
+                                    "' uses this database: give each coordinator its own --name"));
     }
     std::this_thread::sleep_for(kAskForNameEvery);
   }

@@ -160,7 +160,7 @@ absl::StatusOr<MultiPolygon> Nested(std::vector<Polygon> rings) {
           (owner == nullptr || SignedArea(island.outer) < SignedArea(owner->outer)))
         owner = &island;
     }
-    if (owner == nullptr) return Malformed("are turned the wrong way", hole[0]);
+    if (owner == nullptr) return Malformed("have the wrong orientation", hole[0]);
     owner->holes.push_back(std::move(hole));
   }
   return islands;
@@ -168,9 +168,10 @@ absl::StatusOr<MultiPolygon> Nested(std::vector<Polygon> rings) {
 
 absl::Status CheckTurns(const MultiPolygon& islands) {
   for (const PolygonWithHoles& island : islands) {
-    if (SignedArea(island.outer) < 0) return Malformed("are turned the wrong way", island.outer[0]);
+    if (SignedArea(island.outer) < 0)
+      return Malformed("have the wrong orientation", island.outer[0]);
     for (const Polygon& hole : island.holes)
-      if (SignedArea(hole) > 0) return Malformed("are turned the wrong way", hole[0]);
+      if (SignedArea(hole) > 0) return Malformed("have the wrong orientation", hole[0]);
   }
   return absl::OkStatus();
 }

@@ -103,7 +103,8 @@ absl::Status CheckMeshes(const MillingJob& job) {
   for (const TriangleMesh* mesh : {&job.part, &job.stock})
     for (const Eigen::Vector3d& p : mesh->points_mm)
       if (!p.allFinite())
-        return MillingError(Reason::kMeshNotFinite, "", "the mesh has a point that is not finite");
+        return MillingError(Reason::kMeshNotFinite, "",
+                            "the mesh has a coordinate that is not finite");
   if (!job.options.open_mesh)
     if (absl::Status status = CheckClosed(job.part, "part"); !status.ok()) return status;
   return job.stock_is_box ? absl::OkStatus() : CheckClosed(job.stock, "stock");
@@ -114,16 +115,16 @@ absl::Status CheckReach(const MillingJob& job) {
   const Eigen::AlignedBox3d& stock = job.stock_box;
   const double far = std::max(stock.max().cwiseAbs().maxCoeff(), stock.min().cwiseAbs().maxCoeff());
   if (far > kMostCoordinateMm) {
-    return MillingError(Reason::kOutOfRange, "",
-                        fmt::format("the stock reaches {:.0f} mm from the origin, at most {} mm "
-                                    "are possible",
-                                    far, kMostCoordinateMm));
+    return MillingError(
+        Reason::kOutOfRange, "",
+        fmt::format("the stock reaches {:.0f} mm from the origin, at most {} mm are allowed", far,
+                    kMostCoordinateMm));
   }
   const double out =
       std::max((part.max() - stock.max()).maxCoeff(), (stock.min() - part.min()).maxCoeff());
   if (out > kSameLevelMm) {
     return MillingError(Reason::kOutOfRange, "",
-                        fmt::format("the part reaches {:.3f} mm out of its stock", out));
+                        fmt::format("the part extends {:.3f} mm beyond its stock", out));
   }
   const double diameter = 2 * job.options.cutter.radius_mm();
   if (diameter > std::max(stock.sizes().x(), stock.sizes().y())) {
@@ -134,8 +135,8 @@ absl::Status CheckReach(const MillingJob& job) {
   }
   if (job.floor_mm >= part.max().z()) {
     return MillingError(Reason::kSettingOutOfRange, "bottom",
-                        fmt::format("bottom = {} mm above the stock's bottom is no level of the "
-                                    "part, whose top lies {:.3f} mm above it",
+                        fmt::format("bottom = {} mm leaves no level to mill: the top of the part "
+                                    "is {:.3f} mm above the bottom of the stock",
                                     job.options.bottom_mm, part.max().z() - stock.min().z()));
   }
   const double depth = stock.max().z() - job.floor_mm;
@@ -143,7 +144,8 @@ absl::Status CheckReach(const MillingJob& job) {
   if (length > 0 && depth > length) {
     return MillingError(
         Reason::kSettingOutOfRange, "tool_length",
-        fmt::format("the tool is {} mm long and has to go {:.3f} mm deep", length, depth));
+        fmt::format("tool_length = {} mm is too short: the tool must reach {:.3f} mm deep", length,
+                    depth));
   }
   return absl::OkStatus();
 }

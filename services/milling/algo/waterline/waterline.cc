@@ -54,7 +54,7 @@ absl::StatusOr<FiberGrid> GridOver(double low, double high, double radius_mm, do
   const double first = low - 2 * radius_mm, width = high + 2 * radius_mm - first;
   const double steps = std::max(1.0, std::floor(width / sampling_mm));
   if (steps >= static_cast<double>(kMaxFibers)) {
-    return LimitError(Reason::kRequestTooLarge, "fibers of one way", kMaxFibers,
+    return LimitError(Reason::kRequestTooLarge, "fibers of one direction", kMaxFibers,
                       static_cast<int64_t>(std::min(steps, 1e15)));
   }
   return FiberGrid{first, width / steps, static_cast<int32_t>(steps) + 1};

@@ -38,7 +38,7 @@ std::optional<std::string> FilamentWatch::Print() {
 
 std::optional<std::string> FilamentWatch::Restart(double mm) {
   if (fresh_ || depth_mm_ > 0 || mm <= slack_mm_) return std::nullopt;
-  return absl::StrFormat("pushes %.3f mm of filament without a retraction before", mm);
+  return absl::StrFormat("pushes %.3f mm of filament without a preceding retraction", mm);
 }
 
 void FilamentWatch::ChangeTool(bool custom) {

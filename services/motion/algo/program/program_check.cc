@@ -63,7 +63,7 @@ class Checker {
     report_.filament_mm = filament_.PrintedMm();
     const double tolerance = kSumMm + kSumOfRoundingMm * std::sqrt(static_cast<double>(report_.moves));
     if (told_mm_ && std::abs(*told_mm_ - report_.filament_mm) > tolerance) {
-      Find(absl::StrFormat("filament used [mm] = %.5f, but %.5f are printed", *told_mm_,
+      Find(absl::StrFormat("filament used [mm] = %.5f, but the program extrudes %.5f", *told_mm_,
                            report_.filament_mm),
            told_line_);
     }
@@ -93,14 +93,14 @@ class Checker {
 
   void CheckCommand(const GcodeLine& line) {
     if (line.has_lists && !firmware_.HasLists())
-      Find(absl::StrFormat("%s: a list or a text in quotes, which %s does not read", line.command,
+      Find(absl::StrFormat("%s: %s does not read lists and quoted texts", line.command,
                            firmware_.name()));
     if (firmware_.Knows(line)) return;
     if (firmware_.has_macros() && labels_.Custom() && line.letter == 0) {
       heated_ = true;  // a macro may heat the nozzle
       return;
     }
-    Find(absl::StrFormat("%s: a command that %s does not know", line.command, firmware_.name()));
+    Find(absl::StrFormat("%s: unknown command for %s", line.command, firmware_.name()));
   }
 
   void CheckWords(const GcodeLine& line) {
@@ -112,18 +112,19 @@ class Checker {
         Find(absl::StrFormat("%s: %c has no number", line.command, word));
     }
     if (const auto f = line['F']; f && *f <= 0)
-      Find(absl::StrFormat("F%g: a speed is above 0", *f));
+      Find(absl::StrFormat("F%g: a speed must be above 0", *f));
   }
 
   void CheckArcForm(const GcodeLine& line) {
     if (line['R']) {
       if (!firmware_.ArcsByRadius())
-        Find(absl::StrFormat("%s takes no arcs by radius", firmware_.name()));
+        Find(absl::StrFormat("%s does not support arcs by radius", firmware_.name()));
     } else if (line['I'].value_or(0) == 0 && line['J'].value_or(0) == 0) {
       Find("an arc without its centre");
     }
     if (machine_.relative() && !firmware_.RelativeArcs())
-      Find(absl::StrFormat("%s takes no arcs between relative coordinates", firmware_.name()));
+      Find(absl::StrFormat("%s does not support arcs between relative coordinates",
+                           firmware_.name()));
   }
 
   void CheckArc(const Arc& arc) {
@@ -142,13 +143,13 @@ class Checker {
     const double outside = stays ? space_.OutsideHeight(move.to[kZ])
                                  : space_.Outside(move.to[kX], move.to[kY], move.to[kZ]);
     if (move.InSpace() && outside > kPlaceMm + (custom ? kCustomMarginMm : 0)) {
-      Find(absl::StrFormat("goes to %.3f %.3f %.3f, %.3f mm outside of the machine", move.to[kX],
+      Find(absl::StrFormat("moves to %.3f %.3f %.3f, %.3f mm outside the machine", move.to[kX],
                            move.to[kY], move.to[kZ], outside));
     }
     const double mm = move.Filament();
     if (mm > 0 && !heated_) {
       heated_ = true;
-      Find("pushes filament before a temperature of the nozzle is set");
+      Find("pushes filament before a nozzle temperature is set");
     }
     if (move.Prints()) CheckSection(move, custom);
     if (auto wrong = filament_.Add(move, custom)) Find(*std::move(wrong));
@@ -162,7 +163,7 @@ class Checker {
     // Firmwares accept very small amounts.
     if (section <= most || move.Filament() * filament_mm2_ <= setup_.nozzle_mm * most) return;
     if (custom && !firmware_.RefusesSection(section, setup_.nozzle_mm)) return;
-    Find(absl::StrFormat("a bead of %.3f mm2, at most %.3f", section, most));
+    Find(absl::StrFormat("a line with a section of %.3f mm2, at most %.3f", section, most));
   }
 
   void CheckFirmwareRetraction(const GcodeLine& line) {

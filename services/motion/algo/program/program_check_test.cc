@@ -97,7 +97,7 @@ TEST(CheckProgram, Beads) {
 TEST(CheckProgram, Retractions) {
   EXPECT_THAT(Check("G1 X30 E.3 F600\nG1 E-.8\nG1 X40\nG1 X50 E.3\nG1 E.8\n"),
               ElementsAre(Field(&Finding::text, HasSubstr("retracted by 0.800")),
-                          Field(&Finding::text, HasSubstr("without a retraction"))));
+                          Field(&Finding::text, HasSubstr("without a preceding retraction"))));
   EXPECT_THAT(Check("G1 X30 E.3 F600\nG1 E60\nG1 E-60\n", Klipper()), testing::Not(IsEmpty()));
   EXPECT_THAT(Check("G11\n"), One("G11 without"));
 }

@@ -78,7 +78,7 @@ void GcodeLine::ReadWords(std::string_view text) {
     if (text.front() == '"') {
       const size_t end = text.find('"', 1);
       if (end == text.npos) {
-        fault = "a text has no end";
+        fault = "a quoted text has no end";
         return;
       }
       has_lists = true;
@@ -87,7 +87,7 @@ void GcodeLine::ReadWords(std::string_view text) {
     }
     double& value = values_[static_cast<size_t>(word - 'A')];
     if (!TakeNumber(text, value)) {
-      fault = "a word's number cannot be read";
+      fault = "the number of a word cannot be read";
       return;
     }
     if (!(std::abs(value) <= kFarthest)) {
@@ -98,7 +98,7 @@ void GcodeLine::ReadWords(std::string_view text) {
     for (double next = 0; text.starts_with(':'); has_lists = true) {
       text.remove_prefix(1);
       if (TakeNumber(text, next)) continue;
-      fault = "a list's number cannot be read";
+      fault = "the number of a list cannot be read";
       return;
     }
   }

@@ -7,7 +7,7 @@
 
 namespace slicefarm::motion {
 
-inline constexpr std::string_view kWordTwice = "a word is there twice";
+inline constexpr std::string_view kWordTwice = "a word is repeated";
 
 /// One parsed line of G-code. Views point into the line.
 ///   G1 X10 Y-.5 E.03     command "G1", letter G, number 1, words X, Y and E

@@ -92,7 +92,7 @@ absl::StatusOr<Specification> Parse(std::string_view text) {
       continue;
     }
     if (colon == line.npos || std::ranges::find(kKeys, key) == kKeys.end())
-      return Malformed(number, Text("'", key.substr(0, 40), "' is no key known here"));
+      return Malformed(number, Text("'", key.substr(0, 40), "' is not a known key"));
     const Word value{Trim(line.substr(colon + 1)), number};
     if (!specification.values.emplace(key, value).second && key != "COMMENT")
       return Malformed(number, Text(key, " comes twice"));
@@ -103,7 +103,7 @@ absl::StatusOr<Specification> Parse(std::string_view text) {
 
 absl::StatusOr<double> NumberOf(const Word& word) {
   const std::optional<double> number = ToNumber(word.text);
-  if (!number) return Malformed(word.line, Text("'", word.text.substr(0, 40), "' is no number"));
+  if (!number) return Malformed(word.line, Text("'", word.text.substr(0, 40), "' is not a number"));
   return *number;
 }
 
@@ -112,7 +112,8 @@ absl::StatusOr<int32_t> NodeOf(const Word& word, int32_t size) {
   const absl::StatusOr<double> number = NumberOf(word);
   if (!number.ok()) return number.status();
   if (*number < 1 || *number > size || *number != std::floor(*number)) {
-    return Malformed(word.line, Text("'", word.text.substr(0, 40), "' is no node of 1 .. ", size));
+    return Malformed(word.line,
+                     Text("'", word.text.substr(0, 40), "' is not a node of 1 .. ", size));
   }
   return static_cast<int32_t>(*number) - 1;
 }
@@ -137,7 +138,7 @@ absl::StatusOr<std::vector<Vector2>> PlacesOf(const Specification& specification
   if (words.size() != 3 * static_cast<size_t>(size)) {
     return Malformed(words.empty() ? specification.lines : words.back().line,
                      Text("NODE_COORD_SECTION has ", words.size(), " numbers, for ", size,
-                          " nodes it takes ", 3 * int64_t{size}));
+                          " nodes it needs ", 3 * int64_t{size}));
   }
   std::vector<std::optional<Vector2>> places(static_cast<size_t>(size));
   for (size_t i = 0; i < words.size(); i += 3) {
@@ -258,7 +259,7 @@ absl::StatusOr<Costs> ExplicitCosts(const Specification& specification) {
       const auto length = static_cast<int32_t>(*weight);
       if (a != b && table[b * size + a] != kUnknown && table[b * size + a] != length) {
         return Malformed(word->line, Text("the weights between ", a + 1, " and ", b + 1,
-                                          " differ: only symmetric ones are known here"));
+                                          " differ: only symmetric weights are supported"));
       }
       table[a * size + b] = table[b * size + a] = length;
     }
@@ -343,7 +344,7 @@ absl::StatusOr<TspInstance> ReadTsplib(std::string_view text) {
   }
   const std::string_view coordinates = specification->Value("NODE_COORD_TYPE");
   if (!coordinates.empty() && coordinates != "TWOD_COORDS" && coordinates != "NO_COORDS")
-    return Malformed(specification->LineOf("NODE_COORD_TYPE"), "only TWOD_COORDS are known here");
+    return Malformed(specification->LineOf("NODE_COORD_TYPE"), "only TWOD_COORDS is supported");
   absl::StatusOr<Costs> costs = CostsOf(*specification);
   if (!costs.ok()) return costs.status();
   auto fixed = FixedOf(*specification, costs->size());

@@ -24,7 +24,7 @@ absl::Status ConflictError(const std::string& first, const std::string& second, 
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kPathsConflict,
       fmt::format("{} and {} share room at ({}, {}), {} mm above the bed. Move them apart, or make "
-                  "one object of them; objects_may_overlap = 1 prints them through one another",
+                  "them one object; objects_may_overlap = 1 prints them through each other",
                   first, second, mm(place.x), mm(place.y), mm(z_nm)),
       {{"first", first},
        {"second", second},

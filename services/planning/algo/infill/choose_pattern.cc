@@ -16,15 +16,17 @@ constexpr double kFirm = 0.4;
 
 PatternChoice ForTime(double density) {
   if (density < kAiry)
-    return {FillPattern::kLightning, "least plastic: so little infill only carries top surfaces"};
-  return {FillPattern::kRectilinear, "fastest: one path a layer with the fewest turns"};
+    return {FillPattern::kLightning,
+            "least material, because such sparse infill only supports top surfaces"};
+  return {FillPattern::kRectilinear, "fastest, because each layer has one path with few turns"};
 }
 
 PatternChoice ForStrength(double density) {
   if (density < kFirm)
-    return {FillPattern::kCubic, "planes in three directions that brace each other"};
+    return {FillPattern::kCubic, "strong, because planes in three directions brace each other"};
   return {FillPattern::kGyroid,
-          "as stiff in all directions, and so dense that lines must not cross"};
+          "equally stiff in all directions, without crossing lines, which such dense infill must "
+          "not have"};
 }
 
 }  // namespace
@@ -48,19 +50,23 @@ PartShape ShapeOf(const ObjectStack& stack) {
 PatternChoice ChoosePattern(const InfillOptions& options, const PartShape& shape) {
   const double density = options.density;
   if (density >= kCrowded)
-    return {FillPattern::kRectilinear, "so dense that crossing lines would pile up"};
+    return {FillPattern::kRectilinear,
+            "such dense infill must not have crossing lines, which would pile up"};
   const double pitch_mm = ToMm(static_cast<double>(options.sparse_width_nm)) / std::max(density, 0.01);
   const bool flexible = options.goal == FillGoal::kFlexibility;
   if (shape.width_mm < kNarrowPitches * pitch_mm) {
-    if (flexible) return {FillPattern::kConcentric, "too narrow for cells: lines along it bend"};
-    return {FillPattern::kGrid, "too narrow for larger cells"};
+    if (flexible)
+      return {FillPattern::kConcentric,
+              "the part is too narrow for cells, and lines along it bend"};
+    return {FillPattern::kGrid, "the part is too narrow for larger cells"};
   }
   if (options.goal == FillGoal::kTime) return ForTime(density);
   if (shape.height_mm < kGyroidPeriods * pitch_mm) {
-    constexpr std::string_view kFlat = "too flat for a pattern that changes with the height";
+    constexpr std::string_view kFlat =
+        "the part is too flat for a pattern that changes with the height";
     return {flexible ? FillPattern::kHoneycomb : FillPattern::kTriangles, std::string(kFlat)};
   }
-  if (flexible) return {FillPattern::kGyroid, "bends alike in all directions"};
+  if (flexible) return {FillPattern::kGyroid, "equally flexible in all directions"};
   return ForStrength(density);
 }
 

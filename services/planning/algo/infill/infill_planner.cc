@@ -143,11 +143,11 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
     const PartShape shape = ShapeOf(stack);
     PatternChoice choice = ChoosePattern(options, shape);
     pattern = choice.pattern;
-    plan.notes.push_back(fmt::format(
-        "fill_pattern = auto: {} for {} ({:.0f} % dense, {:.1f} mm high, {:.1f} mm wide on "
-        "average): {}",
-        InfoOf(pattern).name, NameOf(key.first, object_names_), 100 * options.density,
-        shape.height_mm, shape.width_mm, choice.reason));
+    plan.notes.push_back(
+        fmt::format("fill_pattern = auto: {} for {} ({:.0f} % density, {:.1f} mm high, {:.1f} mm "
+                    "wide on average): {}",
+                    InfoOf(pattern).name, NameOf(key.first, object_names_), 100 * options.density,
+                    shape.height_mm, shape.width_mm, choice.reason));
   }
   const bool looks_at_places =
       pattern == FillPattern::kLightning || options.only_where_needed || options.every_layers > 1;

@@ -90,8 +90,8 @@ bool GantryMeets(const Standing& a, const Standing& b, const SequenceOptions& op
 
 absl::Status Collide(std::span<const SequenceItem> items, size_t a, size_t b,
                      std::string_view rule) {
-  const std::string_view why = rule == "gantry" ? "are both taller than the gantry over the nozzle"
-                                                : "stand nearer than the head's clearance";
+  const std::string_view why = rule == "gantry" ? "are both higher than extruder_clearance_height"
+                                                : "are closer than extruder_clearance_radius";
   return MakeError(kInvalid, Reason::kObjectsCollide,
                    fmt::format("'{}' and '{}' cannot be printed one after the other: they {}",
                                items[a].name, items[b].name, why),

@@ -42,10 +42,10 @@ absl::Status SpiralPlanner::Check(const PlanningOptions& options,
   if (!IsNeeded(options) || copies.empty()) return absl::OkStatus();
   for (const PlacedCopy& copy : copies)
     if (copy.object != copies.front().object)
-      return Refused("a spiral is printed of one object, and the plate has several", "objects");
+      return Refused("spiral_vase prints one object, but the plate has several", "objects");
   if (copies.size() > 1 && !options.sequence.complete_objects)
-    return Refused(fmt::format("the plate has {} copies, which complete_objects = 1 prints one "
-                               "after the other",
+    return Refused(fmt::format("spiral_vase prints one copy, but the plate has {}; add "
+                               "complete_objects = 1 to print them one after the other",
                                copies.size()),
                    "copies");
   return absl::OkStatus();
@@ -98,10 +98,10 @@ int32_t SpiralPlanner::Settle(OpenLayers& layers) {
 absl::Status SpiralPlanner::Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
   (void)cancel, (void)layers;
   if (no_turns_nm_.empty()) return absl::OkStatus();
-  plan.warnings.push_back(fmt::format(
-      "spiral_vase: {} of the {} layers above the bottom are not one loop, the first at z = {} mm: "
-      "they are printed layer by layer",
-      no_turns_nm_.size(), hollow_, ToMm(static_cast<double>(no_turns_nm_.front()))));
+  plan.warnings.push_back(
+      fmt::format("spiral_vase: {} of the {} layers above the bottom are not a single loop, the "
+                  "first at z = {} mm; they are printed as ordinary layers",
+                  no_turns_nm_.size(), hollow_, ToMm(static_cast<double>(no_turns_nm_.front()))));
   return absl::OkStatus();
 }
 

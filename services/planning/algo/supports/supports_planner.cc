@@ -80,8 +80,8 @@ void Tell(const std::string& name, std::vector<SupportFinding> findings,
   for (size_t i = 0; i < std::min(findings.size(), kToldFindings); ++i)
     warnings.push_back(fmt::format("{}: {}", name, TextOf(findings[i])));
   if (findings.size() > kToldFindings)
-    warnings.push_back(fmt::format("{}: {} more places that hang in the air", name,
-                                   findings.size() - kToldFindings));
+    warnings.push_back(
+        fmt::format("{}: {} more unsupported areas", name, findings.size() - kToldFindings));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class ObjParser {
       if (!std::isfinite(*number))
         return lines_.Error(Reason::kMeshNotFinite, "a coordinate is not a finite number");
       if (std::abs(*number) > limit_)
-        return lines_.Error(Reason::kOutOfRange, "a coordinate is farther out than 10 m");
+        return lines_.Error(Reason::kOutOfRange, "a coordinate is more than 10 m from the origin");
       value = *number;
     }
     mesh_.positions.push_back({at[0], at[1], at[2]});
@@ -99,7 +99,8 @@ class ObjParser {
       if (word[0] == '#') break;
       const std::optional<int64_t> index = LeadingIndex(word);
       if (!index)
-        return lines_.Error(Reason::kMeshMalformed, "a face's index is not a number but 0");
+        return lines_.Error(Reason::kMeshMalformed,
+                            "an index of a face is not a number other than 0");
       const int64_t count = static_cast<int64_t>(mesh_.positions.size());
       const int64_t from_one = *index > 0 ? *index : count + 1 + *index;
       if (from_one < 1 || from_one > kMaxVertices) return IndexError(*index, lines_.number());
@@ -108,7 +109,7 @@ class ObjParser {
       corners_.push_back(static_cast<uint32_t>(from_one - 1));
     }
     if (corners_.size() < 3)
-      return lines_.Error(Reason::kMeshMalformed, "a face must have three corners or more");
+      return lines_.Error(Reason::kMeshMalformed, "a face must have at least three corners");
     return Fan();
   }
 
@@ -130,12 +131,12 @@ class ObjParser {
   }
 
   absl::Status IndexError(int64_t index, int64_t line) const {
-    return MakeError(
-        absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
-        fmt::format("a face names vertex {} of {} (line {})", index, mesh_.positions.size(), line),
-        {{"limit", std::to_string(mesh_.positions.size())},
-         {"got", std::to_string(index)},
-         {"line", std::to_string(line)}});
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
+                     fmt::format("a face refers to vertex {} of {} (line {})", index,
+                                 mesh_.positions.size(), line),
+                     {{"limit", std::to_string(mesh_.positions.size())},
+                      {"got", std::to_string(index)},
+                      {"line", std::to_string(line)}});
   }
 
   absl::Status FaceTooLarge() const {

@@ -93,7 +93,7 @@ class HeaderParser {
 
   absl::Status Format(Words& words) {
     const std::optional<PlyEncoding> encoding = EncodingOf(words.Next());
-    if (!encoding) return Error(Reason::kMeshMalformed, "a PLY of no known encoding");
+    if (!encoding) return Error(Reason::kMeshMalformed, "the encoding of the PLY file is unknown");
     header_.encoding = *encoding;
     has_format_ = true;
     return absl::OkStatus();

@@ -98,7 +98,7 @@ class PlyParser {
       if (!std::isfinite(value))
         return Error(Reason::kMeshNotFinite, "a coordinate is not a finite number");
       if (std::abs(value) > limit_)
-        return Error(Reason::kOutOfRange, "a coordinate is farther out than 10 m");
+        return Error(Reason::kOutOfRange, "a coordinate is more than 10 m from the origin");
     }
     mesh_.positions.push_back({at_[0], at_[1], at_[2]});
     return absl::OkStatus();
@@ -107,7 +107,7 @@ class PlyParser {
   absl::Status List(PlyType type, double length, Use use) {
     // In an ASCII file, the length of a list may be any number.
     if (!(length >= 0 && length <= UINT32_MAX && length == std::floor(length)))
-      return Malformed("the length of a list cannot be");
+      return Malformed("the length of a list is invalid");
     const auto count = static_cast<int64_t>(length);
     if (use == Use::kCorners && count > limits::kMaxFaceVertices)
       return Malformed(fmt::format("a face has more than {} corners", limits::kMaxFaceVertices));
@@ -117,14 +117,14 @@ class PlyParser {
       if (!item) return NoNumber();
       if (use != Use::kCorners) continue;
       if (!(*item >= 0 && *item < kMaxVertices && *item == std::floor(*item)))
-        return Malformed("a face's index cannot be");
+        return Malformed("an index of a face is invalid");
       corners_.push_back(static_cast<uint32_t>(*item));
     }
     return use == Use::kCorners ? Fan() : absl::OkStatus();
   }
 
   absl::Status Fan() {
-    if (corners_.size() < 3) return Malformed("a face must have three corners or more");
+    if (corners_.size() < 3) return Malformed("a face must have at least three corners");
     const size_t after = mesh_.triangles.size() + corners_.size() - 2;
     if (after > static_cast<size_t>(limits::kMaxTriangles))
       return LimitError(Reason::kMeshTooLarge, "triangles", limits::kMaxTriangles,
@@ -151,7 +151,7 @@ class PlyParser {
     const size_t count = mesh_.positions.size();
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
-        fmt::format("a face names vertex {} of {} (face {})", highest_, count, highest_face_),
+        fmt::format("a face refers to vertex {} of {} (face {})", highest_, count, highest_face_),
         {{"limit", std::to_string(count)},
          {"got", std::to_string(highest_)},
          {"face", std::to_string(highest_face_)}});
@@ -191,7 +191,7 @@ absl::StatusOr<RawMesh> ReadPly(std::string_view bytes, double coordinate_limit,
                                 const CancelToken& cancel) {
   if (!LooksLikePly(bytes))
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
-                     "a PLY begins with a line `ply` (line 1)", {{"line", "1"}});
+                     "a PLY file must begin with a line `ply` (line 1)", {{"line", "1"}});
   absl::StatusOr<PlyHeader> header = ReadPlyHeader(bytes);
   if (!header.ok()) return header.status();
   const std::string_view data = bytes.substr(header->bytes);
@@ -203,7 +203,7 @@ absl::StatusOr<RawMesh> ReadPly(std::string_view bytes, double coordinate_limit,
     case PlyEncoding::kBigEndian:
       return PlyParser<PlyBinary<std::endian::big>>(data, coordinate_limit, cancel).Run(*header);
   }
-  return absl::InternalError("an encoding that is none");
+  return absl::InternalError("the encoding is invalid");
 }
 
 }  // namespace slicefarm::slicing

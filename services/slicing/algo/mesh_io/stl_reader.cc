@@ -52,8 +52,9 @@ absl::Status CheckLength(std::string_view bytes) {
   return MakeError(
       absl::StatusCode::kInvalidArgument,
       expected > got ? Reason::kMeshTruncated : Reason::kMeshMalformed,
-      fmt::format("binary STL claims {} triangles, which take {} bytes; the file has {}", count,
-                  expected, got),
+      fmt::format(
+          "the binary STL header announces {} triangles, which take {} bytes; the file has {}",
+          count, expected, got),
       {{"triangles", std::to_string(count)},
        {"limit", std::to_string(expected)},
        {"got", std::to_string(got)}});
@@ -67,7 +68,7 @@ std::array<Vector3, 3> CornersAt(const char* triangle) {
 
 std::string_view FaultText(CoordinateFault fault) {
   return fault == CoordinateFault::kNotFinite ? "a coordinate is not a finite number"
-                                              : "a coordinate is farther out than 10 m";
+                                              : "a coordinate is more than 10 m from the origin";
 }
 
 Reason FaultReason(CoordinateFault fault) {
@@ -132,14 +133,14 @@ class AsciiParser {
 
   absl::Status Solid(bool begin) {
     if (in_facet_)
-      return lines_.Error(Reason::kMeshMalformed, "the facet before has no `endfacet`");
+      return lines_.Error(Reason::kMeshMalformed, "the previous facet has no `endfacet`");
     in_solid_ = begin;
     return absl::OkStatus();
   }
 
   absl::Status Facet() {
     if (in_facet_)
-      return lines_.Error(Reason::kMeshMalformed, "the facet before has no `endfacet`");
+      return lines_.Error(Reason::kMeshMalformed, "the previous facet has no `endfacet`");
     if (builder_.triangles() >= static_cast<size_t>(limits::kMaxTriangles))
       return LimitError(Reason::kMeshTooLarge, "triangles", limits::kMaxTriangles,
                         limits::kMaxTriangles + 1);

@@ -30,11 +30,12 @@ bool IsForeign(std::string_view bytes) {
 constexpr std::string_view kLfsMark = "version https://git-lfs.github.com/";
 
 absl::Status UnknownFormat(std::string_view bytes) {
-  std::string_view what = "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats";
+  std::string_view what =
+      "the file is not STL, OBJ, PLY or 3MF; export the part in one of these formats";
   if (bytes.starts_with(kLfsMark))
-    what = "no model but the Git LFS pointer to one; git lfs pull fetches it";
+    what = "the file is a Git LFS pointer, not a model; fetch the model with git lfs pull";
   if (bytes.starts_with(kStepMark))
-    what = "a STEP file, which has surfaces and no triangles; export the part as STL or 3MF";
+    what = "the file is STEP, which has no triangles; export the part as STL or 3MF";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
                    std::string(what));
 }

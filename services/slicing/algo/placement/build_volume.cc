@@ -66,15 +66,14 @@ absl::Status ExcludedError(std::string_view name, const Box& part, const Polygon
     return fmt::format("{:.3f}, {:.3f}", ToMm(static_cast<double>(p.x)),
                        ToMm(static_cast<double>(p.y)));
   };
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-      fmt::format("{} reaches into an excluded area of the bed (bed_exclude_area, {} to {} mm): "
-                  "put it elsewhere",
-                  Quoted(name), corner(box.min), corner(box.max)),
-      {{"object", std::string(name)},
-       {"setting", "bed_exclude_area"},
-       {"limit", SizeText(box)},
-       {"got", SizeText(part)}});
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   fmt::format("{} reaches into an excluded area of the bed (bed_exclude_area, {} "
+                               "to {} mm): move it elsewhere",
+                               Quoted(name), corner(box.min), corner(box.max)),
+                   {{"object", std::string(name)},
+                    {"setting", "bed_exclude_area"},
+                    {"limit", SizeText(box)},
+                    {"got", SizeText(part)}});
 }
 
 absl::Status HeightError(std::string_view name, Coord height, Coord limit) {
@@ -96,7 +95,8 @@ bool InRange(const Box& box, Point center) {
 absl::Status CentersError(std::string_view name) {
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
-      fmt::format("{} is placed farther out than {:.3f} mm", Quoted(name), ToMm(limits::kMaxCoord)),
+      fmt::format("{} is placed more than {:.3f} mm from the origin", Quoted(name),
+                  ToMm(limits::kMaxCoord)),
       {{"object", std::string(name)}, {"limit", fmt::format("{:.3f}", ToMm(limits::kMaxCoord))}});
 }
 

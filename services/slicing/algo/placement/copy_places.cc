@@ -42,7 +42,7 @@ absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Fr
   }
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-      fmt::format("{} of {} copies have no room on the bed{}: {}", left_over.size(), copies,
+      fmt::format("{} of {} copies do not fit on the bed{}: {}", left_over.size(), copies,
                   excluded ? " outside of bed_exclude_area" : "", absl::StrJoin(which, ", ")),
       {{"limit", fmt::format("{}", copies - left_over.size())},
        {"got", fmt::format("{}", copies)}});
@@ -75,7 +75,7 @@ bool FitsInTheMiddle(const ObjectToPlace& object, const SlicingOptions& options)
 }  // namespace
 
 std::string ObjectWords(std::string_view name, size_t object) {
-  if (name.empty()) return fmt::format("object {}, which has no name", object + 1);
+  if (name.empty()) return fmt::format("object {} (without a name)", object + 1);
   return fmt::format("\"{}\"", absl::Utf8SafeCEscape(std::string(name)));
 }
 

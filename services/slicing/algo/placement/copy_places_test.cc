@@ -138,10 +138,10 @@ TEST(PlaceCopies, NamesTheObjectsWithoutRoom) {
                                               {"lar\nge", large, {}, two}};
   const absl::Status status = PlaceCopies(objects, {}, {}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
-  EXPECT_EQ(status.message(), "1 of 3 copies have no room on the bed: 1 of \"lar\\nge\"");
+  EXPECT_EQ(status.message(), "1 of 3 copies do not fit on the bed: 1 of \"lar\\nge\"");
   const std::vector<ObjectToPlace> unnamed = {{"", small, {}, one}, {"", large, {}, two}};
   EXPECT_EQ(PlaceCopies(unnamed, {}, {}).status().message(),
-            "1 of 3 copies have no room on the bed: 1 of object 2, which has no name");
+            "1 of 3 copies do not fit on the bed: 1 of object 2 (without a name)");
 }
 
 TEST(PlaceCopies, OutlinesThatGrowStayOnTheBed) {

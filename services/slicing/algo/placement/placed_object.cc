@@ -19,7 +19,8 @@ absl::Status CheckNoProject(const MeshFile& file) {
       file.format == MeshFormat::kUnknown ? DetectFormat(file.bytes) : file.format;
   if (format != MeshFormat::k3mf) return absl::OkStatus();
   return Malformed(
-      "a 3MF project is no single mesh: the job must name its objects, their parts and places");
+      "a 3MF project is not a single mesh: the job must name its objects, their parts and "
+      "positions");
 }
 
 absl::StatusOr<PlacedPart> PlacedPartOf(const RawMesh& raw, const Transform& transform) {
@@ -67,7 +68,7 @@ PartMeshes::PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInpu
 }
 
 absl::StatusOr<RawMesh> PartMeshes::Take(const MeshRef& ref) {
-  if (!Has(ref)) return Malformed("a part refers to a file that is not there");
+  if (!Has(ref)) return Malformed("a part refers to a file that is missing");
   const auto file = static_cast<size_t>(ref.file);
   if (!meshes_[file]) {
     if (ref.mesh == kOnlyMesh)

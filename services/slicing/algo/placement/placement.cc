@@ -36,7 +36,7 @@ std::optional<Coord> Rounded(const Row& row, const Vector3& p) {
 absl::Status RangeError(double got_mm) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
                    fmt::format("the placed part reaches {:.3f} mm from the origin, at most {:.3f} "
-                               "mm are accepted; are the units right?",
+                               "mm are accepted; check the units",
                                got_mm, ToMm(limits::kMaxCoord)),
                    {{"limit", fmt::format("{:.3f}", ToMm(limits::kMaxCoord))},
                     {"got", fmt::format("{:.3f}", got_mm)}});

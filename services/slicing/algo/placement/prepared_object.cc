@@ -141,7 +141,7 @@ absl::Status CheckObject(const ObjectInput& object) {
       object.parts, [](const PartInput& part) { return part.role == PartRole::kSolid; });
   if (!solid) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                     "no part of the object is solid: modifiers alone print nothing");
+                     "no part of the object is solid: modifiers are not printed");
   }
   if (object.copies.empty()) return Malformed("an object has no copy");
   for (const PartInput& part : object.parts) {

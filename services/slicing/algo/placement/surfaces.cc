@@ -15,7 +15,7 @@ namespace {
 absl::Status CheckOnePart(const ObjectInput& object) {
   if (object.parts.size() == 1 && object.copies.size() == 1) return absl::OkStatus();
   return Malformed(absl::StrCat("object \"", absl::Utf8SafeCEscape(object.name),
-                                "\" is not one part and one copy, as a surface must be"));
+                                "\" must have one part and one copy to be a surface"));
 }
 
 absl::Status CheckSurfaceSize(const RawMesh& mesh) {
@@ -36,7 +36,7 @@ absl::Status CheckWithin(const SurfaceMesh& mesh, const std::string& object) {
         absl::StatusCode::kInvalidArgument, Reason::kMeshTooLarge,
         absl::StrCat("object \"", absl::Utf8SafeCEscape(object), "\", transformed, has a point ",
                      farthest, " mm from the origin; ", limits::kMaxMeshCoordinateMm,
-                     " mm are possible"));
+                     " mm are allowed"));
   }
   return absl::OkStatus();
 }

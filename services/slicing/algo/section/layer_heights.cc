@@ -69,8 +69,7 @@ absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHei
   if (top_nm <= 0 || IsCutAbove(0, first, top_nm))
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-        fmt::format("the part is {} mm high, which is less than half of the first layer",
-                    ToMm(top_nm)),
+        fmt::format("the part is {} mm high, less than half of the first layer", ToMm(top_nm)),
         {{"limit", std::to_string(first / 2)}, {"got", std::to_string(top_nm)}});
   std::vector<LayerPlane> planes = {{{0, first, first}, std::min(first / 2, top_nm - 1)}};
   for (Coord bottom = first;;) {

@@ -126,7 +126,7 @@ absl::StatusOr<ConnectedMesh> Connect(IndexedMesh mesh, const CancelToken& cance
   connected.degenerate_faces = DropCollapsedFaces(mesh.triangles);
   if (mesh.triangles.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
-                     "all triangles of the mesh are degenerate; are the units right?");
+                     "all triangles of the mesh are degenerate; check the units");
   if (cancel.Cancelled()) return cancel.Check();
   EdgeTable table = EdgesOfDistinct(mesh, connected.repeated_faces);
   if (cancel.Cancelled()) return cancel.Check();

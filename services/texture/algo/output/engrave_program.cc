@@ -65,15 +65,15 @@ absl::StatusOr<EngraveProgram::Stop> EngraveProgram::StopAt(const ToolPoint& poi
     const double steep = Atan2(Hypot(n.x(), n.y()), n.z()) * 180 / std::numbers::pi;
     if (steep > options_.steepest_deg)
       return OutOfReach(point.place_mm,
-                        fmt::format("the surface is {:.1f} degrees steep, at most {:g} can be made "
-                                    "without rotary axes",
+                        fmt::format("the surface is {:.1f} degrees steep, but a machine without "
+                                    "rotary axes can work at most {:g} (steepest)",
                                     steep, options_.steepest_deg));
   }
   const auto angles = axes_.AnglesFor(n, at_.axes.angles_deg);
   if (!angles)
     return OutOfReach(point.place_mm,
-                      fmt::format("the surface there looks along ({:.3f}, {:.3f}, {:.3f}), beyond "
-                                  "the {:g} degrees that {} and {} may turn",
+                      fmt::format("the surface normal there is ({:.3f}, {:.3f}, {:.3f}), beyond "
+                                  "the {:g} degrees that {} and {} may turn (tilt)",
                                   n.x(), n.y(), n.z(), options_.axes.tilt_deg, axes_.Letters()[0],
                                   axes_.Letters()[1]));
   return Stop{point.place_mm, {axes_.XyzFor(point.place_mm, *angles), *angles}};

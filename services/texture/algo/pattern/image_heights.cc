@@ -74,7 +74,7 @@ class PngReading {
 
 absl::Status MalformedImage(std::string_view words) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("the texture is no PNG image that can be read: {}", words));
+                   fmt::format("the texture is not a readable PNG image: {}", words));
 }
 
 /// Returns the height, 0 to 1, of a pixel of four big-endian numbers.

@@ -26,13 +26,13 @@ absl::Status CheckSolid(const SurfaceMesh& solid) {
   for (const Eigen::Vector3d& p : solid.points_mm)
     if (!p.allFinite())
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshNotFinite,
-                       "the texture has a coordinate that is no number");
+                       "the texture has a coordinate that is not a number");
   const auto points = static_cast<int32_t>(solid.points_mm.size());
   for (const auto& triangle : solid.triangles)
     for (const int32_t vertex : triangle)
       if (vertex < 0 || vertex >= points)
         return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed,
-                         "a triangle of the texture names a vertex that is not there");
+                         "a triangle of the texture refers to a vertex that does not exist");
   return absl::OkStatus();
 }
 

@@ -28,16 +28,20 @@ const std::vector<ParameterRow>& ParameterRows() {
   static const std::vector<ParameterRow> rows = {
       {{"height", &TextureSpec::height_mm, 1e-3, 100, false, "mm"}, {}},
       {{"pitch", &TextureSpec::pitch_mm, 1e-2, 1000, false, "mm"}, {}},
-      {{"size", &TextureSpec::size, 0.05, 1, false, "share of the pitch that is raised"},
+      {{"size", &TextureSpec::size, 0.05, 1, false, "raised share of the pitch"},
        {kBumps, kCones, kPyramids, kGrooves, kHexagons, kWeave, kCells}},
-      {{"stroke", &TextureSpec::size, 0.02, 1, false, "a stroke's share of the pitch"}, {kLetters}},
-      {{"slope", &TextureSpec::slope, 0.01, 0.5, false, "share of the pitch a flank takes"},
+      {{"stroke", &TextureSpec::size, 0.02, 1, false, "width of a stroke as a share of the pitch"},
+       {kLetters}},
+      {{"slope", &TextureSpec::slope, 0.01, 0.5, false, "width of a flank as a share of the pitch"},
        {kGrooves, kHexagons, kLetters, kCells}},
       {{"cross", &TextureSpec::cross, 0, 1, false, "share of the sine along y"}, {kWaves}},
-      {{"angle", &TextureSpec::angle_deg, 10, 80, false, "degrees, of grooves to y"}, {kKnurl}},
-      {{"count", &TextureSpec::count, 2, 64, true, "cells along the tile"}, {kCells, kNoise}},
-      {{"octaves", &TextureSpec::octaves, 1, 8, true, "finer and finer hills"}, {kNoise}},
-      {{"seed", &TextureSpec::seed, 0, 1e9, true, "of what is random"}, {kCells, kNoise}},
+      {{"angle", &TextureSpec::angle_deg, 10, 80, false, "angle of the grooves to y, in degrees"},
+       {kKnurl}},
+      {{"count", &TextureSpec::count, 2, 64, true, "number of cells along the tile"},
+       {kCells, kNoise}},
+      {{"octaves", &TextureSpec::octaves, 1, 8, true, "number of finer and finer layers of hills"},
+       {kNoise}},
+      {{"seed", &TextureSpec::seed, 0, 1e9, true, "seed of the random values"}, {kCells, kNoise}},
       {{"detail", &TextureSpec::detail, 4, 400, true, "nodes a pitch"}, {}},
   };
   return rows;
@@ -68,7 +72,7 @@ absl::Status SetNumber(const TextureParameter& parameter, std::string_view text,
                        TextureSpec* spec) {
   const auto number = ToNumber(text);
   if (!number || (parameter.whole && *number != std::floor(*number)))
-    return MalformedSpec(fmt::format("{} is no {}number: '{}'", parameter.key,
+    return MalformedSpec(fmt::format("{} is not a {}number: '{}'", parameter.key,
                                      parameter.whole ? "whole " : "", text));
   if (*number < parameter.least || *number > parameter.most)
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
@@ -85,14 +89,14 @@ absl::Status SetText(std::string_view text, TextureSpec* spec) {
   if (spec->text.empty() || spec->text.size() > kMaxLetters)
     return MalformedSpec(fmt::format("text must have 1 to {} letters", kMaxLetters));
   for (const char c : spec->text)
-    if (!HasGlyph(c)) return MalformedSpec(fmt::format("there is no letter '{}'", c));
+    if (!HasGlyph(c)) return MalformedSpec(fmt::format("the letter '{}' is not available", c));
   return absl::OkStatus();
 }
 
 absl::Status SetParameter(std::string_view part, TextureSpec* spec) {
   const size_t equals = part.find('=');
   if (equals == std::string_view::npos)
-    return MalformedSpec(fmt::format("'{}' is no key=value", part));
+    return MalformedSpec(fmt::format("'{}' is not key=value", part));
   const std::string_view key = Trim(part.substr(0, equals)), value = part.substr(equals + 1);
   if (key == "text" && spec->kind == TextureKind::kLetters) return SetText(value, spec);
   std::string known;
@@ -125,7 +129,7 @@ absl::StatusOr<TextureSpec> ParseTextureSpec(std::string_view text) {
   if (!kind) {
     std::string known;
     for (const TextureKindInfo& info : kTextureKinds) known += fmt::format(" {}", info.name);
-    return MalformedSpec(fmt::format("there is no '{}'; there are{}", name, known));
+    return MalformedSpec(fmt::format("unknown texture '{}'; textures are{}", name, known));
   }
   TextureSpec spec = StandardOf(*kind);
   if (colon == std::string_view::npos) return spec;

@@ -34,17 +34,17 @@ struct TextureKindInfo {
 };
 
 inline constexpr TextureKindInfo kTextureKinds[] = {
-    {TextureKind::kBumps, "bumps", "half ellipsoids, one a pitch"},
-    {TextureKind::kCones, "cones", "cones, one a pitch"},
-    {TextureKind::kPyramids, "pyramids", "square pyramids, one a pitch"},
-    {TextureKind::kGrooves, "grooves", "ridges with flat tops along y, one a pitch"},
-    {TextureKind::kWaves, "waves", "a sine along x; crossed by one along y on request"},
+    {TextureKind::kBumps, "bumps", "half ellipsoids, one per pitch"},
+    {TextureKind::kCones, "cones", "cones, one per pitch"},
+    {TextureKind::kPyramids, "pyramids", "square pyramids, one per pitch"},
+    {TextureKind::kGrooves, "grooves", "ridges with flat tops along y, one per pitch"},
+    {TextureKind::kWaves, "waves", "sine waves along x, optionally crossed by waves along y"},
     {TextureKind::kHexagons, "hexagons", "flat hexagons with gaps, a pitch apart"},
-    {TextureKind::kWeave, "weave", "strands over and under each other, a pitch apart"},
-    {TextureKind::kLetters, "letters", "a line of text whose letters are a pitch high"},
-    {TextureKind::kCells, "cells", "flat cells around random points, about a pitch wide"},
-    {TextureKind::kNoise, "noise", "random hills, the largest about a pitch wide"},
-    {TextureKind::kScales, "scales", "fish scales, a pitch wide"},
+    {TextureKind::kWeave, "weave", "woven strands, a pitch apart"},
+    {TextureKind::kLetters, "letters", "line of text with letters one pitch high"},
+    {TextureKind::kCells, "cells", "flat cells around random points, about one pitch wide"},
+    {TextureKind::kNoise, "noise", "random hills, the largest about one pitch wide"},
+    {TextureKind::kScales, "scales", "fish scales, one pitch wide"},
     {TextureKind::kKnurl, "knurl", "diamonds between two sets of crossing grooves"},
 };
 inline constexpr size_t kTextureKindCount = std::size(kTextureKinds);

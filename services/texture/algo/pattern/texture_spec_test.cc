@@ -35,16 +35,16 @@ struct Refusal {
 
 TEST(TextureSpec, RefusesWhatItDoesNotKnow) {
   for (const Refusal& c : {
-           Refusal{"", Reason::kSettingMalformed, "there is no ''; there are bumps"},
-           {"bump", Reason::kSettingMalformed, "there is no 'bump'"},
-           {"bumps:", Reason::kSettingMalformed, "'' is no key=value"},
-           {"bumps:pitch", Reason::kSettingMalformed, "'pitch' is no key=value"},
+           Refusal{"", Reason::kSettingMalformed, "unknown texture ''; textures are bumps"},
+           {"bump", Reason::kSettingMalformed, "unknown texture 'bump'"},
+           {"bumps:", Reason::kSettingMalformed, "'' is not key=value"},
+           {"bumps:pitch", Reason::kSettingMalformed, "'pitch' is not key=value"},
            {"bumps:octaves=2", Reason::kSettingMalformed, "bumps has no parameter 'octaves'"},
-           {"bumps:pitch=wide", Reason::kSettingMalformed, "pitch is no number: 'wide'"},
+           {"bumps:pitch=wide", Reason::kSettingMalformed, "pitch is not a number: 'wide'"},
            {"bumps:pitch=0", Reason::kSettingOutOfRange, "pitch must be from 0.01 to 1000, got 0"},
-           {"noise:octaves=2.5", Reason::kSettingMalformed, "octaves is no whole number"},
+           {"noise:octaves=2.5", Reason::kSettingMalformed, "octaves is not a whole number"},
            {"letters:text=", Reason::kSettingMalformed, "1 to 64 letters"},
-           {"letters:text=~", Reason::kSettingMalformed, "there is no letter '~'"},
+           {"letters:text=~", Reason::kSettingMalformed, "the letter '~' is not available"},
        }) {
     const auto spec = ParseTextureSpec(c.text);
     ASSERT_FALSE(spec.ok()) << c.text;

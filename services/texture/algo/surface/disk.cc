@@ -38,13 +38,13 @@ absl::Status CheckNumbers(const SurfaceMesh& mesh) {
   for (size_t i = 0; i < mesh.points_mm.size(); ++i) {
     if (!mesh.points_mm[i].allFinite())
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshNotFinite,
-                       fmt::format("vertex {} has a coordinate that is no number", i + 1));
+                       fmt::format("vertex {} has a coordinate that is not a number", i + 1));
   }
   const auto points = static_cast<int32_t>(mesh.points_mm.size());
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const int32_t vertex : mesh.triangles[t]) {
       if (vertex < 0 || vertex >= points)
-        return Malformed(fmt::format("triangle {} names vertex {} of {}", t + 1,
+        return Malformed(fmt::format("triangle {} refers to vertex {} of {}", t + 1,
                                      static_cast<int64_t>(vertex) + 1, points));
     }
     if (DoubleAreaVector(mesh, t).squaredNorm() <= 0)
@@ -66,7 +66,7 @@ absl::StatusOr<std::vector<Side>> SidesOf(const SurfaceMesh& mesh) {
   if (twice != sides.end())
     return Malformed(
         fmt::format("the edge from {} to {} belongs to more than two triangles, or its two "
-                    "triangles are wound against each other",
+                    "triangles have opposite orientations",
                     PlaceOf(mesh, twice->from), PlaceOf(mesh, twice->to)));
   return sides;
 }
@@ -141,11 +141,10 @@ absl::StatusOr<SurfaceTopology> TopologyOf(const SurfaceMesh& mesh) {
   if (!sides.ok()) return sides.status();
   if (const auto vertex = VertexOfSeveralFans(mesh); vertex.has_value())
     return Malformed(
-        fmt::format("parts of the surface touch at the vertex {} only", PlaceOf(mesh, *vertex)));
+        fmt::format("parts of the surface touch only at the vertex {}", PlaceOf(mesh, *vertex)));
   const Counts counts = CountsOf(mesh);
   if (counts.components != 1)
-    return Malformed(
-        fmt::format("the surface has {} parts that do not hang together", counts.components));
+    return Malformed(fmt::format("the surface has {} separate parts", counts.components));
   std::vector<int32_t> next = NextOnBoundary(mesh.points_mm.size(), *sides);
   const auto bounds = std::count_if(next.begin(), next.end(), [](int32_t to) { return to >= 0; });
   SurfaceTopology topology;
@@ -161,10 +160,10 @@ absl::StatusOr<std::vector<BoundaryLoop>> BoundaryOfDisk(const SurfaceMesh& mesh
   auto topology = TopologyOf(mesh);
   if (!topology.ok()) return topology.status();
   if (topology->loops.empty())
-    return Malformed("the surface is closed: a seam has to be cut before it can be laid flat");
+    return Malformed("the surface is closed: a seam must be cut before it can be flattened");
   if (topology->handles != 0)
     return Malformed(
-        fmt::format("the surface has handles ({}): seams have to be cut before it can be laid flat",
+        fmt::format("the surface has handles ({}): seams must be cut before it can be flattened",
                     topology->handles));
   return std::move(topology->loops);
 }

@@ -79,7 +79,7 @@ TEST(BoundaryOfDisk, SaysWhatIsNoDiskAndWhere) {
   } cases[] = {
       {"nothing", {}, Reason::kMeshEmpty, "no triangles"},
       {"not finite", not_finite, Reason::kMeshNotFinite, "vertex 3"},
-      {"index beyond", beyond, Reason::kMeshMalformed, "triangle 2 names vertex 10 of 4"},
+      {"index beyond", beyond, Reason::kMeshMalformed, "triangle 2 refers to vertex 10 of 4"},
       {"no area", flat, Reason::kMeshMalformed, "triangle 1 at (0.000, 0.000, 0.000) has no area"},
       {"wound against each other", turned, Reason::kMeshMalformed,
        "from (1.000, 1.000, 0.000) to (0.000, 0.000, 0.000)"},

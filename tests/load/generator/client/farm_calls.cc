@@ -69,7 +69,7 @@ void StartWatch(v1::Jobs::Stub& stub, const CallContext& context,
   handler.ended = [watch, ended = std::move(ended)](absl::Status status) {
     if (!status.ok() || HasEnded(watch->last)) return ended(std::move(status));
     ended(MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                    "the server stopped telling of the job before its end"));
+                    "the server ended the stream of job states before the job had ended"));
   };
   Reader::Run(
       context,
@@ -166,7 +166,7 @@ void FarmCalls::Download(const v1::Job& job, const CallContext& context, Ended t
       [fetch, digest = job.result().gcode_sha256(), then = std::move(then)](absl::Status status) {
         if (status.ok() && fetch->digest.Hex() != digest) {
           status = MakeError(absl::StatusCode::kDataLoss, Reason::kBlobDigestMismatch,
-                             "the G-code that came is not the one of the job");
+                             "the received G-code differs from the job's result");
         }
         then(std::move(status));
       });

@@ -35,56 +35,63 @@ const std::map<std::string, std::vector<Process>>& Processes() {
 }
 
 void AddWhat(CLI::App& app, LoadFlags* flags) {
-  app.add_option("--server", flags->server, "The coordinator")
+  app.add_option("--server", flags->server, "Address of the coordinator")
       ->envname("SLICEFARM_SERVER")
       ->capture_default_str()
       ->type_name("HOST:PORT");
   rpc::AddTlsOptions(app, &flags->security);
   rpc::AddTokenOptions(app, &flags->security);
   app.add_option("--scenario", flags->scenario,
-                 "print: upload, create, watch, download; submit: create; get: GetJob; watch: as "
-                 "print, with many watchers and no download")
+                 "Scenario. print: upload, create, watch, download. submit: create. get: GetJob. "
+                 "watch: as print, with many watchers and no download")
       ->check(CLI::IsMember(Scenarios()))
       ->capture_default_str();
-  app.add_option("--mix", flags->mix, "Parts: mixed is 80 % tiny, 18 % medium, 2 % huge")
+  app.add_option("--mix", flags->mix, "Sizes of parts; mixed: 80 % tiny, 18 % medium, 2 % huge")
       ->check(CLI::IsMember({"tiny", "medium", "huge", "mixed"}))
       ->capture_default_str();
-  app.add_option("--process", flags->process, "Of the jobs; both: of all, by turns")
+  app.add_option("--process", flags->process, "Priority of the jobs; both: alternating")
       ->check(CLI::IsMember(Processes()))
       ->capture_default_str();
-  app.add_flag("--same", flags->same, "The same part each time: the server's cache may answer");
-  app.add_option("--watchers", flags->watchers, "Watchers of each job, for --scenario watch")
+  app.add_flag("--same", flags->same,
+               "Use the same part each time, so that the server's cache may answer");
+  app.add_option("--watchers", flags->watchers,
+                 "Number of watchers of each job, for --scenario watch")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   app.add_option("--seed", flags->seed,
-                 "Of arrivals, parts and request ids; repeated on the same server, it brings the "
-                 "jobs of the first time again. 0: a new one")
+                 "Seed of arrivals, parts and request ids; the same seed on the same server "
+                 "repeats the earlier jobs. 0: a new seed")
       ->capture_default_str();
 }
 
 void AddHow(CLI::App& app, LoadFlags* flags) {
-  auto* rate = app.add_option("--rate", flags->rates,
-                              "Open loop: requests per second, or several rates, one run each")
-                   ->delimiter(',')
-                   ->check(CLI::Range(0.001, 1e6));
-  auto* closed = app.add_option("--closed", flags->closed,
-                                "Closed loop: so many requests at once, each after another")
-                     ->check(CLI::Range(1, 100'000));
+  auto* rate =
+      app.add_option("--rate", flags->rates,
+                     "Rate of an open loop, in requests per second; several rates: one run each")
+          ->delimiter(',')
+          ->check(CLI::Range(0.001, 1e6));
+  auto* closed =
+      app.add_option("--closed", flags->closed,
+                     "Number of requests in flight of a closed loop, each followed by another")
+          ->check(CLI::Range(1, 100'000));
   rate->excludes(closed);
-  app.add_option("--seconds", flags->seconds, "Of each run")
+  app.add_option("--seconds", flags->seconds, "Duration of each run, in seconds")
       ->check(CLI::Range(0.1, kMaxSeconds))
       ->capture_default_str();
-  app.add_option("--deadline", flags->deadline_s, "Seconds that a request may take")
+  app.add_option("--deadline", flags->deadline_s, "Seconds after which a request fails")
       ->check(CLI::Range(0.001, kMaxSeconds))
       ->capture_default_str();
   app.add_option("--in-flight", flags->in_flight,
-                 "Open loop: requests at once; an arrival beyond is skipped and counted")
+                 "Largest number of requests in flight of an open loop; further arrivals are "
+                 "skipped and counted")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  app.add_option("--connections", flags->connections, "0: as many as the requests at once need")
+  app.add_option("--connections", flags->connections,
+                 "Number of channels; 0: as many as the requests in flight need")
       ->check(CLI::Range(0, 10'000))
       ->capture_default_str();
-  app.add_flag("--retry", flags->retry, "Try refused calls again when the server says when");
+  app.add_flag("--retry", flags->retry,
+               "Try refused calls again at the time that the server names");
 }
 
 }  // namespace
@@ -92,8 +99,9 @@ void AddHow(CLI::App& app, LoadFlags* flags) {
 void AddLoadFlags(CLI::App& app, LoadFlags* flags) {
   AddWhat(app, flags);
   AddHow(app, flags);
-  app.add_option("--json", flags->json, "Report in ghz's form; of several rates, an array");
-  app.add_option("--svg", flags->svg, "Plot of latency percentiles over the rates");
+  app.add_option("--json", flags->json,
+                 "File for a report in the format of ghz; several rates: an array");
+  app.add_option("--svg", flags->svg, "File for a plot of the latency percentiles over the rates");
   app.callback([flags] {
     if (flags->rates.empty() && flags->closed == 0) {
       throw CLI::ValidationError("either --rate or --closed is needed");

@@ -20,18 +20,15 @@ namespace slicefarm::load {
 namespace {
 
 constexpr char kDescription[] =
-    "Puts load on a coordinator and tells what its clients would wait. Latency counts from the\n"
-    "instant at which a request was to start, and failed requests count as well.";
+    "Puts load on a coordinator and reports the latency that its clients would see. Latency "
+    "counts\nfrom the scheduled start of a request, and failed requests count as well.";
 
 constexpr char kFooter[] =
-    "Examples:\n"
-    "  slicefarm-load --rate 5 --seconds 30 --mix tiny --json out.json\n"
-    "  slicefarm-load --rate 5,10,20 --mix mixed --json out.json --svg out.svg\n"
-    "  slicefarm-load --closed 8 --mix mixed                   how much goes through at most\n"
-    "  slicefarm-load --scenario submit --rate 200\n"
-    "\n"
-    "Exit codes: 0 the load was put on, whatever became of the requests; 1 it could not be;\n"
-    "2 wrong command line";
+    "Examples:\n  slicefarm-load --rate 5 --seconds 30 --mix tiny --json out.json\n  "
+    "slicefarm-load --rate 5,10,20 --mix mixed --json out.json --svg out.svg\n  slicefarm-load "
+    "--closed 8 --mix mixed                   measures the largest throughput\n  slicefarm-load "
+    "--scenario submit --rate 200\n\nExit codes: 0 the load was applied, even if requests failed; "
+    "1 it could not be applied;\n2 wrong command line";
 
 constexpr int kFailed = 1;
 constexpr int kUsage = 2;

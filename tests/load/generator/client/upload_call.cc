@@ -34,7 +34,7 @@ class UploadCall final : public grpc::ClientWriteReactor<v1::UploadMeshRequest> 
     absl::Status outcome = rpc::FromGrpc(status);
     if (outcome.ok() && !response_.complete()) {
       outcome = MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                          "the server ended an upload before its end");
+                          "the server ended an upload before all bytes were sent");
     }
     const Ended ended = std::move(ended_);
     delete this;  // first, for the reason in StartUnary

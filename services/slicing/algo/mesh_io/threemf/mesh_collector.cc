@@ -64,7 +64,7 @@ absl::Status MeshCollector::Vertex(XmlAttributes attributes) {
     at[axis] = *number * unit_mm_;
     if (!(std::abs(at[axis]) <= reading_.coordinate_limit_mm))
       return std::isfinite(*number)
-                 ? Bad(Reason::kOutOfRange, "a coordinate is farther out than 10 m")
+                 ? Bad(Reason::kOutOfRange, "a coordinate is more than 10 m from the origin")
                  : Bad(Reason::kMeshNotFinite, "a coordinate is not a finite number");
     seen |= 1u << axis;
   }

@@ -72,7 +72,7 @@ absl::Status CheckExtensions(XmlAttributes attributes) {
     const std::string declared = "xmlns:" + std::string(prefix);
     const std::string_view uri = Find(attributes, declared).value_or("");
     if (std::find(kHarmless.begin(), kHarmless.end(), uri) == kHarmless.end())
-      return Malformed(fmt::format("the file needs an extension of 3MF that is not supported: {}",
+      return Malformed(fmt::format("the file needs a 3MF extension that is not supported: {}",
                                    CleanName(uri.empty() ? prefix : uri)));
   }
   return absl::OkStatus();
@@ -134,7 +134,7 @@ absl::StatusOr<ModelHandler::At> ModelHandler::EnterInModel(std::string_view nam
   const At here = path_.back();
   if (here == At::kDocument)
     return name == "model" ? go(Model(attributes), At::kModel)
-                           : go(Malformed("the file is no 3MF model"), At::kUnknown);
+                           : go(Malformed("the file is not a 3MF model"), At::kUnknown);
   if (here == At::kResources)
     return name == "object" ? go(Object(attributes), At::kObject) : At::kUnknown;
   if (name == "resources") return At::kResources;
@@ -169,7 +169,7 @@ absl::Status ModelHandler::Model(XmlAttributes attributes) {
   const std::string_view unit = Find(attributes, "unit").value_or("millimeter");
   const auto* const known = std::find_if(kUnits.begin(), kUnits.end(),
                                          [unit](const Unit& each) { return each.name == unit; });
-  if (known == kUnits.end()) return Malformed("the unit is none of 3MF's");
+  if (known == kUnits.end()) return Malformed("the unit is not one of 3MF's");
   file_.unit_mm = known->mm;
   return CheckExtensions(attributes);
 }
@@ -258,7 +258,7 @@ absl::Status ModelHandler::Text(std::string_view text) {
 }
 
 absl::StatusOr<ModelFile> ModelHandler::Take() && {
-  if (!has_model_) return Malformed("the file is no 3MF model");
+  if (!has_model_) return Malformed("the file is not a 3MF model");
   file_.application = CleanName(file_.application);
   return std::move(file_);
 }

@@ -45,7 +45,7 @@ absl::StatusOr<const ArchiveEntry*> FindModel(const Archive& archive) {
   }
   if (model != nullptr) return model;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                   "an archive without a 3MF model");
+                   "the archive contains no 3MF model");
 }
 
 class PackageReader {

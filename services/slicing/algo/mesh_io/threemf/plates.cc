@@ -72,7 +72,7 @@ void AddPlates(const std::vector<PlateSettings>& plates, const ItemsOfObject& it
     for (const PlateSettings::Member& named : order[i]->members) {
       const std::optional<Member> member = Find(named, items);
       if (!member || !on_plates.emplace(member->object, member->instance).second) {
-        notes.Add("what plates name and is not there, or is on another plate", {});
+        notes.Add("entries of plates that are missing or on another plate", {});
         continue;
       }
       layout.TakeOff(i, project.objects[member->object].instances[member->instance]);

@@ -86,7 +86,7 @@ TEST(AddPlates, NotesWhatDoesNotFit) {
   scene.plates[1].members.clear();
   const std::vector<std::string> notes = scene.Add();
   EXPECT_EQ(notes,
-            (std::vector<std::string>{"what plates name and is not there, or is on another plate",
+            (std::vector<std::string>{"entries of plates that are missing or on another plate",
                                       "copies beside all plates of `thing`"}));
   EXPECT_EQ(scene.project.plates[0].members.size(), 1u);
 }

@@ -42,7 +42,7 @@ class ProjectBuilder {
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
                        "the file has nothing to build");
     if (!metadata_.has_printer && HasPlaces(package_.files.front().items))
-      notes_.Add("places on the bed (the file has no settings of a printer)", {});
+      notes_.Add("positions on the bed (the file has no printer settings)", {});
     AddBeds(metadata_.beds, project_, notes_);
     AddPlates(metadata_.model.plates, items_, project_, notes_);
     project_.without_effect = notes_.Lines();

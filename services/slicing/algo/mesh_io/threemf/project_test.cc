@@ -53,7 +53,7 @@ TEST(MakeProject, SaysThatPlacesAreNotKept) {
   EXPECT_TRUE(MakeProject(package, {})->without_effect.empty());
   package.files[0].items[1].transform(0, 3) = 30;
   EXPECT_THAT(MakeProject(package, {})->without_effect,
-              testing::ElementsAre(testing::StartsWith("places on the bed")));
+              testing::ElementsAre(testing::StartsWith("positions on the bed")));
   Metadata metadata;
   metadata.has_printer = true;
   EXPECT_TRUE(MakeProject(package, metadata)->without_effect.empty());

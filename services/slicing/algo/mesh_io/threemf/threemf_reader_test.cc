@@ -124,7 +124,7 @@ TEST(Read3mf, ReadsAProjectOfBambuStudio) {
   EXPECT_THAT(project.plates[1].settings, ElementsAre(Of("spiral_mode", "1")));
   EXPECT_THAT(project.without_effect,
               ElementsAre("scripts (post_process), which are never run",
-                          "G-code that was made before: the parts are sliced anew"));
+                          "G-code in the project: the parts are sliced again"));
 }
 
 /// OrcaSlicer's files differ from Bambu Studio's only in details that do not matter here.

@@ -32,11 +32,12 @@ absl::Status ZipError(std::string_view part, int code) {
     case ZIP_ER_MEMORY:
       OutOfMemory();
     case ZIP_ER_NOZIP:
-      return PartError(part, "no directory at the end of the archive: it is cut off, or no ZIP",
-                       true);
+      return PartError(
+          part, "the archive has no directory at its end: it is incomplete, or not a ZIP file",
+          true);
     case ZIP_ER_READ:
     case ZIP_ER_EOF:
-      return PartError(part, "ends before what the archive's directory says", true);
+      return PartError(part, "ends before the size in the archive's directory", true);
     case ZIP_ER_CRC:
       return PartError(part, "is damaged: its checksum is wrong");
     default:
@@ -67,7 +68,7 @@ bool LeadsOut(std::string_view name) {
 absl::Status CheckName(std::string_view name) {
   if (std::any_of(name.begin(), name.end(), IsControl))
     return PartError(name, "has control characters in its name");
-  if (LeadsOut(name)) return PartError(name, "has a name that leads out of the archive");
+  if (LeadsOut(name)) return PartError(name, "has a name that points outside the archive");
   return absl::OkStatus();
 }
 
@@ -77,7 +78,7 @@ absl::Status CheckRatio(std::string_view part, int64_t expanded, int64_t packed)
   if (expanded <= most) return absl::OkStatus();
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kMeshTooLarge,
-      fmt::format("{} says it expands from {} to {} bytes; at most {} times is accepted",
+      fmt::format("{} claims to expand from {} to {} bytes; at most {} times is accepted",
                   Printable(part), packed, expanded, limits::kMaxCompressionRatio),
       {{"limit", std::to_string(most)},
        {"got", std::to_string(expanded)},
@@ -117,9 +118,9 @@ absl::StatusOr<size_t> EntryStream::Read(std::span<char> into) {
   const zip_int64_t got = zip_fread(file_.get(), into.data(), into.size());
   if (got < 0) return ZipError(part_, zip_error_code_zip(zip_file_get_error(file_.get())));
   left_ -= got;
-  if (left_ < 0) return PartError(part_, "is larger than the archive's directory says");
+  if (left_ < 0) return PartError(part_, "is larger than the size in the archive's directory");
   if (got == 0 && left_ > 0)
-    return PartError(part_, "ends before what the archive's directory says", true);
+    return PartError(part_, "ends before the size in the archive's directory", true);
   return static_cast<size_t>(got);
 }
 

@@ -75,7 +75,7 @@ struct XmlParser::Callbacks {
   }
 
   static void Doctype(void* data, const char*, const char*, const char*, int) {
-    Of(data).Fail(Malformed("a document type definition, which no 3MF has"));
+    Of(data).Fail(Malformed("the file has a document type definition, which 3MF does not allow"));
   }
 };
 

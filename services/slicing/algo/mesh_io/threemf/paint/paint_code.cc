@@ -45,7 +45,7 @@ class Digits {
 constexpr int kLastState = 2;
 
 absl::Status NoCode() {
-  return Malformed("the paint of a triangle is cut off or has another letter than 0-9 and A-F");
+  return Malformed("the paint of a triangle is cut off or has a letter other than 0-9 and A-F");
 }
 
 absl::StatusOr<PaintState> StateOf(int bits, Digits& digits) {
@@ -82,14 +82,14 @@ absl::StatusOr<std::vector<PaintedPiece>> PaintedPieces(std::string_view code,
       pieces.push_back({part.corners, *state});
       continue;
     }
-    if (high > 2) return Malformed("the paint of a triangle names a corner that it has not");
+    if (high > 2) return Malformed("the paint of a triangle names a corner that does not exist");
     if (part.level == kMaxPaintLevels)
       return LimitError(Reason::kMeshMalformed, "levels of the paint of a triangle",
                         kMaxPaintLevels, part.level + 1);
     for (const Facet& facet : Divided(part.corners, halved, static_cast<size_t>(high)))
       pending.push_back({facet, part.level + 1});
   }
-  if (!digits.empty()) return Malformed("the paint of a triangle goes on after its last piece");
+  if (!digits.empty()) return Malformed("the paint of a triangle continues after its last piece");
   return pieces;
 }
 

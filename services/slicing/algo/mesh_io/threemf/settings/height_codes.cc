@@ -78,11 +78,11 @@ class HeightCodesHandler : public XmlHandler {
   absl::Status Add(XmlAttributes attributes, std::string_view height) {
     const std::optional<double> z = ParseNumber(Find(attributes, height).value_or(""));
     const double most_mm = ToMm(static_cast<double>(limits::kMaxPrintHeight));
-    if (!z || !(*z > 0 && *z <= most_mm)) return Malformed("a height is no number above 0");
+    if (!z || !(*z > 0 && *z <= most_mm)) return Malformed("a height is not a number above 0");
     const std::string_view gcode = Find(attributes, "gcode").value_or("");
     std::optional<double> type = ParseNumber(Find(attributes, "type").value_or(""));
     if (!Find(attributes, "type")) type = TypeBefore23(gcode);
-    if (!type) return Malformed("a type is no number");
+    if (!type) return Malformed("a type is not a number");
     if (++count_ > kMaxHeightCodes)
       return LimitError(Reason::kMeshTooLarge, "codes at heights", kMaxHeightCodes, count_);
     const std::string_view extra = Find(attributes, "extra").value_or("");

@@ -147,10 +147,10 @@ absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archi
   const auto is_cura = [](const ArchiveEntry& entry) { return entry.name.starts_with("Cura/"); };
   if (std::ranges::any_of(archive.entries(), is_cura))
     words.emplace_back(
-        "settings of this Cura project, which are not read (give a profile with --config)");
+        "settings of this Cura project, which are not read (use a profile with --config)");
   const auto is_gcode = [](const ArchiveEntry& entry) { return entry.name.ends_with(".gcode"); };
   if (std::ranges::any_of(archive.entries(), is_gcode))
-    words.emplace_back("G-code that was made before: the parts are sliced anew");
+    words.emplace_back("G-code in the project: the parts are sliced again");
   return words;
 }
 

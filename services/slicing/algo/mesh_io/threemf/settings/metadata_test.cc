@@ -138,7 +138,7 @@ TEST(FilesWithoutEffect, AreAllSettingsOfCura) {
   files.emplace_back("Cura/pla.xml.fdm_material", "<fdmmaterial/>");
   const std::string bytes = Zipped(files);
   EXPECT_THAT(*FilesWithoutEffect(*Archive::Open(bytes)),
-              testing::ElementsAre("settings of this Cura project, which are not read (give a "
+              testing::ElementsAre("settings of this Cura project, which are not read (use a "
                                    "profile with --config)"));
 }
 
