@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/geometry/boolean/arrangement.h"
 #include "common/geometry/boolean/by_island.h"
 #include "common/geometry/boolean/clipper_convert.h"
 #include "common/geometry/offset/offset_curve.h"
@@ -75,11 +76,14 @@ MultiPolygon Inside(const ClipperLib::Paths& curves) {
 
 MultiPolygon OffsetTogether(const MultiPolygon& polygons, Coord distance_nm,
                             const OffsetOptions& options) {
-  ClipperLib::Paths curves;
+  std::vector<internal::GroupedRing> rings;
   ForEachRing(polygons, [&](const Polygon& ring) {
-    curves.push_back(
-        internal::ToPath(internal::OffsetCurve(ring, static_cast<double>(distance_nm), options)));
+    Polygon curve = internal::OffsetCurve(ring, static_cast<double>(distance_nm), options);
+    if (curve.size() >= 3) rings.push_back({std::move(curve)});
   });
+  if (auto fast = internal::TryWindingRegion(rings, 1)) return *std::move(fast);
+  ClipperLib::Paths curves;
+  for (const internal::GroupedRing& ring : rings) curves.push_back(internal::ToPath(ring.points));
   return distance_nm > 0 ? Outside(curves) : Inside(curves);
 }
 

@@ -8,6 +8,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/clipper_oracle_test.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
 
 namespace slicefarm::internal::offset_curve_test {
@@ -69,8 +70,14 @@ PolygonWithHoles Spiky(std::mt19937& random) {
   return island;
 }
 
-// Results are equal to the nanometre, because the last bits of libm make no difference in these
-// cases.
+/// The area that only one of two regions covers, for each nanometre of an outline.
+double ApartNm(const MultiPolygon& a, const MultiPolygon& b) {
+  double length = 1;
+  ForEachRing(a, [&](const Polygon& ring) { length += Perimeter(ring); });
+  return (Area(Difference(a, b)) + Area(Difference(b, a))) / length;
+}
+
+// Corners lie where Clipper has them, to the rounding of crossings.
 TEST(OffsetCurve, GivesWhatClipperOffsetGives) {
   std::mt19937 random(5);
   for (int i = 0; i < 100; ++i) {
@@ -78,8 +85,10 @@ TEST(OffsetCurve, GivesWhatClipperOffsetGives) {
     for (const Join join : {Join::kMiter, Join::kSquare, Join::kRound}) {
       for (const double mm : {-2.3, -0.4, -0.01, 0.05, 0.7}) {
         const OffsetOptions options = {.join = join, .miter_limit = i % 2 == 0 ? 2.0 : 4.0};
-        EXPECT_EQ(Offset(region, FromMm(mm), options), ClipperOffset(region, FromMm(mm), options))
-            << i << " " << mm;
+        const MultiPolygon offset = Offset(region, FromMm(mm), options);
+        const MultiPolygon expected = ClipperOffset(region, FromMm(mm), options);
+        EXPECT_LT(ApartNm(offset, expected), 1) << i << " " << mm;
+        EXPECT_EQ(offset.empty(), expected.empty()) << i << " " << mm;
       }
     }
   }
