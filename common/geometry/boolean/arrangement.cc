@@ -62,7 +62,6 @@ class Arrangement {
     }
     edges_.reserve(count);
     for (size_t i = 0; i < rings_.size(); ++i) AppendRing(static_cast<int32_t>(i));
-    by_ring_ = edges_;
     return std::none_of(edges_.begin(), edges_.end(),
                         [](const BoxedEdge& edge) { return edge.from == edge.to; });
   }
@@ -74,14 +73,30 @@ class Arrangement {
   }
 
   bool FindCrossings() {
-    return ForEachNearPair(edges_, [this](const BoxedEdge& e, const BoxedEdge& f) {
+    const std::span<const BoxedEdge> all = edges_;
+    if (const size_t first = FirstOfTwoGroups(); first > 0)
+      return ForEachNearPair(all.first(first), all.subspan(first),
+                             [this](const BoxedEdge& e, const BoxedEdge& f) { return NoteCrossing(e, f); });
+    return ForEachNearPair(all, [this](const BoxedEdge& e, const BoxedEdge& f) {
       const int group = rings_[e.ring].group;
       if (group != GroupedRing::kMayMeetAny && group == rings_[f.ring].group) return true;
       return NoteCrossing(e, f);
     });
   }
 
-  /// Returns true if f follows e around a corner of a ring.
+  /// Returns the number of edges of one group's rings if they come first and the others are all of another group, as
+  /// the operands of a boolean operation do; else 0.
+  size_t FirstOfTwoGroups() const {
+    size_t first = 0;
+    while (first < rings_.size() && rings_[first].group == rings_[0].group) ++first;
+    if (first == rings_.size() || rings_[0].group == GroupedRing::kMayMeetAny) return 0;
+    const int second = rings_[first].group;
+    for (size_t i = first; i < rings_.size(); ++i)
+      if (rings_[i].group != second || second == GroupedRing::kMayMeetAny) return 0;
+    return edge_begin_[first];
+  }
+
+  /// Whether f follows e around a corner of a ring.
   bool Follows(const BoxedEdge& e, const BoxedEdge& f) const {
     if (e.ring != f.ring) return false;
     const auto size = static_cast<int32_t>(Points(e.ring).size());
@@ -182,7 +197,7 @@ class Arrangement {
       if (!MaySee(x, y, boxes_[other].min, boxes_[other].max)) continue;
       const size_t count = rings_[other].points.size();
       if ((looks_left_ -= static_cast<int64_t>(count)) < 0) return std::nullopt;
-      const std::span<const BoxedEdge> edges(by_ring_.data() + edge_begin_[other], count);
+      const std::span<const BoxedEdge> edges(edges_.data() + edge_begin_[other], count);
       const std::optional<int> seen =
           WindingOf(edges, x, y, static_cast<int32_t>(other) == ring ? but : -1);
       if (!seen) return std::nullopt;
@@ -285,10 +300,9 @@ class Arrangement {
 
   std::span<const GroupedRing> rings_;
   int least_;
-  std::vector<BoxedEdge> edges_;    ///< in the order of the search
-  std::vector<BoxedEdge> by_ring_;  ///< in the order of the rings
-  std::vector<size_t> edge_begin_;  ///< index in by_ring_ of the first edge of each ring
-  std::vector<Box> boxes_;          ///< box of each ring
+  std::vector<BoxedEdge> edges_;    ///< in the order of the rings
+  std::vector<size_t> edge_begin_;  ///< of each ring's, among these
+  std::vector<Box> boxes_;          ///< of rings
   int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
   std::vector<Stop> stops_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/polygon.h"
@@ -32,73 +34,82 @@ inline void AppendBoxedEdges(const Polygon& points, int32_t ring, std::vector<Bo
   }
 }
 
-/// Returns the axis along which fewer edges overlap, as a member of Point.
-inline Coord Point::*SweepAxis(const std::vector<BoxedEdge>& edges) {
+/// The axis along which fewer edges lie beside each other, as a member of Point.
+inline Coord Point::*SweepAxis(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b = {}) {
   double x = 0, y = 0;
-  for (const BoxedEdge& edge : edges) {
-    x += static_cast<double>(edge.max.x - edge.min.x);
-    y += static_cast<double>(edge.max.y - edge.min.y);
+  for (const std::span<const BoxedEdge> edges : {a, b}) {
+    for (const BoxedEdge& edge : edges) {
+      x += static_cast<double>(edge.max.x - edge.min.x);
+      y += static_cast<double>(edge.max.y - edge.min.y);
+    }
   }
   return x <= y ? &Point::x : &Point::y;
 }
 
-/// Number of pairs that the search always allows (a few milliseconds), in addition to a number per
-/// edge. With more pairs the search gives up, because it would not be faster than a sweep.
+/// An edge's box as a sweep sees it: small, as sweeps look at many.
+struct SweepSpan {
+  Coord from = 0, to = 0;     ///< along the axis
+  Coord least = 0, most = 0;  ///< across it
+  const BoxedEdge* edge = nullptr;
+};
+
+/// Returns the spans of edges in the order in which a sweep along the axis meets them.
+inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord Point::*along) {
+  Coord Point::*const across = along == &Point::x ? &Point::y : &Point::x;
+  std::vector<std::pair<Coord, size_t>> order;
+  order.reserve(edges.size());
+  for (size_t i = 0; i < edges.size(); ++i) order.emplace_back(edges[i].min.*along, i);
+  std::sort(order.begin(), order.end());
+  std::vector<SweepSpan> spans;
+  spans.reserve(edges.size());
+  for (const auto& [from, i] : order) {
+    const BoxedEdge& edge = edges[i];
+    spans.push_back({from, edge.max.*along, edge.min.*across, edge.max.*across, &edge});
+  }
+  return spans;
+}
+
+/// The search gives up on more pairs than these, a few milliseconds' and as many for each edge:
+/// it would not be faster than a proper sweep.
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(e, f) for all pairs of edges with intersecting boxes. Stops and returns false if
-/// visit returns false, or if there are too many pairs. Reorders the edges. Cost: O(n log n + pairs
-/// that overlap along the axis).
+/// Calls visit(edge of e, edge) for the spans from `from` on whose boxes meet that of e. Returns false as soon as
+/// visit does, or if there are more than `budget` pairs, which it counts down.
 template <typename Visit>
-bool ForEachNearPair(std::vector<BoxedEdge>& edges, Visit visit) {
-  Coord Point::*const along = SweepAxis(edges);
-  Coord Point::*const across = along == &Point::x ? &Point::y : &Point::x;
-  std::sort(edges.begin(), edges.end(), [along](const BoxedEdge& a, const BoxedEdge& b) {
-    return a.min.*along < b.min.*along;
-  });
-  size_t budget = kPairsAnyway + kPairsPerEdge * edges.size();
-  for (size_t i = 0; i < edges.size(); ++i) {
-    const BoxedEdge& e = edges[i];
-    for (size_t j = i + 1; j < edges.size() && edges[j].min.*along <= e.max.*along; ++j) {
-      if (budget-- == 0) return false;
-      const BoxedEdge& f = edges[j];
-      if (f.max.*across < e.min.*across || f.min.*across > e.max.*across) continue;
-      if (!visit(e, f)) return false;
-    }
+bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from, size_t& budget,
+                    const Visit& visit) {
+  for (size_t i = from; i < spans.size() && spans[i].from <= e.to; ++i) {
+    if (budget-- == 0) return false;
+    const SweepSpan& f = spans[i];
+    if (f.most < e.least || f.least > e.most) continue;
+    if (!visit(*e.edge, *f.edge)) return false;
   }
   return true;
 }
 
-/// Calls visit(edge of a, edge of b) for all pairs of one edge of `a` and one edge of `b` with
-/// intersecting boxes. Stops as the function above does.
+/// Calls visit(e, f) for all pairs whose boxes meet. Stops and returns false as soon as visit does,
+/// or when there are too many pairs. Cost: O(n log n + pairs that overlap along the axis).
 template <typename Visit>
-bool ForEachNearPair(std::vector<BoxedEdge>& a, std::vector<BoxedEdge>& b, Visit visit) {
-  Coord Point::*const along = SweepAxis(a);
-  Coord Point::*const across = along == &Point::x ? &Point::y : &Point::x;
-  for (auto* edges : {&a, &b}) {
-    std::sort(edges->begin(), edges->end(), [along](const BoxedEdge& e, const BoxedEdge& f) {
-      return e.min.*along < f.min.*along;
-    });
-  }
+bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
+  const std::vector<SweepSpan> spans = SweepSpans(edges, SweepAxis(edges));
+  size_t budget = kPairsAnyway + kPairsPerEdge * edges.size();
+  for (size_t i = 0; i < spans.size(); ++i)
+    if (!ForEachMeeting(spans[i], spans, i + 1, budget, visit)) return false;
+  return true;
+}
+
+/// The same for pairs of one edge of `a` and one of `b`, in either order.
+template <typename Visit>
+bool ForEachNearPair(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b, const Visit& visit) {
+  Coord Point::*const along = SweepAxis(a, b);
+  const std::vector<SweepSpan> of_a = SweepSpans(a, along), of_b = SweepSpans(b, along);
   size_t budget = kPairsAnyway + kPairsPerEdge * (a.size() + b.size());
-  const auto sweep = [&](const BoxedEdge& e, const std::vector<BoxedEdge>& others, size_t from,
-                         auto call) {
-    for (size_t k = from; k < others.size() && others[k].min.*along <= e.max.*along; ++k) {
-      if (budget-- == 0) return false;
-      const BoxedEdge& f = others[k];
-      if (f.max.*across < e.min.*across || f.min.*across > e.max.*across) continue;
-      if (!call(e, f)) return false;
-    }
-    return true;
-  };
-  const auto swapped = [&](const BoxedEdge& f, const BoxedEdge& e) { return visit(e, f); };
-  for (size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    if (a[i].min.*along <= b[j].min.*along) {
-      if (!sweep(a[i++], b, j, visit)) return false;
-    } else {
-      if (!sweep(b[j++], a, i, swapped)) return false;
-    }
+  for (size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
+    const bool a_first = of_a[i].from <= of_b[j].from;
+    if (!(a_first ? ForEachMeeting(of_a[i++], of_b, j, budget, visit)
+                  : ForEachMeeting(of_b[j++], of_a, i, budget, visit)))
+      return false;
   }
   return true;
 }
