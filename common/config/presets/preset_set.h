@@ -1,0 +1,72 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/config/presets/preset.h"
+
+namespace slicefarm::config::presets {
+
+/// Value of a setting and the preset that has it.
+struct FlatValue {
+  std::string value;
+  const Preset* from = nullptr;
+};
+using FlatPreset = std::map<std::string, FlatValue, std::less<>>;
+
+/// Presets of all sources, which find their parents among each other.
+class PresetSet {
+ public:
+  /// Limits on inheritance: generations above a preset, and presets that one preset inherits from.
+  static constexpr int kMaxGenerations = 64;
+  static constexpr size_t kMaxAncestors = 1'000;
+
+  /// Adds a group of presets and returns its index.
+  int32_t AddScope(PresetScope scope);
+  void Add(Preset preset);
+  void Add(PrinterModel model);
+  /// Adds a line about a file, or a part of it, that is not used.
+  void AddProblem(std::string line) { problems_.push_back(std::move(line)); }
+
+  const std::vector<Preset>& presets() const { return presets_; }
+  const std::vector<std::string>& problems() const { return problems_; }
+  const PresetScope& ScopeOf(const Preset& preset) const { return scopes_[preset.scope]; }
+  /// Returns the model of a printer preset, or nullptr.
+  const PrinterModel* ModelOf(const Preset& printer) const;
+
+  /// Returns the listed presets with this name, or with it as an old name, in the order in which
+  /// they were added. Exact names come first.
+  std::vector<const Preset*> Named(PresetKind kind, std::string_view name) const;
+
+  /// Returns the preset and its ancestors; the settings of an earlier one win. Errors:
+  /// PROFILE_NOT_FOUND for a parent that is missing (metadata `preset`, `parent`);
+  /// SETTING_MALFORMED for a preset that inherits from itself; REQUEST_TOO_LARGE beyond the limits.
+  /// Cost: O(ancestors).
+  absl::StatusOr<std::vector<const Preset*>> Lineage(const Preset& preset) const;
+
+  /// Returns all settings of a preset. Errors: as Lineage.
+  absl::StatusOr<FlatPreset> Flatten(const Preset& preset) const;
+
+  /// Returns the value of one setting of the preset with this lineage; an empty text if none of
+  /// them has it.
+  static std::string_view ValueOf(const std::vector<const Preset*>& lineage, std::string_view key);
+
+ private:
+  class Walk;
+
+  const Preset* ParentOf(const Preset& child, std::string_view name) const;
+  const Preset* InScope(int32_t scope, PresetKind kind, std::string_view name) const;
+
+  std::vector<PresetScope> scopes_;
+  std::vector<Preset> presets_;
+  std::vector<PrinterModel> models_;
+  std::vector<std::string> problems_;
+  /// Indices into presets_ by kind and name, and by kind and old name.
+  std::multimap<std::pair<PresetKind, std::string>, size_t> by_name_, by_old_name_;
+};
+
+}  // namespace slicefarm::config::presets
