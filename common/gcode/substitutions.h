@@ -20,7 +20,9 @@ class Substitutions {
   static constexpr size_t kMostRules = 64;
 
   /// Reads the rules. `items`: four texts per rule, in PrusaSlicer's format: pattern, replacement,
-  /// flags, notes. Flags:
+  /// flags, notes.
+  ///
+  /// Flags:
   /// - `r`: the pattern is a regular expression in RE2's syntax, where ^ and $ match the ends of
   ///   lines. The replacement may refer to groups as $1 or \1.
   /// - `i`: ignores letter case.

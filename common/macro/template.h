@@ -62,7 +62,7 @@ struct Template {
   std::vector<Statement> body = {};
 };
 
-/// Parses a template in PrusaSlicer's language:
+/// Parses a template in PrusaSlicer's language.
 ///
 ///   [key]  [key_0]  [key[0]]  [key_[index]]   a setting, or an item of one, as a profile writes it
 ///   {expression}

@@ -10,9 +10,9 @@
 
 namespace slicefarm::config::presets {
 
-/// Printer preset that processes and filaments are matched with, as the presets' program does:
-/// `compatible_printers` lists names; if the list is empty, `compatible_printers_condition`
-/// decides. A condition that cannot be evaluated does not exclude anything.
+/// Printer preset that processes and filaments are matched with, as in the presets' program. The
+/// list `compatible_printers` has names. If it is empty, `compatible_printers_condition` decides. A
+/// condition that cannot be evaluated excludes nothing.
 ///
 /// OrcaSlicer also accepts a list that has the parent of a user's printer, and hides a filament of
 /// its library if a vendor has a filament with the same alias for the printer. PrusaSlicer only
@@ -22,8 +22,8 @@ class PrinterFit {
   /// Errors: as PresetSet::Lineage. `set` must outlive the result. Cost: O(presets).
   static absl::StatusOr<PrinterFit> Make(const PresetSet& set, const Preset& printer);
 
-  /// Returns true if the process or filament is made for the printer. A preset whose parents are
-  /// missing is not.
+  /// Returns true if the process or filament is made for the printer. Returns false for a preset
+  /// with a missing parent.
   bool Accepts(const Preset& preset) const;
 
  private:

@@ -14,7 +14,7 @@ enum class PresetKind : uint8_t { kPrinter, kProcess, kFilament };
 /// Returns "printer", "process" or "filament".
 std::string_view KindName(PresetKind kind);
 
-/// Program whose names and values a preset has. Bambu Studio's are OrcaSlicer's.
+/// Program that defines the names and values of a preset. Bambu Studio has OrcaSlicer's dialect.
 enum class PresetDialect : uint8_t { kOrca, kPrusa, kSuper };
 
 /// Group of presets that were read together and that find their parents among each other.
@@ -32,7 +32,7 @@ struct Preset {
   int32_t scope = 0;   ///< index of the PresetScope
   std::string file;    ///< path of the file, for messages
   bool listed = true;  ///< false: only other presets inherit from it
-  /// Names of presets whose settings this one takes over. A later one wins over an earlier one.
+  /// Names of the presets that this preset inherits from. A later parent overrides an earlier one.
   std::vector<std::string> parents;
   /// True if the file has all settings, so that a parent that is not there does not matter.
   bool complete = false;

@@ -10,7 +10,7 @@
 namespace slicefarm::config::presets {
 namespace {
 
-/// Vendor whose filaments all vendors of OrcaSlicer may inherit from.
+/// Vendor of the filaments that presets of all vendors of OrcaSlicer may inherit from.
 constexpr std::string_view kFilamentLibrary = "OrcaFilamentLibrary";
 
 absl::Status MissingParent(const Preset& child, const std::string& parent) {
@@ -64,7 +64,7 @@ class PresetSet::Walk {
   const PresetSet& set_;
   std::vector<const Preset*> lineage_;
   std::set<const Preset*> seen_;
-  std::set<const Preset*> open_;  ///< presets whose ancestors are being visited
+  std::set<const Preset*> open_;  ///< presets on the current path of the visit
 };
 
 int32_t PresetSet::AddScope(PresetScope scope) {

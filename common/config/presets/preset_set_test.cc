@@ -42,7 +42,7 @@ std::string FlatText(const FlatPreset& flat) {
 struct Case {
   std::string name;
   std::vector<Given> presets;
-  std::string flat;  ///< of the preset "x"
+  std::string flat;  ///< flat settings of the preset "x"
 };
 
 class FlattenTest : public testing::TestWithParam<Case> {};
@@ -113,7 +113,7 @@ std::vector<Given> ManyParents(size_t count) {
   return all;
 }
 
-/// Returns a preset "x" with 2^60 ways to its oldest ancestor.
+/// Returns a preset "x" with 2^60 paths to its oldest ancestor.
 std::vector<Given> Doubled() {
   std::vector<Given> all = {{"x", {"0", "0"}, {}}};
   for (int i = 0; i < 60; ++i) {

@@ -8,11 +8,12 @@
 
 namespace slicefarm::config::presets {
 
-/// Returns the presets of files: folders of OrcaSlicer and Bambu Studio (VENDOR.json with the
-/// folder VENDOR, and presets of users), their exports (single JSON files and archives), bundles
-/// and presets of PrusaSlicer and SuperSlicer, and flat config.ini files. Other files are left out.
+/// Returns the presets of files. Files without presets are left out. Formats:
+/// - folders of OrcaSlicer and Bambu Studio: VENDOR.json with the folder VENDOR, presets of users;
+/// - exports of these programs: single JSON files and archives;
+/// - bundles and presets of PrusaSlicer and SuperSlicer, flat config.ini files.
 ///
-/// As in OrcaSlicer, only those files of a vendor's folder count that the vendor's list names.
+/// As in OrcaSlicer, a file of a vendor's folder counts only if the vendor's list names it.
 /// `files` are read in the order of their paths, vendors before users, so that the result does not
 /// depend on the order of a folder.
 ///

@@ -84,8 +84,8 @@ class Arrangement {
     });
   }
 
-  /// Returns the number of edges of one group's rings if they come first and the others are all of another group, as
-  /// the operands of a boolean operation do; else 0.
+  /// Returns the number of edges of the first group if the rings are of exactly two groups, one
+  /// after the other, like the operands of a boolean operation. Otherwise returns 0.
   size_t FirstOfTwoGroups() const {
     size_t first = 0;
     while (first < rings_.size() && rings_[first].group == rings_[0].group) ++first;
@@ -96,7 +96,7 @@ class Arrangement {
     return edge_begin_[first];
   }
 
-  /// Whether f follows e around a corner of a ring.
+  /// Returns true if f follows e at a corner of a ring.
   bool Follows(const BoxedEdge& e, const BoxedEdge& f) const {
     if (e.ring != f.ring) return false;
     const auto size = static_cast<int32_t>(Points(e.ring).size());
@@ -301,8 +301,8 @@ class Arrangement {
   std::span<const GroupedRing> rings_;
   int least_;
   std::vector<BoxedEdge> edges_;    ///< in the order of the rings
-  std::vector<size_t> edge_begin_;  ///< of each ring's, among these
-  std::vector<Box> boxes_;          ///< of rings
+  std::vector<size_t> edge_begin_;  ///< index of the first edge of each ring
+  std::vector<Box> boxes_;          ///< bounding box of each ring
   int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
   std::vector<Stop> stops_;

@@ -46,7 +46,7 @@ inline Coord Point::*SweepAxis(std::span<const BoxedEdge> a, std::span<const Box
   return x <= y ? &Point::x : &Point::y;
 }
 
-/// An edge's box as a sweep sees it: small, as sweeps look at many.
+/// Bounding box of an edge for a sweep. It is small, because a sweep reads many of them.
 struct SweepSpan {
   Coord from = 0, to = 0;     ///< along the axis
   Coord least = 0, most = 0;  ///< across it
@@ -74,8 +74,8 @@ inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(edge of e, edge) for the spans from `from` on whose boxes meet that of e. Returns false as soon as
-/// visit does, or if there are more than `budget` pairs, which it counts down.
+/// Calls visit(edge of e, edge) for each span from index `from` on with a box that meets the box of
+/// e. Returns false as soon as visit returns false, or if `budget`, which it counts down, is spent.
 template <typename Visit>
 bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from, size_t& budget,
                     const Visit& visit) {
@@ -88,8 +88,8 @@ bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, siz
   return true;
 }
 
-/// Calls visit(e, f) for all pairs whose boxes meet. Stops and returns false as soon as visit does,
-/// or when there are too many pairs. Cost: O(n log n + pairs that overlap along the axis).
+/// Calls visit(e, f) for all pairs with boxes that meet. Stops and returns false as soon as visit
+/// returns false, or if there are too many pairs. Cost: O(n log n + pairs that overlap along the axis).
 template <typename Visit>
 bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
   const std::vector<SweepSpan> spans = SweepSpans(edges, SweepAxis(edges));
@@ -99,7 +99,8 @@ bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
   return true;
 }
 
-/// The same for pairs of one edge of `a` and one of `b`, in either order.
+/// Calls visit(e, f) in the same manner for pairs of an edge of `a` and an edge of `b`, in either
+/// order.
 template <typename Visit>
 bool ForEachNearPair(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b, const Visit& visit) {
   Coord Point::*const along = SweepAxis(a, b);

@@ -11,7 +11,7 @@ struct InfillOptions;
 namespace slicefarm::infill {
 
 /// Checks that the lines of all widths have a positive spacing. Otherwise their number would be
-/// infinite. Errors: those of CheckSpacing.
+/// infinite. Errors: see CheckSpacing.
 absl::Status CheckWidths(const SectionView& view, const InfillOptions& options);
 
 /// Checks the text of small_area_infill_flow_compensation_model. Errors: SETTING_MALFORMED.

@@ -34,8 +34,8 @@ class SparseUnder {
   /// `wanted`. Cost: that of SparsePart, and one offset of the layer for the first fill area.
   SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
 
-  /// Returns the areas of the beads of sparse infill, for patterns whose lines follow from a
-  /// formula. Errors: those of MakePattern. Cost: that of the pattern, and a union of the lines.
+  /// Returns the areas of the beads of sparse infill, for patterns with lines that follow from a
+  /// formula. Errors: see MakePattern. Cost: that of the pattern, and a union of the lines.
   absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
 
  private:
