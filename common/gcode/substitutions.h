@@ -31,8 +31,8 @@ class Substitutions {
   ///
   /// Without `r`, pattern and replacement may contain \n, \r, \t and \\.
   ///
-  /// Errors: InvalidArgument if the number of items is wrong, if there are more than kMostRules
-  /// rules, if a pattern is invalid or needs too much memory, or if a group does not exist.
+  /// Errors: InvalidArgument if the number of items is wrong or there are more than kMostRules
+  /// rules; if a pattern is invalid or needs too much memory; if a group does not exist.
   static absl::StatusOr<Substitutions> Of(const std::vector<std::string>& items);
 
   /// Returns true if there are no rules.

@@ -65,6 +65,7 @@ struct Template {
 /// Parses a template in PrusaSlicer's language.
 ///
 ///   [key]  [key_0]  [key[0]]  [key_[index]]   a setting, or an item of one, as a profile writes it
+///
 ///   {expression}
 ///   {if c}..{elsif c}..{else}..{endif}, {if c then a; b elsif d then e else f endif}
 ///   {local a = 1; global b = (1, 2, 3); b[1] = a; a = 7; c = repeat(3, "x")}

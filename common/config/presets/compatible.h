@@ -14,7 +14,7 @@ namespace slicefarm::config::presets {
 /// list `compatible_printers` has names. If it is empty, `compatible_printers_condition` decides. A
 /// condition that cannot be evaluated excludes nothing.
 ///
-/// OrcaSlicer also accepts a list that has the parent of a user's printer, and hides a filament of
+/// OrcaSlicer also accepts a list that has the parent of a user's printer. It hides a filament of
 /// its library if a vendor has a filament with the same alias for the printer. PrusaSlicer only
 /// accepts presets of the printer's vendor and of users.
 class PrinterFit {
