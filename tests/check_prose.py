@@ -168,8 +168,10 @@ def blocks_of(name, text):
 
 
 def sentences(text):
-    """Returns the sentences of a block. A blank line and a list item begin a new one."""
+    """Returns the sentences of a block. A blank line and a list item begin a new one. Indented paragraphs are tables or code."""
     for paragraph in re.split(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.) )", text):
+        if all(line.startswith("  ") for line in paragraph.splitlines()):
+            continue
         yield from re.split(r"(?<=[.:;!?])\s+", " ".join(paragraph.split()))
 
 
