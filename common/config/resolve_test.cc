@@ -711,7 +711,7 @@ TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
   const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/COLPIC, 640x480/PNG"}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(given, Source::kProfile));
   EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16/QOI,313x173,640x480\n"));
-  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("made as PNG")));
+  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("written as PNG")));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
 
   const absl::Status status = Refusal(given);
@@ -809,7 +809,7 @@ TEST(Resolve, ChecksWhatAPercentageComesTo) {
   const absl::Status status = Refusal({{"layer_height", "0.2"}, {"first_layer_height", "9000%"}});
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(status).metadata.at("value"), "9000%");
-  EXPECT_THAT(std::string(status.message()), HasSubstr("comes to 18"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("that is, 18"));
   EXPECT_FALSE(Refusal({{"external_perimeter_speed", "-5%"}}).ok());
 }
 

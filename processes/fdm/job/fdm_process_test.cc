@@ -324,9 +324,10 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
   EXPECT_DOUBLE_EQ(report.filament.volume_mm3, 15);
   EXPECT_DOUBLE_EQ(report.filament.mass_g, 15 * 1.24e-3);
   EXPECT_DOUBLE_EQ(report.stage_times[Stage::kInfill], 1);
-  EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge"),
-                                           AllOf(HasSubstr("3 islands got walls of constant width"),
-                                                 testing::EndsWith("in layers 1"))));
+  EXPECT_THAT(report.warnings,
+              ElementsAre("of the settings", HasSubstr("1 edge"),
+                          AllOf(HasSubstr("3 islands were printed with walls of constant width"),
+                                testing::EndsWith("layers 1"))));
 }
 
 TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {

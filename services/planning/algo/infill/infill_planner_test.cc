@@ -122,8 +122,8 @@ TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
   options.choose_pattern = true;
   const JobPlan plan = PlanFor(options, Block());
   ASSERT_EQ(plan.notes.size(), 1u);
-  EXPECT_EQ(plan.notes[0].rfind("fill_pattern = auto: cubic for block (20 % dense, 8.0 mm high", 0),
-            0u)
+  EXPECT_EQ(
+      plan.notes[0].rfind("fill_pattern = auto: cubic for block (20 % density, 8.0 mm high", 0), 0u)
       << plan.notes[0];
   EXPECT_EQ(plan.layers[5].infill[0].pattern, FillPattern::kCubic);
   options.goal = FillGoal::kTime;

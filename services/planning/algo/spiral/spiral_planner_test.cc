@@ -93,7 +93,7 @@ TEST(SpiralPlanner, OneAfterTheOther) {
                                        {0, {FromMm(100), 0}, square_at(FromMm(100))}};
   PlanningOptions options = Vases();
   auto plan = Planned(Hollow({kSmall, kSmall, kSmall}), options, two);
-  EXPECT_THAT(plan.status().message(), HasSubstr("the plate has 2 copies"));
+  EXPECT_THAT(plan.status().message(), HasSubstr("the plate has 2"));
   options.sequence.complete_objects = true;
   plan = Planned(Hollow({kSmall, kSmall, kSmall}), options, two);
   ASSERT_TRUE(plan.ok()) << plan.status();
