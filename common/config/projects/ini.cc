@@ -95,9 +95,9 @@ std::string_view QuotedPart(std::string_view text) {
 absl::Status CheckNotOrca(std::string_view text) {
   constexpr std::string_view kUse = "; save the project as 3MF and slice that file";
   if (Trim(text).starts_with('{')) {
-    return Malformed(
-        1, fmt::format("this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini{}",
-                       kUse));
+      return Malformed(1,
+                       "this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini; pass "
+                       "it with --presets and choose its presets by name");
   }
   if (HasLine(text, "; CONFIG_BLOCK_START")) {
     return Malformed(
@@ -127,8 +127,8 @@ absl::StatusOr<std::vector<Setting>> ReadLines(std::string_view text) {
     if (line.empty() || line[0] == '#' || line[0] == ';') continue;
     if (line[0] == '[') {
       return Malformed(number,
-                       fmt::format("'{}' starts a section: this is a config bundle; export one "
-                                   "profile instead (File > Export > Export Config)",
+                       fmt::format("'{}' starts a section: this is a config bundle; give it by "
+                                   "--presets, and choose its presets by name",
                                    line.substr(0, kQuoted)));
     }
     Setting setting;

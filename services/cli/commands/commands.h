@@ -30,6 +30,7 @@ void AddUpdate(CLI::App& app, CommandContext& context);
 void AddTime(CLI::App& app, CommandContext& context);        ///< defined in time_command.cc
 void AddCheck(CLI::App& app, CommandContext& context);       ///< defined in check_command.cc
 void AddProfile(CLI::App& app, CommandContext& context);     ///< defined in profile_command.cc
+void AddPresets(CLI::App& app, CommandContext& context);     ///< defined in presets_command.cc
 void AddRender(CLI::App& app, CommandContext& context);      ///< defined in render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);    ///< defined in settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);      ///< defined in health_command.cc

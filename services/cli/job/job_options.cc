@@ -33,6 +33,28 @@ absl::Status CheckText(const config::Setting& setting) {
                    fmt::format("{}: is not UTF-8 text", key), {{"setting", key}});
 }
 
+/// Adds the options that choose presets by name.
+void AddPresetOptions(CLI::App& app, PresetOptions& options) {
+  CLI::Option* sources = AddPresetSources(app, options.sources);
+  CLI::Option* printer =
+      app.add_option("--printer", options.printer,
+                     "Printer preset of --presets; its settings are below --config and --set, and "
+                     "above those of a project")
+          ->needs(sources)
+          ->type_name("NAME");
+  sources->needs(printer);
+  app.add_option("--process", options.process,
+                 "Process preset (print settings), by its name or the part before @; default: the "
+                 "one that the printer names")
+      ->needs(sources)
+      ->type_name("NAME");
+  app.add_option("--filament", options.filament,
+                 "Filament preset, by its name or the part before @; default: the one that the "
+                 "printer names")
+      ->needs(sources)
+      ->type_name("NAME");
+}
+
 }  // namespace
 
 void AddSettingOptions(CLI::App& app, SettingOptions& options) {
@@ -43,6 +65,16 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options) {
       ->allow_extra_args(false);
   app.add_option("-s,--set", options.sets, "Setting that overrides --config; may be repeated")
       ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources) {
+  return app
+      .add_option("--presets", sources,
+                  "Folder or file of presets of OrcaSlicer, Bambu Studio, PrusaSlicer or "
+                  "SuperSlicer: its profiles, its data folder, an export (.json, .orca_printer, "
+                  ".orca_filament, .bbscfg, .bbsflmt) or a bundle (.ini). May be repeated")
+      ->type_name("DIR|FILE")
       ->allow_extra_args(false);
 }
 
@@ -65,6 +97,7 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                  "plate; -: from stdin")
       ->required();
   AddSettingOptions(app, options);
+  AddPresetOptions(app, options.presets);
   AddMachineOption(app, options.process);
   auto* plate = app.add_option("--plate", options.plate,
                                "Plate to slice of a project with several plates, counted from 1")

@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace slicefarm::cli {
 
@@ -17,6 +18,14 @@ namespace slicefarm::cli {
 struct SettingOptions {
   std::vector<std::string> config_files;
   std::vector<std::string> sets;  ///< in the form key=value
+};
+
+/// Presets of a job by name, as written on the command line.
+struct PresetOptions {
+  std::vector<std::string> sources;  ///< folders and files of presets; empty: no presets are used
+  std::string printer;
+  std::string process;   ///< empty: the printer's default
+  std::string filament;  ///< empty: the printer's default
 };
 
 /// Files of fields (common/model/fields/README.md); empty: none.
@@ -48,6 +57,7 @@ struct JobOptions : SettingOptions {
   bool arrange = false;              ///< arranges copies that already have a position too
   int plate = 0;                     ///< plate of a project, from 1; 0: the only one
   bool plates = false;               ///< makes a job for each plate
+  PresetOptions presets;
   FieldOptions fields;
   TextureArguments texture;
   std::string format;              ///< output format; empty: from the output's name or the settings
@@ -60,6 +70,9 @@ struct JobOptions : SettingOptions {
 /// Add the options to a command.
 void AddSettingOptions(CLI::App& app, SettingOptions& options);
 void AddJobOptions(CLI::App& app, JobOptions& options);
+
+/// Adds `--presets`, which may be repeated, and returns it.
+CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources);
 
 /// Adds `--machine NAME`, which selects the process: its settings and results.
 void AddMachineOption(CLI::App& app, Process& process);

@@ -16,6 +16,7 @@
 #include "services/cli/console/files.h"
 #include "services/cli/console/model_file.h"
 #include "services/cli/models/model_arguments.h"
+#include "services/cli/models/preset_sources.h"
 #include "services/slicing/algo/mesh_reader/mesh_reader.h"
 #include "services/slicing/algo/placement/local_arranging_stage.h"
 
@@ -256,8 +257,10 @@ absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options) {
 }  // namespace
 
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
-  if (options.plates) return ReadAllPlates(options);
-  return PlateReader(options, options.plate).Run();
+  auto models = options.plates ? ReadAllPlates(options) : PlateReader(options, options.plate).Run();
+  if (!models.ok() || options.presets.sources.empty()) return models;
+  if (absl::Status taken = TakePresets(options.presets, *models); !taken.ok()) return taken;
+  return models;
 }
 
 void PutOnBeds(const JobOptions& options, const std::vector<Setting>& given, GivenModels& models) {

@@ -16,7 +16,7 @@ struct GivenPlate {
   int number = 0;             ///< number in the project, from 1; 0: no plate of a project
   absl::Status refused = {};  ///< error if the plate cannot be made; otherwise it has objects
   std::vector<SceneObject> objects = {};
-  /// Settings of projects; settings given by hand override them.
+  /// Settings of projects, then of presets; settings given by hand override them.
   std::vector<Setting> settings = {};
   /// Other properties of projects, which have no effect.
   std::vector<std::string> without_effect = {};
@@ -32,10 +32,10 @@ struct GivenModels {
 
 /// Reads the models. The object of a file with one mesh is named after the file without its
 /// folders, as UTF-8 without control characters. The objects, parts, copies and settings of a
-/// project are taken from the chosen plate.
+/// project are taken from the chosen plate. The settings of presets follow those of the project.
 ///
 /// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move placed
-/// objects of a project; MESH_TOO_LARGE; as for reading a project and config::JobOfProject. With
+/// objects of a project; MESH_TOO_LARGE; as for reading a project and config::JobOfProject and TakePresets. With
 /// --plates, a plate without anything to print is refused, and the remaining plates are returned.
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
 

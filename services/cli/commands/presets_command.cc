@@ -1,0 +1,217 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+#include "common/config/presets/choose_presets.h"
+#include "common/config/presets/job_presets.h"
+#include "common/config/table/suggest.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console/console.h"
+#include "services/cli/console/exit_code.h"
+#include "services/cli/models/preset_sources.h"
+
+namespace slicefarm::cli {
+namespace {
+
+using config::presets::Preset;
+using config::presets::PresetKind;
+using config::presets::PresetSet;
+
+struct PresetsOptions {
+  std::vector<std::string> sources;
+  std::string printer, process, filament;
+  std::string name;
+  bool json = false;
+};
+
+std::string_view DialectName(config::presets::PresetDialect dialect) {
+  switch (dialect) {
+    case config::presets::PresetDialect::kOrca:
+      return "orca";
+    case config::presets::PresetDialect::kPrusa:
+      return "prusa";
+    case config::presets::PresetDialect::kSuper:
+      return "super";
+  }
+  return "";
+}
+
+nlohmann::ordered_json PresetJson(const PresetSet& set, const Preset& preset) {
+  return {{"kind", std::string(KindName(preset.kind))},
+          {"name", preset.name},
+          {"vendor", set.ScopeOf(preset).vendor},
+          {"dialect", std::string(DialectName(preset.dialect))},
+          {"file", preset.file}};
+}
+
+/// Returns all presets that a job may name, or the printers of a name with the presets that are
+/// made for them.
+absl::StatusOr<std::vector<const Preset*>> PresetsToList(const PresetSet& set,
+                                                         const std::string& printer) {
+  std::vector<const Preset*> listed;
+  if (printer.empty()) {
+    for (const Preset& preset : set.presets())
+      if (preset.listed) listed.push_back(&preset);
+  } else {
+    const auto printers = PrintersNamed(set, printer);
+    if (!printers.ok()) return printers.status();
+    for (const Preset* each : *printers) {
+      const auto fit = config::presets::PrinterFit::Make(set, *each);
+      if (!fit.ok()) return fit.status();
+      listed.push_back(each);
+      for (const PresetKind kind : {PresetKind::kProcess, PresetKind::kFilament})
+        for (const Preset* made : MadeFor(set, *fit, kind)) listed.push_back(made);
+    }
+  }
+  std::ranges::sort(listed, {}, [](const Preset* each) {
+    return std::tuple(each->kind, each->name, each->scope, each);
+  });
+  listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
+  return listed;
+}
+
+ExitCode ListPresets(const PresetsOptions& options) {
+  const auto set = ReadPresetSources(options.sources);
+  if (!set.ok()) return Fail(set.status());
+  Warn(set->problems());
+  const auto listed = PresetsToList(*set, options.printer);
+  if (!listed.ok()) return Fail(listed.status());
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::string text;
+  for (const Preset* preset : *listed) {
+    if (options.json) json.push_back(PresetJson(*set, *preset));
+    const std::string& vendor = set->ScopeOf(*preset).vendor;
+    text += fmt::format("{:<9} {}{}\n", KindName(preset->kind), ReplaceControls(preset->name, '?'),
+                        vendor.empty() ? "" : fmt::format("  ({})", ReplaceControls(vendor, '?')));
+  }
+  Print(options.json ? json.dump(2) + "\n" : text);
+  return ExitCode::kOk;
+}
+
+/// Returns the presets of this name, of any kind.
+absl::StatusOr<std::vector<const Preset*>> PresetsNamed(const PresetSet& set,
+                                                        const std::string& name) {
+  std::vector<const Preset*> found;
+  for (const PresetKind kind : {PresetKind::kPrinter, PresetKind::kProcess, PresetKind::kFilament})
+    for (const Preset* preset : set.Named(kind, name)) found.push_back(preset);
+  if (!found.empty()) return found;
+  std::vector<std::string_view> known;
+  for (const Preset& preset : set.presets())
+    if (preset.listed) known.push_back(preset.name);
+  const std::string nearest = config::Nearest(name, known);
+  return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
+                   fmt::format("there is no preset \"{}\"{}", ReplaceControls(name, '?'),
+                               nearest.empty() ? "; `slicefarm presets list` shows the names"
+                                               : fmt::format("; do you mean \"{}\"?", nearest)));
+}
+
+/// Prints the settings of a job with these presets, in the names of their program.
+ExitCode ShowJob(const PresetSet& set, const PresetsOptions& options) {
+  const auto chosen = ChoosePresets(set, {options.printer, options.process, options.filament});
+  if (!chosen.ok()) return Fail(chosen.status());
+  const auto values = CombinePresets(set, *chosen);
+  if (!values.ok()) return Fail(values.status());
+  nlohmann::ordered_json json;
+  for (const Preset* preset : {chosen->printer, chosen->process, chosen->filament})
+    json[std::string(KindName(preset->kind))] = PresetJson(set, *preset);
+  std::string text = fmt::format("# printer \"{}\", process \"{}\", filament \"{}\"\n",
+                                 ReplaceControls(chosen->printer->name, '?'),
+                                 ReplaceControls(chosen->process->name, '?'),
+                                 ReplaceControls(chosen->filament->name, '?'));
+  for (const config::presets::SourcedValue& each : *values) {
+    const std::string source = each.from == nullptr ? "default" : each.from->name;
+    json["settings"][each.key] = {{"value", each.value}, {"preset", source}};
+    if (each.from != nullptr) json["settings"][each.key]["file"] = each.from->file;
+    text += fmt::format("{} = {}  # {}\n", ReplaceControls(each.key, '?'),
+                        ReplaceControls(each.value, '?'), ReplaceControls(source, '?'));
+  }
+  Print(options.json ? json.dump(2) + "\n" : text);
+  return ExitCode::kOk;
+}
+
+ExitCode ShowPreset(const PresetsOptions& options) {
+  const auto set = ReadPresetSources(options.sources);
+  if (!set.ok()) return Fail(set.status());
+  if (options.name.empty()) return ShowJob(*set, options);
+  const auto found = PresetsNamed(*set, options.name);
+  if (!found.ok()) return Fail(found.status());
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::string text;
+  for (const Preset* preset : *found) {
+    const auto flat = set->Flatten(*preset);
+    if (!flat.ok()) return Fail(flat.status());
+    nlohmann::ordered_json one = PresetJson(*set, *preset);
+    text += fmt::format("# {} \"{}\" of {}\n", KindName(preset->kind),
+                        ReplaceControls(preset->name, '?'), preset->file);
+    for (const auto& [key, value] : *flat) {
+      one["settings"][key] = {
+          {"value", value.value}, {"preset", value.from->name}, {"file", value.from->file}};
+      text +=
+          fmt::format("{} = {}  # {}\n", ReplaceControls(key, '?'),
+                      ReplaceControls(value.value, '?'), ReplaceControls(value.from->name, '?'));
+    }
+    if (options.json) json.push_back(std::move(one));
+  }
+  Print(options.json ? json.dump(2) + "\n" : text);
+  return ExitCode::kOk;
+}
+
+CLI::App* AddPresetCommand(CLI::App& parent, const char* name, const char* about,
+                           const std::shared_ptr<PresetsOptions>& options, CommandContext& context,
+                           ExitCode (*run)(const PresetsOptions&)) {
+  CLI::App* command = parent.add_subcommand(name, about);
+  AddPresetSources(*command, options->sources)->required();
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback(
+      [options, &context, run] { context.run = [options, run] { return run(*options); }; });
+  return command;
+}
+
+}  // namespace
+
+void AddPresets(CLI::App& app, CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("presets", "List and show presets of other slicers, by name");
+  command->require_subcommand(1);
+  const auto options = std::make_shared<PresetsOptions>();
+  AddPresetCommand(*command, "list", "List the presets that a job may name", options, context,
+                   ListPresets)
+      ->add_option("--printer", options->printer,
+                   "Only this printer, or all printers of this model, with the presets that are "
+                   "made for it")
+      ->type_name("NAME");
+  CLI::App* show = AddPresetCommand(
+      *command, "show",
+      "Print all settings of a preset, or of a job with --printer, with the preset that each one "
+      "comes from",
+      options, context, ShowPreset);
+  CLI::Option* name =
+      show->add_option("NAME", options->name, "A printer, process or filament preset");
+  CLI::Option* printer =
+      show->add_option("--printer", options->printer, "Printer of a job")->type_name("NAME");
+  show->require_option(2, 0);
+  printer->excludes(name);
+  for (const auto& [option, value] :
+       {std::pair("--process", &options->process), std::pair("--filament", &options->filament)})
+    show->add_option(option, *value, "Default: the one that the printer names")
+        ->needs(printer)
+        ->type_name("NAME");
+  command->footer(
+      "Examples:\n"
+      "  slicefarm presets list --presets ~/.config/OrcaSlicer --printer \"Prusa MK4\"\n"
+      "  slicefarm presets show \"0.20mm SPEED @MK4S 0.4\" --presets PrusaResearch.ini\n"
+      "  slicefarm slice part.stl -o part.gcode --presets ~/.config/OrcaSlicer \\\n"
+      "    --printer \"Prusa MK4 0.4 nozzle\" --process \"0.20mm Standard\" --filament \"Prusa "
+      "Generic PLA\"");
+}
+
+}  // namespace slicefarm::cli

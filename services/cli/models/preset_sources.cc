@@ -1,0 +1,89 @@
+#include "services/cli/models/preset_sources.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/config/presets/choose_presets.h"
+#include "common/config/presets/job_presets.h"
+#include "common/config/presets/preset_file.h"
+#include "common/config/presets/read_presets.h"
+#include "services/cli/console/files.h"
+
+namespace slicefarm::cli {
+namespace {
+
+namespace presets = config::presets;
+
+/// Reads files of presets within the limits of all sources together.
+class PresetFileReader {
+ public:
+  absl::Status Read(const std::string& source) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(source, error)) return Add(source);
+    std::filesystem::recursive_directory_iterator at(source, error);
+    const std::filesystem::recursive_directory_iterator end;
+    while (!error && at != end) {
+      const std::string path = at->path().string();
+      if (presets::MayHavePresets(path) && at->is_regular_file(error))
+        if (absl::Status added = Add(path); !added.ok()) return added;
+      at.increment(error);
+    }
+    if (!error) return absl::OkStatus();
+    return Malformed(fmt::format("cannot read {}: {}", source, error.message()));
+  }
+
+  std::vector<presets::PresetFile> Take() && { return std::move(files_); }
+
+ private:
+  absl::Status Add(const std::string& path) {
+    auto bytes = ReadFile(path, presets::kMaxPresetFileBytes);
+    if (!bytes.ok()) return bytes.status();
+    bytes_ += static_cast<int64_t>(bytes->size());
+    files_.push_back({path, *std::move(bytes)});
+    if (std::ssize(files_) > presets::kMaxPresetFiles)
+      return LimitError(Reason::kRequestTooLarge, "files of presets", presets::kMaxPresetFiles,
+                        std::ssize(files_));
+    if (bytes_ > presets::kMaxPresetBytes)
+      return LimitError(Reason::kRequestTooLarge, "bytes of presets", presets::kMaxPresetBytes,
+                        bytes_);
+    return absl::OkStatus();
+  }
+
+  std::vector<presets::PresetFile> files_;
+  int64_t bytes_ = 0;
+};
+
+}  // namespace
+
+absl::StatusOr<presets::PresetSet> ReadPresetSources(const std::vector<std::string>& sources) {
+  PresetFileReader reader;
+  for (const std::string& source : sources)
+    if (absl::Status read = reader.Read(source); !read.ok()) return read;
+  return presets::ReadPresets(std::move(reader).Take());
+}
+
+absl::Status TakePresets(const PresetOptions& options, GivenModels& models) {
+  const auto set = ReadPresetSources(options.sources);
+  if (!set.ok()) return set.status();
+  const auto chosen =
+      presets::ChoosePresets(*set, {options.printer, options.process, options.filament});
+  if (!chosen.ok()) return chosen.status();
+  const auto job = presets::SettingsOfPresets(*set, *chosen);
+  if (!job.ok()) return job.status();
+  for (GivenPlate& plate : models.plates) {
+    std::ranges::copy(job->settings, std::back_inserter(plate.settings));
+    for (const std::string& line : job->of_print)
+      plate.warnings.push_back(line + ": not supported yet");
+    std::ranges::copy(job->of_print, std::back_inserter(plate.without_effect));
+    std::ranges::copy(job->others, std::back_inserter(plate.without_effect));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,203 @@
+#!/usr/bin/env python3
+"""Compares `slicefarm presets show` with an independent resolver, for random jobs of real presets.
+
+usage: preset_oracle.py SOURCE SLICEFARM [--jobs N] [--seed N] [--machines]
+
+SOURCE is a folder of OrcaSlicer's or Bambu Studio's vendors (resources/profiles), or a vendor's .ini bundle of PrusaSlicer. Each job is a
+random printer with a random process and filament that are made for it. All values that presets give must be equal, and no further key
+may come from a preset. --machines: one job for each printer, with its default process and filament, instead of random ones.
+
+Prints a row `jobs N equal N refused N different N`, and the first differences. Exit 0: all jobs are equal, and there is at least one.
+"""
+import argparse
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+
+LIBRARY = "OrcaFilamentLibrary"
+NO_SETTINGS = {"type", "name", "inherits", "from", "instantiation", "setting_id", "filament_id", "include", "version", "description",
+               "is_custom_defined", "renamed_from", "base_id", "user_id", "updated_time", "url", "alias"}
+NOT_OF_JOBS = {"compatible_printers", "compatible_printers_condition", "compatible_prints", "compatible_prints_condition"}
+ADDED = {"curr_bed_type", "printer_settings_id", "print_settings_id", "filament_settings_id"}
+KINDS = {"machine": "printer", "process": "process", "filament": "filament"}
+
+
+def escaped(text):
+    return text.replace("\\", "\\\\").replace("\r", "\\r").replace("\n", "\\n")
+
+
+def orca_value(value):
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":")) if isinstance(value, list) else escaped(value)
+
+
+def valid(value):
+    return isinstance(value, str) or isinstance(value, list) and all(isinstance(item, str) for item in value)
+
+
+class Orca:
+    """Presets of a folder of vendors: {vendor: {kind: {name: members}}}."""
+
+    def __init__(self, folder):
+        self.folder, self.vendors = folder, {}
+        for file in sorted(os.listdir(folder)):
+            if not file.endswith(".json"):
+                continue
+            with open(os.path.join(folder, file), encoding="utf-8-sig") as text:
+                listed = json.load(text)
+            if "machine_list" in listed:
+                self.vendors[file[:-5]] = self.read(file[:-5], listed)
+
+    def read(self, vendor, listed):
+        presets = {kind: {} for kind in KINDS}
+        for kind in KINDS:
+            for item in listed.get(kind + "_list", []):
+                try:
+                    with open(os.path.join(self.folder, vendor, item["sub_path"]), encoding="utf-8-sig") as text:
+                        preset = json.load(text)
+                except (OSError, ValueError):
+                    continue
+                presets[kind].setdefault(preset["name"], preset)
+        return presets
+
+    def flat(self, vendor, kind, name):
+        """All members, parents first. None: a parent is missing."""
+        preset = self.vendors[vendor][kind].get(name)
+        if preset is None and kind == "filament" and vendor != LIBRARY and LIBRARY in self.vendors:
+            return self.flat(LIBRARY, kind, name)
+        if preset is None:
+            return None
+        whole = {}
+        for parent in filter(None, [preset.get("inherits"), *preset.get("include", [])]):
+            above = self.flat(vendor, kind, parent)
+            if above is None:
+                return None
+            whole.update(above)
+        whole.update({key: value for key, value in preset.items() if valid(value)})
+        return whole
+
+    def jobs(self, rng, count, machines):
+        vendors = [v for v in self.vendors if self.vendors[v]["machine"]]
+        printers = [(v, n) for v in vendors for n, p in self.vendors[v]["machine"].items() if p.get("instantiation") == "true"]
+        for vendor, printer in printers if machines else (rng.choice(printers) for _ in range(count)):
+            machine = self.flat(vendor, "machine", printer)
+            if machines:
+                yield vendor, printer, "", ""
+                continue
+            fitting = {}
+            for kind in ("process", "filament"):
+                names = [n for n, p in self.vendors[vendor][kind].items() if p.get("instantiation") == "true"
+                         and printer in (self.flat(vendor, kind, n) or {}).get("compatible_printers", [])]
+                fitting[kind] = rng.choice(names) if names else ""
+            if machine and all(fitting.values()):
+                yield vendor, printer, fitting["process"], fitting["filament"]
+
+    def sources(self, vendor):
+        of = [vendor] + [LIBRARY] * (LIBRARY in self.vendors)
+        return [os.path.join(self.folder, v + end) for v in dict.fromkeys(of) for end in (".json", "")
+                if os.path.exists(os.path.join(self.folder, v + end))]
+
+    def values(self, vendor, shown):
+        """Key: the values that it may have. A key in presets of several kinds is the program's business."""
+        found = {}
+        for kind, name in KINDS.items():
+            for key, value in (self.flat(vendor, kind, shown[name]["name"]) or {}).items():
+                if key not in NO_SETTINGS | NOT_OF_JOBS:
+                    found.setdefault(key, []).append(orca_value(value))
+        return found
+
+
+class Prusa:
+    """Presets of one bundle: {kind: {name: members}}."""
+
+    def __init__(self, path):
+        self.path, self.presets = path, {"printer": {}, "print": {}, "filament": {}}
+        section = None
+        with open(path, encoding="utf-8-sig") as text:
+            for line in text:
+                line = line.strip()
+                if match := re.fullmatch(r"\[(\w+):(.+)\]", line):
+                    section = self.presets.get(match[1], {}).setdefault(match[2], {})
+                elif line.startswith("["):
+                    section = None
+                elif section is not None and "=" in line and line[0] not in "#;":
+                    key, value = line.split("=", 1)
+                    section[key.strip()] = value.strip()
+
+    def flat(self, kind, name):
+        preset = self.presets[kind][name]
+        whole = {}
+        for parent in preset.get("inherits", "").split(";"):
+            if parent.strip():
+                whole.update(self.flat(kind, parent.strip().strip('"')))
+        whole.update(preset)
+        return whole
+
+    def jobs(self, rng, count, machines):
+        printers = [n for n in self.presets["printer"] if not n.startswith("*") and self.flat("printer", n).get("printer_technology") != "SLA"]
+        for printer in printers if machines else (rng.choice(printers) for _ in range(count)):
+            process = self.flat("printer", printer).get("default_print_profile", "")
+            yield None, printer, process, self.flat("printer", printer).get("default_filament_profile", "").strip('"')
+
+    def sources(self, _vendor):
+        return [self.path]
+
+    def values(self, _vendor, shown):
+        found = {}
+        for kind, name in (("print", "process"), ("printer", "printer"), ("filament", "filament")):
+            for key, value in self.flat(kind, shown[name]["name"]).items():
+                if key not in {"inherits", "renamed_from", "alias"} | NOT_OF_JOBS:
+                    found.setdefault(key, []).append(value)
+        return found
+
+
+def differences(expected, settings):
+    for key, texts in expected.items():
+        if key in ADDED:
+            continue
+        got = settings.get(key)
+        if len(texts) > 1 and (got is None or got["value"] in texts):
+            continue
+        if got is None or got["preset"] == "default":
+            yield f"{key}: missing, expected {texts[0][:60]}"
+        elif got["value"] not in texts:
+            yield f"{key}: {got['value'][:60]}, expected {texts[0][:60]}"
+    for key, got in settings.items():
+        if key not in expected and key not in ADDED and got["preset"] != "default":
+            yield f"{key}: {got['value'][:60]}, expected none"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("source")
+    parser.add_argument("slicefarm")
+    parser.add_argument("--jobs", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--machines", action="store_true")
+    options = parser.parse_args()
+    resolver = Prusa(options.source) if options.source.endswith(".ini") else Orca(options.source)
+    count = {"jobs": 0, "equal": 0, "refused": 0, "different": 0}
+    for vendor, printer, process, filament in resolver.jobs(random.Random(options.seed), options.jobs, options.machines):
+        command = [options.slicefarm, "presets", "show", "--json", "--printer", printer]
+        command += ["--process", process] * bool(process) + ["--filament", filament] * bool(filament)
+        for source in resolver.sources(vendor):
+            command += ["--presets", source]
+        run = subprocess.run(command, capture_output=True, text=True)
+        count["jobs"] += 1
+        if run.returncode != 0:
+            count["refused"] += 1
+            print(f"refused {vendor}, {printer}, {process}, {filament}: {run.stderr.strip()[:300]}")
+            continue
+        shown = json.loads(run.stdout)
+        found = list(differences(resolver.values(vendor, shown), shown["settings"]))
+        count["different" if found else "equal"] += 1
+        for line in found[:5]:
+            print(f"{printer}, {process}, {filament}: {line}")
+    print(" ".join(f"{key} {value}" for key, value in count.items()))
+    return 0 if count["jobs"] and count["jobs"] == count["equal"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
