@@ -105,16 +105,20 @@ class Chooser {
                              all.empty() ? "none of the given presets" : ShownNames(all)));
   }
 
+  /// Returns the printer's default. Vendors often name the preset of another printer, so that the
+  /// one with the same alias is meant.
   absl::StatusOr<const Preset*> Default(PresetKind kind) const {
-    for (const std::string& name : DefaultNames(kind)) {
-      const auto chosen = Choose(kind, name);
-      if (chosen.ok()) return chosen;
-    }
-    return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
-                     fmt::format("{} names no {} preset as its default that is among the given "
-                                 "presets; choose one with --{}",
-                                 Shown(printer_.name), KindName(kind), KindName(kind)),
-                     {{"kind", std::string(KindName(kind))}});
+    for (const std::string& name : DefaultNames(kind))
+      for (const std::string& each : {name, AliasOf(name)})
+        if (const auto chosen = Choose(kind, each); chosen.ok()) return chosen;
+    const std::vector<const Preset*> all = MadeFor(set_, fit_, kind);
+    return MakeError(
+        absl::StatusCode::kNotFound, Reason::kProfileNotFound,
+        fmt::format("{} names no {} preset as its default that is among the given presets; choose "
+                    "one with --{}: {}",
+                    Shown(printer_.name), KindName(kind), KindName(kind),
+                    all.empty() ? "none of them is made for it" : ShownNames(all)),
+        {{"kind", std::string(KindName(kind))}});
   }
 
   /// Returns the names that the printer gives as its default, and its model's materials.

@@ -10,7 +10,8 @@
 
 namespace slicefarm::config::presets {
 
-/// Names of presets as a user gives them. An empty process or filament is the printer's default.
+/// Names of presets as a user gives them. An empty process or filament is the printer's default, or
+/// the preset with the default's alias that is made for the printer.
 struct PresetNames {
   std::string printer;
   std::string process;

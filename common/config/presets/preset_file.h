@@ -9,7 +9,7 @@
 
 namespace slicefarm::config::presets {
 
-/// Limits on files of presets, which users send. OrcaSlicer's own folder has 7,900 files of 26 MB.
+/// Limits on files of presets, which users send. OrcaSlicer's own folder has 7,900 files of 12 MB.
 inline constexpr int64_t kMaxPresetFiles = 50'000;
 inline constexpr int64_t kMaxPresetFileBytes = 16 << 20;
 inline constexpr int64_t kMaxPresetBytes = 256 << 20;  ///< bytes of all files, expanded

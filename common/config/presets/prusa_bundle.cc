@@ -180,10 +180,17 @@ class BundleReader {
     preset.complete = !vendor_ && std::ranges::none_of(preset.parents, [](const auto& parent) {
       return parent.starts_with('*');
     });
-    if (templates_ && preset.kind == PresetKind::kFilament && preset.listed)
-      preset.name += " @Template";
+    if (templates_ && preset.kind == PresetKind::kFilament) NameTemplate(preset);
     if (preset.alias.empty()) preset.alias = AliasOf(preset.name);
     set_.Add(std::move(preset));
+  }
+
+  /// Adds the ending of templates to the names of a filament and of its parents that are no bases.
+  static void NameTemplate(Preset& preset) {
+    constexpr std::string_view kEnding = " @Template";
+    if (preset.listed) preset.name += kEnding;
+    for (std::string& parent : preset.parents)
+      if (!parent.starts_with('*')) parent += kEnding;
   }
 
   std::string file_;

@@ -103,6 +103,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"PrusaBase", PrusaBundle(), kProcess, "*fast*", "perimeters", "(no preset)"},
         Case{"PrusaTextAsItIs", PrusaBundle(), kFilament, "Acme PLA", "start_filament_gcode",
              R"("M900 K0.05")"},
+        Case{"PrusaTemplate",
+             Files({{"Templates.ini",
+                     "[vendor]\nname = Templates\ntemplates_profile = 1\n[filament:*PLA*]\n"
+                     "temperature = 215\n[filament:A]\ninherits = *PLA*\n[filament:B]\n"
+                     "inherits = A\n"}}),
+             kFilament, "B @Template", "temperature", "215"},
         Case{"PrusaUserPreset",
              Files({{"d/print/My 0.2.ini", "inherits = Gone\nperimeters = 5\n"}}), kProcess,
              "My 0.2", "perimeters", "5"},
