@@ -8,8 +8,8 @@
 # It covers contents and no commit, because an image is built from a copy of the tree without its repository.
 # With -D LISTING=FILE it also writes the names of the covered files, one per line.
 set(left_out
-  common/rpc                                    # carries messages
-  services/cli services/lab                     # talk to users
+  common/rpc                                    # transports messages
+  services/cli services/lab                     # user interfaces
   services/coordinator/algo/[^/]+$ services/coordinator/algo/dispatch   # decide when and where a task runs
   services/coordinator/remote services/coordinator/run services/coordinator/server services/coordinator/store)
 set(files "")

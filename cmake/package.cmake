@@ -3,7 +3,7 @@
 # The package depends on the packages of the libraries that the programs link, found by dpkg-shlibdeps.
 
 include(GNUInstallDirs)
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # or the tests would be built for it
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # otherwise the package would build the tests
 
 install(PROGRAMS deploy/backup.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME slicefarm-backup)
 install(PROGRAMS deploy/restore.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME slicefarm-restore)
@@ -21,6 +21,6 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "ca-certificates, sqlite3")  # webhooks; slicefarm-backup
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "ca-certificates, sqlite3")  # for webhooks; for slicefarm-backup
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 include(CPack)

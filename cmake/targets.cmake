@@ -12,7 +12,7 @@ function(slicefarm_precompiled name header)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE slicefarm_warnings)
   target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/pch/${header})
-  if(ARG_FAST) # the compiler takes only what was made with the same flags
+  if(ARG_FAST) # a precompiled header must have the same flags as its user
     slicefarm_compile_fast(${name})
   endif()
 endfunction()
@@ -28,7 +28,7 @@ endfunction()
 function(slicefarm_use_precompiled target kind)
   set(grpc "")
   set(libraries ${ARGN})
-  list(REMOVE_ITEM libraries slicefarm_load_algo slicefarm_postgres_server)  # in spite of their names
+  list(REMOVE_ITEM libraries slicefarm_load_algo slicefarm_postgres_server)  # libraries without gRPC in spite of their names
   if("${libraries}" MATCHES "slicefarm_(rpc|proto|cli|load|integration_support)|_server|_remote|grpc")
     set(grpc "_grpc")
     if(kind STREQUAL library)

@@ -70,7 +70,7 @@ referenced() {
     UNION SELECT tenant, trace_sha256 FROM jobs UNION SELECT tenant, gcode_sha256 FROM results
     UNION SELECT tenant, report_sha256 FROM results
     UNION SELECT jobs.tenant, digest FROM inputs JOIN jobs ON jobs.number = inputs.job" |
-    { grep -E '\|[0-9a-f]{64}$' || [[ $? -eq 1 ]]; } # 1: there are none
+    { grep -E '\|[0-9a-f]{64}$' || [[ $? -eq 1 ]]; } # 1: no line matches
 }
 
 # Checks that every blob in the copied database exists, unless the farm itself has lost it.

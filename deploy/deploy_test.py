@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""What stands in the compose files, the Kubernetes manifests and the monitoring fits the programs, and fits together.
+"""Checks that the compose files, the Kubernetes manifests and the monitoring match the programs and each other.
 
-    deploy/deploy_test.py [BIN]      where the programs are (build/bin)
+    deploy/deploy_test.py [BIN]      folder of the programs (build/bin)
 
-Every program and every flag is one that `--help` names; every address is that of a service, and its port one that is served;
-selectors, probes, claims and secrets refer to what is there. Two further checks are made where their packages are
-installed: Kubernetes' own types (python3-kubernetes) and Prometheus' own rules (prometheus, for promtool).
+Every program and every flag must appear in `--help`. Every address must be the address of a service, and its port a
+port of that service. Selectors, probes, claims and secrets must refer to existing objects. Two further checks run if
+their packages are installed: Kubernetes' own types (python3-kubernetes) and Prometheus' own rules (prometheus, for
+promtool).
 """
 import json
 import pathlib
@@ -21,7 +22,7 @@ DEPLOY = pathlib.Path(__file__).resolve().parent
 BIN = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else DEPLOY.parent / "build/bin")
 COMPOSE = [DEPLOY.parent / "docker-compose.yml", *sorted(DEPLOY.glob("compose.*.yml"))]
 OUR_IMAGES = {"slicefarm", "slicefarm-postgres", "slicefarm-prometheus"}
-OTHER_IMAGES = re.compile(r"docker\.io/grafana/grafana:\d+\.\d+\.\d+")  # a release, not what is the latest one
+OTHER_IMAGES = re.compile(r"docker\.io/grafana/grafana:\d+\.\d+\.\d+")  # a fixed release, not the latest one
 PROFILES = {"split", "monitoring"}
 PORT, METRICS_PORT = 50051, 9464  # as deploy/Dockerfile exposes them
 problems = []
@@ -46,7 +47,7 @@ def flags_of(program, cache={}):
 
 
 def check_command(where, words, services):
-    """A command line of ours, and the addresses in it: {name: port} are those of the services."""
+    """Checks a command line of one of our programs and the addresses in it; {name: port} are the ports of the services."""
     program, values = words[0], {}
     for word in words[1:]:
         if word.startswith("--"):
@@ -73,7 +74,7 @@ def interpolated(text):
 
 
 def check_rights(at, service):
-    """No container may take a machine's memory, disk or rights."""
+    """Checks that a container has limits for memory and logs, no capabilities and a read-only image."""
     expect(service.get("cap_drop") == ["ALL"], f"{at}: capabilities")
     expect("no-new-privileges:true" in service.get("security_opt", []), f"{at}: may get new privileges")
     expect(re.fullmatch(r"\d+[mg]", interpolated(service.get("mem_limit", ""))), f"{at}: no memory limit")
@@ -83,7 +84,7 @@ def check_rights(at, service):
 
 
 def check_split_stages():
-    """What docker-compose.yml says of the profile `split` is a command of ours."""
+    """Checks the command that docker-compose.yml gives for the profile `split`."""
     text = (DEPLOY.parent / "docker-compose.yml").read_text()
     services = {name: PORT for name in yaml.safe_load(text)["services"]}
     stages = re.search(r'STAGES="(.*?)"', text)[1]
@@ -116,7 +117,7 @@ def check_compose(path):
             source, own = volume.split(":")[0], ":" not in volume and volume.startswith("/")
             known = own or source in compose["volumes"] or (source.startswith("./") and (path.parent / source).exists())
             expect(known, f"{at}: volume {volume}")
-        if "SLICEFARM_POSTGRES" in service.get("environment", {}):  # /tmp is memory
+        if "SLICEFARM_POSTGRES" in service.get("environment", {}):  # /tmp is in memory
             expect(any(f"--spool {volume}" in service["command"] for volume in service.get("volumes", [])), f"{at}: spool in memory")
         check_rights(at, service)
         if not service.get("command"):
@@ -146,7 +147,7 @@ def check_dockerfile():
 
 
 def check_migration():
-    """The job that migrates runs a command of ours, with the rights and the secret that coordinators have."""
+    """Checks that the migration job runs one of our commands, with the rights and the secret of the coordinators."""
     job, policy = yaml.safe_load_all((DEPLOY / "kubernetes/migrate/job.yaml").read_text())
     pod = job["spec"]["template"]
     container, = pod["spec"]["containers"]
@@ -160,7 +161,9 @@ def check_migration():
 
 
 def check_bucket():
-    """All that the programs read of a bucket from their environment, compose files and the component `s3` set; and nothing else."""
+    """Checks that the compose files and the component `s3` set all environment variables that the programs read for a
+    bucket, and no other variables.
+    """
     run = subprocess.run([BIN / "slicefarm-coordinator", "--help"], stdout=subprocess.PIPE, text=True)
     wanted = {"AWS_ACCESS_KEY_ID", "AWS_SECRET_ACCESS_KEY", *re.findall(r"Env:(SLICEFARM_S3|AWS_\w+)", run.stdout)}
     expect(len(wanted) == 4, f"the coordinator's --help names {wanted}")
@@ -180,7 +183,7 @@ def documents(folder):
 
 
 class Manifests:
-    """deploy/kubernetes, by kind and name."""
+    """Manifests of deploy/kubernetes by kind and name."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -192,7 +195,7 @@ class Manifests:
         return [d["spec"]["template"] for d in self.deployments.values()]
 
     def ports(self):
-        """{service: port} as clients see them."""
+        """Returns {service: port} as clients use them."""
         return {name: service["spec"]["ports"][0]["port"] for name, service in self.services.items()}
 
     def check(self):
@@ -204,7 +207,7 @@ class Manifests:
         self.check_tls()
 
     def check_tls(self):
-        """The component changes every deployment, by the names that they have."""
+        """Checks that the component `tls` changes every deployment, under the deployment's own name."""
         component = yaml.safe_load((self.folder / "tls/kustomization.yaml").read_text())
         patches = [yaml.safe_load(patch["patch"]) for patch in component["patches"] if "target" not in patch]
         expect({p["metadata"]["name"] for p in patches} == set(self.deployments), "kubernetes: tls leaves out a deployment")
@@ -244,7 +247,7 @@ class Manifests:
         expect(set(container["resources"]) == {"requests", "limits"}, f"{where}: resources")
 
     def selected(self, selector):
-        """Pods that a selector means."""
+        """Returns the pods that a selector matches."""
         def fits(labels):
             exact = all(labels.get(k) == v for k, v in (selector.get("matchLabels") or {}).items())
             return exact and all(labels.get(e["key"]) in e["values"] for e in selector.get("matchExpressions", []))
@@ -294,7 +297,7 @@ NEWER_KINDS = {("autoscaling/v2", "HorizontalPodAutoscaler"): "V2beta2Horizontal
 
 
 def check_types(value, kind, where):
-    """`value` as Kubernetes' published types have it: known fields of the right type."""
+    """Checks `value` against Kubernetes' published types: it may contain only known fields of the right type."""
     from kubernetes import client
     if kind.startswith("list["):
         expect(isinstance(value, list), f"{where} is no list")
@@ -320,7 +323,7 @@ def check_types(value, kind, where):
 
 def check_kubernetes_types(manifests):
     try:
-        import kubernetes.client  # noqa: F401  (kubernetes alone may be the folder beside this file)
+        import kubernetes.client  # noqa: F401  (`kubernetes` alone may be the folder beside this file)
     except ImportError:
         return "not checked: Kubernetes' types (python3-kubernetes is not installed)"
     for path, document in manifests.all:

@@ -33,12 +33,12 @@ running() {
   [[ -f "$1" ]] || return 1
   local name exe
   name=$(basename "$1" .pid)
-  if [[ "$name" == proxy ]]; then # a script, whose program is the shell
+  if [[ "$name" == proxy ]]; then # a script; its executable is the shell
     tr '\0' '\n' <"/proc/$(cat "$1")/cmdline" 2>/dev/null | grep -qx 'deploy/proxy/proxy.sh'
     return
   fi
   exe=$(readlink "/proc/$(cat "$1")/exe") || return 1
-  exe=${exe% (deleted)}  # the program was built anew since
+  exe=${exe% (deleted)}  # the program was rebuilt while it ran
   [[ "${exe##*/}" == "slicefarm-${name%%-[0-9]*}" ]]
 }
 
@@ -134,11 +134,11 @@ up() {
     for stage in beading infill ordering motion; do replicas "$stage" "$workers" "$stage"; done
   fi
   if [[ "$store" == sqlite ]]; then
-    unset SLICEFARM_POSTGRES # it would be a second place
+    unset SLICEFARM_POSTGRES # it would be a second store
     pools+=(--state-dir "$state/coordinator")
   else
     [[ -n "${SLICEFARM_POSTGRES:-}" ]] || SLICEFARM_POSTGRES=$(deploy/postgres/server.sh start "$state/postgres")
-    export SLICEFARM_POSTGRES # its password is not to show in the list of processes
+    export SLICEFARM_POSTGRES # an argument would show its password in the list of processes
   fi
   local addresses=()
   use_certs coordinator
@@ -151,7 +151,7 @@ up() {
     addresses+=("127.0.0.1:$at")
   done
   local server=${addresses[0]}
-  [[ $coordinators -eq 1 ]] || server="ipv4:$(IFS=,; echo "${addresses[*]}")" # the one that is there
+  [[ $coordinators -eq 1 ]] || server="ipv4:$(IFS=,; echo "${addresses[*]}")" # the client selects a running one
   if [[ $proxy -eq 1 ]]; then
     use_certs proxy
     server=127.0.0.1:$port

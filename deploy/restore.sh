@@ -35,7 +35,7 @@ restore_sqlite() {
   for blob in $bad; do rm "$state/$blob"; done
   cp "$backup/jobs.db" "$state/jobs.db.new"
   sqlite3 "$state/jobs.db.new" "$forget_use"
-  [[ $(id -u) -ne 0 ]] || chown -R --reference="$state" "$state" # else only root could run the coordinator
+  [[ $(id -u) -ne 0 ]] || chown -R --reference="$state" "$state" # otherwise only root could run the coordinator
   sync --file-system "$state"
   mv "$state/jobs.db.new" "$state/jobs.db"
   [[ -z $bad ]] || die "damaged in the backup, and left out: $bad"

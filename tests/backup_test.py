@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""deploy/backup.sh and restore.sh with real processes: jobs are submitted while the backup runs; in a new place there are all
-that were acknowledged before it began, and they come to the same bytes.
+"""Tests deploy/backup.sh and restore.sh with real processes. Jobs are submitted while the backup runs. The restored
+farm must have all jobs that were acknowledged before the backup began, and must produce the same bytes for them.
 
-    tests/backup_test.py sqlite|postgres [--tenants]        SLICEFARM_BIN: where the programs are (build/bin)
+    tests/backup_test.py sqlite|postgres [--tenants]        SLICEFARM_BIN: folder of the programs (build/bin)
 """
 import hashlib
 import json
@@ -42,7 +42,7 @@ class Server:
 
 
 class Store:
-    """A place for the state of a coordinator."""
+    """Location of a coordinator's state."""
 
     def __init__(self, kind, directory):
         self.kind, self.directory = kind, directory
@@ -68,7 +68,9 @@ class Store:
         return subprocess.run(command, env=self.env, stderr=subprocess.PIPE, text=True)
 
     def notes_of_use(self):
-        """Returns how many notes of use the database has: a restored one has none, so nothing is swept for a day."""
+        """Returns the number of usage notes in the database. A restored database has none, so no blob is swept for a
+        day.
+        """
         sql = "SELECT count(*) FROM chores WHERE name IN ('use_begin', 'use_last')"
         command = ["sqlite3", self.directory / "jobs.db", sql]
         if self.kind == "postgres":
@@ -99,7 +101,7 @@ class Farm:
         return self.call("submit", model, "--detach", "--generic", "--set", f"fill_density={5 + number}%").strip()
 
     def result(self, job, folder):
-        """The digest of the G-code, once it is there."""
+        """Waits for the G-code and returns its digest."""
         self.call("watch", job)
         path = folder / "out.gcode"
         self.call("get", job, "-o", path)
@@ -112,9 +114,9 @@ def expect(condition, message):
 
 
 def check_damage(kind, work, backup):
-    """A byte that has changed in the backup is found."""
+    """Checks that a changed byte in the backup is detected."""
     if kind == "postgres":
-        return  # pg_restore and coordinators check for themselves
+        return  # pg_restore and coordinators detect damage themselves
     spoilt = work / "spoilt"
     shutil.copytree(backup, spoilt)
     blob = next(path for path in spoilt.rglob("*") if path.is_file() and len(path.name) == 64)
@@ -151,7 +153,7 @@ def run(kind, work, stages):
     submitter = threading.Thread(target=keep_submitting)
     submitter.start()
     enough.wait()
-    farm.call("watch", acknowledged[0])  # at least one has ended, others wait or run
+    farm.call("watch", acknowledged[0])  # at least one job has ended; the other jobs wait or run
     before = list(acknowledged)
     expect(original.notes_of_use() == 2, "a coordinator does not note its use of the database")
     original.backup(work / "backup")
@@ -161,7 +163,7 @@ def run(kind, work, stages):
     expect(original.restore(work / "backup").returncode != 0, "a state was overwritten")
     restored = [bring_back(kind, work, "first")]
     digests = {job: farm.result(job, work) for job in before}
-    original.backup(work / "backup")  # again, with the rest, into the same place
+    original.backup(work / "backup")  # second backup into the same folder, with all jobs
     restored.append(bring_back(kind, work, "second"))
     farm.coordinator.stop()
     original.close()
@@ -179,7 +181,7 @@ def run(kind, work, stages):
 def main():
     kind = sys.argv[1]
     work = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-backup-"))
-    os.chmod(work, 0o755)  # PostgreSQL's user has to come through
+    os.chmod(work, 0o755)  # PostgreSQL's user must be able to enter it
     servers = {name: Server(name) for name in ("slicing", "planning", "motion", "worker")}
     stages = ["--slicing", servers["slicing"].address, "--planning", servers["planning"].address, "--motion", servers["motion"].address,
               "--workers", servers["worker"].address]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests which files the build id covers: cmake/build_info.cmake over a copy of the sources.
+"""Tests the set of files that the build id covers, by running cmake/build_info.cmake over a copy of the sources.
 
 usage: build_id_test.py REPOSITORY
 """
@@ -64,9 +64,9 @@ def covered(tree):
 
 
 def files_of_stages(tree):
-    """Returns the paths of all files that stage programs and the pipeline are made of.
+    """Returns the paths of all files that belong to the stage programs and the pipeline.
 
-    Follows the includes of their sources. A header stands for the sources beside it, since any of them may implement it.
+    Follows the includes of their sources. A header also adds the sources beside it, since any of them may implement it.
     """
     roots = [*tree.glob("services/*/server/main.cc"), *tree.glob("services/coordinator/algo/pipeline/*.cc"), *tree.glob("processes/*/job/*.cc")]
     found, left = set(), [r for r in roots if "coordinator/server" not in r.as_posix()]

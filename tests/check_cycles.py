@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Fails where folders include each other, directly or by way of others.
+"""Fails if folders include each other, directly or through other folders.
 
-usage: check_cycles.py [repo root] [--list]        exit 1 and one line per violation; --list shows the includes of each circle
+usage: check_cycles.py [repo root] [--list]        exit 1 and one line per violation; --list shows the includes of each
+cycle
 
-A folder is read, built and tested by itself; folders in a circle of includes are one unit in several places. Headers for tests may
-include any folder.
+A folder can be read, built and tested by itself. Folders in an include cycle cannot: they form one unit. Test headers
+may include any header.
 """
 import collections
 import pathlib
@@ -16,7 +17,7 @@ TEST_FILE = re.compile(r"_test\.(cc|h)$")
 
 
 def includes_between_folders(root):
-    """{(folder, included folder): [(file, included file)]} of product code."""
+    """Returns {(folder, included folder): [(file, included file)]} of product code."""
     found = collections.defaultdict(list)
     files = [f for d in ("common", "processes", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
     for file in files:
@@ -31,7 +32,7 @@ def includes_between_folders(root):
 
 
 def reached(start, edges):
-    """All folders that `start` includes, directly or by way of others."""
+    """Returns all folders that `start` includes, directly or through other folders."""
     seen, left = set(), [start]
     while left:
         for folder in edges[left.pop()] - seen:
@@ -40,8 +41,8 @@ def reached(start, edges):
     return seen
 
 
-def circles(found):
-    """Sets of folders of which each reaches each other one."""
+def cycles(found):
+    """Returns the sets of folders in which each folder reaches every other folder."""
     edges = collections.defaultdict(set)
     for a, b in found:
         edges[a].add(b)
@@ -51,12 +52,12 @@ def circles(found):
 
 
 def check(found):
-    for group in circles(found):
+    for group in cycles(found):
         yield f"{group[0]}: includes itself through {', '.join(group[1:])} (--list shows where)"
 
 
 def show(found):
-    for group in circles(found):
+    for group in cycles(found):
         print(" ".join(group))
         for (a, b), includes in sorted(found.items()):
             if a in group and b in group:

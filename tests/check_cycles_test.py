@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_cycles.py must find each circle of folders in a small tree, and nothing else."""
+"""Tests that check_cycles.py finds each include cycle of folders in a small tree, and nothing else."""
 import pathlib
 
 from planted_tree import told_of
@@ -24,15 +24,15 @@ TREE = {
     "common/c/parts/q.h": including("common/c/p.h"),
 }
 EXPECTED = [
-    "common/c: includes itself by way of common/c/parts (--list shows where)",
-    "services/a/algo/one: includes itself by way of services/a/algo/three, services/a/algo/two (--list shows where)",
+    "common/c: includes itself through common/c/parts (--list shows where)",
+    "services/a/algo/one: includes itself through services/a/algo/three, services/a/algo/two (--list shows where)",
 ]
 
 
 def main():
     said = sorted(told_of(CHECK, TREE))
     assert said == EXPECTED, "\n".join(said)
-    print(f"{len(said)} planted circles found, nothing else")
+    print(f"{len(said)} planted cycles found, nothing else")
 
 
 if __name__ == "__main__":

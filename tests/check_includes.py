@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Fails where a file names a type whose header it does not reach by its includes.
+"""Fails if a file names a type whose header it does not include, directly or indirectly.
 
 usage: check_includes.py [repo root]        exit 1 and one line per violation
 
-Where all files of a library are compiled as one (the preset `cold`), a missing include goes unseen as long as another file has it.
-Looked at are the types that no two headers declare under the same name.
+The preset `cold` compiles all files of a library as one unit. Then a missing include is hidden as long as another file
+has it. The check covers the types whose name is declared in one header only.
 """
 import functools
 import pathlib
@@ -33,7 +33,7 @@ def sources(root):
 
 
 def headers_by_type(code):
-    """The header of each type; None: several declare it."""
+    """Returns the header of each type; None if several headers declare it."""
     found = {}
     for path, text in code.items():
         if not path.endswith(".h"):
@@ -66,7 +66,7 @@ def check(texts):
         for name in sorted({name for scope, name in USE.findall(text) if scope not in FOREIGN}):
             header = types.get(name)
             if header and not TEST_FILE.search(path) and TEST_FILE.search(header):
-                continue  # product code names another type
+                continue  # product code means another type of this name
             if header and name not in own and header not in reached(path):
                 yield f"{path}: names {name}, and does not include {header}"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_includes.py must find what is planted into a small tree, and nothing else."""
+"""Tests that check_includes.py finds the violations planted in a small tree, and nothing else."""
 import pathlib
 
 from planted_tree import told_of

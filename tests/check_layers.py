@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
-"""Fails when an include crosses the layers, or a file breaks a size or pairing rule.
+"""Fails if an include crosses the layers, or if a file breaks a size or pairing rule.
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The order is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server;
-a service never includes another one, except where whole programs are put together: services/worker, services/cli and services/lab,
-which nothing includes.
-
-Each process has a folder, processes/<name>. Its types (model) belong to the layer model, and the stages of the process include them. Its
-other folders (settings, task, wire, job) are reached through processes/list alone. No other file names a process, except
-common/model/process.h.
+The order of the layers is base <- gcode, geometry, picture <- model <- macro, kinematics <- config, stage, algo <-
+wire, rpc, sandbox <- remote, store <- run <- server. A service never includes another service. Exceptions are the
+folders that assemble whole programs, services/worker, services/cli and services/lab; no other folder includes them.
+Code of a single process is in processes/<name>. Its types (model) belong to the layer model, and the stages of the
+process include them. Its other folders (settings, task, wire, job) are used only through processes/list. No other file
+names a process, except common/model/process.h.
 """
 import pathlib
 import re
@@ -18,7 +17,7 @@ import sys
 WIRE, GRPC = r"\.pb\.h$", r"^grpc"
 PURE = {"base", "gcode", "model", "geometry"}
 EDGE = PURE | {"config", "stage", "wire", "rpc", "algo"}
-PROCESS = {"settings", "task", "task_wire", "job"}  # a process's own, and the lists of them
+PROCESS = {"settings", "task", "task_wire", "job"}  # layers of a process's own code and of the process lists
 # layer: (path pattern, layers it may include, system and generated headers it must not include)
 LAYERS = [
     ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
@@ -47,12 +46,12 @@ LAYERS = [
     ("lab", r"services/(lab)/", EDGE | {"console", "lab", "picture"}, None),
 ]
 COMPOSITION_ROOTS = {"worker", "cli", "lab"}
-JOBS_OF = "coordinator"  # the service that puts jobs together, whose interfaces processes/*/job implements
+JOBS_OF = "coordinator"  # service that assembles jobs; processes/*/job implements its interfaces
 PROCESSES = re.compile(r"processes/(\w+)/(?!model/)")
 # Files of lasers beside their folders: the enumerators, and the stage that exposes layers.
 LASER_FILES = re.compile(r"processes/(laser|list)/|processes/CMakeLists.txt|services/exposure/|common/model/process\.h")
 PROCESS_MODEL = re.compile(r'#include "processes/\w+/model/')
-CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
+CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # allowed only in common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 # libm's results depend on the CPU (FMA or not). The functions of common/base/portable_math.h have the same results everywhere.
 LIBM = re.compile(
@@ -106,7 +105,7 @@ def check_includes(path, text, layer, service, is_test):
 
 
 def check_process(path, where, included):
-    """A process is reached through the list, and knows no other one."""
+    """Reports an include of a process's folder by code outside this process and outside processes/list."""
     to, own = PROCESSES.match(included), PROCESSES.match(path)
     if to and to[1] != "list" and (own is None or own[1] not in ("list", to[1])):
         yield f"{where}: only the list of processes may include {included}"
@@ -121,7 +120,9 @@ def check_names(path, text):
 
 
 def members(text, start):
-    """What stands within the braces that begin before `start`, with `;` for each pair of braces within."""
+    """Returns the members of the struct whose opening brace ends at `start`, split at `;`. Each nested pair of braces
+    counts as one `;`.
+    """
     depth, found = 1, []
     for c in text[start:]:
         depth += (c == "{") - (c == "}")
@@ -133,7 +134,7 @@ def members(text, start):
 
 
 def vectors(text):
-    """Names of structs that are coordinates and nothing else but functions."""
+    """Yields the names of structs that contain only coordinates and functions."""
     text = re.sub(r"//[^\n]*", "", text)
     for match in STRUCT.finditer(text):
         fields = [f.strip() for m in members(text, match.end()) if "(" not in m for f in m.split(",") if f.strip()]

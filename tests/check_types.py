@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails when two files define one qualified type name: programs that link both would mix their member functions.
+"""Fails if two files define the same qualified type name: a program that links both would mix up their member
+functions.
 
 usage: check_types.py [repo root]        exit 1 and one line per name
 """
@@ -18,7 +19,7 @@ SPECIALISATION = re.compile(r"\btemplate\s*<\s*>")
 def definitions(text):
     """Yields the qualified names of the types that `text` defines in named namespaces."""
     text = NOISE.sub(" ", DIGIT_SEPARATOR.sub("", text))
-    scopes = []  # a name for each open namespace or type, None for any other brace
+    scopes = []  # name of each open namespace or type; None for any other brace
     start = 0
     for match in re.finditer(r"[{};]", text):
         if match[0] == "{":

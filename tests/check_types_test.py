@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_types.py must find each type that two files of a small tree define, and nothing else."""
+"""Tests that check_types.py finds each type that two files of a small tree define, and nothing else."""
 import pathlib
 
 from planted_tree import told_of

@@ -1,21 +1,23 @@
 #!/usr/bin/env python3
-"""A bucket for tests: PUT, GET (with ranges), HEAD and DELETE of objects as Amazon's S3 has them, objects in a directory.
+"""S3 bucket for tests: PUT, GET (with ranges), HEAD and DELETE of objects as in Amazon's S3. The objects are files in a
+directory.
 
     tests/fake_s3.py --dir DIR [--port P] [--bucket farm] [--access KEY] [--secret SECRET] [--rate R --seed S]
 
-Prints its port, once it listens. Every request must be signed by Signature Version 4, written here a second time from Amazon's
-description, and be of the last 15 minutes; what is put must have the SHA-256 that it says it has. An object is there when all
-of it is, and stays when the server is killed.
+Prints its port when it listens. Every request must be signed by Signature Version 4 and be at most 15 minutes old. The
+signature is implemented here independently, from Amazon's description. The content of a PUT must have the SHA-256 that
+the request states. An object exists when all of it has arrived, and it survives a kill of the server.
 
-Faults: with --rate, that part of all requests fails in some way, by the seed (but for GETs of wrong bytes, of which a download
-knows only at its end). Or by a file DIR/.faults, a JSON list of
-{"method": "PUT", "kind": KIND, "times": N}, which is taken away when it is read: the next N such requests fail, KIND being one of
+Faults: with --rate, this share of all requests fails, chosen by the seed. The kind `wrong` is not used for GETs then,
+because a download detects wrong bytes only at its end. Faults can also be given in a file DIR/.faults, a JSON list of
+{"method": "PUT", "kind": KIND, "times": N}. The file is deleted when it is read. The next N such requests fail. KIND is
+one of
     500, 503, 403      that answer
-    stall              no answer, until the client is tired of it
-    cut                the connection ends in the middle of the body, the client's or the server's
-    wrong              bytes that were changed on the way
-    lost               done, and the connection ends without an answer
-GET /counts: how many requests of each method came or failed, and how many bytes of objects were `sent`.
+    stall              no answer, until the client gives up
+    cut                the connection ends in the middle of the body, of the client's or of the server's
+    wrong              bytes that were changed in transit
+    lost               the request is executed, and the connection ends without an answer
+GET /counts returns the number of requests and of failures by method, and the number of object bytes `sent`.
 """
 import argparse
 import calendar
@@ -34,13 +36,13 @@ import threading
 import time
 import urllib.parse
 
-KINDS = ["500", "503", "403", "cut", "lost"]  # at a rate: what takes no time, and PUTs of wrong bytes too
+KINDS = ["500", "503", "403", "cut", "lost"]  # faults with --rate: the kinds that take no time; also `wrong` for PUTs
 BLOCK = 1 << 20
 CODES = {"500": "InternalError", "503": "SlowDown", "403": "AccessDenied"}
 
 
 class Bucket:
-    """What the requests share."""
+    """State that is shared by all requests."""
 
     def __init__(self, options):
         self.root, self.options = pathlib.Path(options.dir).resolve(), options
@@ -72,7 +74,7 @@ class Bucket:
 
 
 def signature_problem(handler, options):
-    """Why a request is refused: an error's code; None: it is signed as it should be."""
+    """Returns the error code of a request that must be refused; None if it is signed correctly."""
     parts = re.fullmatch(r"AWS4-HMAC-SHA256 Credential=([^/]+)/(\d{8})/([^/]+)/s3/aws4_request,\s*SignedHeaders=([^,]+),\s*Signature=([0-9a-f]{64})",
                          handler.headers.get("authorization", ""))
     if not parts:
@@ -112,7 +114,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.answer(status, {"content-length": len(body)})
         if self.command != "HEAD":
             self.wfile.write(body)
-        self.close_connection = True  # a body may not have been read
+        self.close_connection = True  # the request body may be unread
 
     def answer(self, status, headers):
         self.send_response(status)
@@ -126,7 +128,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.connection.shutdown(socket.SHUT_RDWR)
 
     def stall(self):
-        """Until the client has gone."""
+        """Waits until the client has closed the connection."""
         self.connection.settimeout(120)
         try:
             while self.connection.recv(BLOCK):
@@ -136,7 +138,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.close_connection = True
 
     def admit(self):
-        """The key and the fault of a request that is one; else None, and it has its answer."""
+        """Returns the key and the fault of a valid request. Answers an invalid request itself and returns None."""
         fault = self.bucket.fault(self.command)
         if fault == "stall":
             return self.stall()
@@ -178,7 +180,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.answer(200, {"content-length": 0})
 
     def part(self, size):
-        """(first, count, whether it was asked for) of the range; None: there is nothing of it."""
+        """Returns (first, count, true if the request has a range); None if the range contains no byte of the object."""
         asked = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("range", ""))
         if not asked:
             return 0, size, False
@@ -246,7 +248,7 @@ class Server(http.server.ThreadingHTTPServer):
     daemon_threads, request_queue_size = True, 256
 
     def handle_error(self, request, client_address):
-        if not isinstance(sys.exc_info()[1], OSError):  # the client may have gone
+        if not isinstance(sys.exc_info()[1], OSError):  # the client may have closed the connection
             super().handle_error(request, client_address)
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""See faults.sh. The supervisor: starts every process, kills them with SIGKILL, starts them again."""
+"""Supervisor for faults.sh: starts all processes, kills them with SIGKILL, and restarts them."""
 import argparse
 import collections
 import hashlib
@@ -15,17 +15,17 @@ import time
 from local_farm import BIN, MODELS, Progress, percentile, running_farm
 
 MODEL = MODELS / "textbox.stl"
-PAUSE_S = 0.6  # between kills, on average
-LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
-LASERS = 4  # every so many jobs is one of lasers
-MILLS = 6  # and of milling
-ENGRAVES = 7  # and of engraving
-S3_FAULTS = 0.02  # of the bucket's answers
-PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
+PAUSE_S = 0.6  # average time between kills
+LEAD = 4  # jobs that wait or run during the kills, so that there is always work to lose
+LASERS = 4  # one of LASERS jobs is a laser job
+MILLS = 6  # one of MILLS jobs is a milling job
+ENGRAVES = 7  # one of ENGRAVES jobs is an engraving job
+S3_FAULTS = 0.02  # fraction of the bucket's answers
+PATIENCE_S = 600  # for the end of all jobs after the last kill
 
 
 def settings_of(number):
-    """Thin layers, so that there is work; and another job each time."""
+    """Returns settings with thin layers, so that there is much work. Each number gives a different job."""
     if number % LASERS == LASERS - 1:
         return ["--machine", "laser", "--set", "layer_height=0.06", "--set", "output_format=cli", "--set", f"hatch_speed={400 + number * 0.01:.2f}"]
     if number % MILLS == MILLS - 2:
@@ -36,7 +36,7 @@ def settings_of(number):
 
 
 def model_of(number, directory):
-    """A surface for textures, and else a part."""
+    """Returns a surface for texture jobs, and a part for all other jobs."""
     if "engrave" not in settings_of(number):
         return MODEL
     surface = directory / "surface.obj"
@@ -46,7 +46,7 @@ def model_of(number, directory):
 
 
 def roof(side=40):
-    """A bent square of so many mm, with as many points a side."""
+    """Returns a bent square as OBJ, with `side` mm and `side` cells per side."""
     rows = range(side + 1)
     points = "".join(f"v {x} {y} {(x - side / 2) ** 2 / side}\n" for y in rows for x in rows)
     corner = lambda x, y: y * (side + 1) + x + 1
@@ -66,7 +66,7 @@ def expected_digest(number, directory):
 
 
 class Submitter(threading.Thread):
-    """Submits jobs one after the other, each until it is acknowledged; not before it is let."""
+    """Submits jobs one after another, each until it is acknowledged. Waits for the permission for each job."""
 
     def __init__(self, farm, count, directory):
         super().__init__()
@@ -90,8 +90,8 @@ class Submitter(threading.Thread):
 
 
 def kill_at_random(farm, submitter, options):
-    """Kills, and starts again at once; now and then a worker is only slow. Returns what was killed when, while there was
-    work, and how many ranges were finished."""
+    """Kills random processes and restarts them at once. Sometimes a worker is only slow. Returns the victims and times
+    of the kills during work, and the counter of finished ranges."""
     rng = random.Random(options.seed)
     killed, ranges = [], Ranges(farm.coordinators)
     for i in range(options.kills):
@@ -110,7 +110,8 @@ def kill_at_random(farm, submitter, options):
 
 
 class Ranges:
-    """How many were finished, over the lives of the coordinators: a little fewer, as none looks in the instant of a kill."""
+    """Counts the finished ranges over all lives of the coordinators. The count is slightly too low, because ranges just
+    before a kill are missed."""
 
     def __init__(self, coordinators):
         self.coordinators, self.last, self.count = coordinators, {}, 0
@@ -124,7 +125,7 @@ class Ranges:
 
 
 def fetched_digest(farm, job_id, directory):
-    """Of the G-code as a client gets it; None if it gets none."""
+    """Returns the digest of the downloaded G-code; None if the download fails."""
     path = directory / "fetched.gcode"
     done = farm.client("get", job_id, "-o", path)
     return hashlib.sha256(path.read_bytes()).hexdigest() if done.returncode == 0 else None

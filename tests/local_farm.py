@@ -1,4 +1,4 @@
-"""A farm of real processes on this machine, for the programs that put it under load or kill parts of it."""
+"""Farm of real processes on this machine, for programs that load it or kill parts of it."""
 import contextlib
 import http.client
 import json
@@ -19,11 +19,11 @@ MODELS = ROOT / "tests/corpus/models"
 OPEN = ("JOB_STATE_QUEUED", "JOB_STATE_RUNNING")
 
 
-PORTS = set()  # that were given out
+PORTS = set()  # ports that were returned
 
 
 def free_port():
-    """Another one each time: who gets it may not listen on it yet."""
+    """Returns a free port, a different one at each call, because an earlier caller may not listen on its port yet."""
     while True:
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
@@ -34,7 +34,7 @@ def free_port():
 
 
 class Service:
-    """A program, on the same address in every life."""
+    """Program that keeps its address when it is restarted."""
 
     def __init__(self, name, log, *arguments, programs=BIN):
         self.name, self.log, self.port, self.metrics_port = name, log, free_port(), free_port()
@@ -52,7 +52,7 @@ class Service:
         self.process.wait()
 
     def pause(self, seconds):
-        """Stopped, as a machine that swaps or a debugger would; then it goes on."""
+        """Stops the process for some seconds, like a swapping machine or a debugger, and continues it."""
         self.process.send_signal(signal.SIGSTOP)
         time.sleep(seconds)
         self.process.send_signal(signal.SIGCONT)
@@ -62,7 +62,7 @@ class Service:
         self.process.wait()
 
     def cpu_s(self):
-        """Of the life that it has now."""
+        """Returns the CPU seconds of the current process."""
         fields = self.proc("stat").rpartition(")")[2].split()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
@@ -76,11 +76,11 @@ class Service:
         return pathlib.Path(f"/proc/{self.process.pid}/{name}").read_text()
 
     def metric(self, name):
-        """Sum over its labels; None while the service is not there."""
+        """Returns the sum of a metric over its labels; None while the service does not answer."""
         try:
             with urllib.request.urlopen(f"http://127.0.0.1:{self.metrics_port}/metrics", timeout=2) as page:
                 lines = page.read().decode().splitlines()
-        except (OSError, http.client.HTTPException):  # it may be killed in the middle of its answer
+        except (OSError, http.client.HTTPException):  # the service may be killed while it answers
             return None
         return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
 
@@ -107,7 +107,7 @@ class Postgres:
 
 
 class FakeS3:
-    """fake_s3.py: a bucket, whose objects stay when it is killed. `rate`: the part of its answers that are faults."""
+    """Bucket of fake_s3.py, whose objects survive a kill. `rate`: share of its answers that are faults."""
 
     name = "s3"
 
@@ -120,7 +120,7 @@ class FakeS3:
 
     def start(self):
         self.process = subprocess.Popen(self.command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL)
-        self.process.stdout.readline()  # it listens
+        self.process.stdout.readline()  # waits until it listens
 
     def counts(self):
         with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/counts") as answer:
@@ -134,13 +134,15 @@ class FakeS3:
 
 
 class Farm:
-    """Workers of one slot each, on one coordinator with SQLite or on two with PostgreSQL, or with PostgreSQL and a bucket (`s3`),
-    of whose answers the part `s3_faults` are faults. `split`: so many replicas of each layer stage instead. `extra`: arguments of the coordinators. `postgres`: a server that is there, of several farms.
-    `programs`: where those of its build are."""
+    """Farm with workers of one slot each. It has one coordinator with SQLite, two with PostgreSQL, or two with
+    PostgreSQL and a bucket (`s3`), of whose answers the share `s3_faults` are faults. `split`: starts `workers`
+    replicas of each layer stage instead of workers. `extra`: arguments of the coordinators. `postgres`: a running
+    server that several farms share. `programs`: folder of the farm's programs.
+    """
 
     def __init__(self, store, directory, workers=2, split=False, extra=(), postgres=None, programs=BIN, s3_faults=0.0):
         directory = pathlib.Path(directory)
-        directory.chmod(0o755)  # PostgreSQL's user goes through it
+        directory.chmod(0o755)  # PostgreSQL's user must be able to enter it
         self.log = directory / "log"
         self.log.mkdir()
         name_of = f"{directory.name}-" if postgres else ""
@@ -160,7 +162,7 @@ class Farm:
             state = ["--state-dir", str(directory / "state")]
         self.s3 = FakeS3(directory / "s3", s3_faults) if store == "s3" else None
         if self.s3:
-            os.environ.update(self.s3.environment)  # of the coordinators
+            os.environ.update(self.s3.environment)  # environment of the coordinators
             state += ["--s3", self.s3.url]
         self.coordinators = [
             Service(f"coordinator-{i}", self.log, "--name", f"{name_of}coordinator-{i}", *state, *arguments, *extra, programs=programs)
@@ -172,7 +174,9 @@ class Farm:
         self.victims = [*self.services, *(store for store in (self.postgres, self.s3) if store)]
 
     def await_serving(self):
-        """Until each service answers. One that ended instead is an error, with its last words: its clients would wait for it."""
+        """Waits until each service answers. A service that has ended is an error with the beginning of its log,
+        since its clients would wait for it forever.
+        """
         for service in self.services:
             while service.metric("slicefarm_") is None:
                 if service.process.poll() is not None:
@@ -186,13 +190,13 @@ class Farm:
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def submit(self, model, *arguments, coordinator=None):
-        """Its id, once it is acknowledged."""
+        """Submits a job and returns its id when it is acknowledged."""
         done = self.client("submit", model, "--detach", "-q", *arguments, coordinator=coordinator)
         assert done.returncode == 0, done.stderr
         return done.stdout.strip()
 
     def load(self, *arguments, coordinator=None):
-        """What slicefarm-load reports of one run."""
+        """Returns the report of one run of slicefarm-load."""
         coordinator = coordinator or self.coordinators[0]
         report = self.log / f"load-{time.monotonic_ns()}.json"
         command = [BIN / "slicefarm-load", "--server", coordinator.address, "--json", report, *arguments]
@@ -200,7 +204,7 @@ class Farm:
         return json.loads(report.read_text())
 
     def await_end(self, patience_s=600):
-        """All jobs, when none is open any more or patience ends."""
+        """Waits until no job is open any more or the patience ends; returns all jobs."""
         until = time.monotonic() + patience_s
         while time.monotonic() < until:
             jobs = self.jobs()
@@ -234,7 +238,9 @@ class Farm:
 
 @contextlib.contextmanager
 def running_farm(store="sqlite", directory=None, **options):
-    """A Farm, stopped in the end. Without `directory` it has one of its own, which goes with it."""
+    """Provides a running Farm and stops it at the end. Without `directory` it uses a temporary directory, which is
+    deleted at the end.
+    """
     with contextlib.ExitStack() as ending:
         directory = directory or ending.enter_context(tempfile.TemporaryDirectory(prefix="slicefarm-"))
         farm = Farm(store, directory, **options)
@@ -244,7 +250,7 @@ def running_farm(store="sqlite", directory=None, **options):
 
 
 class Progress:
-    """When ranges were finished, by looking again and again."""
+    """Times at which ranges were finished, found by polling."""
 
     def __init__(self, coordinators):
         self.coordinators, self.times, self.ended = coordinators, [], threading.Event()

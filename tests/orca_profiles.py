@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Slices a small cube with each machine of OrcaSlicer's or Bambu Studio's vendor files, as a project of theirs.
+"""Slices a small cube with each machine of OrcaSlicer's or Bambu Studio's vendor files, as a project of these slicers.
 
 usage: orca_profiles.py PROFILES_DIR SLICEFARM [--vendor NAME] [--limit N] [--keep DIR] [--filaments]
 
-PROFILES_DIR is resources/profiles of their source: VENDOR.json lists presets, VENDOR/{machine,process,filament}/*.json are these. For
-each machine with nozzles that is instantiated, its default process and filament (else the first compatible ones) are resolved as
-OrcaSlicer does (a parent first, own keys over it), put into a 3MF as project_settings.config, and sliced. Machines whose resolved
-settings are equal but for names are run once. --filaments: each filament's own G-code is tried as well, each text once a vendor, with
-the first machine that it names. Rows: machines, distinct, broken (a parent is missing), no_process, no_filament,
-accepted, refused (of machines), then each refusal with how many it counts. Exit 0: none refused; 1: some, or none run; 2: usage.
+PROFILES_DIR is resources/profiles of their source. VENDOR.json lists presets, and
+VENDOR/{machine,process,filament}/*.json contain them. The script processes each instantiated machine with nozzles. It
+resolves the default process and filament, or else the first compatible ones, as OrcaSlicer does: a parent first, then
+the preset's own keys over it. The result is put into a 3MF as project_settings.config and sliced. Machines whose
+resolved settings differ only in names are run once. --filaments: also tries each filament's own G-code, each text once
+per vendor, with the first machine that the filament names.
+Rows: machines, distinct, broken (a parent is missing), no_process, no_filament, accepted, refused (of machines), then
+each refusal with its count. Exit 0: none refused; 1: some refused, or none run; 2: usage.
 """
 import argparse
 import collections
@@ -32,7 +34,7 @@ def read_json(path):
 
 
 class Vendor:
-    """Presets of one vendor by kind and name; filaments may inherit from those of a library that all vendors share."""
+    """Presets of one vendor by kind and name; filaments may inherit from presets of a library that all vendors share."""
 
     def __init__(self, directory, name, library=None):
         self.name, self.library = name, library
@@ -54,11 +56,13 @@ class Vendor:
         return {**(self.resolved(kind, parent) if parent else {}), **preset}
 
     def of_machine(self, kind, machine, wanted):
-        """The preset that the machine names, or the first that is compatible; None without any."""
+        """Returns the first preset of `wanted` that is compatible with the machine, else the first compatible preset of
+        the vendor; None if there is none.
+        """
         for name in wanted:
             if name in self.presets[kind] or (self.library and name in self.library.presets[kind]):
                 whole = self.resolved(kind, name)
-                if machine in (whole.get("compatible_printers") or [machine]):  # an empty list is all printers
+                if machine in (whole.get("compatible_printers") or [machine]):  # an empty list means all printers
                     return whole
         for name, preset in self.presets[kind].items():
             if preset.get("instantiation") != "true":
@@ -66,14 +70,14 @@ class Vendor:
             try:
                 whole = self.resolved(kind, name)
             except LookupError:
-                continue  # broken, and hidden by OrcaSlicer
+                continue  # a broken preset, which OrcaSlicer hides
             if machine in (whole.get("compatible_printers") or [machine][:self.name == LIBRARY]):
                 return whole
         return self.library.of_machine(kind, machine, []) if self.library else None
 
 
     def by_gcode(self, machine, seen):
-        """The filaments made for the machine whose own G-code is none of `seen`, where it is added."""
+        """Yields the filaments made for the machine whose own G-code is not in `seen`, and adds this G-code to `seen`."""
         for name, preset in self.presets["filament"].items():
             if preset.get("instantiation") != "true":
                 continue
@@ -93,8 +97,10 @@ def as_list(value):
 
 
 def settings_of(presets, bed):
-    """One flat set as a project holds it; a filament's value is a list with an item for each filament.
-    Every project says the bed in the printer and whether pictures are taken; no vendor's file does, and some leave out more."""
+    """Returns one flat set of settings as in a project; a filament's value is a list with an item for each filament.
+    Every project states the bed in the printer and the timelapse mode. No vendor's file has these settings, and some
+    vendors' files lack further ones.
+    """
     settings = {"curr_bed_type": bed, "timelapse_type": "0", "enable_pressure_advance": ["0"]}
     for kind, preset in presets:
         for key, value in preset.items():
@@ -130,7 +136,7 @@ def write_project(path, settings, size=10.0):
 
 
 def projects(directory, only, counts, each_filament=False):
-    """(vendor, machine, settings) of each machine; with `each_filament` of each filament's G-code as well."""
+    """Yields (vendor, machine, settings) of each machine; with `each_filament` also for each filament's own G-code."""
     names = sorted(name for name in os.listdir(directory) if os.path.isdir(os.path.join(directory, name, "machine")))
     library = Vendor(directory, LIBRARY) if os.path.isdir(os.path.join(directory, LIBRARY)) else None
     for name in names:

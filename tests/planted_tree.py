@@ -1,4 +1,4 @@
-"""For tests of checks: a check of a small tree in which violations are planted."""
+"""Runs a check on a small tree in which violations are planted, for the tests of checks."""
 import pathlib
 import subprocess
 import sys
@@ -6,7 +6,9 @@ import tempfile
 
 
 def told_of(check, tree):
-    """What the check, which must fail, says of a tree: a line for each violation. `tree`: path to (text, ...)."""
+    """Returns the output lines of the check, which must fail, for a tree: one line per violation. `tree`: path to
+    (text, ...).
+    """
     with tempfile.TemporaryDirectory() as root:
         for path, (text, *_) in tree.items():
             file = pathlib.Path(root, path)

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Fills in the G-code templates of vendors' profiles with slicefarm and with PrusaSlicer, and compares them line by line.
+"""Fills in the G-code templates of vendors' profiles with slicefarm and with PrusaSlicer, and compares them line by
+line.
 
 usage: profiles_oracle.py SLICEFARM [PROFILES_DIR] [--slicer prusa-slicer] [--limit N] [--list]
 
-For each distinct set of templates of PrusaSlicer's installed bundles, a cube of 10 mm is sliced by both, with marks around start_gcode,
-start_filament_gcode, before_layer_gcode, layer_gcode, end_filament_gcode and end_gcode. What stands between equal marks must be equal,
-but for lines that name what slicers differ in (TOLD below). Exit 0: equal; 1: differences, listed; 77: no PrusaSlicer, or no profiles.
+Slices a cube of 10 mm with both slicers for each distinct set of templates of PrusaSlicer's installed bundles. Marks
+enclose start_gcode, start_filament_gcode, before_layer_gcode, layer_gcode, end_filament_gcode and end_gcode. The text
+between equal marks must be equal, except for lines that name known differences between the slicers (TOLD below). Exit
+0: equal; 1: differences, listed; 77: no PrusaSlicer, or no profiles.
 """
 import argparse
 import os
@@ -60,7 +62,7 @@ def flat(sections, kind, name):
 
 
 def configs(directory):
-    """A config.ini for each printer whose default print and filament are in its bundle."""
+    """Yields a config.ini for each printer whose default print and filament are in its bundle."""
     for file in sorted(os.listdir(directory)):
         if not file.endswith(".ini"):
             continue
@@ -82,7 +84,7 @@ def configs(directory):
 
 
 def bare(value):
-    """A G-code text without the quotes of a list of one."""
+    """Returns a G-code text without the quotes of a one-element list."""
     if value.startswith('"') and value.endswith('"') and len(value) > 1:
         return re.sub(r'\\(["\\])', r"\1", value[1:-1])
     return value
@@ -104,7 +106,7 @@ def blocks(gcode):
         if line.startswith(";MARK "):
             now = (line[6:], [])
         elif line.startswith(";DONE ") and now:
-            found.setdefault(now[0], []).append([l for l in now[1] if l and not re.match(r"M73 [PQ]", l)])  # progress is put in between
+            found.setdefault(now[0], []).append([l for l in now[1] if l and not re.match(r"M73 [PQ]", l)])  # without progress lines
             now = None
         elif now:
             now[1].append(line)
@@ -112,7 +114,7 @@ def blocks(gcode):
 
 
 def same(a, b):
-    """Equal, or with numbers that differ in the last of four digits."""
+    """Returns true if two lines are equal, or differ only in numbers by at most one thousandth."""
     if a == b:
         return True
     number = r"-?\d*\.?\d+"
@@ -122,7 +124,8 @@ def same(a, b):
 
 
 def cube(path):
-    corner = [[10.0 * (i >> k & 1) - 5 for k in range(3)] for i in range(8)]  # without a byte over 127 PrusaSlicer takes it for text
+    # Negative values give bytes over 127; without them PrusaSlicer reads the file as text.
+    corner = [[10.0 * (i >> k & 1) - 5 for k in range(3)] for i in range(8)]
     faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5))
     with open(path, "wb") as f:
         f.write(bytes(80) + struct.pack("<I", len(faces)))
@@ -147,7 +150,7 @@ def sliced_by(command, config, ini, out):
 
 
 def compare(ours, theirs, config):
-    """(different, told) as lists of texts."""
+    """Returns (different, told): unexpected differences as texts, and counts of known differences by reason."""
     different, told = [], Counter()
     for key in KEYS:
         a, b = ours.get(key, []), theirs.get(key, [])

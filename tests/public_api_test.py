@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""What clients rely on stays: everything that public_api.txt names is in the public protos, under the same numbers and types; and
-these import nothing of the stages, nor google.rpc.
+"""Tests that the interface that clients rely on stays. The public protos must contain everything that public_api.txt
+names, under the same numbers and types. They must not import protos of the stages or google.rpc.
 
-    tests/public_api_test.py            exit 1 and a line for each thing that is gone or changed
-    tests/public_api_test.py --write    adds what is new to public_api.txt; a release does so
+    tests/public_api_test.py            exit 1 and a line for each removed or changed item
+    tests/public_api_test.py --write    adds new items to public_api.txt; a release does so
 """
 import pathlib
 import subprocess

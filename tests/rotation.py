@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""A part of what takes hours, another one each day: some fuzz targets for 20 s each, kills of a farm's processes, faults of its disk.
+"""Runs a part of the tests that take hours, a different part each day: some fuzz targets for 20 s each, kills of a
+farm's processes, faults of its disk.
 
 usage: rotation.py BUILD [--day N] [--minutes M] [--fuzzers]
 
-BUILD: the folder of a build with tests. --day: which part (days since 1970). --minutes: no new step is begun after so many (10).
+BUILD: build folder with tests.
+--day: selects the part (days since 1970).
+--minutes: no new step begins after this time (10).
 --fuzzers: all fuzz targets, and nothing else.
-Exit code 1 if a step fails; its command is printed, to be run again.
+Exit code 1 if a step fails; the script prints its command, so that it can be run again.
 """
 import argparse
 import os

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""An upgrade and the way back, under load and with kills: a farm of another build is started beside one that works, on the same
-PostgreSQL, whose schema a later build has added to; the first one is stopped (SIGTERM); it is started again, and the second one
-stopped.
+"""Tests an upgrade and its rollback, under load and with kills. A farm of another build is started beside a working
+farm on the same PostgreSQL, whose schema has additions of a later build. The first farm is stopped (SIGTERM), then
+started again, and the second farm is stopped.
 
   tests/upgrade.py [--kills 40] [--jobs 40] [--seed S]
 
-`key value` rows: kills, jobs, lost, duplicated, differing as tests/faults.sh has them; jobs_old and jobs_new, made by each build;
-longest_pause_s without a range that was finished. Exit code 1 if a job is lost, duplicated or differs, if a build made none, or
-if nothing went on for a minute. SLICEFARM_BIN: where the programs are (default build/bin).
+Prints `key value` rows: kills, jobs, lost, duplicated and differing as in tests/faults.sh; jobs_old and jobs_new, the
+jobs made by each build; longest_pause_s, the longest time without a finished range. Exit code 1 if a job is lost,
+duplicated or differs, if a build made no job, or if no range was finished for a minute. SLICEFARM_BIN: folder of the
+programs (default build/bin).
 
-The other build is the same programs with another build id written into them: what it makes is the same, and no service of one
-works with one of the other.
+The other build is the same programs with another build id written into them. Its output is the same, but no service of
+one build works with a service of the other.
 """
 import argparse
 import collections
@@ -27,8 +28,8 @@ import time
 from faults import Submitter, judge
 from local_farm import BIN, Farm, Postgres, Progress
 
-PAUSE_S = 0.6  # between kills, on average
-PHASES = 5  # old; old and new; new; new and old; old
+PAUSE_S = 0.6  # mean time between kills
+PHASES = 5  # running builds: old; old and new; new; new and old; old
 # Changes that a later build may make to a schema used by this one.
 LATER_SCHEMA = """
 ALTER TABLE jobs ADD COLUMN of_a_later_build TEXT NOT NULL DEFAULT '';
@@ -44,7 +45,7 @@ def build_id():
 
 
 def other_build(directory):
-    """Copies of all programs, with another build id."""
+    """Copies all programs, with another build id."""
     old, new = build_id().encode(), b"0123456789abcdef"
     directory.mkdir()
     for name in PROGRAMS:
@@ -57,7 +58,7 @@ def other_build(directory):
 
 
 class TwoBuilds:
-    """A farm of each build, on one database; clients reach the coordinators that run."""
+    """Two farms, one of each build, on one database; clients reach the running coordinators."""
 
     client, jobs, await_end = Farm.client, Farm.jobs, Farm.await_end
 
@@ -71,7 +72,7 @@ class TwoBuilds:
         return [coordinator for farm in self.farms.values() for coordinator in farm.coordinators]
 
     def start(self, build):
-        """Its farm. A second life has other processes, and the same names of coordinators."""
+        """Starts the farm of a build. A second start has new processes and the same coordinator names."""
         home = self.directory / f"life-{time.monotonic_ns()}" / build
         home.mkdir(parents=True)
         home.parent.chmod(0o755)
@@ -81,7 +82,7 @@ class TwoBuilds:
 
     def stop(self, build):
         farm = self.farms.pop(build)
-        for coordinator in farm.coordinators:  # first, as operators are told to
+        for coordinator in farm.coordinators:  # coordinators stop first, as the documentation tells operators
             coordinator.stop()
         for service in farm.services:
             if service not in farm.coordinators:

@@ -4,9 +4,9 @@
 
 namespace slicefarm::gcode {
 
-/// Returns true if lines of G-code change nothing of what programs keep track of between layers:
-/// the place of the nozzle, fans and accelerations. Commands that are not known to leave them alone
-/// may change them, macros among them. Cost: O(bytes).
+/// Returns true if lines of G-code do not change the state that programs track between layers: the
+/// position of the nozzle, fans and accelerations. Unknown commands, including macros, count as
+/// changes. Cost: O(bytes).
 bool LeavesModes(std::string_view code);
 
 }  // namespace slicefarm::gcode

@@ -25,7 +25,7 @@ const Dialect& DialectOf(Controller controller) {
     case Controller::kLinuxCnc:
       return kLinuxCnc;
   }
-  std::abort();  // a Controller is one of them
+  std::abort();  // unreachable: all values of Controller are handled
 }
 
 void WriteUnits(const Dialect& dialect, GcodeText& out) {

@@ -8,9 +8,9 @@ namespace slicefarm {
 namespace {
 
 constexpr size_t kLongestInteger = 20;
-/// Of the greatest double, with some digits.
+/// Length of the greatest double with some decimals.
 constexpr size_t kLongestFixed = 330;
-/// With five decimals, far from the least whole number, which has no opposite.
+/// Limit of Real. With five decimals, it is far from the least integer, which has no negative.
 constexpr double kMostReal = 9e12;
 
 }  // namespace
@@ -47,7 +47,7 @@ GcodeText& GcodeText::Fixed(double value, int digits) {
 }
 
 GcodeText& GcodeText::Real(double value, int digits) {
-  // Not a number fails both comparisons of clamp and would come through.
+  // NaN fails both comparisons of clamp, so it needs a separate check.
   const double bounded = std::isnan(value) ? 0 : std::clamp(value, -kMostReal, kMostReal);
   return Decimal(std::llround(bounded * static_cast<double>(kPowersOfTen[digits])), digits);
 }

@@ -9,14 +9,13 @@
 
 namespace slicefarm {
 
-/// Units in which positions and filament stand in the text: what is planned is what is printed, to
-/// the last digit.
+/// Units of positions and filament in the text. Planned values are multiples of these units, so
+/// that the text contains them exactly.
 inline constexpr int64_t kUmPerMm = 1'000;
 inline constexpr int64_t kFilamentUnitsPerMm = 100'000;
 
-/// Text that grows, with numbers as G-code likes them: exact decimals without zeros at their end,
-/// those that stand in each line without a zero before the point ("-.05", "12.3", "0") either. What
-/// all processes write their G-code with.
+/// Text builder of G-code for all processes. Decimals are exact and have no trailing zeros. Numbers
+/// that appear in each line also have no zero before the point ("-.05", "12.3", "0").
 class GcodeText {
  public:
   explicit GcodeText(size_t expected_bytes = 0) { text_.reserve(expected_bytes); }
@@ -29,19 +28,24 @@ class GcodeText {
     text_.push_back(part);
     return *this;
   }
-  /// A piece of G-code, whose last line is ended.
+  /// Appends a piece of G-code, and a line end if it has none.
   GcodeText& Lines(std::string_view code);
+  /// Appends an integer.
   GcodeText& Integer(int64_t value);
+  /// Appends um as mm, without a zero before the point.
   GcodeText& Micrometers(int64_t um) { return Short(um, 3); }
+  /// Appends filament units as mm, without a zero before the point.
   GcodeText& Filament(int64_t units) { return Short(units, 5); }
-  /// value / 10^digits, with a zero before the point. REQUIRES: digits <= 6, value > INT64_MIN.
+  /// Appends value / 10^digits, with a zero before the point. REQUIRES: digits <= 6, value >
+  /// INT64_MIN.
   GcodeText& Decimal(int64_t value, int digits);
-  /// nm as mm, rounded to so many digits, with a zero before the point. REQUIRES: digits <= 6.
+  /// Appends nm as mm, rounded to `digits` decimals, with a zero before the point. REQUIRES: digits
+  /// <= 6.
   GcodeText& Mm(int64_t nm, int digits) { return Decimal(RoundedNm(nm, digits), digits); }
-  /// With all of its digits: "1.000".
+  /// Appends a value with all of its `digits` decimals: "1.000".
   GcodeText& Fixed(double value, int digits);
-  /// Rounded to `digits` decimals ("0.2"); what lies beyond 9e12 as that, not a number as 0.
-  /// REQUIRES: digits <= 5.
+  /// Appends a value rounded to `digits` decimals ("0.2"). Values beyond 9e12 are limited to it,
+  /// and NaN becomes 0. REQUIRES: digits <= 5.
   GcodeText& Real(double value, int digits);
 
   const std::string& text() const { return text_; }

@@ -4,14 +4,16 @@
 
 namespace slicefarm::gcode {
 
-/// A value that holds on, such as a feed rate: a program tells it where it changes.
+/// A value that remains in force until it is changed, such as a feed rate. A program writes it only
+/// where it changes.
 template <typename T>
 class Modal {
  public:
-  Modal() = default;  ///< nothing is told
+  Modal() = default;  ///< no value was written yet
   explicit Modal(const T& told) : told_(told) {}
 
-  /// Whether `value` is to be told now, as it is not the one that was told last.
+  /// Returns true if `value` must be written, because it differs from the last written value.
+  /// Stores it as written.
   bool Changes(const T& value) {
     if (told_ == value) return false;
     told_ = value;
@@ -19,7 +21,7 @@ class Modal {
   }
   bool Is(const T& value) const { return told_ == value; }
 
-  /// The next one is told whatever it is.
+  /// Forces the next value to be written even if it is unchanged.
   void Forget() { told_.reset(); }
 
  private:

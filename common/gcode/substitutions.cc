@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t kItems = 4;
 constexpr int64_t kMostMemory = 8 << 20;
-constexpr size_t kMostGroups = 10;  // the whole match and those that a digit names
+constexpr size_t kMostGroups = 10;  // the whole match, and groups that a digit can name
 constexpr int64_t kMatchesBetweenPolls = 256;
 
 bool HasFlag(std::string_view flags, char flag) {
@@ -24,7 +24,7 @@ bool HasFlag(std::string_view flags, char flag) {
       flags, [&](char c) { return std::tolower(static_cast<unsigned char>(c)) == flag; });
 }
 
-/// \n, \r, \t and \\ of a text that is no regular expression.
+/// Replaces \n, \r, \t and \\ in a text that is not a regular expression.
 std::string Plain(std::string_view text) {
   std::string plain;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -40,14 +40,14 @@ std::string Plain(std::string_view text) {
   return plain;
 }
 
-/// A text as RE2 puts it in place of a match.
+/// Returns a literal text in RE2's notation of replacements.
 std::string Literal(std::string_view text) {
   std::string literal;
   for (const char c : text) literal += c == '\\' ? "\\\\" : std::string(1, c);
   return literal;
 }
 
-/// PrusaSlicer's `$1`, `$&` and `\n` as RE2 writes them.
+/// Converts PrusaSlicer's `$1`, `$&` and `\n` to RE2's notation.
 std::string Format(std::string_view text) {
   std::string format;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -83,7 +83,7 @@ absl::Status TooLong(size_t most_bytes) {
       fmt::format("a rule makes a text of more than {} bytes", most_bytes));
 }
 
-/// Returns where the UTF-8 character at `begin` ends; one byte beyond the text at its end.
+/// Returns the end of the UTF-8 character at `begin`; at the end of the text, one byte beyond it.
 size_t EndOfCharacter(std::string_view text, size_t begin) {
   size_t end = begin + 1;
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
@@ -132,7 +132,8 @@ absl::StatusOr<std::string> Substitutions::Apply(std::string gcode, size_t most_
   return gcode;
 }
 
-// RE2::GlobalReplace, with a bound on its result and a look at the token.
+// Replaces all matches like RE2::GlobalReplace, but limits the size of the result and polls the
+// token.
 absl::StatusOr<std::string> Substitutions::Apply(const Rule& rule, const std::string& gcode,
                                                  size_t most_bytes, const CancelToken& cancel) {
   std::array<re2::StringPiece, kMostGroups> groups;
@@ -147,7 +148,7 @@ absl::StatusOr<std::string> Substitutions::Apply(const Rule& rule, const std::st
       break;
     const auto begin = static_cast<size_t>(groups[0].data() - gcode.data());
     result.append(gcode, done, begin - done);
-    if (groups[0].empty() && begin == last_end) {  // an empty match right behind the last one
+    if (groups[0].empty() && begin == last_end) {  // an empty match directly after the last one
       done = EndOfCharacter(gcode, begin);
       result.append(gcode, begin, done - begin);
     } else {

@@ -14,25 +14,31 @@ class RE2;
 
 namespace slicefarm::gcode {
 
-/// Rules that replace texts of G-code by others: the setting gcode_substitutions.
+/// Rules that replace texts in G-code: the setting gcode_substitutions.
 class Substitutions {
  public:
   static constexpr size_t kMostRules = 64;
 
-  /// Reads the rules. `items`: four texts a rule, as PrusaSlicer has them: pattern, replacement,
-  /// flags, notes. Flags: `r`, the pattern is a regular expression of RE2's syntax, where ^ and $
-  /// are the ends of lines, and the replacement may name its groups as $1 or \1; `i`, upper and
-  /// lower case are the same; `w`, whole words; `s`, a dot matches a line end as well. Without `r`
-  /// both texts may have \n, \r, \t and \\.
-  /// Errors: InvalidArgument for another number of items, for more than kMostRules rules, for a
-  /// pattern that is no regular expression or takes too much memory, for a group that it has not.
+  /// Reads the rules. `items`: four texts per rule, in PrusaSlicer's format: pattern, replacement,
+  /// flags, notes. Flags:
+  /// - `r`: the pattern is a regular expression in RE2's syntax, where ^ and $ match the ends of
+  ///   lines. The replacement may refer to groups as $1 or \1.
+  /// - `i`: ignores letter case.
+  /// - `w`: matches whole words.
+  /// - `s`: a dot matches a line end as well.
+  ///
+  /// Without `r`, pattern and replacement may contain \n, \r, \t and \\.
+  ///
+  /// Errors: InvalidArgument if the number of items is wrong, if there are more than kMostRules
+  /// rules, if a pattern is invalid or needs too much memory, or if a group does not exist.
   static absl::StatusOr<Substitutions> Of(const std::vector<std::string>& items);
 
+  /// Returns true if there are no rules.
   bool empty() const { return all_.empty(); }
 
-  /// Returns `gcode` after one rule after the other. Errors: ResourceExhausted as soon as a rule
-  /// makes the text longer than `most_bytes`; Cancelled. Cost: linear in the text and in the
-  /// replaced text for each rule, for patterns that need not look beyond their match.
+  /// Returns `gcode` after all rules, applied one after another. Errors: ResourceExhausted as soon
+  /// as a rule makes the text longer than `most_bytes`; Cancelled. Cost: for each rule linear in
+  /// the text and in the replaced text, unless the pattern must look beyond its match.
   absl::StatusOr<std::string> Apply(std::string gcode, size_t most_bytes,
                                     const CancelToken& cancel) const;
 
@@ -48,8 +54,8 @@ class Substitutions {
   std::vector<Rule> all_;
 };
 
-/// The items of a list of texts as a config.ini has it: `"a; b";c`, with \n, \r, \" and \\ in
-/// quotes.
+/// Returns the items of a list of texts in the format of config.ini: `"a; b";c`, with \n, \r, \"
+/// and \\ in quotes.
 std::vector<std::string> TextsOfList(std::string_view list);
 
 }  // namespace slicefarm::gcode

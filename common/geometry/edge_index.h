@@ -13,6 +13,7 @@ namespace slicefarm {
 /// pass each square of a grid.
 class EdgeIndex {
  public:
+  /// An edge of the region, with its ring and its number in the ring.
   struct Edge {
     Point a, b;  ///< the region is to the left of ab
     int32_t ring = 0;
@@ -36,13 +37,15 @@ class EdgeIndex {
     }
   }
 
+  /// Returns the edge with the given number.
   const Edge& At(int32_t edge) const { return edges_[static_cast<size_t>(edge)]; }
   Coord square_nm() const { return Coord{1} << square_bits_; }
   const Box& bounds() const { return box_; }
   int32_t size() const { return static_cast<int32_t>(edges_.size()); }
 
-  /// Returns the square that contains a point; for points outside the bounds, the nearest square.
+  /// Returns the column of the squares that contain x; outside the bounds, the nearest column.
   int32_t Column(Coord x) const { return SquareOf(x, box_.min.x, box_.max.x); }
+  /// Returns the row of the squares that contain y; outside the bounds, the nearest row.
   int32_t Row(Coord y) const { return SquareOf(y, box_.min.y, box_.max.y); }
 
   /// Returns true if the open segment ab meets an edge. Exact.

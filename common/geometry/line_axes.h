@@ -8,13 +8,16 @@ namespace slicefarm {
 /// in these axes. Multiples of a right angle are exact.
 class LineAxes {
  public:
+  /// Makes axes at an angle in radians.
   explicit LineAxes(double angle_rad);
   /// Returns axes at an angle in degrees; exact at right angles of any magnitude.
   static LineAxes OfDegrees(double angle_deg);
 
+  /// Returns the coordinate of p along the direction.
   double U(Point p) const {
     return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y);
   }
+  /// Returns the coordinate of p across the direction.
   double V(Point p) const {
     return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x);
   }

@@ -12,7 +12,9 @@ namespace slicefarm {
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 
+/// Converts a point to a vector of doubles.
 inline Vector2 ToVector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+/// Returns the vector as a point, rounded to nm.
 inline Point RoundedPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
 inline double Dot(const Vector2& a, const Vector2& b) { return a.x() * b.x() + a.y() * b.y(); }

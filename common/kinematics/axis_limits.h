@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// `value` in the direction `ratio`, lowered until no axis exceeds its part of `limits`. Limits of
-/// 0 do not count.
+/// Returns `value` in the direction `ratio`, lowered until no axis exceeds its limit in `limits`.
+/// Limits of 0 are ignored.
 double LimitedByAxes(double value, const std::array<double, 4>& ratio,
                      const std::array<double, 4>& limits);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kCos45 = 0.70710678118654752;
 
-/// By Newton's steps from above. REQUIRES: x > 0.
+/// Returns the cube root, by Newton's steps from above. REQUIRES: x > 0.
 double CubeRoot(double x) {
   int exponent = 0;
   std::frexp(x, &exponent);
@@ -32,7 +32,7 @@ Bend BendBetween(const KinematicMove& before, const KinematicMove& move, double 
   Bend bend;
   bend.curvature = 4 * sin_half / (before.length_mm + move.length_mm);
   if (cos_half == 0) return {.sharp = true, .stop = true};
-  // An arc of radius r passes the corner at r (1 / cos_half - 1).
+  // An arc of radius r passes the corner at a distance of r (1 / cos_half - 1).
   bend.corner = (1 - cos_half) / (cos_half * deviation_mm);
   bend.sharp = turn_cos < kCos45;
   return bend;

@@ -16,7 +16,7 @@ struct Case {
   double curvature, change, acceleration, jerk, want;
 };
 
-// The corrected jerk law: sqrt(a / k) and (j / sqrt(k'^2 + k^4))^(1/3).
+// The corrected jerk formula: sqrt(a / k) and (j / sqrt(k'^2 + k^4))^(1/3).
 TEST(SpeedThrough, ObeysAccelerationAndJerk) {
   for (const Case& c : {Case{0.1, 0, 1e3, 1e5, 100}, Case{10, 0, 1e3, 1e5, 10},
                         Case{100, 0, 1e3, 1e5, 2.1544347}, Case{0, 0.001, 1e3, 1e5, 464.1588834},
@@ -24,7 +24,7 @@ TEST(SpeedThrough, ObeysAccelerationAndJerk) {
     const double got = SpeedThrough({.curvature = c.curvature}, c.change, {c.acceleration, c.jerk});
     EXPECT_NEAR(got, c.want, 1e-6 * c.want) << c.curvature;
   }
-  // A circle of 10 mm at 100 mm/s takes a jerk of 1e4.
+  // A circle of 10 mm at 100 mm/s needs a jerk of 1e4.
   EXPECT_NEAR(SpeedThrough({.curvature = 0.1}, 0, {1e9, 1e4}), 100, 1e-9);
   EXPECT_NEAR(SpeedThrough({.curvature = 0.1}, 0, {1e9, 1e5}), 215.4434690, 1e-6);
 }

@@ -9,9 +9,9 @@
 namespace slicefarm {
 namespace {
 
-/// Where the limits have no junction deviation.
+/// Junction deviation if the limits have none.
 constexpr double kDeviationMm = 0.01;
-/// How much slower than its fastest move a span may be run.
+/// Least ratio of the slowest to the fastest pace in a span.
 constexpr double kAlike = 0.9;
 
 }  // namespace
@@ -41,7 +41,7 @@ void JerkPlanner::FindBends() {
   for (size_t i = 1; i < count; ++i) bends_[i] = BendBetween(moves_[i - 1], moves_[i], deviation);
   through_mm_s_.assign(count + 1, 0);
   for (size_t i = 1; i < count; ++i) {
-    double change = 0;  // of the curvature, along the moves on either side
+    double change = 0;  // change of the curvature along the moves on both sides
     if (!bends_[i].sharp) {
       for (const size_t side : {i - 1, i + 1}) {
         const double way = moves_[side < i ? i - 1 : i].length_mm;

@@ -8,14 +8,14 @@
 
 namespace slicefarm {
 
-/// slicefarm's own look-ahead, for machines that follow the host: speed, acceleration and jerk stay
-/// within their limits (MachineLimits::jerk_mm_s3) all along the way.
+/// slicefarm's own look-ahead, for machines that follow the host's motion exactly. Speed,
+/// acceleration and jerk are within their limits (MachineLimits::jerk_mm_s3) along the whole path.
 ///
-/// Curves of short moves count as one span as long as their paces (what the bends at their ends
-/// allow) differ by no more than a tenth: they are passed at the slowest of these. A span speeds up
-/// and slows down by up to seven phases of even jerk (jerk_ramp.h); where spans meet, the
-/// acceleration is 0, and the speed is what the bend allows (jerk_junction.h) and passes backward
-/// and forward leave.
+/// Each move has a pace: the speed that it and the bends at its ends allow. Consecutive moves of a
+/// curve form one span if their paces differ by at most a tenth; the span runs at the slowest of
+/// these paces. A span accelerates and decelerates in up to seven phases of constant jerk
+/// (jerk_ramp.h). Between spans, the acceleration is 0. The speed there is limited by the bend
+/// (jerk_junction.h) and by a backward and a forward pass.
 class JerkPlanner : public Planner {
  public:
   explicit JerkPlanner(const MachineLimits& limits) : Planner(limits) {}
@@ -25,12 +25,12 @@ class JerkPlanner : public Planner {
   std::span<const MoveProfile> Stop() override;
 
  private:
-  /// Moves [first, last) that are planned as one way.
+  /// Moves [first, last) that are planned as one path.
   struct Span {
     size_t first = 0;
     size_t last = 0;
     double length_mm = 0;
-    double slowest_mm_s = 0;  ///< of the moves' paces: the span's top speed
+    double slowest_mm_s = 0;  ///< lowest pace of the moves: the span's top speed
     double fastest_mm_s = 0;
     double acceleration_mm_s2 = 0;
     double entry_mm_s = 0;
@@ -46,9 +46,9 @@ class JerkPlanner : public Planner {
   void LimitEntries();
   void Run(const Span& span, double exit_mm_s);
 
-  std::vector<KinematicMove> moves_;  ///< limited
-  std::vector<Bend> bends_;  ///< before each move; before the first and after the last: stops
-  std::vector<double> through_mm_s_;  ///< speeds through them
+  std::vector<KinematicMove> moves_;  ///< moves after Limited()
+  std::vector<Bend> bends_;  ///< bends before each move; the first and the last one are stops
+  std::vector<double> through_mm_s_;  ///< greatest speed through each bend
   std::vector<Span> spans_;
   std::vector<MoveProfile> profiles_;
 };

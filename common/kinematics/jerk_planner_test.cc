@@ -32,7 +32,7 @@ double TimeOf(const std::vector<KinematicMove>& moves, double jerk = 1e5) {
   return Total(planner.Plan(moves));
 }
 
-// The closed forms of a move from rest to rest.
+// The closed formulas for a move from rest to rest.
 TEST(JerkPlanner, SevenPhasesAndShortMoves) {
   for (const auto& [length, time_s] :
        {std::pair{40.0, 0.51}, {12.0, 0.23}, {11.0, 0.22}, {4.0, 0.1368858}, {0.05, 0.0251984}})
@@ -63,7 +63,7 @@ TEST(JerkPlanner, CirclesAreRunAtTheSpeedOfTheirCurvature) {
   EXPECT_NEAR(profiles[chords / 2].time_s, moves[0].length_mm / std::sqrt(1000 * radius), 1e-7);
 }
 
-// 80 mm/s cannot come to rest on 1 mm: the moves before slow down for it.
+// A speed of 80 mm/s cannot be stopped within 1 mm, so earlier moves must slow down.
 TEST(JerkPlanner, LooksAheadOverManyMoves) {
   std::vector<KinematicMove> moves(6, Towards(0, 1));
   for (size_t i = 0; i < moves.size(); ++i) moves[i].speed_mm_s = i % 2 == 0 ? 100 : 50;
@@ -77,7 +77,7 @@ TEST(JerkPlanner, LooksAheadOverManyMoves) {
   EXPECT_EQ(profiles.back().exit_mm_s, 0);
 }
 
-// A slower stretch ahead does not slow down all that leads straight to it.
+// A slower part ahead does not slow down the whole straight path before it.
 TEST(JerkPlanner, FastLinesStayFastBeforeSlowOnes) {
   JerkPlanner planner(Limits());
   const KinematicMove moves[] = {Towards(0, 40), Towards(0, 40, 50)};
@@ -94,7 +94,7 @@ TEST(JerkPlanner, FilamentAloneIsAStop) {
   EXPECT_NEAR(profiles[2].time_s, 0.51, 1e-9);
 }
 
-// Any way: speeds within the limits, joined, never faster than trapezoids would be.
+// On random paths, speeds are within the limits, continuous, and never faster than with trapezoids.
 TEST(JerkPlanner, RandomWaysKeepTheirLimits) {
   std::mt19937 random(3);
   const auto in = [&](double low, double high) {
@@ -115,7 +115,7 @@ TEST(JerkPlanner, RandomWaysKeepTheirLimits) {
       ASSERT_GE(profile.time_s, moves[i].length_mm / moves[i].speed_mm_s * (1 - 1e-9));
       ASSERT_LE(profile.cruise_mm_s, moves[i].speed_mm_s * (1 + 1e-9));
       ASSERT_NEAR(profile.entry_mm_s, i > 0 ? profiles[i - 1].exit_mm_s : 0, 1e-9);
-      // Ramps of endless jerk are the least that it takes.
+      // Ramps with infinite jerk are a lower bound of the length.
       const double change =
           std::abs(std::pow(profile.exit_mm_s, 2) - std::pow(profile.entry_mm_s, 2));
       ASSERT_LE(change, 2 * moves[i].acceleration_mm_s2 * moves[i].length_mm * (1 + 1e-6) + 1e-9);

@@ -8,10 +8,10 @@ namespace {
 
 constexpr int kMostSteps = 100;
 constexpr double kPrecision = 1e-14;
-/// A share that only rounding leaves.
+/// Share below which a length is only a rounding error.
 constexpr double kNothing = 1e-11;
 
-/// The root of x^3 + 2 v0 x = c. Newton's steps from above go down to it.
+/// Returns the root of x^3 + 2 v0 x = c, by Newton's steps from above.
 double RootOfCubic(double v0, double c, double upper) {
   double x = v0 > 0 ? std::min(upper, c / (2 * v0)) : upper;
   for (int i = 0; i < kMostSteps && x > 0; ++i) {
@@ -22,8 +22,8 @@ double RootOfCubic(double v0, double c, double upper) {
   return x;
 }
 
-/// The speed at which the ramps up and down just fill the way: the secant of two bounds, of which
-/// the one that stays is drawn nearer (Illinois).
+/// Returns the peak speed at which the ramps up and down exactly fill the length. It uses the
+/// secant of two bounds; if a bound is kept twice, its value is halved (Illinois method).
 double PeakSpeed(double length_mm, double entry, double top, double exit,
                  const RampLimits& limits) {
   const auto too_long = [&](double peak) {
@@ -65,7 +65,7 @@ double RampLength(double from, double to, const RampLimits& limits) {
 
 double SpeedAfter(double from, double length_mm, const RampLimits& limits) {
   const double a = limits.acceleration_mm_s2, j = limits.jerk_mm_s3;
-  const double full = a * a / j;  // the least change at which the acceleration gets to its limit
+  const double full = a * a / j;  // least change at which the acceleration reaches its limit
   if (length_mm < RampLength(from, from + full, limits)) {
     const double x = RootOfCubic(from, length_mm * std::sqrt(j), std::sqrt(full));
     return from + x * x;
@@ -122,7 +122,7 @@ ProfileWalk::Passing ProfileWalk::At(double way_mm) {
   if (phases_.empty()) return {};
   const JerkPhase& phase = phases_.front();
   const double way = way_mm - phase_start_mm_;
-  // The way grows with time: Newton's step, halving where it leaves the bounds.
+  // The position increases with time: Newton's step, or bisection if the step leaves the bounds.
   double low = in_phase_s_, high = phase.time_s, t = low;
   for (int i = 0; i < kMostSteps && high - low > kPrecision * phase.time_s; ++i) {
     const double off = phase.LengthAt(t) - way;

@@ -5,47 +5,49 @@
 
 namespace slicefarm {
 
-/// What a machine's motors can do along a way: mm/s^2, mm/s^3; both > 0.
+/// Acceleration and jerk limits along a path, in mm/s^2 and mm/s^3; both > 0.
 struct RampLimits {
   double acceleration_mm_s2 = 0;
   double jerk_mm_s3 = 0;
 };
 
-// A ramp goes from one speed to another with no acceleration at either end: the acceleration rises
-// at the greatest jerk, stays at its limit if it gets there, and falls. With dv the change of
-// speed:
+// A ramp changes the speed with zero acceleration at both ends. The acceleration rises at the
+// greatest jerk, stays at its limit if it reaches the limit, and falls. With the speed change dv:
 //   dv >= a^2 / j:  T = dv / a + a / j;   else it peaks at sqrt(j dv):  T = 2 sqrt(dv / j);
 //   length = (v0 + v1) / 2 T.
 
-/// Time in s. `change_mm_s`: >= 0.
+/// Returns the time of a ramp in s. `change_mm_s`: >= 0.
 double RampTime(double change_mm_s, const RampLimits& limits);
 
-/// Way in mm.
+/// Returns the length of a ramp in mm.
 double RampLength(double from_mm_s, double to_mm_s, const RampLimits& limits);
 
-/// The greatest speed that a ramp reaches from `from_mm_s` on `length_mm` (as well: from which it
-/// slows down to that): the positive root of a quadratic or, where the acceleration peaks below its
-/// limit, of x^3 + 2 v0 x = length sqrt(j), x^2 = dv.
+/// Returns the greatest speed that a ramp of `length_mm` reaches from `from_mm_s`. By symmetry, it
+/// is also the greatest speed that can be slowed to `from_mm_s`. It is the positive root of a
+/// quadratic equation. If the acceleration peaks below its limit, it is the root of x^3 + 2 v0 x =
+/// length sqrt(j), x^2 = dv.
 double SpeedAfter(double from_mm_s, double length_mm, const RampLimits& limits);
 
-/// One of the up to seven parts of a move in which the jerk does not change; values are those at
-/// its start.
+/// One of the up to seven phases of a move with constant jerk. The values refer to
+/// the start of the phase.
 struct JerkPhase {
   double time_s = 0;
   double speed_mm_s = 0;
   double acceleration_mm_s2 = 0;
   double jerk_mm_s3 = 0;
 
+  /// Returns the length covered at time t after the start of the phase.
   double LengthAt(double t) const;
+  /// Returns the speed at time t after the start of the phase.
   double SpeedAt(double t) const;
 };
 
-/// A way with a ramp up, a stretch of even speed and a ramp down.
+/// Speed profile of a path: a ramp up, a part at constant speed, and a ramp down.
 class JerkProfile {
  public:
-  /// As fast as `top_mm_s` allows or, where the way is too short for that, up to the speed from
-  /// which the exit can just be reached. REQUIRES: speeds not above the top; the ramp between them
-  /// fits.
+  /// Makes the fastest profile up to `top_mm_s`. If the path is too short for this speed, the peak
+  /// is the speed from which the exit speed can just be reached. REQUIRES: entry and exit speed are
+  /// at most the top speed, and the path is long enough for a ramp between them.
   JerkProfile(double length_mm, double entry_mm_s, double top_mm_s, double exit_mm_s,
               const RampLimits& limits);
 
@@ -63,16 +65,19 @@ class JerkProfile {
   double time_s_ = 0;
 };
 
-/// When and how fast a profile passes places along its way, which must be asked for in their order.
+/// Returns time and speed at positions along a profile. Positions must be requested in ascending
+/// order.
 class ProfileWalk {
  public:
-  /// `profile` must live on.
+  /// REQUIRES: `profile` outlives this object.
   explicit ProfileWalk(const JerkProfile& profile) : phases_(profile.phases()) {}
 
+  /// Time and speed at a position.
   struct Passing {
     double time_s = 0;
     double speed_mm_s = 0;
   };
+  /// Returns time and speed at a position, in mm from the start.
   Passing At(double way_mm);
 
  private:

@@ -70,7 +70,7 @@ TEST(JerkProfile, ShortMovesPeakBelowTheAccelerationsLimit) {
   EXPECT_NEAR(profile.phases()[1].acceleration_mm_s2, 629.9605, 1e-4);
 }
 
-// 80 mm/s need 3.6 mm to come to rest: on 1 mm only a lower speed can.
+// 80 mm/s need 3.6 mm to stop; within 1 mm only a lower speed can be stopped.
 TEST(SpeedAfter, IsWhatLookAheadHasToLowerTo) {
   EXPECT_NEAR(RampLength(80, 0, kLimits), 3.6, 1e-9);
   const double entry = SpeedAfter(0, 1, kLimits);
@@ -79,7 +79,7 @@ TEST(SpeedAfter, IsWhatLookAheadHasToLowerTo) {
   EXPECT_EQ(SpeedAfter(30, 0, kLimits), 30);
 }
 
-// Whatever the ends: no limit is passed, nothing jumps, the way is as long as asked for.
+// For any end speeds, no limit is exceeded, no value jumps, and the length is exact.
 TEST(JerkProfile, KeepsItsLimits) {
   std::mt19937 random(7);
   const auto in = [&](double low, double high) {
@@ -115,7 +115,7 @@ TEST(ProfileWalk, PassesPlacesWhenTheProfileDoes) {
   for (double way = 0.1; way < 12; way += 0.1) {
     const auto [time_s, speed] = walk.At(way);
     ASSERT_GT(time_s, before_s);
-    // Between places 0.1 mm apart the speed hardly changes.
+    // The speed hardly changes over 0.1 mm.
     ASSERT_NEAR((way - before_mm) / (time_s - before_s), speed, 4);
     before_s = time_s;
     before_mm = way;

@@ -8,16 +8,16 @@
 namespace slicefarm {
 namespace {
 
-/// The default of instantaneous_corner_velocity of Klipper's extruders.
+/// Default value of instantaneous_corner_velocity of Klipper's extruders.
 constexpr double kExtruderCornerMmS = 1;
-/// Of the extruder alone, before its own limits.
+/// Acceleration of moves of only the extruder, before its own limits.
 constexpr double kExtruderAloneMmS2 = 99'999'999.9;
 
 void Limit(double& value, double limit) {
   if (limit > 0) value = std::min(value, limit);
 }
 
-/// Infinite where the direction stays.
+/// Returns the greatest squared speed at a corner; infinite if the direction does not change.
 double CornerV2(const KinematicMove& before, const KinematicMove& move) {
   const double turn_cos = before.ratio[kX] * move.ratio[kX] + before.ratio[kY] * move.ratio[kY] +
                           before.ratio[kZ] * move.ratio[kZ];
@@ -58,8 +58,9 @@ KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits) 
   }
   if (const double e = move.ratio[kE]; e < 0 || (e > 0 && !move.InPlane()))
     LimitByExtruder(move, limits);
-  // Square corner velocity is the speed at a right angle whatever the acceleration asked for; what
-  // an axis takes from the acceleration, it takes from the corner.
+  // Square corner velocity is the speed at a right angle, independent of the requested
+  // acceleration. If an axis limits the acceleration, it limits the squared corner speed by the
+  // same factor.
   const double corner = limits.square_corner_velocity_mm_s;
   const double share = std::min(1.0, move.acceleration_mm_s2 / asked);
   move.corner_v2 = share * corner * corner * (std::numbers::sqrt2 - 1);

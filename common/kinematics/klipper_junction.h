@@ -5,19 +5,19 @@
 
 namespace slicefarm {
 
-/// The move with the speed and acceleration that Klipper's limits leave: the toolhead's speed, the
-/// z axis' share, and for retractions (also while wiping) and other moves of filament without x and
-/// y those of the extruder, which do not depend on the toolhead's. Sets corner_v2.
+/// Returns the move with speed and acceleration within Klipper's limits: the limits of the toolhead
+/// and of the z axis. The limits of the extruder apply to retractions (also during a wipe) and to
+/// filament moves without x and y; they are independent of the toolhead's. Sets corner_v2.
 KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
-/// The greatest squared speed (mm^2/s^2) at which Klipper goes from `before` to `move`, as far as
-/// their directions say:
+/// Returns the greatest squared speed (mm^2/s^2) at Klipper's junction from `before` to `move`. It
+/// is the least of these limits, which depend on the directions:
 ///   junction deviation by the square corner velocity, v^2 = scv^2 (sqrt(2) - 1) s / (1 - s),
 ///   s the sine of half the angle between the moves;
 ///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
 ///   the extruder's speed may change by 1 mm/s at once.
-/// Where one of the moves is the extruder's alone, the toolhead stops: 0. REQUIRES: both are
-/// limited. Source: Klipper's documentation, "Kinematics".
+/// If one of the moves is of the extruder alone, the toolhead stops: 0. REQUIRES: both are limited.
+/// Source: Klipper's documentation, "Kinematics".
 double KlipperJunctionV2(const KinematicMove& before, const KinematicMove& move);
 
 }  // namespace slicefarm

@@ -8,7 +8,8 @@
 namespace slicefarm {
 namespace {
 
-/// As a peak: the move slows down from end to end, and takes the peak of the move before.
+/// Special value of peak_v2: the move decelerates from start to end, and its peak is the peak of
+/// the previous move.
 constexpr double kAsBefore = -1;
 
 }  // namespace
@@ -50,7 +51,7 @@ std::span<const MoveProfile> KlipperPlanner::Stop() {
 
 void KlipperPlanner::LimitBackward() {
   double exit_v2 = 0, calm_exit_v2 = 0, peak = 0;
-  bool waiting = false;  // moves follow that take their peak from this one
+  bool waiting = false;  // later moves get their peak from this one
   for (size_t i = queue_.size(); i-- > 0;) {
     Queued& at = queue_[i];
     const double reachable = exit_v2 + ReachV2(at.move);

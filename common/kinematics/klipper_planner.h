@@ -8,9 +8,10 @@
 
 namespace slicefarm {
 
-/// Klipper's look-ahead: junctions by klipper_junction.h; peaks of moves that would speed up only
-/// to slow down at once are lowered (minimum_cruise_ratio): to where the acceleration times
-/// 1 - minimum_cruise_ratio would bring them. Source: Klipper's documentation, "Kinematics".
+/// Klipper's look-ahead. Junctions follow klipper_junction.h. If a move would accelerate only to
+/// decelerate at once, its peak speed is lowered (minimum_cruise_ratio). The lowered peak is the
+/// speed reached with the acceleration times 1 - minimum_cruise_ratio. Source: Klipper's
+/// documentation, "Kinematics".
 class KlipperPlanner : public Planner {
  public:
   explicit KlipperPlanner(const MachineLimits& limits) : Planner(limits) {}
@@ -20,10 +21,10 @@ class KlipperPlanner : public Planner {
   std::span<const MoveProfile> Stop() override;
 
  private:
-  /// A queued move with the greatest squared speeds that moves before it allow; `calm`: with the
-  /// acceleration that minimum_cruise_ratio leaves.
+  /// A queued move with the greatest squared speeds that earlier moves allow. `calm` values use the
+  /// acceleration reduced by minimum_cruise_ratio.
   struct Queued {
-    KinematicMove move;  ///< limited
+    KinematicMove move;  ///< move after Limited()
     double entry_v2 = 0;
     double calm_entry_v2 = 0;
     double calm_reach_v2 = 0;

@@ -7,8 +7,8 @@
 namespace slicefarm::klipper_planner_test {
 namespace {
 
-/// 0.8 mm of filament at 35 mm/s with a toolhead of 3000 mm/s^2 and an extruder of 1500: the peak
-/// is where the smaller of half of 3000 and 1500 would bring it.
+/// 0.8 mm of filament at 35 mm/s with a toolhead of 3000 mm/s^2 and an extruder of 1500. The peak
+/// is the speed reached with the smaller of half of 3000 and 1500.
 TEST(KlipperPlanner, TheToolheadsCruiseRatioHoldsForRetractions) {
   KlipperPlanner planner(MachineLimits{});
   const KinematicMove retract{0.8, {0, 0, 0, -1}, 35, 3000};

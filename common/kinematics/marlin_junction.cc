@@ -13,10 +13,11 @@ namespace {
 using MoveVector = std::array<double, 4>;
 
 constexpr double kNearlyOne = 0.999999;
-/// Short moves of a curve: see JD_HANDLE_SMALL_SEGMENTS.
+/// Length below which a move belongs to a curve: see JD_HANDLE_SMALL_SEGMENTS.
 constexpr double kShortMoveMm = 1;
 constexpr double kCos135 = -0.70710678118654752;
-/// A junction this close to the safe speeds of both moves gives way to them.
+/// Share of the junction speed: if both moves have a greater safe speed, the safe speed replaces
+/// the junction speed.
 constexpr double kSafeSpeedShare = 0.99;
 
 double Dot(const MoveVector& a, const MoveVector& b) {
@@ -27,14 +28,14 @@ MoveVector Scaled(const MoveVector& v, double by) {
   return {v[kX] * by, v[kY] * by, v[kZ] * by, v[kE] * by};
 }
 
-/// Of length 1 over all four axes; where e does not move, it is so already.
+/// Returns the direction with length 1 over all four axes. Without e, `ratio` already has length 1.
 MoveVector Direction(const KinematicMove& move) {
   if (move.ratio[kE] == 0) return move.ratio;
   return Scaled(move.ratio, 1 / std::sqrt(Dot(move.ratio, move.ratio)));
 }
 
-/// Change of an axis' speed at a junction; an axis that turns round is as bad as the greater of its
-/// speeds.
+/// Returns the change of an axis' speed at a junction. If the axis reverses, it is the greater of
+/// the two speeds.
 double AxisJerk(double before, double after) {
   if (before > after) {
     return after > 0 || before < 0 ? before - after : std::max(before, -after);
@@ -93,7 +94,7 @@ double ClassicJerkSpeed(const KinematicMove& before, const KinematicMove& move,
     }
   }
   speed *= factor;
-  // Stopping and starting anew by jerk alone may be faster than the junction.
+  // A stop and a new start by jerk alone may be faster than the junction.
   const double threshold = speed * kSafeSpeedShare;
   return SafeSpeed(before, limits) > threshold && safe > threshold ? safe : speed;
 }

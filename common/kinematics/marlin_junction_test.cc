@@ -59,7 +59,7 @@ TEST(JunctionDeviation, RightAngle) {
 }
 
 TEST(JunctionDeviation, SixtyDegrees) {
-  // The angle between is 120 degrees: s = sin 60 degrees.
+  // The angle between the moves is 120 degrees: s = sin 60 degrees.
   const double s = std::sin(kPi / 3);
   EXPECT_NEAR(JunctionDeviationV2(Towards(0), Towards(kPi / 3), Limits()), 20 * s / (1 - s), 1e-9);
 }
@@ -78,7 +78,7 @@ TEST(JunctionDeviation, ShortMovesGoRoundAnArc) {
 TEST(JunctionDeviation, WeakAxisLowersTheAcceleration) {
   MachineLimits limits = Limits();
   limits.max_acceleration_mm_s2[kX] = 100;
-  // The change of direction, (-1, 1) / sqrt(2), may be 141 mm/s^2.
+  // In the direction of the change, (-1, 1) / sqrt(2), the axes allow 141 mm/s^2.
   EXPECT_NEAR(JunctionDeviationV2(Towards(0), Towards(kPi / 2), limits), 0.14142136 * 48.28427,
               1e-4);
 }
@@ -92,7 +92,7 @@ TEST(ClassicJerk, StraightOnIsNotLimited) {
 }
 
 TEST(ClassicJerk, SmallTurn) {
-  // x changes by v (1 - cos), y by v sin: the latter decides.
+  // x changes by v (1 - cos), y by v sin: the change of y is decisive.
   const double turn = kPi / 18;
   EXPECT_NEAR(ClassicJerkSpeed(Towards(0), Towards(turn), Limits()), 8 / std::sin(turn), 1e-9);
 }
@@ -109,8 +109,8 @@ TEST(ClassicJerk, RetractionAfterABead) {
   EXPECT_LE(ClassicJerkSpeed(bead, retract, Limits()), 2.5 + 1e-9);
 }
 
-// Whatever the directions: no axis jumps by more than its limit, or the move starts at its safe
-// speed. An axis that turns round counts as stopping and starting again.
+// For any directions, no axis jumps by more than its limit, or the move starts at its safe speed.
+// An axis that reverses counts as a stop and a new start.
 TEST(ClassicJerk, NoAxisJumpsTooFar) {
   for (int i = 0; i < 72; ++i) {
     const KinematicMove in = Towards(0.3);

@@ -5,7 +5,7 @@
 
 namespace slicefarm {
 
-/// Marlin's look-ahead, by junction deviation where the limits have one, else by classic jerk
+/// Marlin's look-ahead: by junction deviation if the limits have one, otherwise by classic jerk
 /// (marlin_junction.h).
 struct MarlinPlanner : TwoPassPlanner {
   explicit MarlinPlanner(const MachineLimits& limits);

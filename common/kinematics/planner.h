@@ -7,14 +7,14 @@
 
 namespace slicefarm {
 
-/// Look-ahead over a run of moves that begins and ends at rest, by the rules of a printer's
+/// Look-ahead over a run of moves that begins and ends at rest. It follows the rules of a printer's
 /// firmware, so that its times are the printer's times:
 ///   1 each move's speed and acceleration are lowered to the limits of the axes;
-///   2 each junction with the move before gets a greatest speed;
+///   2 each junction with the previous move gets a greatest speed;
 ///   3 backward and forward passes lower these until every move can reach its exit speed.
-/// One class a firmware: klipper_planner.h, marlin_planner.h, reprap_planner.h.
+/// There is one class per firmware: klipper_planner.h, marlin_planner.h, reprap_planner.h.
 ///
-/// Keeps its memory from run to run. Not for use by two threads at once.
+/// The planner reuses its memory from run to run. Two threads must not use it at the same time.
 class Planner {
  public:
   explicit Planner(const MachineLimits& limits) : limits_(limits) {}
@@ -22,20 +22,20 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// Of the moves that are added from now on.
+  /// Sets the limits of moves that are added from now on.
   void SetLimits(const MachineLimits& limits) { limits_ = limits; }
 
-  /// Step 1 alone.
+  /// Returns the move after step 1.
   virtual KinematicMove Limited(const KinematicMove& move) const = 0;
 
-  /// Queues a move. Steps 1 and 2, by the limits of now.
+  /// Queues a move: steps 1 and 2, with the current limits.
   virtual void Add(const KinematicMove& move) = 0;
 
-  /// The machine comes to rest after the move added last: step 3. One profile a move since the stop
-  /// before, valid until the next call. Cost: O(moves).
+  /// Plans a stop after the move that was added last: step 3. Returns one profile for each move
+  /// since the previous stop, valid until the next call. Cost: O(moves).
   virtual std::span<const MoveProfile> Stop() = 0;
 
-  /// A whole run. REQUIRES: nothing is queued.
+  /// Plans a whole run. REQUIRES: the queue is empty.
   std::span<const MoveProfile> Plan(std::span<const KinematicMove> moves) {
     for (const KinematicMove& move : moves) Add(move);
     return Stop();
@@ -48,7 +48,7 @@ class Planner {
   MachineLimits limits_;
 };
 
-/// How much the squared speed can change over a move.
+/// Returns the greatest change of the squared speed over a move.
 inline double ReachV2(const KinematicMove& move) {
   return 2 * move.length_mm * move.acceleration_mm_s2;
 }

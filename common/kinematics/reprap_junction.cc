@@ -8,7 +8,7 @@
 namespace slicefarm {
 namespace {
 
-/// More than any axis has: no limit.
+/// Higher than the acceleration of any axis: no limit.
 constexpr double kUnlimitedMmS2 = 1e8;
 
 bool PrintsWhileMoving(const KinematicMove& move) { return move.InPlane() && move.ratio[kE] > 0; }

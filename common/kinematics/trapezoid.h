@@ -4,12 +4,12 @@
 
 namespace slicefarm {
 
-/// The profile of a move between given speeds. The cruise speed is lowered to what the length
-/// allows. Units: squared speeds in mm^2/s^2. REQUIRES: |exit^2 - entry^2| <= 2 a L, up to
-/// rounding. Source: v^2 = v0^2 + 2 a s.
+/// Returns the profile of a move between given speeds. The cruise speed is lowered to the greatest
+/// speed that the length allows. Units: squared speeds in mm^2/s^2. REQUIRES: |exit^2 - entry^2| <=
+/// 2 a L, up to rounding. Source: v^2 = v0^2 + 2 a s.
 MoveProfile Trapezoid(const KinematicMove& move, double entry_v2, double cruise_v2, double exit_v2);
 
-/// Time in s of a move from rest to rest.
+/// Returns the time in s of a move from rest to rest.
 double RestToRest(double length_mm, double speed_mm_s, double acceleration_mm_s2);
 
 }  // namespace slicefarm

@@ -12,12 +12,12 @@ KinematicMove Line(double length_mm, double speed_mm_s = 100, double acceleratio
 }
 
 TEST(RestToRest, HundredMillimetres) {
-  // 1/30 s up, 1/30 s down over 10/3 mm, the rest at 100 mm/s.
+  // 1/30 s acceleration, 1/30 s deceleration over 10/3 mm, the rest at 100 mm/s.
   EXPECT_NEAR(RestToRest(100, 100, 3000), 1.033333333333, 1e-12);
 }
 
 TEST(RestToRest, TooShortToCruise) {
-  // sqrt(3000 * 1 mm) = 54.77 mm/s at most.
+  // The speed is at most sqrt(3000 * 1 mm) = 54.77 mm/s.
   EXPECT_NEAR(RestToRest(1, 100, 3000), 2 * std::sqrt(1.0 / 3000), 1e-12);
   EXPECT_EQ(RestToRest(0, 100, 3000), 0);
 }

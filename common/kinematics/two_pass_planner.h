@@ -7,16 +7,17 @@
 
 namespace slicefarm {
 
-/// Always as fast as the junctions allow: what differs from firmware to firmware are its rules.
+/// Planner that always runs as fast as the junctions allow. Firmwares differ only in their rules.
 class TwoPassPlanner : public Planner {
  public:
+  /// Rules of a firmware.
   struct Rules {
     KinematicMove (*limited)(KinematicMove move, const MachineLimits& limits);
-    // Greatest squared speeds in mm^2/s^2, of limited moves: out of rest, and from move to move.
+    // Greatest squared speeds in mm^2/s^2 of limited moves: from rest, and from move to move.
     double (*start_v2)(const KinematicMove& first, const MachineLimits& limits);
     double (*junction_v2)(const KinematicMove& before, const KinematicMove& move,
                           const MachineLimits& limits);
-    double rest_v2 = 0;  ///< what counts as rest at the end
+    double rest_v2 = 0;  ///< squared speed at the end of the run
   };
 
   TwoPassPlanner(const Rules& rules, const MachineLimits& limits)
@@ -30,8 +31,8 @@ class TwoPassPlanner : public Planner {
 
  private:
   Rules rules_;
-  std::vector<KinematicMove> moves_;  ///< limited
-  std::vector<double> entry_v2_;      ///< greatest
+  std::vector<KinematicMove> moves_;  ///< moves after Limited()
+  std::vector<double> entry_v2_;      ///< greatest squared speed at the start of each move
   std::vector<MoveProfile> profiles_;
 };
 

@@ -14,7 +14,7 @@ constexpr TwoPassPlanner::Rules kFixed = {
 
 TEST(TwoPassPlanner, BothPassesLowerJunctions) {
   TwoPassPlanner planner(kFixed, {});
-  // Reach 2 a L: 200, 2000, 100.
+  // The greatest changes of the squared speed, 2 a L, are 200, 2000 and 100.
   planner.Add({0.1, {1, 0, 0, 0}, 100, 1000});
   planner.Add({1, {1, 0, 0, 0}, 100, 1000});
   planner.Add({0.05, {1, 0, 0, 0}, 100, 1000});

@@ -15,7 +15,7 @@ TemplateVariable PlaceOf(Point point) {
       {ToMm(static_cast<double>(point.x)), ToMm(static_cast<double>(point.y))});
 }
 
-/// All names of a print and a layer, before there are any.
+/// Returns all variables of a print and a layer with the value Unknown.
 TemplateVariables UnknownVariables() {
   TemplateVariables variables = ExposurePrintVariables({});
   variables.merge(ExposureLayerVariables(0, 0));

@@ -14,7 +14,7 @@ struct ExposureOutput;
 
 namespace slicefarm::macro {
 
-/// The templates of the G-code that exposes, parsed.
+/// Parsed templates of the G-code of an exposure.
 struct ExposureCode {
   Template start;
   Template before_layer;
@@ -22,19 +22,21 @@ struct ExposureCode {
   Template end;
 };
 
-/// Errors: those of ParseTemplate.
+/// Parses the templates. Errors: errors of ParseTemplate.
 absl::StatusOr<ExposureCode> ParseExposureCode(const ExposureOutput& output);
 
-/// Before any work: whether each name in the templates that may be read exists, and operands fit.
-/// Of formats that are no G-code nothing is read: a profile's templates may be of another machine.
-/// `settings_text`: the effective settings. Errors: SETTING_MALFORMED naming the setting.
+/// Checks the templates before any work: all names in parts that may run must exist, and operands
+/// must have valid types. Templates of formats other than G-code are not checked, because a profile
+/// may contain templates for another machine. `settings_text`: the effective settings. Errors:
+/// SETTING_MALFORMED naming the setting.
 absl::Status CheckExposureCode(const ExposureOutput& output, std::string_view settings_text);
 
-/// What templates may name besides settings:
+/// Returns the variables of the whole print, besides settings:
 ///   total_layer_count, max_print_z, print_time    of the whole print; the time as "1h 2m 3s"
-///   first_layer_print_min, _max, _size            of all that is exposed, [0] x and [1] y in mm
+///   first_layer_print_min, _max, _size            of the exposed area, [0] x and [1] y in mm
 ///   model_name, input_filename_base               of the first object
 TemplateVariables ExposurePrintVariables(const ExposureSummary& summary);
+/// Returns the variables of a layer:
 ///   layer_num      from 0; -1 in start_gcode
 ///   layer_z        upper side of the layer in mm
 ///   max_layer_z    of the layers so far

@@ -12,7 +12,7 @@
 namespace slicefarm::macro {
 namespace {
 
-/// As much of the text as an error quotes.
+/// Maximum length of text that an error quotes.
 constexpr size_t kQuoted = 20;
 
 constexpr std::string_view kWords[] = {"and",    "digits", "else",   "elsif",  "empty",
@@ -21,7 +21,7 @@ constexpr std::string_view kWords[] = {"and",    "digits", "else",   "elsif",  "
                                        "not",    "one_of", "or",     "random", "repeat",
                                        "round",  "size",   "true",   "zdigits"};
 
-/// How many arguments a function takes.
+/// A function and the number of its arguments.
 struct Function {
   std::string_view name;
   size_t least;
@@ -32,8 +32,8 @@ constexpr Function kFunctions[] = {{"min", 2, 2},    {"max", 2, 2},    {"int", 1
                                    {"zdigits", 2, 3}};
 constexpr std::string_view kOfVariables[] = {"is_nil", "empty", "size"};
 
-/// Operators by how tightly they bind, the loosest first; of one that begins another, the longer
-/// first.
+/// Operators by precedence, lowest first. If one operator begins with another, the longer one is
+/// listed first.
 constexpr std::string_view kEqualities[] = {"==", "!=", "<>", "=~", "!~"};
 constexpr std::string_view kComparisons[] = {"<=", ">=", "<", ">"};
 constexpr std::string_view kSums[] = {"+", "-"};
@@ -57,7 +57,7 @@ Expression LiteralOf(TemplateValue value) {
   return {.kind = Expression::Kind::kLiteral, .value = std::move(value)};
 }
 
-/// Recursive descent.
+/// Recursive descent parser.
 class ExpressionParser {
  public:
   ExpressionParser(TemplateScanner& scanner, int& depth) : in_(scanner), depth_(depth) {}
@@ -99,7 +99,8 @@ class ExpressionParser {
     return Single(std::move(logic));
   }
 
-  /// A long chain is no deep tree: nobody's template takes the stack.
+  /// Parses operators of one precedence level. A long chain becomes one node instead of a deep
+  /// tree, so that no template can exhaust the stack.
   ParsedExpression Chain(size_t level) {
     if (level == std::size(kLevels)) return Unary();
     ParsedExpression first = Chain(level + 1);
@@ -121,7 +122,8 @@ class ExpressionParser {
     return absl::OkStatus();
   }
 
-  /// What joins nothing is its only part.
+  /// Returns the only part of an expression with one part; otherwise returns the expression
+  /// unchanged.
   static Expression Single(Expression whole) {
     if (whole.parts.size() > 1) return whole;
     Expression only = std::move(whole.parts.front());
@@ -193,7 +195,7 @@ class ExpressionParser {
     return LiteralOf(std::move(text));
   }
 
-  /// A regular expression between slashes, as text.
+  /// Parses a regular expression between slashes and returns it as text.
   ParsedExpression Pattern() {
     if (in_.Peek() != '/') return Malformed("\"/\" expected");
     const std::string_view rest = in_.Rest();
@@ -274,7 +276,7 @@ class ExpressionParser {
     return Made(Expression::Kind::kCall, name, *std::move(variable));
   }
 
-  /// Its patterns may stand without commas.
+  /// Parses one_of; commas between its patterns are optional.
   ParsedExpression OneOf() {
     if (!in_.Take("(")) return Malformed("\"(\" expected");
     ParsedExpression subject = Unary();
@@ -293,7 +295,7 @@ class ExpressionParser {
     return call;
   }
 
-  /// x, then x and y of each point; the points may stand without commas.
+  /// Parses x, then x and y of each point; commas between the points are optional.
   ParsedExpression Table() {
     if (!in_.Take("(")) return Malformed("\"(\" expected");
     ParsedExpression x = Unary();

@@ -8,28 +8,35 @@
 
 namespace slicefarm::macro {
 
-/// Where a parser stands in a template, and the words of its language.
+/// Position of a parser in a template, and recognition of the words of its language.
 class TemplateScanner {
  public:
-  /// Nesting beyond this is refused, so that nobody's template takes the stack.
+  /// Maximum nesting depth. Deeper templates are refused, so that no template can exhaust the
+  /// stack.
   static constexpr int kDeepest = 150;
 
   explicit TemplateScanner(std::string_view text) : text_(text) {}
 
   size_t at() const { return at_; }
+  /// Moves the scanner to an earlier or later position.
   void GoTo(size_t at) { at_ = at; }
   bool AtEnd() const { return at_ == text_.size(); }
   std::string_view Rest() const { return text_.substr(at_); }
+  /// Returns the number of the current line, counted from 1.
   int32_t Line() const;
 
-  /// The character after blanks, and those beyond it; '\0' at the end.
+  /// Returns the character `ahead` characters after the next non-blank one; '\0' at the end.
   char Peek(size_t ahead = 0);
+  /// Skips blanks and consumes `sign` if it follows. Returns false otherwise.
   bool Take(std::string_view sign);
+  /// Skips blanks and consumes `word` if it follows as a whole word. Returns false otherwise.
   bool TakeWord(std::string_view word);
+  /// Returns true if `word` follows as a whole word; consumes nothing.
   bool SeesWord(std::string_view word);
-  /// A name that is no word of the language; empty if there is none.
+  /// Reads a name that is not a keyword; empty if there is none.
   std::string_view TakeName();
 
+  /// Returns an error about the text at the current position.
   absl::Status Unexpected() const;
 
  private:
@@ -37,16 +44,18 @@ class TemplateScanner {
 
   std::string_view text_;
   size_t at_ = 0;
-  mutable int32_t line_ = 1;  ///< at line_at_: lines are counted once
+  mutable int32_t line_ = 1;  ///< line number at line_at_, so that lines are counted only once
   mutable size_t line_at_ = 0;
 };
 
-/// A parsed part, or why it is none.
+/// A parsed part, or an error.
 using ParsedExpression = absl::StatusOr<Expression>;
 
-/// The expression at the scanner's place. `depth`: of what stands around it.
+/// Parses the expression at the scanner's position. `depth`: nesting depth of the enclosing
+/// expressions.
 ParsedExpression ParseExpression(TemplateScanner& scanner, int& depth);
 
+/// Returns an error with this text about a malformed template.
 absl::Status Malformed(const std::string& what);
 
 }  // namespace slicefarm::macro

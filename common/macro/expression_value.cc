@@ -14,10 +14,10 @@
 namespace slicefarm::macro {
 namespace {
 
-/// What the texts and lists on the way may come to in all.
+/// Maximum total size of intermediate texts and lists of a template.
 constexpr int64_t kMaxSpentBytes = 64 * limits::kMaxExpandedBytes;
 
-/// What custom G-code may tell a slicer of where it left the printer.
+/// Variables in which custom G-code can report the state of the printer to the slicer.
 constexpr std::array<std::string_view, 4> kOutputs = {"position", "e_position", "e_retracted",
                                                       "e_restart_extra"};
 
@@ -190,7 +190,7 @@ absl::StatusOr<TemplateValue> ExpressionValue::Chain(const Expression& expressio
   return value;
 }
 
-/// What follows the part that decides does not count.
+/// Evaluates `and` and `or`. Parts after the decisive part are not evaluated.
 absl::StatusOr<TemplateValue> ExpressionValue::Logic(const Expression& expression) {
   const bool decisive = expression.kind == Expression::Kind::kOr;
   bool open = false;
@@ -219,7 +219,7 @@ absl::StatusOr<TemplateValue> ExpressionValue::Choice(const Expression& expressi
   return Evaluate(expression.parts[*truth ? 1 : 2]);
 }
 
-/// is_nil, empty and size look at a variable instead of its value.
+/// Evaluates is_nil, empty and size, which concern a variable instead of its value.
 absl::StatusOr<TemplateValue> ExpressionValue::OfVariable(const Expression& expression) {
   const Expression& variable = expression.parts[0];
   const TemplateVariable* const named = Find(variable.text);

@@ -12,32 +12,35 @@
 
 namespace slicefarm::macro {
 
-/// The values of a template's expressions, and the names that they know: local and global
-/// variables, then what the scope has.
+/// Evaluates the expressions of a template. Names are looked up in local and global variables, then
+/// in the scope.
 class ExpressionValue {
  public:
-  /// Both must outlive this.
+  /// REQUIRES: `scope` and `memory` outlive this object.
   ExpressionValue(const TemplateScope& scope, TemplateMemory& memory)
       : scope_(scope), memory_(memory) {}
 
-  /// Errors: InvalidArgument, with the variable under kVariableUrl if it is about one;
-  /// ResourceExhausted.
+  /// Returns the value of an expression. Errors: InvalidArgument, with the variable under
+  /// kVariableUrl if the error concerns one; ResourceExhausted.
   absl::StatusOr<TemplateValue> Evaluate(const Expression& expression);
 
-  /// The text of [name], [name_2] or [name[index]].
+  /// Returns the text of [name], [name_2] or [name[index]].
   absl::StatusOr<std::string> Written(const Statement& legacy);
 
-  /// A whole number; none: it is unknown.
+  /// Returns a whole number; none if it is unknown.
   absl::StatusOr<std::optional<int64_t>> IndexOf(const Expression& expression);
 
+  /// Returns the variable of a name; nullptr if there is none.
   const TemplateVariable* Find(std::string_view name) const;
-  /// A variable that templates may change; nullptr: it is none.
+  /// Returns a variable that templates may change; nullptr if it is not one.
   TemplateVariable* Writable(const std::string& name);
+  /// Returns the error for an assignment to a name that is not writable.
   absl::Status NotWritable(const std::string& name) const;
 
   TemplateVariables& locals() { return locals_; }
 
-  /// Counts what is copied: ResourceExhausted if it is too much for one template.
+  /// Adds the size of copied values to the total. Returns ResourceExhausted if it is too large for
+  /// one template.
   absl::Status Spend(const TemplateVariable& copied);
   absl::Status Spend(const TemplateValue& copied, int64_t times = 1);
 

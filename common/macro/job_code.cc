@@ -26,7 +26,7 @@ bool LayersWait(const JobCode& code) {
         &code.color_change, &code.pause, &code.at_height})
     globals.merge(GlobalsOf(*part));
   const auto waits = [&](const std::string& name) {
-    // How many layers there are is known beforehand.
+    // The number of layers is known beforehand.
     return globals.contains(name) || (WaitsForLayers(name) && name != "total_layer_count");
   };
   return AnyName(code.before_layer, waits) || AnyName(code.layer, waits) ||
@@ -49,7 +49,7 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
       {"color_change_gcode", options.writing.color_change_gcode.str(), code.color_change},
       {"pause_print_gcode", options.writing.pause_gcode.str(), code.pause},
       {"template_custom_gcode", options.writing.template_gcode.str(), code.at_height}};
-  // The last three stand where custom_gcode_per_print_z says.
+  // The last three templates are only used by custom_gcode_per_print_z.
   const size_t count = std::size(places) - (options.writing.height_code.empty() ? 3 : 0);
   if (absl::Status status = ParseTemplates(std::span(places).first(count)); !status.ok())
     return status;

@@ -13,7 +13,7 @@ struct MotionOptions;
 
 namespace slicefarm::macro {
 
-/// The G-code templates of a job, parsed.
+/// Parsed G-code templates of a job.
 struct JobCode {
   Template start;
   Template start_filament;
@@ -25,19 +25,20 @@ struct JobCode {
   Template pause;
   Template at_height;  ///< template_custom_gcode
   Template file_name;
-  /// before_layer_gcode or layer_gcode depends on what was printed before, or on global variables:
-  /// they are filled in when all layers are there, in their order.
+  /// True if before_layer_gcode or layer_gcode depends on earlier layers or on global variables.
+  /// They are then expanded after all layers exist, in the order of the layers.
   bool layers_wait = false;
 };
 
-/// Errors: those of ParseTemplate.
+/// Parses the templates. Errors: errors of ParseTemplate.
 absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options);
 
-/// Before any work: whether each name in the templates that may be read exists, and operands fit.
-/// `settings_text`: the effective settings. Errors: SETTING_MALFORMED naming the setting.
+/// Checks the templates before any work: all names in parts that may run must exist, and operands
+/// must have valid types. `settings_text`: the effective settings. Errors: SETTING_MALFORMED naming
+/// the setting.
 absl::Status CheckJobCode(const MotionOptions& options, std::string_view settings_text);
 
-/// Whether a template of the job names the time of its creation.
+/// Returns true if a template of the job uses the creation time.
 bool NamesClock(const JobCode& code);
 
 }  // namespace slicefarm::macro

@@ -19,12 +19,12 @@ namespace {
 
 using Of = SettingType::Of;
 
-/// Corners of a bed beyond this are none.
+/// Limit of bed coordinates; corners beyond it are invalid.
 constexpr double kFarthestMm = 10'000;
-/// PrusaSlicer has that many places for tools.
+/// Maximum number of tools in PrusaSlicer.
 constexpr size_t kMostTools = 255;
 
-/// Of a percentage, the setting that it relates to.
+/// A setting in percent, and the setting that the percentage refers to.
 struct Relation {
   std::string_view key;
   std::string_view of;
@@ -42,7 +42,7 @@ constexpr Relation kRelations[] = {
     {"top_solid_infill_speed", "solid_infill_speed"},
 };
 
-/// Names of the same value.
+/// Different names of the same value.
 constexpr Relation kAliases[] = {
     {"print_preset", "print_settings_id"},
     {"printer_preset", "printer_settings_id"},
@@ -114,7 +114,7 @@ std::optional<double> Finite(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-/// A number if it looks like one, else text.
+/// Returns a number if the item looks like one, otherwise a text.
 TemplateValue Guessed(const std::string& item) {
   if (item == "nil") return Nil{};
   if (const auto whole = Parse<int64_t>(item)) return *whole;
@@ -189,7 +189,7 @@ void AddLines(std::string_view text, TemplateVariables& variables) {
   }
 }
 
-/// Percentages as their setting's part.
+/// Converts percentages to absolute values of the settings that they refer to.
 void ResolvePercentages(TemplateVariables& variables) {
   for (const Relation& relation : kRelations) {
     const auto part = variables.find(relation.key);
@@ -204,7 +204,7 @@ void ResolvePercentages(TemplateVariables& variables) {
   }
 }
 
-/// The bounds of "0x0,250x0,250x210", as print_bed_min, _max and _size, in mm.
+/// Adds the bounds of a bed such as "0x0,250x0,250x210" as print_bed_min, _max and _size, in mm.
 void AddBed(std::string_view bed_shape, TemplateVariables& variables) {
   double least[2] = {kFarthestMm, kFarthestMm}, most[2] = {-kFarthestMm, -kFarthestMm};
   bool any = false;
@@ -226,9 +226,9 @@ void AddBed(std::string_view bed_shape, TemplateVariables& variables) {
   variables["print_bed_size"] = TemplateVariable::List({most[0] - least[0], most[1] - least[1]});
 }
 
-/// Bambu Studio's and OrcaSlicer's names of the filament in use, which is number `tool`, from 0,
-/// and of the one extruder and nozzle that print it. A hotend's -1 is one that no rack of them
-/// holds.
+/// Adds Bambu Studio's and OrcaSlicer's names of the filament in use, and of the one extruder and
+/// nozzle that print it. `tool`: number of the filament, from 0. A hotend number of -1 means that
+/// the hotend is not in a rack.
 void AddBambuTools(int64_t tool, TemplateVariables& variables) {
   for (const char* name : {"initial_filament_id", "initial_no_support_filament_id",
                            "current_filament_id", "next_filament_id"})
@@ -250,7 +250,7 @@ void AddBambuTools(int64_t tool, TemplateVariables& variables) {
   variables.try_emplace("nozzle_volume_types", TemplateVariable::List({std::string("Standard")}));
 }
 
-/// What both tell besides, of a plate with one filament.
+/// Adds other variables of Bambu Studio and OrcaSlicer, for a plate with one filament.
 void AddBambuNames(TemplateVariables& variables) {
   for (const char* name :
        {"bbl_bed_temperature_gcode", "farthest_point_timelapse_enabled", "has_tpu_in_first_layer",
@@ -265,7 +265,7 @@ void AddBambuNames(TemplateVariables& variables) {
   variables.try_emplace("plate_name", std::string());
 }
 
-/// The tool in use is number `extruder`, from 1.
+/// Adds the variables of the tool in use, which is number `extruder`, from 1.
 void AddTool(TemplateVariables& variables) {
   int64_t tool = 0;
   if (const auto extruder = variables.find("extruder"); extruder != variables.end())
@@ -290,7 +290,7 @@ void AddTool(TemplateVariables& variables) {
   variables["e_restart_extra"] = variables["e_position"] = TemplateVariable::List({0.0});
 }
 
-/// "2026-11-25T10:37:01Z" as timestamp, year, month, ...
+/// Splits a time such as "2026-11-25T10:37:01Z" into timestamp, year, month, ...
 void AddClock(TemplateVariables& variables) {
   const auto created = variables.find("creation_time");
   if (created == variables.end()) return;

@@ -37,7 +37,7 @@ TEST(SettingVariable, HasItsType) {
   EXPECT_THAT(SettingVariable("temperature", "").items, IsEmpty());
 }
 
-// Names of no type of PrusaSlicer's: what they look like.
+// Names without a type in PrusaSlicer get the type that the value looks like.
 TEST(SettingVariable, GuessesOthers) {
   EXPECT_THAT(SettingVariable("mine", "210").items, ElementsAre(TemplateValue(int64_t{210})));
   EXPECT_THAT(SettingVariable("mine", "0.45").items, ElementsAre(TemplateValue(0.45)));
@@ -102,8 +102,8 @@ TEST(AddSettingVariables, ClockNeedsATime) {
   EXPECT_FALSE(variables.contains("timestamp"));
 }
 
-// Each setting of PrusaSlicer's may be named, whether a job has it or not: by a default, or because
-// the effective settings always tell it (settings_table_test.cc).
+// Templates may use each setting of PrusaSlicer, even if a job does not have it. The setting has a
+// default here, or the effective settings always contain it (settings_table_test.cc).
 TEST(TemplateDefaults, AreOfTheirTypes) {
   for (const auto& [key, value] : SettingLines(TemplateDefaults())) {
     const auto type = TypeOfSetting(key);

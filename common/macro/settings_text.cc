@@ -7,14 +7,14 @@
 namespace slicefarm::macro {
 namespace {
 
-/// Lists of texts that come without quotes, as long as no text needs them. Other settings of one
-/// text may hold a ';' of their own.
+/// Returns true for lists of texts, which are written without quotes if no text needs them. Other
+/// settings with one text may contain a ';'.
 bool IsTextList(std::string_view key) {
   return key.starts_with("filament_") || key == "extruder_colour";
 }
 
-/// Position of the ';' after the item that begins at `begin`, or the end. In quotes it is no
-/// separator.
+/// Returns the position of the ';' after the item that begins at `begin`, or the end. A ';' in
+/// quotes is not a separator.
 size_t ItemEnd(std::string_view list, size_t begin) {
   bool quoted = false;
   size_t at = begin;

@@ -7,15 +7,16 @@
 
 namespace slicefarm::macro {
 
-/// The `key = value` lines of a text, spaces around keys and values taken off; lines without "="
-/// are left out. The views are into `text`.
+/// Returns the `key = value` lines of a text, without spaces around keys and values. Lines without
+/// "=" are left out. The views refer to `text`.
 std::vector<std::pair<std::string_view, std::string_view>> SettingLines(std::string_view text);
 
-/// A value as it was before it was put on one line: "\n", "\r" and "\\" become what they stand for,
-/// quotes around the whole go.
+/// Returns the original of a value that was written on one line: replaces "\n", "\r" and "\\", and
+/// removes quotes around the whole value.
 std::string UnescapeSetting(std::string_view value);
 
-/// The texts of a setting, unescaped: of a list of texts (`PLA;PETG`, `"a; b";"c"`) each, else one.
+/// Returns the unescaped texts of a setting: all items of a list of texts (`PLA;PETG`, `"a;
+/// b";"c"`), or one text for other settings.
 std::vector<std::string> SettingItems(std::string_view key, std::string_view value);
 
 }  // namespace slicefarm::macro

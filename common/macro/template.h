@@ -16,15 +16,15 @@ namespace slicefarm::macro {
 struct Expression {
   enum class Kind {
     kLiteral,   ///< `value`
-    kVariable,  ///< `text`, with an index if there is a part
+    kVariable,  ///< variable `text`, with an index if there is a part
     kSign,      ///< `text` is "-" or "+"
     kNot,
     kChain,  ///< parts from left to right, `operators` between them; after =~ and !~ a literal
-    kAnd,    ///< of all parts
+    kAnd,    ///< conjunction of all parts
     kOr,
     kChoice,   ///< condition ? yes : no
     kCall,     ///< `text` is the function
-    kPattern,  ///< of one_of: its part is a regular expression
+    kPattern,  ///< argument of one_of: its part is a regular expression
   };
   Kind kind = Kind::kLiteral;
   std::string text = {};
@@ -33,19 +33,19 @@ struct Expression {
   std::vector<Expression> parts = {};
 };
 
-/// A piece of a template.
+/// A statement of a template, or plain text.
 struct Statement {
   enum class Kind {
-    kText,    ///< `text` as it is
+    kText,    ///< `text`, printed unchanged
     kPrint,   ///< the value of `values[0]`
     kLegacy,  ///< [name], [name_2], [name[index]]: variable `text`, with an index if there is one
-    kAssign,  ///< variable `text`, or its item `index`
+    kAssign,  ///< assignment to variable `text`, or to its item `index`
     kLocal,
     kGlobal,
-    kIf,      ///< each of `body` is a branch
+    kIf,      ///< each statement of `body` is a branch
     kBranch,  ///< {if c}, {elsif c} or, without `values`, {else}, with its `body`
   };
-  /// What is assigned.
+  /// Kind of the right side of an assignment.
   enum class Right { kValue, kList, kRepeat /* values: count, value */ };
   Kind kind = Kind::kText;
   Right right = Right::kValue;
@@ -56,13 +56,13 @@ struct Statement {
   std::vector<Statement> body = {};
 };
 
-/// G-code with placeholders, parsed.
+/// A parsed G-code template.
 struct Template {
-  std::string setting = {};  ///< that it comes from, for errors
+  std::string setting = {};  ///< setting that contains the template, for errors
   std::vector<Statement> body = {};
 };
 
-/// PrusaSlicer's language of G-code templates:
+/// Parses a template in PrusaSlicer's language:
 ///
 ///   [key]  [key_0]  [key[0]]  [key_[index]]   a setting, or an item of one, as a profile writes it
 ///   {expression}
@@ -77,26 +77,26 @@ struct Template {
 ///               one_of(text, "a", ~"pattern", /pattern/, ...) interpolate_table(x, (x0, y0), ...)
 ///
 /// Errors: InvalidArgument SETTING_MALFORMED with metadata `setting` and `line`. Depth is bounded.
-/// Cost: O(length). Source: PrusaSlicer's documentation, "Macros", and what its parser accepts.
+/// Cost: O(length). Source: PrusaSlicer's documentation, "Macros", and the behaviour of its parser.
 absl::StatusOr<Template> ParseTemplate(std::string_view setting, std::string_view text);
 
-/// A setting that is a template, and where its parsed text goes.
+/// A setting that is a template, and the destination of its parsed form.
 struct TemplatePlace {
   std::string_view setting;
   const std::string& text;
   Template& parsed;
 };
 
-/// Errors: that of the first which ParseTemplate refuses.
+/// Parses several templates. Errors: the error of the first template that ParseTemplate refuses.
 absl::Status ParseTemplates(std::span<const TemplatePlace> places);
 
-/// All variables and functions that a template names.
+/// Returns all variables and functions that a template uses.
 std::set<std::string> NamesIn(const Template& code);
 
-/// The global variables that it makes.
+/// Returns the global variables that a template declares.
 std::set<std::string> GlobalsOf(const Template& code);
 
-/// Under it, the variable that an error is about.
+/// Payload key of the variable that an error concerns.
 inline constexpr char kVariableUrl[] = "slicefarm/unknown-variable";
 
 /// Returns SETTING_MALFORMED for `setting` at a line; REQUEST_TOO_LARGE for a text that becomes too

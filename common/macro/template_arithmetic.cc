@@ -16,7 +16,7 @@ namespace {
 
 constexpr int64_t kMostDigits = 64;
 constexpr double kMostWhole = 1e15;
-/// Numbers that differ by less are equal; a table reaches so much beyond its ends.
+/// Tolerance of comparisons. Tables also accept values this far beyond their ends.
 constexpr double kEqual = 1e-8;
 constexpr double kNear = 1e-4;
 
@@ -85,7 +85,7 @@ absl::StatusOr<TemplateValue> ToWhole(const TemplateValue& value, std::string_vi
   return TemplateValue(static_cast<int64_t>(function == "round" ? std::round(*number) : *number));
 }
 
-/// digits(5, 3) is "  5", zdigits(5, 3) "005", digits(1.25, 5, 1) "  1.2".
+/// Formats a number: digits(5, 3) is "  5", zdigits(5, 3) "005", digits(1.25, 5, 1) "  1.2".
 absl::StatusOr<TemplateValue> Digits(std::span<const TemplateValue> arguments, bool zeros) {
   const auto value = Number(arguments[0]);
   const auto* width = std::get_if<int64_t>(&arguments[1]);
@@ -104,7 +104,7 @@ absl::StatusOr<TemplateValue> Digits(std::span<const TemplateValue> arguments, b
                              : absl::StrFormat("%*.*f", w, d, *value));
 }
 
-/// Of two whole numbers a whole one, else a real one.
+/// Returns min or max: an integer if both arguments are integers, otherwise a real number.
 absl::StatusOr<TemplateValue> Extreme(const TemplateValue& a, const TemplateValue& b, bool least) {
   const auto x = Number(a);
   const auto y = Number(b);
@@ -114,7 +114,7 @@ absl::StatusOr<TemplateValue> Extreme(const TemplateValue& a, const TemplateValu
   return TemplateValue(least ? std::min(*x, *y) : std::max(*x, *y));
 }
 
-/// Linear between points whose x grow.
+/// Interpolates linearly between points with increasing x.
 absl::StatusOr<TemplateValue> Interpolated(std::span<const TemplateValue> arguments) {
   std::vector<double> numbers;
   for (const TemplateValue& argument : arguments) {
@@ -215,7 +215,7 @@ absl::StatusOr<TemplateValue> Random(const TemplateValue& from, const TemplateVa
   const auto x = Number(from);
   const auto y = Number(to);
   if (!x || !y) return WrongType("random");
-  constexpr double kRange = 4294967296.0;  // of the generator
+  constexpr double kRange = 4294967296.0;  // number of values of the generator
   const double share = static_cast<double>(random()) / kRange;
   const bool whole = std::holds_alternative<int64_t>(from) && std::holds_alternative<int64_t>(to);
   if (!whole) return TemplateValue(*x + (*y - *x) * share);

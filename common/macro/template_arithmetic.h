@@ -9,22 +9,24 @@
 
 namespace slicefarm::macro {
 
-/// The operators and functions of template expressions, see template.h.
-/// Errors: InvalidArgument for operands of the wrong type, division by zero and whole numbers that
-/// overflow; ResourceExhausted for texts that join to more than limits::kMaxExpandedBytes.
-/// Cost: + appends to `a` where it is, so a sum of texts, moved along, is linear in its length.
+/// Applies an operator of template expressions; see template.h. Errors: InvalidArgument for
+/// operands of the wrong type, division by zero and integer overflow; ResourceExhausted for joined
+/// texts longer than limits::kMaxExpandedBytes. Cost: + appends to `a` in place, so a sum of texts
+/// is linear in its length if the texts are moved.
 absl::StatusOr<TemplateValue> Apply(std::string_view op, TemplateValue a, const TemplateValue& b);
+/// Returns the value with its sign changed.
 absl::StatusOr<TemplateValue> Negated(const TemplateValue& value);
-/// `function` of `arguments`, as many as its parser lets through; of one_of, `patterns` tells which
-/// of them are regular expressions.
+/// Applies `function` to `arguments`; the parser has checked their number. `patterns`: for one_of,
+/// marks the arguments that are regular expressions.
 absl::StatusOr<TemplateValue> Call(std::string_view function,
                                    std::span<const TemplateValue> arguments,
                                    std::span<const bool> patterns = {});
-/// From `from` to `to`: whole numbers with both, real ones without `to`.
+/// Returns a random number: an integer in [from, to], or a real number if `to` is not given.
 absl::StatusOr<TemplateValue> Random(const TemplateValue& from, const TemplateValue& to,
                                      std::mt19937& random);
 
-/// The truth of a condition: InvalidArgument if it is neither a truth value nor a number.
+/// Returns the value of a condition. Errors: InvalidArgument if it is neither a boolean nor a
+/// number.
 absl::StatusOr<bool> Truth(const TemplateValue& value);
 
 }  // namespace slicefarm::macro

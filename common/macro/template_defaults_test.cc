@@ -22,7 +22,7 @@ TEST(TemplateDefaults, AreSortedAndUnique) {
   EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
 }
 
-// Against what PrusaSlicer 2.5 writes itself; later versions changed one of them.
+// Compares with the values that PrusaSlicer 2.5 itself writes; later versions changed one of them.
 TEST(TemplateDefaults, ArePrusaSlicers) {
   std::ifstream file(std::string(SLICEFARM_CORPUS) + "/config/prusaslicer_defaults.ini");
   ASSERT_TRUE(file.is_open());

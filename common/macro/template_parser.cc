@@ -33,8 +33,8 @@ class TemplateParser {
   int32_t Line() const { return in_.Line(); }
 
  private:
-  /// Text with placeholders, up to the end or to a {elsif}, {else} or {endif}, whose brace is
-  /// taken.
+  /// Parses text with placeholders, up to the end or to a {elsif}, {else} or {endif}. The opening
+  /// brace of this word is consumed.
   ParsedBody TextBlock() {
     Body body;
     while (!in_.AtEnd()) {
@@ -58,14 +58,14 @@ class TemplateParser {
     return body;
   }
 
-  /// The word that ends a part of an {if} and comes next; empty: another.
+  /// Returns the next word if it ends a part of an {if}; otherwise an empty text.
   std::string_view ClosingWord() {
     for (const std::string_view word : {"elsif", "else", "endif"})
       if (in_.SeesWord(word)) return word;
     return {};
   }
 
-  /// Statements up to the brace that closes them.
+  /// Parses statements up to the brace that closes them.
   absl::Status Code(Body& body) {
     bool any = false;
     while (!in_.Take("}")) {
@@ -75,7 +75,7 @@ class TemplateParser {
     return any ? absl::OkStatus() : Malformed("expression expected");
   }
 
-  /// A statement with what separates it from the next, or a separator.
+  /// Parses a statement and the separator after it, or only a separator.
   absl::Status OneOfCode(Body& body, bool& any) {
     any = true;
     if (in_.Take(";")) return absl::OkStatus();
@@ -107,7 +107,7 @@ class TemplateParser {
     return Malformed("{" + std::string(word) + "} without {if}");
   }
 
-  /// A condition with what it guards.
+  /// Parses a condition with the part that depends on it.
   absl::Status Conditional(Statement& statement) {
     Statement branch = {.kind = Statement::Kind::kBranch, .line = in_.Line()};
     auto condition = ParseExpression(in_, depth_);
@@ -118,7 +118,7 @@ class TemplateParser {
     return Part(statement, std::move(branch));
   }
 
-  /// }text{ or statements, up to the word that ends it.
+  /// Parses }text{ or statements, up to the word that ends the part.
   absl::Status Part(Statement& statement, Statement branch) {
     if (in_.Take("}")) {
       ParsedBody body = TextBlock();
@@ -156,7 +156,7 @@ class TemplateParser {
     return made;
   }
 
-  /// name = .. or name[index] = ..; none: what comes is something else.
+  /// Parses name = .. or name[index] = ..; returns none if the next text is not an assignment.
   std::optional<ParsedStatement> Assignment() {
     const size_t begin = in_.at();
     Statement assignment = {.kind = Statement::Kind::kAssign, .line = in_.Line()};
@@ -185,7 +185,7 @@ class TemplateParser {
       absl::Status list = Items(statement);
       const bool ends = in_.Peek() == ';' || in_.Peek() == '}' || !ClosingWord().empty();
       if (ends || !list.ok()) return list;
-      // (1 + 2) * 3 is no list.
+      // (1 + 2) * 3 is not a list.
       statement.right = Statement::Right::kValue;
       statement.values.clear();
       in_.GoTo(begin);
@@ -218,7 +218,7 @@ class TemplateParser {
     return absl::OkStatus();
   }
 
-  /// After "[": name], name_2], name[index]] or name_[index]].
+  /// Parses the text after "[": name], name_2], name[index]] or name_[index]].
   ParsedStatement Legacy() {
     const size_t open = in_.at();
     Statement legacy = {.kind = Statement::Kind::kLegacy, .line = in_.Line()};
@@ -276,7 +276,7 @@ void AddGlobals(const Body& body, std::set<std::string>& names) {
 }  // namespace
 
 absl::StatusOr<Template> ParseTemplate(std::string_view setting, std::string_view text) {
-  // PrusaSlicer drops blanks before all else.
+  // PrusaSlicer removes blanks at the beginning first.
   TemplateParser parser(text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())));
   ParsedBody body = parser.All();
   if (body.ok()) return Template{std::string(setting), *std::move(body)};

@@ -11,8 +11,8 @@
 namespace slicefarm::macro {
 namespace {
 
-/// A value in the type of those that a variable has had so far: numbers and texts convert, truth
-/// values do not.
+/// Converts a value to the type of a variable's old value. Numbers and texts are converted,
+/// booleans are not.
 absl::StatusOr<TemplateValue> InTypeOf(const TemplateValue& old, TemplateValue value) {
   if (IsUnknown(old) || IsUnknown(value) || old.index() == value.index()) return value;
   if (std::holds_alternative<std::string>(old)) return TemplateValue(ToText(value));
@@ -24,7 +24,8 @@ absl::StatusOr<TemplateValue> InTypeOf(const TemplateValue& old, TemplateValue v
   return absl::InvalidArgumentError("a value of another type than the variable's");
 }
 
-/// The items of a list literal in one type: texts win, then real numbers.
+/// Converts the items of a list literal to one type: text if there is a text, else real if there is
+/// a real number.
 absl::Status MakeAlike(std::vector<TemplateValue>& items) {
   const auto any = [&](size_t type) {
     return std::ranges::any_of(items, [&](const TemplateValue& v) { return v.index() == type; });
@@ -85,7 +86,8 @@ class Runner {
     }
   }
 
-  /// A variable of a few characters may stand for a long text, as often as one likes.
+  /// Appends text to the result. The size is limited, because a template can print a long text any
+  /// number of times through a short variable.
   absl::Status Print(std::string_view text) {
     if (result_.size() + text.size() > static_cast<size_t>(limits::kMaxExpandedBytes))
       return absl::ResourceExhaustedError("text too long");
@@ -100,7 +102,7 @@ class Runner {
       const auto condition = names_.Evaluate(branch.values[0]);
       if (!condition.ok()) return condition.status();
       if (IsUnknown(*condition)) {
-        // It may be taken, or one of those after it.
+        // The condition is unknown: this branch may run, or one of the branches after it.
         if (absl::Status status = RunMaybe(branch.body); !status.ok()) return status;
         continue;
       }
@@ -111,7 +113,7 @@ class Runner {
     return absl::OkStatus();
   }
 
-  /// What it changes is unknown from then on.
+  /// Runs a branch that may not run in the print. Variables that it changes are Unknown afterwards.
   absl::Status RunMaybe(const std::vector<Statement>& body) {
     const TemplateVariables locals = names_.locals();
     const TemplateVariables globals = memory_.globals;
@@ -172,7 +174,7 @@ class Runner {
     return absl::OkStatus();
   }
 
-  /// Puts the right side into a variable that is there, in its type.
+  /// Stores the right side in an existing variable, in its type.
   absl::Status Store(const Statement& statement, TemplateVariable& variable) {
     auto right = RightOf(statement);
     if (!right.ok()) return right.status();

@@ -10,33 +10,37 @@
 
 namespace slicefarm::macro {
 
-/// What outlives a template of a job: its global variables, and where its random numbers are.
+/// State that the templates of a job share: global variables, and the state of the random
+/// generator.
 struct TemplateMemory {
   TemplateVariables globals;
-  std::mt19937 random;  ///< the same for each job, so that its bytes are
+  std::mt19937 random;  ///< starts equally for each job, so that equal jobs give equal bytes
 };
 
-/// What a template may read: what holds for the whole job, and over it what is so now.
+/// Variables that a template can read. `now` has the current values, which override the values in
+/// `job`.
 struct TemplateScope {
   const TemplateVariables& job;
   const TemplateVariables& now;
 };
 
-/// The text that a template comes to. Of lists an index past their end gives the first item, as a
-/// list without an index does. + also joins texts; / of whole numbers is whole; and, or, ?: and
-/// {if} leave unread what they do not take.
-/// Errors: InvalidArgument SETTING_MALFORMED naming setting, line and, if there is one, the unknown
-/// `variable`; with `limit`, if more than limits::kMaxExpandedBytes would come out, or lists and
-/// texts on the way come to many times that. Cost: O(template + what it joins and copies).
+/// Returns the expanded text of a template. An index beyond the end of a list gives the first item,
+/// and so does a list without an index. + also joins texts; / of integers gives an integer; `and`,
+/// `or`, ?: and {if} do not evaluate parts that they do not need. Errors: InvalidArgument
+/// SETTING_MALFORMED naming setting, line and, if there is one, the unknown `variable`. The
+/// metadata has `limit` if the result would exceed limits::kMaxExpandedBytes, or if intermediate
+/// lists and texts would exceed a multiple of this limit. Cost: O(template + joined and copied
+/// values).
 absl::StatusOr<std::string> RunTemplate(const Template& code, const TemplateScope& scope,
                                         TemplateMemory& memory);
 
-/// The same before the print, with Unknown for what only that tells: whatever hangs on it is read
-/// either way. Finds names that do not exist and operands that do not fit.
+/// Checks a template before the print. Values that only the print determines are Unknown, and both
+/// branches of a condition that depends on them are checked. The check finds unknown names and
+/// operands of wrong types.
 absl::Status CheckTemplate(const Template& code, const TemplateScope& scope,
                            TemplateMemory& memory);
 
-/// For one template by itself.
+/// Parses and expands a single template.
 absl::StatusOr<std::string> ExpandTemplate(std::string_view setting, std::string_view text,
                                            const TemplateVariables& variables);
 

@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
         Term{"layer_num > 5 ? 1 : layer_num > 1 ? 2 : 3", "2"}, Term{"\"T\" + layer_num", "T2"},
         Term{"filament_type[0] =~ /PET.*/", "true"}, Term{"filament_type[0] !~ /PET/", "true"},
         Term{"\"a/b\" =~ /a\\/b/ and \"a.\" =~ /a\\./", "true"},
-        // What is not chosen is not looked at.
+        // Parts that are not selected are not evaluated.
         Term{"true or unknown", "true"}, Term{"false and 1 / 0", "false"},
         Term{"true ? 1 : unknown", "1"}, Term{"false ? 1 / 0 : 2", "2"}));
 
@@ -238,12 +238,12 @@ TEST(RunTemplate, RandomNumbersAreTheSameForEachJobAndGoOn) {
 struct Check {
   std::string name;
   std::string text;
-  std::string variable;  ///< that is wrong; "-": nothing is
+  std::string variable;  ///< variable that the error names; "-": no error
 };
 
 class CheckTemplateTest : public testing::TestWithParam<Check> {};
 
-// `seen`: what only the print tells.
+// `seen`: a variable that only the print determines.
 TEST_P(CheckTemplateTest, LooksWherePrintsMayGo) {
   const TemplateVariables now = {{"seen", Unknown{}}};
   TemplateMemory memory;
@@ -292,7 +292,7 @@ TEST(ExpandTemplate, WhatComesOutIsBounded) {
   EXPECT_TRUE(ExpandTemplate("layer_gcode", "{if false}" + printed + "{endif}", variables).ok());
 }
 
-/// However long, an expression takes no stack.
+/// An expression of any length does not exhaust the stack.
 TEST(ExpandTemplate, LongExpressionsEnd) {
   for (const char* joint : {"+1", " and true", " or false", "*1", "==1"}) {
     std::string text = std::string(joint)[0] == ' ' ? "{true" : "{1";
@@ -304,7 +304,7 @@ TEST(ExpandTemplate, LongExpressionsEnd) {
   EXPECT_EQ(*ExpandTemplate("g", sum + "}", {}), "30000");
 }
 
-/// Texts that double and lists of millions end soon.
+/// Texts that double and lists with millions of items are stopped early.
 TEST(ExpandTemplate, WhatItTakesIsBounded) {
   std::string doubling = "{local a = \"xxxxxxxxxxxxxxxx\"";
   for (int i = 0; i < 60; ++i) doubling += "; a = a + a";

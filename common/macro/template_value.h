@@ -10,12 +10,12 @@
 
 namespace slicefarm::macro {
 
-/// A setting that its list leaves open (`nil`).
+/// A setting without a value in its list (`nil`).
 struct Nil {
   friend bool operator==(Nil, Nil) { return true; }
 };
 
-/// What only the print itself will tell, while templates are checked before it.
+/// A value that only the print determines, used while templates are checked before it.
 struct Unknown {
   friend bool operator==(Unknown, Unknown) { return true; }
 };
@@ -23,13 +23,14 @@ struct Unknown {
 /// A value in a G-code template.
 using TemplateValue = std::variant<Nil, Unknown, bool, int64_t, double, std::string>;
 
-/// What a name in a template stands for: a value, or a list of them.
+/// Value of a name in a template: a single value, or a list of values.
 struct TemplateVariable {
   TemplateVariable() = default;
-  /// One value: `TemplateVariable(int64_t{3})`.
+  /// Makes a variable with one value: `TemplateVariable(int64_t{3})`.
   template <typename Item>
   requires std::is_constructible_v<TemplateValue, Item> TemplateVariable(Item item)
       : items{TemplateValue(std::move(item))} {}  // NOLINT: reads as one
+  /// Makes a variable with a list of values.
   static TemplateVariable List(std::vector<TemplateValue> items) {
     TemplateVariable list;
     list.items = std::move(items);
@@ -39,8 +40,8 @@ struct TemplateVariable {
 
   std::vector<TemplateValue> items;
   bool is_list = false;
-  /// Of each item, how `[name]` writes it where that differs from its value: "15%". Empty: as
-  /// ToText has it.
+  /// Text of each item in `[name]`, if it differs from the value, such as "15%". Empty: the text of
+  /// ToText.
   std::vector<std::string> written = {};
 
   friend bool operator==(const TemplateVariable&, const TemplateVariable&) = default;
@@ -48,13 +49,15 @@ struct TemplateVariable {
 
 using TemplateVariables = std::map<std::string, TemplateVariable, std::less<>>;
 
-/// Item `index` of a variable; past its end, the first one. nullptr: it has none.
+/// Returns item `index` of a variable; beyond its end, the first item; nullptr if the variable has
+/// no items.
 const TemplateValue* ItemOf(const TemplateVariable& variable, int64_t index);
 
+/// Returns true if the value is Unknown.
 bool IsUnknown(const TemplateValue& value);
 
-/// As it stands in the G-code: numbers with six significant digits, as C's %g has them; nothing for
-/// what is unknown.
+/// Returns the text of a value in G-code: numbers with six significant digits, as with %g in C; an
+/// empty text for an unknown value.
 std::string ToText(const TemplateValue& value);
 
 }  // namespace slicefarm::macro

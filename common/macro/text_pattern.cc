@@ -10,7 +10,7 @@ namespace slicefarm::macro {
 namespace {
 
 constexpr size_t kLongest = 1'000;
-constexpr int64_t kMaxBytes = 1 << 20;  // of the automaton
+constexpr int64_t kMaxBytes = 1 << 20;  // memory limit of the automaton
 
 RE2::Options Options() {
   RE2::Options options;

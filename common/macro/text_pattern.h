@@ -6,13 +6,14 @@
 
 namespace slicefarm::macro {
 
-/// Whether the whole of `text` matches a regular expression, as PrusaSlicer's =~ has it: Perl's
-/// syntax, `.` takes line ends too, `^` and `$` stand for the ends of lines, capitals count. Texts
-/// are bytes: a letter beyond ASCII is as many characters as it has bytes.
+/// Returns true if the whole of `text` matches a regular expression, as with PrusaSlicer's =~:
+/// Perl's syntax, `.` also matches line ends, `^` and `$` match the ends of lines, and letter case
+/// counts. Texts are bytes: a letter beyond ASCII counts as several characters.
 ///
-/// By RE2, in time and memory that are linear in the text: strangers write both. So no back
-/// references (`\1`) and no looking ahead. Errors: InvalidArgument for patterns that RE2 does not
-/// take, that are longer than 1000 characters, or whose repetitions (`x{1000}`) make them large.
+/// RE2 evaluates the pattern in time and memory that are linear in the text, because strangers
+/// write both the pattern and the text. Therefore back references (`\1`) and lookahead are not
+/// supported. Errors: InvalidArgument for patterns that RE2 refuses, that are longer than 1000
+/// characters, or that are large because of repetitions (`x{1000}`).
 absl::StatusOr<bool> MatchesPattern(std::string_view text, std::string_view pattern);
 
 }  // namespace slicefarm::macro

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"\\d+\\.\\d", "12.5", true}, Case{"\\w\\s\\W", "a !", true},
                     Case{"^a$", "a", true}, Case{"[\\d.]+", "1.5", true}, Case{"a.c", "a\nc", true},
                     Case{".*MODEL_MK3.*", "keep\nMODEL_MK3\n", true},
-                    // Lines have ends of their own, as in PrusaSlicer's notes.
+                    // ^ and $ match at each line, as in PrusaSlicer's notes.
                     Case{".*^MODEL_MK3$.*", "keep\nMODEL_MK3\n", true},
                     Case{".*^MODEL_MK3$.*", "keep MODEL_MK3\n", false}, Case{"a^b", "ab", false},
                     Case{"mk3", "MK3", false}, Case{"(?i)mk3", "MK3", true},
@@ -74,12 +74,12 @@ TEST(MatchesPattern, AgreesWithTheStandardLibrary) {
   }
 }
 
-// What makes a backtracking matcher try 2^n ways.
+// Patterns for which a backtracking matcher would make 2^n attempts.
 TEST(MatchesPattern, HostilePatternsEnd) {
   const std::string text(2'000, 'a');
   EXPECT_FALSE(*MatchesPattern(text + "b", "(a|a)*(a*)*(a+)+c"));
   EXPECT_TRUE(*MatchesPattern(text, "((a*)*)*"));
-  // An automaton of more states than there is room for.
+  // An automaton with more states than the memory limit allows.
   EXPECT_TRUE(*MatchesPattern(text, "(a|b)*a(a|b){12}"));
   EXPECT_FALSE(*MatchesPattern(text + "c", "(a|b)*a(a|b){12}"));
 }

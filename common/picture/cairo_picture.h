@@ -18,10 +18,10 @@ struct CairoRelease {
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoRelease>;
 using CairoContext = std::unique_ptr<cairo_t, CairoRelease>;
 
-/// Appends to the std::string `bytes` what Cairo writes: a cairo_write_func_t.
+/// Appends data from Cairo to the std::string `bytes`; the function is a cairo_write_func_t.
 cairo_status_t AppendToString(void* bytes, const unsigned char* data, unsigned int size);
 
-/// Returns an image surface as PNG. Errors: Internal, with Cairo's words.
+/// Returns an image surface as PNG. Errors: Internal, with Cairo's message.
 absl::StatusOr<std::string> PngOf(cairo_surface_t* surface);
 
 }  // namespace slicefarm

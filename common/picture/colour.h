@@ -2,6 +2,7 @@
 
 namespace slicefarm {
 
+/// A colour with red, green and blue components.
 struct Colour {
   double red = 0;  ///< 0 to 1
   double green = 0;

@@ -12,7 +12,7 @@
 
 namespace slicefarm {
 
-/// For tests: a PNG to look at pixel by pixel.
+/// A PNG with access to its pixels, for tests.
 class Picture {
  public:
   explicit Picture(std::string png) : png_(std::move(png)) {

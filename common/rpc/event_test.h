@@ -8,12 +8,14 @@ namespace slicefarm {
 /// An event that happens once, and that a test waits for. Thread-safe.
 class Event {
  public:
+  /// Marks the event as happened.
   void Happen() {
     const std::lock_guard lock(mutex_);
     happened_ = true;
     changed_.notify_all();
   }
 
+  /// Waits until the event has happened.
   void Await() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return happened_; });

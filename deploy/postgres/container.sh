@@ -7,7 +7,7 @@ single() { postgres --single -D "$PGDATA" postgres; }
 
 chmod 700 "$PGDATA"
 if [[ ! -s $PGDATA/PG_VERSION ]]; then
-  find "$PGDATA" -mindepth 1 ! -name lost+found -delete # of a life that was killed here
+  find "$PGDATA" -mindepth 1 ! -name lost+found -delete # files of an initialisation that was killed
   initdb --username=slicefarm --auth-local=trust --auth-host=scram-sha-256 --encoding=UTF8 --locale=C.UTF-8 \
     --pwfile=<(echo "${POSTGRES_PASSWORD:?the password is to be set}") "$PGDATA/new" >/dev/null
   echo "host all all all scram-sha-256" >>"$PGDATA/new/pg_hba.conf"

@@ -16,7 +16,7 @@ dir=$(cd "$2" && pwd)
 shift 2
 bin=$(find /usr/lib/postgresql -maxdepth 2 -name bin 2>/dev/null | sort -V | tail -1)
 [[ -n $bin ]] || { echo "server.sh: the package postgresql is not installed; deploy/setup.sh does it" >&2; exit 1; }
-cd / # a directory that the server's user may enter
+cd / # the server's user may not be able to enter the current directory
 as=()
 if [[ $(id -u) -eq 0 ]]; then # PostgreSQL refuses to run as root
   chown postgres "$dir"
@@ -36,7 +36,7 @@ start() {
     [[ $try -lt 10 ]] || { tail -20 "$dir/log" >&2; exit 1; }
     sleep 0.5
   done
-  "$bin/createdb" -h "$dir" -U slicefarm slicefarm 2>/dev/null || true # it is there already
+  "$bin/createdb" -h "$dir" -U slicefarm slicefarm 2>/dev/null || true # it may exist already
   echo "host=$dir user=slicefarm dbname=slicefarm"
 }
 
@@ -48,7 +48,7 @@ processes() {
 
 signal() {
   local all
-  read -ra all < <(processes) && kill -"$1" "${all[@]}" 2>/dev/null # some may have ended since
+  read -ra all < <(processes) && kill -"$1" "${all[@]}" 2>/dev/null # some processes may have ended already
 }
 
 case $command in
@@ -58,7 +58,7 @@ case $command in
     "${as[@]}" "$bin/pg_ctl" -D "$dir/data" -m fast -w -s stop >/dev/null 2>&1 || true
     ;;
   kill) signal KILL ;;
-  pause) signal STOP && signal STOP ;; # the second time for those that came meanwhile
+  pause) signal STOP && signal STOP ;; # the second signal stops processes that were started meanwhile
   resume) signal CONT ;;
   *) usage ;;
 esac

@@ -113,7 +113,7 @@ reload() {
   local now
   now=$(state "$dir/next.conf")
   [[ "$now" != "$read_last" ]] || return 0
-  nginx -p "$dir" -c "$dir/next.conf" -e stderr -t -q || return 0 # half of a renewal: the other half comes
+  nginx -p "$dir" -c "$dir/next.conf" -e stderr -t -q || return 0 # a half-renewed certificate; the rest follows
   mv "$dir/next.conf" "$dir/nginx.conf"
   kill -HUP "$nginx" && read_last=$now
 }

@@ -4,6 +4,7 @@
 
 namespace slicefarm {
 
+/// Returns the wire format of the process's tasks.
 const TaskWire& WireOf(Process process);
 
 /// Returns the wire format of the process that `start` belongs to, or null if `start` contains no

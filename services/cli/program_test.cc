@@ -417,7 +417,7 @@ TEST_F(Program, StopsAtCtrlC) {
   std::signal(SIGPIPE, SIG_IGN);
   const pid_t pid =
       Start({"slice", Path("pipe.obj"), "-o", Path("out.gcode"), "--set", "layer_height=0.01"});
-  std::ofstream pipe(Path("pipe.obj"));  // waits for the program to open its end
+  std::ofstream pipe(Path("pipe.obj"));  // waits until the program opens the pipe
   ASSERT_EQ(kill(pid, SIGINT), 0);
   const auto pending = [&] {
     std::ifstream status("/proc/" + std::to_string(pid) + "/status");
@@ -441,7 +441,7 @@ TEST_F(Program, EndsWhereverItIs) {
     std::filesystem::remove(Path("pipe.obj"));
     ASSERT_EQ(mkfifo(Path("pipe.obj").c_str(), 0600), 0);
     const pid_t pid = Start({"slice", Path("pipe.obj"), "-o", Path("out.gcode")});
-    const std::ofstream pipe(Path("pipe.obj"));  // waits for the program to open its end
+    const std::ofstream pipe(Path("pipe.obj"));  // waits until the program opens the pipe
     ASSERT_EQ(kill(pid, signal), 0);
     const Outcome outcome = Await(pid);
     EXPECT_EQ(outcome.code, ExitCode::kCancelled) << outcome.err;

@@ -11,19 +11,21 @@
 
 namespace slicefarm::lab {
 
-/// Outlines as text: two numbers that are not used, then for each ring its number of points and
-/// their x and y in mm; the region by the even-odd rule. (The format of the data set of Hornus et
-/// al. 2020 and Kuipers et al. 2020.) Errors: kMeshMalformed.
+/// Reads outlines from a text. The text has two unused numbers, then for each ring its number of
+/// points and their x and y in mm. The region follows the even-odd rule. (This is the format of the
+/// data set of Hornus et al. 2020 and Kuipers et al. 2020.) Errors: kMeshMalformed.
 absl::StatusOr<MultiPolygon> ParseOutlines(std::string_view text);
 
-/// The .txt files of a directory by name. Errors: kRequestMalformed, also if there is none.
+/// Returns the .txt files of a directory, sorted by name. Errors: kRequestMalformed, also if there
+/// are none.
 absl::StatusOr<std::vector<std::filesystem::path>> OutlineFiles(const std::string& directory);
 
-/// Errors are ReadFile's and ParseOutlines', with the file's name.
+/// Reads the outlines of a file. Errors: errors of ReadFile and ParseOutlines, with the file's
+/// name.
 absl::StatusOr<MultiPolygon> ReadOutlines(const std::filesystem::path& file);
 
-/// Beads as text, a line each: inset, 1 if it runs along the middle, 1 if it is closed, number of
-/// points, then x, y and width of each in mm.
+/// Returns beads as text, one per line: inset, 1 if the bead runs along the middle, 1 if it is
+/// closed, number of points, then x, y and width of each point in mm.
 std::string PrintBeads(const std::vector<beading::WallLine>& lines);
 
 }  // namespace slicefarm::lab

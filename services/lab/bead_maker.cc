@@ -16,11 +16,13 @@ namespace {
 using beading::VariableWalls;
 using beading::WallLine;
 
-/// Walls on either side that fill any part.
+/// Number of walls on either side that fills any part.
 constexpr int kEnoughWalls = 10'000;
-/// Transitions are this many tenths of a width long: longer ones overlap less and leave more gaps.
+/// Length of transitions in tenths of a bead width. Longer transitions overlap less and leave more
+/// gaps.
 constexpr int kTransition = 13;
-/// Beads this low have square sides, so that their width is what they fill.
+/// Layer height at which beads have square sides, so that the width of a bead equals the width that
+/// it fills.
 constexpr Coord kFlatNm = 1;
 
 double SecondsSince(std::chrono::steady_clock::time_point start) {
@@ -85,7 +87,7 @@ VariableWalls BeadMaker::Constant(const PolygonWithHoles& island) const {
   const auto beads =
       beading::MakeClassicIsland(island, plan, {least_nm_, 2 * width_nm_, kFlatNm}, CancelToken());
   VariableWalls walls;
-  if (beads.ok())  // only a cancelled call fails
+  if (beads.ok())  // fails only if it is cancelled
     for (const Path& path : beads->walls) walls.lines.push_back(LineOf(path));
   return walls;
 }

@@ -9,32 +9,35 @@
 
 namespace slicefarm::lab {
 
+/// Bead width and layout of walls.
 struct BeadMakerOptions {
   double width_mm = 0.5;
   double min_feature_mm = 0.3;
-  double transition_angle = 45;  ///< degrees
-  int walls = 0;                 ///< on either side; 0: as many as fill the part
+  double transition_angle = 45;  ///< in degrees
+  int walls = 0;                 ///< number of walls on either side; 0: enough to fill the part
 };
 
+/// Figures summed over all outlines.
 struct BeadTotals {
   int outlines = 0;
-  int fallbacks = 0;  ///< islands
+  int fallbacks = 0;  ///< number of islands without a skeleton
   double seconds = 0;
   double diagram_s = 0;
 };
 
-/// Beads of outlines, laid out as the paper does: they tile, edge to edge, and the outermost ones
+/// Makes the beads of outlines as in the paper: beads adjoin edge to edge, and the outermost beads
 /// reach the outline.
 class BeadMaker {
  public:
   explicit BeadMaker(const BeadMakerOptions& options);
 
-  /// Beads of one outline, which is added to `totals`.
+  /// Returns the beads of one outline, and adds its figures to `totals`.
   std::vector<beading::WallLine> Make(const MultiPolygon& islands, BeadTotals& totals) const;
 
  private:
   beading::VariableWalls MakeIsland(const PolygonWithHoles& island, BeadTotals& totals) const;
-  /// Where there is no skeleton: constant insets, and lines along the gaps between them.
+  /// Returns beads of an island without a skeleton: constant insets, and lines along the gaps
+  /// between them.
   beading::VariableWalls Constant(const PolygonWithHoles& island) const;
 
   Coord width_nm_ = 0;

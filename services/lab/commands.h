@@ -8,13 +8,13 @@ class App;
 
 namespace slicefarm::lab {
 
-/// Each adds its subcommand. `app` and `context` must outlive the parsing and the run.
-void AddBeads(CLI::App& app, cli::CommandContext& context);       ///< beads_command.cc
-void AddFill(CLI::App& app, cli::CommandContext& context);        ///< fill_command.cc
-void AddDecompose(CLI::App& app, cli::CommandContext& context);   ///< decompose_command.cc
-void AddTsp(CLI::App& app, cli::CommandContext& context);         ///< tsp_command.cc
-void AddFlatten(CLI::App& app, cli::CommandContext& context);     ///< flatten_command.cc
-void AddWaterline(CLI::App& app, cli::CommandContext& context);   ///< waterline_command.cc
-void AddSupportLab(CLI::App& app, cli::CommandContext& context);  ///< support_lab_command.cc
+/// Functions that each add a subcommand. `app` and `context` must outlive the parsing and the run.
+void AddBeads(CLI::App& app, cli::CommandContext& context);       ///< defined in beads_command.cc
+void AddFill(CLI::App& app, cli::CommandContext& context);        ///< defined in fill_command.cc
+void AddDecompose(CLI::App& app, cli::CommandContext& context);   ///< defined in decompose_command.cc
+void AddTsp(CLI::App& app, cli::CommandContext& context);         ///< defined in tsp_command.cc
+void AddFlatten(CLI::App& app, cli::CommandContext& context);     ///< defined in flatten_command.cc
+void AddWaterline(CLI::App& app, cli::CommandContext& context);   ///< defined in waterline_command.cc
+void AddSupportLab(CLI::App& app, cli::CommandContext& context);  ///< defined in support_lab_command.cc
 
 }  // namespace slicefarm::lab

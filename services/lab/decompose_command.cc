@@ -50,7 +50,7 @@ std::string PiecesText(const exposure::ConvexPieces& result, int decimals) {
   return text;
 }
 
-/// With the place of rings that cross in the file's unit, which need not be mm.
+/// Returns an error with the position of crossing rings in the file's unit, which need not be mm.
 absl::Status InFileUnit(const absl::Status& status, const std::string& file, int decimals) {
   const ErrorDetail detail = DetailOf(status);
   const auto x = detail.metadata.find("x_nm"), y = detail.metadata.find("y_nm");
@@ -66,7 +66,7 @@ cli::ExitCode Decompose(const DecomposeCommandOptions& options) {
   if (!text.ok()) return cli::Fail(text.status());
   const auto file = ParsePoly(*text);
   if (!file.ok()) return cli::Fail(file.status());
-  // The file has no unit: what counts as straight is decided by area alone.
+  // The file has no unit, so only the area decides which points count as collinear.
   const exposure::DecomposeOptions how = {.method = kMethods.at(options.method),
                                           .merge_nm = std::numeric_limits<double>::infinity()};
   const auto start = std::chrono::steady_clock::now();

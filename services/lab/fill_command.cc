@@ -33,9 +33,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beads this low have square sides, so that their width is what they fill.
+/// Layer height at which beads have square sides, so that the width of a bead equals the width that
+/// it fills.
 constexpr Coord kFlatHeightNm = 1;
-/// What conductivity is told for: PLA, and air.
+/// Conductivities of PLA and air, with which the conductivity of the infill is calculated.
 constexpr double kPlasticWmK = 0.2;
 constexpr double kAirWmK = 0.026;
 
@@ -51,7 +52,7 @@ struct FillOptions {
   bool quality = false;
 };
 
-/// What the rows tell, over all outlines.
+/// Figures in the printed rows, summed over all outlines.
 struct FillTotals {
   int64_t outlines = 0;
   int64_t components = 0;
@@ -60,10 +61,10 @@ struct FillTotals {
   double longest_mm = 0;
   double area_mm2 = 0;
   double seconds = 0;
-  infill::FillQuality quality;  ///< shares summed by area, isotropy by length
+  infill::FillQuality quality;  ///< shares weighted by area, isotropy by length
 };
 
-/// `20%` or `0.2` as a share of 1.
+/// Reads `20%` or `0.2` as a fraction of 1.
 std::optional<double> ReadDensity(std::string_view text) {
   const bool percent = text.ends_with('%');
   if (percent) text.remove_suffix(1);
@@ -151,7 +152,7 @@ absl::Status FillFile(const fs::path& from, const fs::path& to, FillPattern patt
   return cli::WriteFile(to.string(), PrintFill(*paths));
 }
 
-/// 0 of nothing.
+/// Returns part / whole; 0 if `whole` is 0.
 double Ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 std::string QualityRows(const FillTotals& all, double asked) {

@@ -7,8 +7,8 @@
 
 namespace slicefarm::lab {
 
-/// Paths as text, a line each: number of points, then x and y of each in mm. A closed path ends
-/// with its first point once more.
+/// Returns paths as text, one per line: number of points, then x and y of each point in mm. A
+/// closed path repeats its first point at the end.
 std::string PrintFill(const std::vector<Path>& paths);
 
 }  // namespace slicefarm::lab

@@ -28,7 +28,7 @@ struct FlattenCommandOptions {
   bool no_seam = false;
 };
 
-/// The surface as it was, with a `vt` for each vertex of the opened one.
+/// Returns the original surface as OBJ, with a `vt` for each vertex of the opened surface.
 std::string MapText(const texture::SurfaceMesh& mesh, const texture::OpenedSurface& opened,
                     const texture::FlatMap& map) {
   fmt::memory_buffer text;
@@ -45,7 +45,7 @@ std::string MapText(const texture::SurfaceMesh& mesh, const texture::OpenedSurfa
   return fmt::to_string(text);
 }
 
-/// The greatest distortion of a triangle, over 4.
+/// Returns the greatest distortion energy of a triangle, divided by 4.
 double GreatestEnergy(const texture::SurfaceMesh& mesh, const texture::FlatMap& map) {
   double greatest = 0;
   for (const auto& [a, b, c] : mesh.triangles) {

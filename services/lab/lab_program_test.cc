@@ -1,4 +1,4 @@
-// The program itself, run as a process: what each command writes and prints, and exit codes.
+// Runs the program as a process. Tests the files and output of each command, and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -119,7 +119,7 @@ TEST_F(Program, FindsLoopsOfACutter) {
   EXPECT_THAT(Text("loops.txt"), StartsWith("2 "));
 }
 
-/// A plate on a leg: what overhangs stands on supports.
+/// A plate on a leg: its overhang needs supports.
 TEST_F(Program, PlansSupportsOfAModelAlone) {
   Put("table.obj",
       "v 8 8 0\nv 12 8 0\nv 12 12 0\nv 8 12 0\nv 8 8 8\nv 12 8 8\nv 12 12 8\nv 8 12 8\n"

@@ -7,7 +7,8 @@
 
 namespace slicefarm::lab {
 
-/// A model as the mill sees it, in the file's own numbers as mm. Errors: those of reading it.
+/// Reads a model for milling. The numbers in the file are taken as mm. Errors: errors of reading
+/// the file.
 absl::StatusOr<milling::TriangleMesh> ReadTriangles(const std::string& path);
 
 }  // namespace slicefarm::lab

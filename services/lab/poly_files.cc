@@ -18,7 +18,7 @@
 namespace slicefarm::lab {
 namespace {
 
-constexpr Coord kMaxCoord = Coord{1} << 51;  ///< as decomposition takes them
+constexpr Coord kMaxCoord = Coord{1} << 51;  ///< limit of coordinates in a decomposition
 constexpr int kMaxDecimals = 18;
 
 absl::Status NotPolygons(const std::string& what) {
@@ -57,9 +57,9 @@ struct Decimal {
   std::string digits;  ///< without leading or trailing zeros; empty: 0
   int64_t exponent = 0;
 
-  /// How many decimals it needs.
+  /// Returns the number of decimals that the number needs.
   int64_t Decimals() const { return digits.empty() ? 0 : std::max<int64_t>(0, -exponent); }
-  /// Power of ten of its first digit.
+  /// Returns the power of ten of the first digit.
   int64_t Magnitude() const { return std::ssize(digits) - 1 + exponent; }
 };
 
@@ -96,7 +96,7 @@ std::optional<Decimal> ToDecimal(std::string_view word) {
   return number;
 }
 
-/// The number times 10^decimals, rounded half away from zero. REQUIRES: it fits.
+/// Returns the number times 10^decimals, rounded half away from zero. REQUIRES: it fits.
 Coord Scaled(const Decimal& number, int decimals) {
   Coord value = 0;
   int64_t power = number.exponent + decimals;
@@ -110,13 +110,13 @@ Coord Scaled(const Decimal& number, int decimals) {
   return number.negative ? -value : value;
 }
 
-/// One ring, as read.
+/// A ring as read from the file.
 struct ReadRing {
   std::vector<Decimal> numbers;  ///< x, y, x, y, ...
-  std::optional<bool> hole;      ///< by nesting if the file does not say
+  std::optional<bool> hole;      ///< none: the nesting decides
 };
 
-/// Words taken one after the other.
+/// Reads words one after another.
 class WordReader {
  public:
   explicit WordReader(LineWords words) : words_(std::move(words)) {}
@@ -171,7 +171,7 @@ absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
   return rings;
 }
 
-/// Two heights, then rings; nullopt: it is not that.
+/// Reads two heights, then rings; returns nullopt if the text has another format.
 std::optional<std::vector<ReadRing>> ReadOutlineRings(const LineWords& words) {
   WordReader reader(words);
   reader.Next();
@@ -198,11 +198,12 @@ absl::StatusOr<std::vector<ReadRing>> ReadRings(const LineWords& words) {
   return std::vector<ReadRing>{std::move(ring)};
 }
 
-/// Parts of a ring that passes points twice, each of which it passes once. Loops of no area vanish.
+/// Splits a ring that passes points twice into loops that pass each point once. Loops with zero
+/// area are removed.
 std::vector<Polygon> Loops(const Polygon& ring) {
   std::vector<Polygon> loops;
   Polygon way;
-  std::map<Point, size_t> places;  // of the points on the way
+  std::map<Point, size_t> places;  // index in `way` of each of its points
   const auto add = [&](Polygon loop) {
     if (loop.size() > 2 && SignedArea(loop) != 0) loops.push_back(std::move(loop));
   };
@@ -222,7 +223,7 @@ std::vector<Polygon> Loops(const Polygon& ring) {
   return loops;
 }
 
-/// In how many of the other rings a ring lies.
+/// Returns the number of other rings that contain the ring.
 int Depth(size_t ring, const std::vector<Polygon>& rings) {
   int depth = 0;
   for (size_t other = 0; other < rings.size(); ++other) {
@@ -255,7 +256,7 @@ absl::StatusOr<MultiPolygon> Nested(std::vector<Polygon> rings, const std::vecto
   }
   for (size_t i = 0; i < rings.size(); ++i) {
     if (!holes[i]) continue;
-    PolygonWithHoles* owner = nullptr;  // the smallest around it
+    PolygonWithHoles* owner = nullptr;  // the smallest island around the hole
     for (PolygonWithHoles& island : islands)
       if (Inside(rings[i], island.outer) &&
           (owner == nullptr || SignedArea(island.outer) < SignedArea(owner->outer)))
@@ -282,7 +283,7 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
   PolyFile file;
   file.decimals = static_cast<int>(std::min<int64_t>({decimals, 14 - magnitude, kMaxDecimals}));
   std::vector<Polygon> rings;
-  std::vector<std::optional<bool>> told;  // whether it is a hole
+  std::vector<std::optional<bool>> told;  // true if the file says that the loop is a hole
   for (const ReadRing& ring : *read) {
     Polygon points;
     for (size_t i = 0; i + 1 < ring.numbers.size(); i += 2)

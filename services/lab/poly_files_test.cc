@@ -54,7 +54,7 @@ TEST(ParsePoly, OutlinesNest) {
 }
 
 TEST(ParsePoly, OutlinesThatPassACornerTwiceAreParted) {
-  // The second loop lies inside of the first one: by parity it is a hole.
+  // The second loop is inside the first one: by parity it is a hole.
   const PolyFile file = Read("0\n0\n7\n0 0\n9 0\n9 9\n0 9\n0 0\n3 2\n2 3\n");
   EXPECT_EQ(Area(file.islands), 81 - 2.5);
 }

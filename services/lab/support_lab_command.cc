@@ -37,7 +37,7 @@ struct SupportLabOptions {
 
 double CpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// The problem of the job's only object. `job` must outlive it.
+/// Returns the support problem of the job's only object. `job` must outlive it.
 planning::SupportProblem ProblemOf(const SlicedJob& job) {
   planning::SupportProblem problem;
   static const MultiPolygon kNothing;

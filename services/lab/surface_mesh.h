@@ -7,8 +7,8 @@
 
 namespace slicefarm::lab {
 
-/// A model as a surface, in the file's own numbers as mm. An OBJ file's vertices keep their
-/// numbers, so that its other readers find their own again. Errors: those of reading it.
+/// Reads a model as a surface. The numbers in the file are taken as mm. Vertices of an OBJ file
+/// keep their numbers, so that other programs can match them. Errors: errors of reading the file.
 absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path);
 
 }  // namespace slicefarm::lab

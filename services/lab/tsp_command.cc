@@ -30,13 +30,15 @@ using Clock = std::chrono::steady_clock;
 constexpr int64_t kMaxBytes = 256 << 20;
 constexpr size_t kNeighbours = 5;
 constexpr size_t kPerQuadrant = 3;
-/// What a machine that has other things to do as well does in a second. It ends by moves, so that a
-/// seed's tour is the same again; on a machine that is too slow for that, by time.
+/// Number of moves per second that a machine with other work reaches. The search ends after a
+/// number of moves, so that a seed always gives the same tour. On a machine that is too slow for
+/// this, the search ends by time.
 constexpr double kMovesPerSecond = 6e6;
-/// Exchanges between two looks at the clock.
+/// Number of exchanges between two checks of the clock.
 constexpr int64_t kExchangesAtOnce = 64;
-/// Pairs of nodes that a 1-tree looks at for the price of judging a move; the bound's share of all
-/// work; and more iterations do not raise it much.
+/// Cost model of the bound. kPairsPerMove: pairs of nodes that a 1-tree visits in the time of one
+/// move. kBoundShare: share of all work that is spent on the bound. kMostIterations: more
+/// iterations improve the bound only slightly.
 constexpr double kPairsPerMove = 20;
 constexpr double kBoundShare = 0.2;
 constexpr double kMostIterations = 300;

@@ -14,15 +14,15 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 bed=0x0,2000x0,2000x2000,0x2000
 
-seconds() {  # what a command takes
+seconds() {  # CPU seconds of a command
   local TIMEFORMAT='%U %S'
   { time "$@" >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }; } 2>&1 | awk '{ print $1 + $2 }'
 }
-ours() {  # so many copies
+ours() {  # CPU seconds of slicefarm for a number of copies
   seconds build/bin/slicefarm slice "$model" -q -o "$out/$1.gcode" --threads 1 --copies "$model=$1" \
     --config tests/corpus/config/peers.ini --set bed_shape=$bed --report "$out/report.json"
 }
-stages() {  # of the last run
+stages() {  # stage times of the last run
   python3 -c 'import json, sys
 times = json.load(open(sys.argv[1]))["stage_times_s"]
 print(sum(times[stage] for stage in ("slicing", "planning", "beading", "infill")))' "$out/report.json"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""deviation.py WHOLE.gcode SIMPLE.gcode: how far the beads of one file lie from those of another.
+"""deviation.py WHOLE.gcode SIMPLE.gcode: prints the distance between the beads of two files.
 
-Both are of one print, made with gcode_resolution = 0 and with another one. Compared are paths: runs of extruding moves
-between moves that do not extrude. Prints the greatest distance in mm from any corner or middle of a move of either file
-to the path of the other one, and the greatest share by which a path's filament differs (of those of at least 0.1 mm of
-filament).
+Both files are of one print, with gcode_resolution = 0 and with another value. The script compares paths: runs of
+extruding moves between moves that do not extrude. It prints the greatest distance in mm from any corner or midpoint of
+a move of either file to the path of the other file. It also prints the greatest relative difference in a path's
+filament, over the paths with at least 0.1 mm of filament.
 """
 import collections
 import math
@@ -12,11 +12,11 @@ import re
 import sys
 
 WORD = re.compile(r"([A-Z])(-?[0-9.]+)")
-CELL = 1.0  # mm
+CELL = 1.0  # cell size in mm
 
 
 def paths_of(name):
-    """Runs of extruding moves: (places, filament in all)."""
+    """Returns the runs of extruding moves as (points, total filament)."""
     at, points, filament, paths = (0.0, 0.0), [], 0.0, []
     with open(name, encoding="utf-8", errors="replace") as lines:
         for line in lines:
@@ -46,7 +46,7 @@ def from_segment(p, a, b):
 
 
 def cells(a, b):
-    """Cells that a segment may come near to."""
+    """Returns the cells near a segment."""
     steps = max(1, math.ceil(math.dist(a, b) / CELL * 2))
     return {(math.floor((a[0] + (b[0] - a[0]) * i / steps) / CELL) + x,
              math.floor((a[1] + (b[1] - a[1]) * i / steps) / CELL) + y)
@@ -54,7 +54,9 @@ def cells(a, b):
 
 
 def farthest(chain, other):
-    """The greatest distance from a corner or middle of a chain to another chain; no less than one cell if beyond that."""
+    """Returns the greatest distance from a corner or midpoint of a chain to another chain. A distance beyond one cell
+    is reported as one cell.
+    """
     grid = collections.defaultdict(list)
     for a, b in zip(other, other[1:]):
         for cell in cells(a, b):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""What attacks through the farm's door cost others: times of honest calls alone and beside each attack, memory of door and coordinator,
-and the time until a job is made afterwards. (Of Debian's python3: its grpc is Debian's.)
+"""Measures the effect of attacks through the farm's door on other clients: times of honest calls alone and beside each
+attack, memory of the door and the coordinator, and the time of a job after the attack. Run it with Debian's python3,
+which has Debian's grpc.
 
 usage: door.py [--tls] [--seconds S] [ATTACK...]
 """
@@ -58,7 +59,9 @@ def channel_to(farm):
 
 
 def call_times(call, seconds):
-    """Of calls made one after another, 50 a second at most; failed ones apart."""
+    """Makes calls one after another, at most 50 per second; returns the sorted times of the successful calls and the
+    errors of the failed calls.
+    """
     times, failed, until = [], [], time.monotonic() + seconds
     while time.monotonic() < until:
         begin = time.monotonic()

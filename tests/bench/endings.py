@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""How long `slicefarm slice` takes to end: by itself, and once it is told to.
+"""Measures how long `slicefarm slice` takes to end, by itself and after a signal.
 
     tests/bench/endings.py build/bin/slicefarm [--signals N] MODEL... [-- OPTION...]
 
-For each model: wall and CPU seconds of a whole run; then N runs (20) that get SIGTERM, evenly spread over that time.
-Prints the longest and the mean time from the signal to the end, the exit codes (7: cancelled; 0: done before), and what
-files are left of those that were cancelled. For deep paint: shuttle_5.5_bushings_with_supports.3mf of
-DraftShift/StealthChanger (290,000 painted triangles) and DragonBurner_EBB36_OrbiterV2_mounts V1.0.3mf (62,000).
+For each model, the script measures the wall and CPU seconds of a whole run. Then it makes N runs (20) that receive
+SIGTERM at times spread evenly over the whole run. It prints the longest and the mean time from the signal to the end,
+the exit codes (7: cancelled; 0: finished before the signal), and the files that cancelled runs left behind. Models with
+deep paint: shuttle_5.5_bushings_with_supports.3mf of DraftShift/StealthChanger (290,000 painted triangles) and
+DragonBurner_EBB36_OrbiterV2_mounts V1.0.3mf (62,000).
 """
 import os
 import resource
@@ -22,7 +23,7 @@ def command(binary, model, output, options):
 
 
 def whole_run(binary, model, options):
-    """Wall and CPU seconds, and the exit code."""
+    """Returns the wall seconds, CPU seconds and exit code of a whole run."""
     with tempfile.TemporaryDirectory() as folder:
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         start = time.monotonic()
@@ -33,7 +34,7 @@ def whole_run(binary, model, options):
 
 
 def ended_run(binary, model, options, after_s):
-    """Seconds from the signal to the end, the exit code, and the files left."""
+    """Returns the seconds from the signal to the end, the exit code, and the files left behind."""
     with tempfile.TemporaryDirectory() as folder:
         process = subprocess.Popen(command(binary, model, folder + "/out.gcode", options), stderr=subprocess.DEVNULL)
         time.sleep(after_s)

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Whether infill is as dense as a density field asks for, and lies along a stress field, by place: a box of 80 x 80 x 16 mm with
-one wall and no skins, measured from its G-code against the formula that the field was sampled from.
+"""Measures locally if infill follows a density field or a stress field. The part is a box of 80 x 80 x 16 mm with one
+wall and no skins; its G-code is compared with the formula from which the field was sampled.
 
 usage: tests/bench/fields.py [PATTERN...] [--dither=blue_noise|floyd_steinberg]
 
-density rows: `field pattern mean_error bias paths cpu_s`, cells of 5 mm at least 5 mm inside: mean of |got / asked - 1| over
-cells (%), and got / asked - 1 of all of them together (%).
-stress rows: `field family pitch angle_rms even got cpu_s`: a layer along the greater stress by magnitude (0), the next along the
-other (1); angle to the field (degrees, root of the mean square over the length, 5 mm
-inside and away from degenerate places); share of the length whose neighbours on both sides are at 0.8 to 1.2 of the pitch asked
-for; density got / asked.
+Density rows: `field pattern mean_error bias paths cpu_s`. Cells are 5 mm wide and at least 5 mm inside the box.
+mean_error: mean of |got / wanted - 1| over the cells (%). bias: got / wanted - 1 of all cells together (%).
+Stress rows: `field family pitch angle_rms even got cpu_s`. Family 0 is the layers along the principal stress of greater
+magnitude; family 1 is the layers along the other principal stress. angle_rms: root mean square over the length of the
+angle to the field, in degrees, 5 mm inside the box and away from degenerate points. even: share of the length whose
+neighbours on both sides are at 0.8 to 1.2 of the wanted pitch. got: density got / wanted.
 """
 import json
 import math
@@ -42,7 +42,9 @@ def around(x, y):
 
 
 def kirsch(x, y):
-    """The greater principal stress of a plate drawn along x, with a hole of 10 mm in its middle: as twice the angle."""
+    """Returns the stress (xx, yy, xy), by Kirsch's solution, of a plate under tension along x with a hole of radius 10
+    mm in its middle.
+    """
     x, y = x - 40, y - 40
     r, t = max(math.hypot(x, y), 10), math.atan2(y, x)
     q = (10 / r) ** 2
@@ -56,7 +58,9 @@ def kirsch(x, y):
 
 
 def beam(x, y):
-    """Held at x = 0, pressed at its other end: drawn above its middle, pressed below, sheared most in it."""
+    """Returns the stress (xx, yy, xy) of a beam that is fixed at x = 0 and loaded at its other end: tension above the
+    middle, compression below, the greatest shear in the middle.
+    """
     up = y - 40
     return (80 - x) * up, 0, -(40**2 - up * up) / 2
 
@@ -66,7 +70,7 @@ def along(u, v):
     return u * u / n / n, v * v / n / n, u * v / n / n
 
 
-STRESS = {  # the tensor, and where it counts
+STRESS = {  # tensor, and region of the measurement
     "aslant": (lambda x, y: along(0.8, 0.6), lambda x, y: True),
     "circles": (lambda x, y: along(*around(x, y)), lambda x, y: math.hypot(x - 40, y - 40) > 6),
     "waves": (lambda x, y: along(1, 0.4 * math.cos(x / 12)), lambda x, y: True),
@@ -89,7 +93,9 @@ def stress_of(tensor):
 
 
 def segments(path):
-    """x0 y0 x1 y1 z volume width of the infill's moves, in the model's frame; and how many paths they make."""
+    """Returns (x0, y0, x1, y1, z, volume, width) of each move of the infill in the model's frame, and the number of
+    paths.
+    """
     word = re.compile(r"([XYZEF])([-+0-9.]+)")
     x = y = z = 0.0
     feature, width, run, paths = "", 0.0, False, 0

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How often the number of beads across a wall changes from layer to layer where the wall does not.
+"""Counts the changes in the number of beads across a wall between layers in which the wall itself does not change.
 
     flicker.py OUT.gcode...
 
-Probes every layer along lines 1 mm apart, in x and in y. A place is a stretch of touching beads
-less than 3 mm long; it is the same in the next layer if both its ends moved by less than 0.06 mm.
-Prints, for each file: places compared, changes, changes per mm of height and place.
+Probes every layer along lines 1 mm apart, in x and in y. A crossing is a run of touching beads on a probe line, less
+than 3 mm long. It is the same crossing in the next layer if both its ends moved by less than 0.06 mm. Prints for each
+file: crossings compared, changes, changes per mm of height and crossing.
 """
 import collections
 import sys
@@ -40,7 +40,7 @@ def layers_of(path):
 
 
 def places(segments, swap):
-    """By probe: sorted stretches (start, end, beads)."""
+    """Returns the sorted crossings (start, end, number of beads) of each probe line."""
     crossings = collections.defaultdict(list)
     for x0, y0, x1, y1, width in segments:
         if swap:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How long a tenant's small job takes alone, and while another tenant's long jobs hold all places of --jobs.
+"""Measures the time of a tenant's small job, alone and while another tenant's long jobs occupy all --jobs.
 
 usage: guests.py [GUESTS...]      values of --guests (0 12)
 """

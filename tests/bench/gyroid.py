@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes a lattice of gyroid cells in a cube as a binary STL, for scans of many small islands.
+"""Writes a lattice of gyroid cells in a cube as a binary STL, for scans with many small islands.
 
 usage: gyroid.py OUT.stl [SIDE_MM [CELLS [STEPS [WALL]]]]
 
-The walls are where |sin x cos y + sin y cos z + sin z cos x| < WALL / 2, cut off at the cube's
-faces. Their surface is found by marching tetrahedra over STEPS^3 cubes: closed, each edge on two
-facets. The defaults, 50 mm with 5 x 5 x 5 cells, give about 684,000 facets.
+The walls are the points with |sin x cos y + sin y cos z + sin z cos x| < WALL / 2, cut off at the cube's faces.
+Marching tetrahedra over STEPS^3 cubes find their surface. The surface is closed: each edge belongs to two facets. The
+defaults, 50 mm with 5 x 5 x 5 cells, give about 684,000 facets.
 """
 import array
 import math
@@ -17,7 +17,9 @@ TETRAHEDRA = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 
 
 
 def field(side, cells, steps, wall):
-    """Values < 0 inside, at (steps + 3)^3 points; the outermost ones lie outside."""
+    """Returns the coordinates and the values at (steps + 3)^3 points. Values < 0 are inside; the outermost points are
+    outside.
+    """
     k = 2 * math.pi * cells / side
     places = [i * side / steps for i in range(-1, steps + 2)]
     sines = [math.sin(k * p) for p in places]
@@ -35,7 +37,9 @@ def field(side, cells, steps, wall):
 
 
 def crossing(a, b):
-    """Where the edge between two corners (value, x, y, z) is cut; the same from either end."""
+    """Returns the zero crossing on the edge between two corners (value, x, y, z). The result does not depend on the
+    order of the corners.
+    """
     if b < a:
         a, b = b, a
     t = a[0] / (a[0] - b[0])
@@ -43,7 +47,7 @@ def crossing(a, b):
 
 
 def facing(facet, inside, outside):
-    """The facet, turned so that its normal points from one corner to the other."""
+    """Returns the facet, oriented so that its normal points from the inner corner to the outer corner."""
     (ax, ay, az), (bx, by, bz), (cx, cy, cz) = facet
     ux, uy, uz, vx, vy, vz = bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az
     way = ((uy * vz - uz * vy) * (outside[1] - inside[1]) +
@@ -53,7 +57,7 @@ def facing(facet, inside, outside):
 
 
 def facets_of(corners):
-    """Of one tetrahedron with corners (value, x, y, z)."""
+    """Yields the facets of one tetrahedron with corners (value, x, y, z)."""
     inside = [c for c in corners if c[0] < 0]
     outside = [c for c in corners if c[0] >= 0]
     if len(inside) == 2:

@@ -38,7 +38,7 @@ namespace slicefarm::bench {
 namespace {
 
 constexpr int kRuns = 7;
-constexpr int kSlots = 4;  // as for a farm of four workers: decides how long the ranges are
+constexpr int kSlots = 4;  // as on a farm of four workers; sets the range length
 
 struct Cost {
   double wall_s = 0;
@@ -212,7 +212,7 @@ double Bytes(const std::vector<Layer>& layers) {
 /// Bytes of the layer messages in both directions, for all calls of a job together.
 struct Traffic {
   double planned = 0;  ///< outlines to planning, and plans back
-  double sliced = 0;  ///< outlines with the ranges' halos, once
+  double sliced = 0;   ///< outlines with the ranges' halos, once
   double walled = 0;
   double filled = 0;
   double ordered = 0;

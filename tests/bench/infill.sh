@@ -32,7 +32,7 @@ bottom_solid_layers = 0
 fill_density = $density%
 END
 
-seconds() {  # what a command takes
+seconds() {  # time of a command
   local TIMEFORMAT='%U %S'
   { time "$@" >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }; } 2>&1 | awk '{ print $1 + $2 }'
 }

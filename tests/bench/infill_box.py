@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The box of tests/bench/infill.sh, and what the G-code of it holds.
+"""Writes the box of tests/bench/infill.sh and measures the infill of its G-code.
 
 usage: infill_box.py box [SIDE HEIGHT]   an STL to stdout
        infill_box.py measure OUT.gcode   one row: got paths longest_mm travels travel_mm moves
@@ -26,7 +26,7 @@ def print_box(side, height):
 
 
 def measure(path):
-    """A path is a run of infill without a travel, another feature or another height between."""
+    """Prints the row of a G-code file. A path is a run of infill without a travel or a change of feature or height."""
     x = y = z = e = 0.0
     relative = False
     feature = ""

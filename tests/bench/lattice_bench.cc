@@ -15,7 +15,7 @@ namespace slicefarm::bench {
 namespace {
 
 constexpr int32_t kLayers = 1000;
-constexpr int kCells = 117;  ///< a million vectors per layer
+constexpr int kCells = 117;          ///< a million vectors per layer
 constexpr int32_t kRangeLayers = 8;  ///< layers per range for a worker, for layers of this size
 
 double PeakMb() {

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""moves.py OUT.gcode [PEER.gcode]: how many moves a metre of each feature takes, and what the bytes of a file are.
+"""moves.py OUT.gcode [PEER.gcode]: prints the number of moves per metre of each feature, and the bytes of a file by
+kind of line.
 
-Of extruding moves in the plane (G1, G2, G3), by the words of `;TYPE:` of PrusaSlicer: metres, moves a metre, share of
-moves shorter than 0.1 mm. `walls` are all perimeters, gap fill apart. Bytes: by what a line is.
+The counts are of extruding moves in the plane (G1, G2, G3), by the names of `;TYPE:` in PrusaSlicer: metres, moves per
+metre, share of moves shorter than 0.1 mm. `walls` are all perimeters without gap fill.
 """
 import collections
 import math
@@ -15,7 +16,7 @@ WALLS = ("Perimeter", "External perimeter", "Overhang perimeter")
 
 
 def arc_length(start, end, offset, clockwise):
-    """Length of a G2 or G3 from start to end around start + offset; all in mm."""
+    """Returns the length of a G2 or G3 from start to end around start + offset; all in mm."""
     centre = (start[0] + offset[0], start[1] + offset[1])
     a = math.atan2(start[1] - centre[1], start[0] - centre[0])
     b = math.atan2(end[1] - centre[1], end[0] - centre[0])
@@ -24,15 +25,15 @@ def arc_length(start, end, offset, clockwise):
 
 
 class Counts:
-    """What stands in one file."""
+    """Counts of moves and bytes in one file."""
 
     def __init__(self, path):
-        self.length = collections.Counter()  # mm, by feature
+        self.length = collections.Counter()  # length in mm by feature
         self.moves = collections.Counter()
         self.short = collections.Counter()
         self.bytes = collections.Counter()
         self.at = {"X": 0.0, "Y": 0.0, "E": 0.0}
-        self.absolute = True  # E
+        self.absolute = True  # E values are absolute
         self.feature = ""
         with open(path, encoding="utf-8", errors="replace") as lines:
             for line in lines:
@@ -40,7 +41,7 @@ class Counts:
                 self.bytes[self.read(line)] += len(line)
 
     def read(self, line):
-        """Counts a line; returns what it is."""
+        """Counts a line and returns its kind."""
         if line.startswith(";"):
             if line.startswith(";TYPE:"):
                 self.feature = line[6:].strip()
@@ -75,7 +76,7 @@ class Counts:
         return "beads"
 
     def row(self, features):
-        """Metres, moves a metre, share of short moves of some features together."""
+        """Returns metres, moves per metre and the share of short moves of some features together."""
         length = sum(self.length[f] for f in features) / 1000
         moves = sum(self.moves[f] for f in features)
         short = sum(self.short[f] for f in features)

@@ -31,7 +31,9 @@ def least(times):
 
 
 def row(name, base, tree):
-    """Returns a line: CPU of both programs, the ratio, and the ratio of each stage that takes a hundredth of all."""
+    """Returns a row: CPU time of both programs, their ratio, and the ratio of each stage that takes more than a
+    hundredth of the total.
+    """
     cells = [f"{name:16s} {base['all']:7.3f} {tree['all']:7.3f} {tree['all'] / base['all']:6.3f}"]
     for stage in STAGES:
         counts = base[stage] > 0.01 * base["all"]

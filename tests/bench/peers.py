@@ -1,4 +1,4 @@
-"""Times two slicers in turn on the same models; see peers.sh."""
+"""Times two slicers alternately on the same models; see peers.sh."""
 import argparse
 import math
 import os
@@ -12,7 +12,7 @@ WORD = re.compile(r"([XYZEF])(-?[\d.]+)")
 
 
 def lengths_mm(gcode):
-    """Lengths of extruding and of travelling moves of a G-code file, in the XY plane."""
+    """Returns the lengths of extruding and of travel moves of a G-code file, in the XY plane."""
     x = y = e = 0.0
     relative_e = False
     path = travel = 0.0
@@ -40,7 +40,7 @@ def lengths_mm(gcode):
 
 
 def run(command):
-    """Wall and CPU seconds and peak memory in MB of one whole process; None if it failed."""
+    """Returns wall seconds, CPU seconds and peak memory in MB of one whole process; None if it failed."""
     start = os.times().elapsed
     pid = os.fork()
     if pid == 0:

@@ -49,10 +49,10 @@ Coord StepFor(const MultiPolygon& region) {
 }
 
 struct Coverage {
-  double of_area = 0;  ///< melted share of the outline
+  double of_area = 0;       ///< melted share of the outline
   double of_reachable = 0;  ///< melted share of the area that a spot can melt within the outline
-  double twice_nm2 = 0;  ///< area melted by two pieces
-  double cuts_nm = 0;  ///< length of all cuts
+  double twice_nm2 = 0;     ///< area melted by two pieces
+  double cuts_nm = 0;       ///< length of all cuts
 };
 
 /// Returns the length of all cuts.

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""Parts to judge seams on, and what the seams of a G-code file are like.
+"""Writes parts for judging seams and measures the seams of a G-code file.
 
 usage: seams.py part NAME        an STL on stdout: one of PARTS
        seams.py measure FILE     one row: loops jumps% step_mean step_p95 on_corner% overhanging% avoidable%
 
-loops: closed outer walls above the first layer. jumps: of them, those that start more than 1 mm from the nearest start of
-one layer below; step: that distance, of all loops. on_corner: of the loops that turn by 15 degrees inwards or 30 outwards
-somewhere (over half a millimetre on either side), those that start there. overhanging: starts that lie more than 1.43 heights
-of a layer (55 degrees) outside of the outer walls of the layer below; avoidable: of all loops, those of which a fifth and more
-does not overhang. FILE may be of any slicer that names its features by `;TYPE:`.
+loops: closed outer walls above the first layer.
+jumps: loops that start more than 1 mm from the nearest start in the layer below.
+step: distance to this nearest start, over all loops.
+on_corner: share of the loops with a corner that start at a corner. A corner turns by 15 degrees inwards or 30 degrees
+outwards over half a millimetre on either side.
+overhanging: starts that are more than 1.43 layer heights (55 degrees) outside the outer walls of the layer below.
+avoidable: overhanging starts of loops of which at least a fifth does not overhang; share of all loops.
+FILE may be of any slicer that names its features by `;TYPE:`.
 """
 import math
 import sys
@@ -22,7 +25,9 @@ STEP_MM = 1.0
 # ---- Parts
 
 def prism(sections):
-    """Triangles through sections of (z, ring of equally many points), each a convex ring or a star around its middle."""
+    """Returns the triangles through sections (z, ring). All rings have equally many points; each ring is convex or
+    star-shaped around its middle.
+    """
     out = []
     n = len(sections[0][1])
     point = lambda k, i: (*sections[k][1][i % n], sections[k][0])
@@ -57,19 +62,19 @@ def rounded(side, radius, steps=12):
 
 
 def shell(heights, radius, n=240):
-    """Rings around the z axis: radius(angle, z)."""
+    """Returns the triangles of a solid with rings around the z axis; radius(angle, z) gives their radius."""
     angles = [2 * math.pi * i / n for i in range(n)]
     return prism([(z, [(r * math.cos(a), r * math.sin(a)) for a in angles for r in (max(radius(a, z), 1e-3),)])
                   for z in heights])
 
 
 def ball(height, steps=120):
-    """Heights at even angles from pole to pole."""
+    """Returns heights at equal angles from pole to pole."""
     return [height / 2 * (1 - math.cos(math.pi * k / steps)) for k in range(steps + 1)]
 
 
 def of_ball(z, height):
-    """The radius of a ball at this height."""
+    """Returns the radius of a ball at this height."""
     return math.sqrt(max(z * (height - z), 0))
 
 
@@ -78,7 +83,7 @@ def bump(x, width):
 
 
 def head(a, z):
-    """An egg with a nose, a brow and ears."""
+    """Returns the radius of a head at an angle and height: an egg with a nose, a brow and ears."""
     front = math.remainder(a, 2 * math.pi)
     skull = 0.8 * of_ball(z, 50) * (0.8 + 0.2 * math.cos(a))
     ears = bump(z - 26, 5) * bump(abs(front) - 1.7, 0.12)
@@ -122,7 +127,7 @@ def write_stl(triangles):
 # ---- G-code
 
 def read_layers(path):
-    """[(z, [loops of outer walls])], bottom up; a loop as its points from the start."""
+    """Returns [(z, [loops of outer walls])] from the bottom up; a loop is the list of its points from the start."""
     layers = {}
     at = {"X": 0.0, "Y": 0.0, "Z": 0.0}
     outer, loop, relative, e_at = False, [], False, 0.0
@@ -166,7 +171,7 @@ def read_layers(path):
 
 
 def along(loop, step):
-    """Points along a loop, `step` apart."""
+    """Returns points along a loop, `step` apart."""
     out, left = [], 0.0
     for a, b in zip(loop, loop[1:]):
         edge = math.dist(a, b)
@@ -178,7 +183,7 @@ def along(loop, step):
 
 
 def turns(loop):
-    """(point, turn in degrees) every 0.1 mm: outwards is positive."""
+    """Returns (point, turn in degrees) every 0.1 mm; outward turns are positive."""
     fine = along(loop, 0.1)
     n, arm = len(fine), int(ARM_MM / 0.1)
     if n < 4 * arm:
@@ -216,7 +221,7 @@ def distance_to(p, ring):
 
 
 def overhang(p, below):
-    """How far a point lies outside of the outer walls of the layer below."""
+    """Returns the distance of a point outside the outer walls of the layer below; 0 if it is inside them."""
     if sum(inside(p, ring) for ring in below) % 2 == 1:
         return 0.0
     return min((distance_to(p, ring) for ring in below), default=math.inf)

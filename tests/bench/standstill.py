@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""How long calls, metrics and health take while PostgreSQL stands still, and how long until all is well again. (Of Debian's python3: its
-grpc is Debian's.)
+"""Measures how long calls, metrics and health checks take while PostgreSQL is paused, and how long the farm takes to
+recover. Run it with Debian's python3, which has Debian's grpc.
 
-usage: standstill.py [SECONDS]      how long it stands still (100)
+usage: standstill.py [SECONDS]      length of the pause (100)
 """
 import pathlib
 import subprocess
@@ -19,7 +19,7 @@ READS = ("GetJob", "ListJobs", "GetUsage", "GetCaller")
 
 
 class Times:
-    """Makes something again and again until it is told to end; the time of each, and how it ended."""
+    """Repeats a call until it is stopped, and records the time and the outcome of each."""
 
     def __init__(self, name, work, pause_s=1.0):
         self.name, self.work, self.pause_s, self.times, self.ends = name, work, pause_s, [], {}
@@ -67,7 +67,7 @@ def health(service, *more):
 
 
 def create(service, number):
-    """With a request_id, as the command line does it."""
+    """Returns a function that submits a job with a request_id, as the command line does."""
     def make():
         run = subprocess.run([BIN / "slicefarm", "submit", MODELS / "textbox.stl", "--generic", "--detach", "-q", "--server", service.address,
                               "--patience", "0.1", "--set", f"fill_density={number}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -86,7 +86,7 @@ def main():
         print("| what | times | longest, s | ends |\n|---|---|---|---|", flush=True)
         farm.postgres.run("pause")
         asking = [Times(method, call(channel, method, by_id if method == "GetJob" else b"")) for method in READS]
-        asking += [Times(f"submit {i}", create(coordinator, 10 + i)) for i in range(12)]  # more than there are connections
+        asking += [Times(f"submit {i}", create(coordinator, 10 + i)) for i in range(12)]  # more jobs than database connections
         asking += [Times("/metrics", page(coordinator, "/metrics")), Times("/statusz", page(coordinator, "/statusz")),
                    Times("health", health(coordinator)), Times("health --live", health(coordinator, "--live"))]
         time.sleep(still_s)

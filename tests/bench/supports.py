@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What supports a G-code file holds, and a plate to look at.
+"""Measures the supports of a G-code file, and writes a plate for viewing.
 
-`supports.py FILE` prints `support_mm3 layers`. `supports.py cones` prints an STL: cones upside down, whose sides rise by 20 to 80
-degrees from level, on feet of 4 mm.
+`supports.py FILE` prints `support_mm3 layers`. The volume is computed from the E values of beads whose `;TYPE:` begins
+with `Support material`, for filament of 1.75 mm. `layers`: number of heights with such beads.
 
-By the E values of beads whose `;TYPE:` begins with `Support material`; filament of 1.75 mm. `layers`: heights at which
-such beads lie.
+`supports.py cones` prints an STL of upside-down cones on feet of 4 mm. Their sides rise by 20 to 80 degrees from the
+horizontal.
 """
 import math
 import re
@@ -40,7 +40,7 @@ def measure(path):
 
 
 def cones(corners=180):
-    """Facets of cones in a row, 6 mm high each."""
+    """Returns the facets of a row of cones, each 6 mm high."""
     facets, x = [], 0.0
     for degrees in range(20, 81, 10):
         spread = 6 / math.tan(math.radians(degrees))

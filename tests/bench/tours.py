@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tours of TSPLIB instances, by every first tour and every depth of search, beside the optimum.
+"""Compares tours of TSPLIB instances with the optimum, for every initial tour and every search depth.
 
 usage: tours.py SLICEFARM FILE.tsp...      rows: name, then percent above the optimum (of an instance that is not in the
                                            table below: above the lower bound, marked *)

@@ -119,7 +119,7 @@ std::optional<milling::TriangleMesh> MeshIn(const std::string& path) {
 
 /// Returns waves on 100 x 100 mm, up to 22 mm high.
 milling::TriangleMesh Waves() {
-  constexpr uint32_t kCells = 708;  // 1,002,528 triangles
+  constexpr uint32_t kCells = 708;  // gives 1,002,528 triangles
   constexpr double kPitchMm = 100.0 / kCells;
   milling::TriangleMesh mesh;
   for (uint32_t j = 0; j <= kCells; ++j)

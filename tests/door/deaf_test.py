@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A server that has run out of descriptors takes no connection ever again, with gRPC 1.51 (CVE-2023-4785): it ends by itself, with its
-own exit code, so that whoever looks after it starts it again.
+"""Tests a server that runs out of file descriptors. With gRPC 1.51 it never accepts a connection again (CVE-2023-4785).
+It must therefore end by itself with its own exit code, so that its supervisor restarts it.
 
 usage: deaf_test.py
 """

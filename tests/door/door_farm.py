@@ -1,4 +1,4 @@
-"""A farm behind its door, as `deploy/local.sh up --proxy` starts it, for the programs that attack it."""
+"""Farm behind its door, as `deploy/local.sh up --proxy` starts it, for the programs that attack it."""
 import contextlib
 import os
 import pathlib
@@ -15,11 +15,11 @@ from local_farm import BIN, MODELS, ROOT
 # Attacks open thousands of connections.
 resource.setrlimit(resource.RLIMIT_NOFILE, (resource.getrlimit(resource.RLIMIT_NOFILE)[1],) * 2)
 
-SERVICES = 16  # ports above the door's that the farm may take
+SERVICES = 16  # ports above the door's port that the farm may use
 
 
 def free_range():
-    """The first of a range of ports of which nobody has one."""
+    """Returns the first port of a range of free ports."""
     for base in range(21000, 32000, 2 * SERVICES):
         with contextlib.ExitStack() as probes:
             try:
@@ -32,7 +32,7 @@ def free_range():
 
 
 def status_kib(pid, field):
-    """VmRSS or VmHWM, the most that it ever was; 0 of a process that is gone."""
+    """Returns VmRSS, or VmHWM (the peak of VmRSS), of a process in KiB; 0 if the process has ended."""
     try:
         lines = pathlib.Path(f"/proc/{pid}/status").read_text().splitlines()
     except (OSError, ProcessLookupError):
@@ -69,12 +69,12 @@ class DoorFarm:
         return int((self.state / f"pid/{name}.pid").read_text())
 
     def door_pids(self):
-        """nginx and its workers."""
+        """Returns the pids of nginx and its workers."""
         master = int((self.state / "proxy/nginx.pid").read_text())
         return [master, *map(int, pathlib.Path(f"/proc/{master}/task/{master}/children").read_text().split())]
 
     def pids(self):
-        """What an attack may fill: the door and the coordinator."""
+        """Returns the pids of the processes whose memory an attack may fill: the door and the coordinator."""
         return [*self.door_pids(), self.pid("coordinator-1")]
 
     def down(self):
@@ -93,19 +93,19 @@ def door_farm(tls, *arguments):
 
 
 class MemoryGrowth:
-    """By how much processes grow at most, in MiB, from now on."""
+    """Sum of the peak memory growth of some processes since construction, in MiB."""
 
     def __init__(self, pids):
         self.before = {pid: status_kib(pid, "VmRSS") for pid in pids}
         for pid in pids:
-            pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")  # the peak is what it has now
+            pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")  # resets the peak to the current value
 
     def mib(self):
         return sum(max(0, status_kib(pid, "VmHWM") - before) for pid, before in self.before.items()) / 1024
 
 
 class Honest:
-    """A client that calls again and again until it is stopped; `failures` are what its calls said."""
+    """Client that repeats a call until it is stopped; `failures` contains the error output of its failed calls."""
 
     def __init__(self, call):
         self.call, self.calls, self.failures, self.ended = call, 0, [], threading.Event()

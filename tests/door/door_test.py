@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Attacks on a farm through its door (`deploy/local.sh up --proxy`): it goes on for others, keeps its memory, and works afterwards.
-How long calls take meanwhile is measured by tests/bench/door.py.
+"""Attacks a farm through its door (`deploy/local.sh up --proxy`). The farm must keep serving other clients, keep its
+memory bounded, and work afterwards. tests/bench/door.py measures how long calls take during an attack.
 
 usage: door_test.py [--tls] [ATTACK...]
 """
@@ -24,7 +24,7 @@ def close_all(held):
 
 
 class Held:
-    """Connections that are held while honest calls go on."""
+    """Connections that stay open while honest calls are made."""
 
     def __init__(self, connections):
         self.connections = connections if isinstance(connections, list) else [connections]
@@ -52,7 +52,7 @@ def check_attack(farm, name, folder):
     growth, honest = MemoryGrowth(farm.pids()), Honest(lambda: farm.client("list"))
     try:
         held = ATTACKS[name](door)
-        if isinstance(held, Held):  # uploads need a place that the attack leaves
+        if isinstance(held, Held):  # uploads must still be possible beside the attack
             submit(farm, folder / f"{name}.gcode", "--set", f"fill_density={len(name)}")
     finally:
         honest.stop()
@@ -66,7 +66,7 @@ def check_attack(farm, name, folder):
 
 
 def check_descriptors(farm, folder):
-    """A door without descriptors closes who does nothing, and takes others."""
+    """Checks that a door without free file descriptors closes idle connections and accepts other clients."""
     with tempfile.TemporaryDirectory() as directory:
         port = farm.port + 15
         command = ["prlimit", "--nofile=400", ROOT / "deploy/proxy/proxy.sh", "--listen", f"127.0.0.1:{port}", "--coordinators",
@@ -88,7 +88,7 @@ def check_descriptors(farm, folder):
 
 
 def check_restart(farm, folder):
-    """A coordinator that a signal ends is started again, and the door finds it."""
+    """Checks that a coordinator that was killed by a signal is restarted, and that the door reaches it again."""
     killed = farm.pid("coordinator-1")
     os.kill(killed, signal.SIGKILL)
     submit(farm, folder / "restarted.gcode", "--set", "fill_density=77", "--patience", "120")

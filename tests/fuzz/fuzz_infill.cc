@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/options/infill_options.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "common/stage/motion_job.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/options_wire.h"

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "common/stage/ordering_job.h"
 #include "common/wire/layers/message_stream.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/stage_jobs_wire.h"

@@ -30,7 +30,7 @@ void UseText(std::string_view text) {
   auto spec = ParseTextureSpec(text);
   if (!spec.ok()) return;
   if (ParseTextureSpec(TextureSpecText(*spec)).value() != *spec) __builtin_trap();
-  spec->detail = 4;  // what it costs is not what is looked for
+  spec->detail = 4;  // limits the cost; slow inputs are no findings here
   if (spec->count > 8) spec->count = 8;
   auto heights = ComputedHeights(*spec);
   if (!heights.ok()) return;

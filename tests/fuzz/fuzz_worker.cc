@@ -3,6 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "common/stage/exposure_job.h"
+#include "common/stage/motion_job.h"
+#include "common/stage/ordering_job.h"
 #include "common/wire/engraving/engrave_input_wire.h"
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/layer_wire.h"
@@ -10,6 +13,7 @@
 #include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/stage_jobs_wire.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "processes/fdm/wire/fdm_work.h"
 #include "processes/list/tasks.h"

@@ -28,7 +28,7 @@ bool OneIn(Random& random, unsigned int n) { return random() % n == 0; }
 template <typename T>
 T NextInteger(T value, Random& random) {
   using Limits = std::numeric_limits<T>;
-  using Unsigned = std::make_unsigned_t<T>;  // wraps around
+  using Unsigned = std::make_unsigned_t<T>;  // unsigned arithmetic wraps around
   switch (random() % 8) {
     case 0:
       return 0;
@@ -71,7 +71,7 @@ double NextDouble(double value, Random& random) {
 }
 
 int NextEnum(const EnumDescriptor& type, Random& random) {
-  if (OneIn(random, 8)) return static_cast<int>(random());  // of a later version
+  if (OneIn(random, 8)) return static_cast<int>(random());  // a value of a later version
   return type.value(static_cast<int>(random() % type.value_count()))->number();
 }
 
@@ -153,7 +153,7 @@ void ChangeValue(Message* message, const FieldDescriptor& field, int index, Rand
       if (field.is_repeated() && index < 0) {
         reflection.AddMessage(message, &field);
       } else if (!field.is_repeated()) {
-        reflection.MutableMessage(message, &field);  // makes it, if it is not there
+        reflection.MutableMessage(message, &field);  // creates the message if it is missing
       }
       return;
   }

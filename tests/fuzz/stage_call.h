@@ -62,7 +62,7 @@ Proto Encoded(const Model& model) {
   } else if constexpr (requires {
                          { ToProto(model, &proto) } -> std::same_as<absl::Status>;
                        }) {
-    if (!ToProto(model, &proto).ok()) std::abort();  // what came over the wire fits on it
+    if (!ToProto(model, &proto).ok()) std::abort();  // a model from the wire must convert back
   } else {
     ToProto(model, &proto);
   }

@@ -178,7 +178,7 @@ MultiPolygon Filled(const MultiPolygon& region) {
 std::vector<Point> RandomPlaces(std::mt19937& random) {
   std::vector<Point> places = {{100'000'000, 100'000'000}};
   const auto more = static_cast<int>(random() % 3);
-  for (int i = 1; i <= more; ++i)  // of a part of up to 12 mm from its middle: they do not overlap
+  for (int i = 1; i <= more; ++i)  // parts of 12 mm radius do not overlap
     places.push_back(places.front() + Point{std::llround(Uniform(random, 25e6, 34e6)) * i, 0});
   return places;
 }

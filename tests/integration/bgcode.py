@@ -1,8 +1,8 @@
-"""Reads binary G-code (.bgcode), written from libbgcode's specification and the formats of heatshrink and MeatPack alone: an
-oracle for the writer of common/gcode/binary.
+"""Reads binary G-code (.bgcode). It is written only from libbgcode's specification and the formats of heatshrink and
+MeatPack, as an oracle for the writer in common/gcode/binary.
 
-    blocks = read(bytes)        list of Block, checksums verified; raises ValueError for anything that is not as specified
-    text(blocks)                the program, as MeatPack has it
+    blocks = read(bytes)        list of Block, checksums verified; raises ValueError for any deviation from the specification
+    text(blocks)                the program, as decoded from MeatPack
     entries(block)              the key=value lines of a metadata block
 """
 import collections
@@ -11,7 +11,7 @@ import zlib
 
 Block = collections.namedtuple("Block", "type compression parameters data")
 FILE_METADATA, GCODE, SLICER_METADATA, PRINTER_METADATA, PRINT_METADATA, THUMBNAIL = range(6)
-PARAMETERS = {THUMBNAIL: 3}  # 16-bit words; all others have one
+PARAMETERS = {THUMBNAIL: 3}  # number of 16-bit words; 1 for all other block types
 PACKED = "0123456789. \nGX"
 
 
@@ -34,7 +34,9 @@ class Reader:
 
 
 def heatshrink(data, size, window_bits, length_bits):
-    """Bit by bit: a set one begins a byte, a clear one how far back and how many."""
+    """Decompresses heatshrink data bit by bit. A 1 bit begins a literal byte. A 0 bit begins a back reference: distance
+    and count.
+    """
     bits = "".join(f"{byte:08b}" for byte in data)
     out, at = bytearray(), 0
 
@@ -98,7 +100,7 @@ def check_order(types):
 
 
 def unpack(data):
-    """MeatPack: signals are two bytes 0xff and a command; 15 stands for a whole character that follows."""
+    """Decodes MeatPack. A signal is two bytes 0xff and a command; the nibble 15 means that a whole character follows."""
     out, at, packs, spaces = [], 0, False, True
     while at < len(data):
         if data[at : at + 2] == b"\xff\xff":
@@ -125,7 +127,9 @@ def unpack(data):
 
 
 def text(blocks):
-    """Each block is read by itself, as a printer that is switched on again does."""
+    """Returns the text of all G-code blocks. Each block is decoded independently, as by a printer that is switched on
+    again.
+    """
     parts = []
     for block in blocks:
         if block.type != GCODE:

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""binary_gcode = 1 on whole files, read back by the independent reader of bgcode.py:
+"""Tests binary_gcode = 1 on whole files, which the independent reader of bgcode.py reads back:
 
-- the program is that of the text file, line by line, but for blanks in lines of G1 and comments after commands;
-- metadata are those of the text file, thumbnails its pictures;
+- the program equals the program of the text file, line by line, except for blanks in G1 lines and comments after
+  commands;
+- the metadata and the thumbnails equal those in the text file;
 - the bytes are the same for any number of threads, and from a farm of real processes, at once or fetched later.
 
 usage: bgcode_test.py SLICEFARM CORPUS
@@ -32,7 +33,7 @@ def slice_model(program, model, output, settings, threads=1):
 
 
 def commands(text):
-    """What a printer makes of the lines."""
+    """Yields the lines as a printer interprets them."""
     for line in text.splitlines():
         if line.startswith(";"):
             yield line
@@ -45,7 +46,7 @@ def commands(text):
 
 
 def facts(text):
-    """Head, pictures, facts and settings of a text file, and its program."""
+    """Returns the pictures, program, facts, settings and object list of a text file."""
     pictures = [(FORMATS[tag], int(w), int(h), base64.b64decode(re.sub(r"[;\s]", "", data)))
                 for tag, w, h, data in re.findall(r"^; (thumbnail\w*) begin (\d+)x(\d+) \d+\n(.*?); thumbnail\w* end", text, re.M | re.S)]
     program, tail = re.split(r"\n(?=\n; filament used \[mm\])", text)
@@ -92,7 +93,9 @@ def agrees(program, model, folder, form, settings):
 
 
 def names_tell(program, model, folder):
-    """The setting decides, as in PrusaSlicer; a name that says something else is refused, unless --format says what is meant."""
+    """Checks that the setting decides the format, as in PrusaSlicer. A file name of the other format is refused, unless
+    --format states the wanted format.
+    """
     for name, settings in (("c.bgcode", ["layer_height=0.3"]), ("c.gcode", ["layer_height=0.3", "binary_gcode=1"])):
         command = [program, "slice", model, "--generic", "-o", folder / name, *(word for each in settings for word in ("--set", each))]
         told = subprocess.run(command, capture_output=True, text=True)

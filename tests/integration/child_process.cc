@@ -103,7 +103,7 @@ ServerProcess::ServerProcess(const std::string& program, std::vector<std::string
       address(process.AwaitLine("listening on ")) {
   if (!address.empty()) return;
   process.Signal(SIGKILL);
-  throw std::runtime_error(program + " does not serve");  // a fixture's others are to end with it
+  throw std::runtime_error(program + " does not serve");  // ends the fixture's other processes too
 }
 
 std::string ServerProcess::Metric(const std::string& name) const {

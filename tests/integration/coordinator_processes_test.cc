@@ -65,7 +65,7 @@ TEST_F(CoordinatorProcessesTest, ManyKillsLoseNothing) {
 TEST_F(CoordinatorProcessesTest, SigtermLetsARunningJobEnd) {
   StartCoordinator(state_, {"--drain", "600"});
   const std::string id = SubmitToStoppedWorkers();
-  client_.reset();  // an idle channel looks for GOAWAY only every 5 s, and the server would wait
+  client_.reset();  // an idle channel reads GOAWAY only every 5 s; the server would wait
   server_->process.Signal(SIGTERM);
   ContinueWorkers();
   EXPECT_EQ(server_->process.Wait(), 0);
@@ -80,7 +80,7 @@ TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
   StartCoordinator(state_, {"--drain", "6"});
   const std::string id = Submit();
   const v1::JobEvent last = client_->Watch(id, 0, IsSliced);
-  client_.reset();  // an idle channel looks for GOAWAY only every 5 s, and the server would wait
+  client_.reset();  // an idle channel reads GOAWAY only every 5 s; the server would wait
   server_->process.Signal(SIGTERM);
   EXPECT_EQ(server_->process.Wait(), 0);
   ContinueWorkers();
@@ -147,7 +147,7 @@ std::vector<std::string> SlicedPlates(const TempDirectory& folder,
 }
 
 TEST_F(CoordinatorProcessesTest, PlatesAreMadeOnceAndTheSameAsHere) {
-  const std::string model = state_.path() + "/part.stl";  // the name of FarmClient's object
+  const std::string model = state_.path() + "/part.stl";  // same name as FarmClient's object
   std::ofstream(model, std::ios::binary) << mesh_;
   const TempDirectory folder;
   const std::vector<std::string> here = SlicedPlates(

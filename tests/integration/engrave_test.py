@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Jobs of engraving from surface to points: the report, each kind of texture, what is refused and how, LinuxCNC's interpreter where it is installed,
-and a farm of real processes, killed meanwhile, that gives the bytes of `slicefarm slice`.
+"""Tests engraving jobs from surface to points: the report, each kind of texture, and refusals with their errors.
+LinuxCNC's interpreter reads the programs if it is installed. A farm of real processes, some of which are killed
+meanwhile, must produce the bytes of `slicefarm slice`.
 
 usage: engrave_test.py SLICEFARM
 """
@@ -34,7 +35,7 @@ def height(x):
 
 
 def write_roof(path):
-    """A square bent to a parabola, far from the file's origin, with coordinates that are no whole nanometres."""
+    """Writes a square bent to a parabola, far from the file's origin; its coordinates are not whole nanometres."""
     at = lambda x: 100 + x / 3
     points = "".join(f"v {at(x)!r} {y / 3!r} {height(x) / 3!r}\n" for y in range(SIDE + 1) for x in range(SIDE + 1))
     corner = lambda x, y: y * (SIDE + 1) + x + 1
@@ -71,7 +72,7 @@ def engrave(program, surface, out, texture, *more):
 
 
 def distance_to_roof(x, y, z):
-    """Above the strip below a point, along its normal: strips of a parabola are planes."""
+    """Returns the distance of a point from the roof. The roof consists of plane strips; the nearest strips are checked."""
     column = min(max(int((x - 100) * 3), 0), SIDE - 1)
     best = math.inf
     for i in range(max(column - 1, 0), min(column + 2, SIDE)):
@@ -83,7 +84,9 @@ def distance_to_roof(x, y, z):
 
 
 def check_points(program, folder):
-    """Points of the base lie as high above the surface as their layer, by the doubles of the file; --anchor and --orient are heeded."""
+    """Checks that the points of the base are above the surface by the offset of their layer, at the precision of the
+    file's doubles. Checks that --anchor and --orient change the result.
+    """
     roof = write_roof(folder / "roof.obj")
     text = engrave(program, roof, folder / "out.csv", "bumps:pitch=2,height=0.3", "--report", folder / "r.json").decode()
     report = json.loads((folder / "r.json").read_text())
@@ -104,7 +107,7 @@ def check_points(program, folder):
 
 
 def check_textures(program, folder):
-    """Files as textures and masks; the same bytes for each number of threads."""
+    """Checks files as textures and masks, and that the bytes are the same for each number of threads."""
     roof = write_roof(folder / "roof.obj")
     png, solid = write_png(folder / "t.png"), write_pyramid(folder / "t.stl")
     for texture, more in (
@@ -120,7 +123,7 @@ def check_textures(program, folder):
 
 
 def check_whole_files(program, folder):
-    """The surface with the texture in it, and pictures: the name of the file says which."""
+    """Checks the output formats that the file name selects: pictures, and the surface with the texture in it."""
     roof = write_roof(folder / "roof.obj")
     texture = "bumps:pitch=2,height=0.3"
     stl = engrave(program, roof, folder / "with.stl", texture, "--report", folder / "r.json")
@@ -161,7 +164,7 @@ def check_refusals(program, folder):
 
 
 def check_interpreter(program, folder):
-    """LinuxCNC's own interpreter reads the programs of all layouts of axes."""
+    """Checks that LinuxCNC's own interpreter reads the programs of all axis layouts."""
     rs274 = shutil.which("rs274")
     if rs274 is None:
         print("rs274 is not installed (linuxcnc-uspace): programs are not read by it")
@@ -174,7 +177,9 @@ def check_interpreter(program, folder):
 
 
 def check_farm(program, folder):
-    """The same bytes embedded, from fused workers and from split stages, while these are killed."""
+    """Checks that a farm produces the same bytes as the command line, with fused workers and with split stages, while
+    some of them are killed.
+    """
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
     from local_farm import running_farm

@@ -115,7 +115,7 @@ TEST_F(FailuresTest, MotionThatIsKilledAndStartedAgainLosesNothing) {
   const int ranges = std::stoi(server_->Metric(done));
   motion_.process.Signal(SIGSTOP);
   const std::string id = Submit();
-  server_->AwaitMetric(done + " " + std::to_string(2 * ranges));  // now motion is asked
+  server_->AwaitMetric(done + " " + std::to_string(2 * ranges));  // motion is called next
   motion_.process.Signal(SIGKILL);
   motion_.process.Wait();
   const ServerProcess again("slicefarm-motion", {"--listen", motion_.address});

@@ -71,8 +71,8 @@ struct Sample {
   static constexpr int32_t kLayerCount = 10;
 
   SliceInput input;
-  SlicedJob job;  ///< layers 0, 1, 2
-  JobPlan plan;  ///< plan of these layers
+  SlicedJob job;                      ///< layers 0, 1, 2
+  JobPlan plan;                       ///< plan of these layers
   std::vector<SlicedLayer> outlines;  ///< layers 2 to 5
   std::vector<WalledLayer> walled;
   std::vector<FilledLayer> filled;
@@ -85,7 +85,7 @@ struct Sample {
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramEnvelope frame;
-  JobSettings settings;  ///< without default values
+  JobSettings settings;                ///< without default values
   ExposureSettings exposure_settings;  ///< without default values
   StageTimes times;
 };

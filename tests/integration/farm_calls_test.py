@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The command line's calls for who looks after a farm, on one of real processes: events of all jobs, what a job's artifacts are,
-meshes, what is kept, changing and cancelling jobs, places in the queue, and what scripts rely on.
+"""Tests the command line's calls for operators on a farm of real processes: events of all jobs, artifacts of a job,
+meshes, kept data, changing and cancelling jobs, positions in the queue, and the output formats that scripts rely on.
 
 usage: farm_calls_test.py SLICEFARM
 """
@@ -58,7 +58,9 @@ def check_events(farm, job):
 
 
 def check_scripts(farm, job, folder):
-    """What scripts of a farm rely on: one object a job, ids and their beginnings, profiles by the name that `put` prints."""
+    """Checks the behaviour that scripts of a farm rely on: one JSON object per job, ids and abbreviated ids, profiles
+    by the name that `put` prints.
+    """
     out = folder / "json.gcode"
     told = [json.loads(line) for line in farm.client("submit", MODEL, "-o", out, "--json").stdout.splitlines()]
     assert len(told) == 1 and told[0]["state"] == "JOB_STATE_SUCCEEDED" and told[0]["output"] == str(out), told
@@ -88,7 +90,7 @@ def check_scripts(farm, job, folder):
 
 
 def places(farm, jobs):
-    """Places of jobs in the queue, by GetJob and by ListJobs, which tell the same."""
+    """Returns the queue positions of jobs, after checking that GetJob and ListJobs report the same positions."""
     listed = {job["id"]: job for job in farm.jobs()}
     alone = [json.loads(call(farm, "get", job)) for job in jobs]
     assert [job.get("queue_position") for job in alone] == [listed[job].get("queue_position") for job in jobs], (alone, listed)
@@ -96,7 +98,7 @@ def places(farm, jobs):
 
 
 def watched_until(farm, job, text):
-    """Follows a job on a terminal until that shows the text."""
+    """Follows a job on a terminal until the terminal shows the text."""
     terminal, end = pty.openpty()
     watch = subprocess.Popen([BIN / "slicefarm", "watch", job, "--server", farm.coordinators[0].address], stderr=end, stdout=end)
     shown = b""
@@ -109,7 +111,7 @@ def watched_until(farm, job, text):
 
 
 def check_queue(farm):
-    """Places in the queue of a farm whose workers stand still: by priority and age, and after a change."""
+    """Checks the queue positions on a farm whose workers are stopped: by priority and age, and after a change."""
     for worker in farm.workers:
         worker.process.send_signal(signal.SIGSTOP)
     number = iter(range(100, 200))
@@ -122,7 +124,7 @@ def check_queue(farm):
         continue
     assert places(farm, running) == [None] * 3
     old, bulk, new, urgent = waiting = [submit(), submit("bulk"), submit(), submit("interactive")]
-    while None in places(farm, waiting):  # a look at the queue serves for some milliseconds
+    while None in places(farm, waiting):  # queue positions are cached for some milliseconds
         continue
     assert places(farm, waiting) == [2, 4, 3, 1]
     for job in (json.loads(call(farm, "get", job)) for job in waiting):
@@ -141,7 +143,7 @@ def check_queue(farm):
 
 
 def check_waiting(farm):
-    """Jobs of a farm whose workers are gone wait."""
+    """Checks that jobs wait if all workers of the farm are gone."""
     for worker in farm.workers:
         worker.kill()
     waiting = [farm.submit(MODEL, "--set", f"layer_height=0.{n}") for n in (21, 22, 23)]

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""`slicefarm check` and `slicefarm time` on whole files:
+"""Tests `slicefarm check` and `slicefarm time` on whole files:
 
-- all G-code that `slice` makes of the corpus passes, for each flavour and with what changes its form;
-- so does PrusaSlicer's;
-- a fault put into a file is found, in its line;
-- `time` agrees with the time that the file says of itself;
-- arcs are far fewer moves, with the same filament.
+- all G-code that `slice` makes of the corpus passes, for each flavour and each setting that changes its form;
+- PrusaSlicer's G-code passes too;
+- a fault inserted into a file is found at its line;
+- the result of `time` agrees with the time stated in the file;
+- arcs need far fewer moves, with the same filament.
 
 usage: gcode_check_test.py SLICEFARM CORPUS
 """
@@ -31,7 +31,7 @@ FORMS = {
     "by firmware": ["use_firmware_retraction=1", "retract_lift=0.2"],
     "commented": ["gcode_comments=1", "use_firmware_retraction=1", "use_relative_e_distances=0"],
 }
-NOT_FOR = {("volumes", "klipper")}  # it has no M200
+NOT_FOR = {("volumes", "klipper")}  # Klipper has no M200
 
 
 def run(program, *arguments):
@@ -65,7 +65,7 @@ def own_files_pass(program, corpus, folder):
         for flavor, reader in FLAVORS.items():
             for form, settings in FORMS.items():
                 if name != MODELS[0] and form != "plain" and flavor != "klipper":
-                    continue  # every form in every flavour on one model is enough
+                    continue  # one model is enough for all forms in all flavours
                 if (form, flavor) in NOT_FOR:
                     continue
                 slice_model(program, corpus / "models" / f"{name}.stl", output, [f"gcode_flavor={flavor}", *settings])
@@ -79,7 +79,9 @@ def peers_files_pass(program, corpus):
 
 
 def edit(lines, pattern, change):
-    """The line of the second match of `pattern` in the last third, changed; its number, from 1."""
+    """Changes the line of the second match of `pattern` after the first third; returns the lines and the number of the
+    changed line, from 1.
+    """
     found = [i for i, line in enumerate(lines) if i > len(lines) // 3 and re.match(pattern, line)]
     at = found[1]
     changed = change(lines[at])
@@ -135,7 +137,7 @@ def times_agree(program, corpus, folder):
 
 
 def arcs_are_fewer(program, folder):
-    """On a cylinder of 20 mm of 360 sides."""
+    """Checks on a cylinder of 20 mm diameter with 360 sides that arcs need at most a fifth of the moves."""
     import math
 
     sides = [(10 * math.cos(2 * math.pi * i / 360), 10 * math.sin(2 * math.pi * i / 360)) for i in range(360)]

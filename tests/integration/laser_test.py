@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Jobs of lasers from model to file: what is exposed covers the part and stays inside, each format says the same, settings of other processes
-are refused, and a farm of real processes gives the bytes of `slicefarm slice`.
+"""Tests laser jobs from model to file. The exposed area must cover the part and stay inside it, and all formats must
+have the same content. Settings of other processes are refused. A farm of real processes must produce the bytes of
+`slicefarm slice`.
 
 usage: laser_test.py SLICEFARM MODELS
 """
@@ -15,7 +16,7 @@ import sys
 import tempfile
 
 USAGE, BAD_SETTING = 2, 3  # exit codes
-BOX = (30.0, 20.0, 1.0)  # mm
+BOX = (30.0, 20.0, 1.0)  # size in mm
 LAYER = 0.1
 
 
@@ -44,7 +45,9 @@ def laser(program, model, out, *settings, report=None):
 
 
 def read_cli(data):
-    """Layers of a CLI file by the published format: {z: [(closed or not, points)]}, and the hatch lines of each."""
+    """Reads the layers of a CLI file by the published format: {z: [(closed, points)]}, and the hatch lines of each
+    layer.
+    """
     header, _, body = data.partition(b"$$HEADEREND")
     text = header.decode()
     unit = float(re.search(r"\$\$UNITS/([\d.eE+-]+)", text).group(1))
@@ -110,7 +113,9 @@ def points_of(layer):
 
 
 def check_strategies(program, models, folder):
-    """The length of what is exposed is the area by the hatch distance, and nothing lies outside the compensated outline."""
+    """Checks that the exposed length is the area divided by the hatch distance, and that no exposure is outside the
+    compensated outline.
+    """
     box = write_box(folder / "box.obj")
     for strategy in ("rings", "rings_inward", "stripes", "islands", "hatch"):
         out = laser(program, box, folder / "box.cli", f"scan_strategy={strategy}", "hatch_distance=0.2", "contours=1", "scan_overlap=0", "ring_corners=0",
@@ -118,7 +123,7 @@ def check_strategies(program, models, folder):
         layers = read_cli(out.read_bytes())
         assert len(layers) == round(BOX[2] / LAYER), len(layers)
         middle = layers[5]
-        inside = 0.04 - 2e-3  # beam compensation, and a unit of the file
+        inside = 0.04 - 2e-3  # beam compensation less a unit of the file
         for x, y in points_of(middle):
             assert abs(x - 50) <= BOX[0] / 2 - inside and abs(y - 50) <= BOX[1] / 2 - inside, f"{strategy}: {x} {y}"
         wanted = (BOX[0] - 0.2) * (BOX[1] - 0.2) / 0.2
@@ -143,7 +148,9 @@ def check_rotation(program, models, folder):
 
 
 def check_formats(program, models, folder):
-    """The two kinds of CLI have the same geometry; G-code has the laser off on every jump and at the end."""
+    """Checks that both kinds of CLI have the same geometry, and that in G-code the laser is off in every jump and at
+    the end.
+    """
     text = read_cli(laser(program, models / "textbox.stl", folder / "text.cli").read_bytes())
     binary = read_cli(laser(program, models / "textbox.stl", folder / "binary.cli", "output_format=cli_binary").read_bytes())
     assert len(text) == len(binary)
@@ -179,7 +186,7 @@ def check_gcode(gcode):
 
 
 def check_models(program, models, folder):
-    """Real outlines, whatever slicing makes of them, in the two ways that cut them into pieces."""
+    """Checks that outlines of real models are exposed by the two strategies that cut them into pieces."""
     for model in sorted(models.glob("*.stl")):
         for strategy in ("rings", "stripes"):
             layers = read_cli(laser(program, model, folder / "model.cli", "layer_height=0.3", f"scan_strategy={strategy}").read_bytes())
@@ -201,7 +208,9 @@ def check_refusals(program, models, folder):
 
 
 def check_farm(program, models, folder):
-    """The same bytes embedded, from fused workers and from split stages, also of parts with settings of their own."""
+    """Checks that a farm produces the same bytes as the command line, with fused workers and with split stages, also
+    for parts with their own settings.
+    """
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
     from local_farm import running_farm

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Jobs of milling from model to program: the report, each dialect, a picture of a level, what is refused and how, LinuxCNC's interpreter where it is
-installed, and a farm of real processes, killed meanwhile, that gives the bytes of `slicefarm slice`.
+"""Tests milling jobs from model to program: the report, each dialect, a picture of a level, and refusals with their
+errors. LinuxCNC's interpreter reads the programs if it is installed. A farm of real processes, some of which are
+killed meanwhile, must produce the bytes of `slicefarm slice`.
 
 usage: mill_test.py SLICEFARM MODELS
 """
@@ -46,7 +47,7 @@ def mill(program, model, out, *settings, report=None, more=()):
 
 
 def check_program(program, models, folder):
-    """A box far from its file's origin: the program is where the file is, and the report says so."""
+    """Checks a box far from its file's origin: the program and the report use the coordinates of the file."""
     box = write_box(folder / "box.obj", (20, 10, 4), (100, 50, 7))
     text = mill(program, box, folder / "box.nc", "cutter=cyl:4", "stepdown=1", report=folder / "box.json")
     report = json.loads((folder / "box.json").read_text())
@@ -113,7 +114,7 @@ def check_refusals(program, models, folder):
 
 
 def check_interpreter(program, models, folder):
-    """LinuxCNC's own interpreter reads the programs."""
+    """Checks that LinuxCNC's own interpreter reads the programs."""
     rs274 = shutil.which("rs274")
     if rs274 is None:
         print("rs274 is not installed (linuxcnc-uspace): programs are not read by it")
@@ -125,7 +126,7 @@ def check_interpreter(program, models, folder):
 
 
 def check_stock_of_farm(farm, program, folder):
-    """A blank that is wider than the table."""
+    """Checks a blank that is wider than the table."""
     models = [write_box(folder / "part.obj", (20, 10, 4)), write_box(folder / "blank.obj", (30, 16, 6))]
     given = ["--machine", "mill", *COARSE, "--set", "stock=blank.obj", "--set", "bed_shape=0x0,25x0,25x25,0x25"]
     must(program, "slice", *models, "-o", folder / "here.nc", "-q", *given)
@@ -135,7 +136,9 @@ def check_stock_of_farm(farm, program, folder):
 
 
 def check_farm(program, models, folder):
-    """The same bytes embedded, from fused workers and from split stages, while these are killed."""
+    """Checks that a farm produces the same bytes as the command line, with fused workers and with split stages, while
+    some of them are killed.
+    """
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
     from local_farm import running_farm

@@ -129,9 +129,9 @@ TEST_F(ObservabilityTest, DashboardsAndAlertsNameWhatThereIs) {
   const rpc::TlsFiles tls = certs.Make("worker");
   ShownProcess secure("slicefarm-worker",
                       {"--tls-cert", tls.cert, "--tls-key", tls.key, "--tls-ca", tls.ca});
-  std::set<std::string> there = {"up",                             // Prometheus' own
+  std::set<std::string> there = {"up",                             // Prometheus' own metric
                                  "slicefarm_tenants_file_usable",  // with --tenants
-                                 "slicefarm_ranges",               // what the adapter makes
+                                 "slicefarm_ranges",               // made by the adapter
                                  // with --postgres and --max-database
                                  "slicefarm_database_bytes", "slicefarm_database_connections",
                                  "slicefarm_database_max_bytes",

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What a plate promises, replayed from its G-code:
+"""Tests the guarantees for a plate by replaying its G-code:
 
-- the beads of an object are those of the object alone, moved, whatever else is printed;
-- copies of an object are alike;
-- a copy that the firmware leaves out (Klipper's exclude_object) changes nothing of the others;
-- objects with layer heights of their own are printed at these, and the nozzle never moves below what is printed.
+- the beads of an object equal the beads of the object alone, moved, whichever other objects are printed;
+- copies of an object are identical;
+- a copy that the firmware leaves out (Klipper's exclude_object) does not change the other copies;
+- objects with their own layer heights are printed at these heights, and the nozzle never moves below the printed top.
 
 usage: plate_test.py SLICEFARM MODELS
 """
@@ -24,7 +24,7 @@ Move = collections.namedtuple("Move", "label z_um from_um to_um e f")
 
 
 def slice_plate(program, folder, arguments):
-    """Arguments win over LABELLED."""
+    """Slices a plate and returns the G-code; `arguments` override LABELLED."""
     output = pathlib.Path(folder, "out.gcode")
     subprocess.run([program, "slice", "-o", output, *COMMON, *LABELLED, *arguments], check=True, stderr=subprocess.DEVNULL)
     return output.read_text()
@@ -35,7 +35,7 @@ def micrometres(text):
 
 
 def moves(gcode):
-    """All moves along the bed; label: the copy's, between its labels; e: None for travels."""
+    """Yields all moves in XY; label: the copy whose labels enclose the move; e: None for travels."""
     label, at, z, f = None, (0, 0), 0, None
     for line in gcode.splitlines():
         if line.startswith("; printing object "):
@@ -54,7 +54,9 @@ def moves(gcode):
 
 
 def beads_by_copy(gcode):
-    """Of each label: its beads from the least corner, sorted, so that neither place nor order counts."""
+    """Returns the beads of each label, relative to its least corner and sorted, so that position and order do not
+    matter.
+    """
     beads = collections.defaultdict(list)
     for move in moves(gcode):
         if move.label and move.e:
@@ -69,7 +71,9 @@ def beads_by_copy(gcode):
 
 
 def check_objects_are_independent(program, folder, models):
-    """Each model alone at the edge of the bed, then among copies of itself and another object with its own settings."""
+    """Checks that each model has the same beads alone at the edge of the bed and among copies of itself and another
+    object with its own settings.
+    """
     for name, other in [("busted", "textbox"), ("textbox", "busted"), ("thin_walls", "spot")]:
         model, second = str(models / f"{name}.stl"), str(models / f"{other}.stl")
         alone = beads_by_copy(slice_plate(program, folder, [model, "--center", "101.3,57.7"]))
@@ -86,7 +90,9 @@ def check_objects_are_independent(program, folder, models):
 
 
 def check_settings_are_seen(program, folder, models):
-    """What the check above would not see if it compared nothing."""
+    """Checks that beads_by_copy detects a changed setting. Otherwise the check above could pass without comparing
+    anything.
+    """
     model = str(models / "busted.stl")
     thin, = beads_by_copy(slice_plate(program, folder, [model, "--object-set", "busted.stl:perimeters=1"])).values()
     usual, = beads_by_copy(slice_plate(program, folder, [model])).values()
@@ -97,8 +103,10 @@ LABEL = re.compile(r"EXCLUDE_OBJECT_(DEFINE|START|END) NAME=(\S+)")
 
 
 def without(gcode, excluded):
-    """What a firmware does that is told to leave an object out: all between its labels is not done. Checks the labels
-    as exclude_object reads them: names are known, of its alphabet and once defined; labels are in pairs."""
+    """Returns the names of the objects, and the program as a firmware executes it if an object is excluded: without the
+    lines between its labels. Checks the labels by the rules of exclude_object: names are defined once before use and
+    have valid characters, and labels occur in pairs.
+    """
     known, inside, kept = set(), None, []
     for line in gcode.splitlines():
         label = LABEL.match(line)
@@ -121,8 +129,9 @@ def without(gcode, excluded):
 
 
 def replay(gcode):
-    """The beads of each label with all that decides them: where from, filament that is held back, the last word of fans,
-    accelerations and pressure advance."""
+    """Returns the beads of each label with all values that determine them: start, retracted filament, and the last
+    commands for fans, accelerations and pressure advance.
+    """
     beads, label, state = collections.defaultdict(list), None, {}
     at, z, f, held = (0, 0), 0, None, 0
     for line in gcode.splitlines():

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The same G-code whatever libm gives. Slices the corpus on this machine as it is, and again
-- with FMA and AVX2 hidden from libm, which then takes other variants of its functions, as on another CPU;
-- with a libm that is wrong from the fourth digit on (rough_libm.cc): a use that CPUs rarely tell apart shows too.
+"""Tests that the G-code does not depend on libm. Slices the corpus on this machine unchanged, and again
+- with FMA and AVX2 hidden from libm, which then selects other variants of its functions, as on another CPU;
+- with a libm that is wrong from the fourth digit on (rough_libm.cc), which also reveals uses that rarely differ between
+  CPUs.
 
 usage: portable_bytes_test.py SLICEFARM MODELS ROUGH_LIBM
 """
@@ -13,7 +14,7 @@ import sys
 import tempfile
 
 MASK = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"
-SETTINGS = [  # each is a run of every model
+SETTINGS = [  # each entry is one run of every model
     [],
     ["--set", "perimeter_generator=classic", "--set", "fill_pattern=grid", "--set", "fill_angle=33.3"],
     ["--rotate", "10,20,30"],

@@ -199,7 +199,7 @@ TEST(ServerPrograms, CancelCallsThatOutlastTheDrain) {
   const auto stream = stub->Slice(&context);
   v1::SliceRequest request;
   ASSERT_TRUE(ToProto({}, TextBox(), {}, request.mutable_start()).ok());
-  ASSERT_TRUE(stream->Write(request));  // and never the rest
+  ASSERT_TRUE(stream->Write(request));  // the rest is never sent
   AwaitCall(std::stoi(metrics), "Slice");
   process.Signal(SIGTERM);
   EXPECT_FALSE(stream->Finish().ok());

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""3MF projects in the layouts of PrusaSlicer, Bambu Studio and CAD programs, from file to G-code: objects, places, settings, parts, modifiers,
-height ranges, copies, plates and painted seams are those of the file; what is damaged or hostile ends in an error that names the file.
+"""Tests 3MF projects in the layouts of PrusaSlicer, Bambu Studio and CAD programs, from file to G-code. Objects,
+positions, settings, parts, modifiers, height ranges, copies, plates and painted seams must be those of the file. A
+damaged or hostile file must end in an error that names the file.
 
 usage: project_test.py SLICEFARM
 """
@@ -35,8 +36,9 @@ def cube(x, y, z, side):
 
 
 def paint_code(triangle, state, size):
-    """A triangle's paint in the slicers' code: all edges are halved until the longest is no longer than `size`; state(x, y, z): 0 none,
-    1 enforced, 2 blocked."""
+    """Returns a triangle's paint in the slicers' code. All edges are halved until the longest is at most `size`.
+    state(x, y, z): 0 none, 1 enforced, 2 blocked.
+    """
     if max(math.dist(p, q) for p, q in itertools.combinations(triangle, 2)) <= size:
         return "048"[state(*(sum(axis) / 3 for axis in zip(*triangle)))]
     a, b, c = triangle
@@ -46,7 +48,7 @@ def paint_code(triangle, state, size):
 
 
 def painted(xml, state, attribute):
-    """The mesh with paint on its triangles; it is the only one in `xml`."""
+    """Returns `xml`, which has one mesh, with paint on the triangles of the mesh."""
     corners = [tuple(map(float, xyz)) for xyz in re.findall(r'<vertex x="(.*?)" y="(.*?)" z="(.*?)"/>', xml)]
 
     def paint(match):
@@ -76,7 +78,9 @@ def item(number, x, y, turned=False, more=""):
 
 
 def prusa_files():
-    """A block of 20 mm with a modifier, twice, the second copy turned; a post with layers of its own in the middle."""
+    """Returns a project with two copies of a block of 20 mm with a modifier, the second copy rotated, and a post with
+    layers of 0.1 mm in the middle of its height.
+    """
     objects = (f'<object id="1" type="model">{mesh_xml(cube(0, 0, 0, 20), cube(5, 5, 0, 10))}</object>'
                f'<object id="2" type="model">{mesh_xml(cube(-3, -3, 0, 6))}</object>')
     return {
@@ -95,7 +99,9 @@ def prusa_files():
 
 
 def bambu_files():
-    """A block with a hole on the first of two plates, the block again on the second; parts in a file of their own."""
+    """Returns a project with two plates. The first has a block with a hole, the second has the same block. The parts are in
+    a separate file.
+    """
     parts = ('<components><component p:path="/3D/Objects/o.model" objectid="1"/>'
              '<component p:path="/3D/Objects/o.model" objectid="2"/></components>')
     settings = {"layer_height": "0.2", "initial_layer_print_height": "0.2", "printable_area": ["0x0", "256x0", "256x256", "0x256"],
@@ -137,7 +143,7 @@ def must(program, *arguments):
 
 
 def sliced(program, folder, project, *arguments):
-    """Of each label: the box of its outer walls' middles in um, and the heights of its layers."""
+    """Returns for each label the box around the centre lines of its outer walls in um, and the heights of its layers."""
     must(program, "slice", project, "-o", folder / "out.gcode", "--report", folder / "report.json", "-q", *arguments)
     label, feature, at, z, found = None, "", (0, 0), 0, {}
     for line in (folder / "out.gcode").read_text().splitlines():
@@ -161,7 +167,7 @@ def sliced(program, folder, project, *arguments):
 
 
 def assert_box(beads, x0, y0, x1, y1):
-    """The part's, in mm; walls run half a line of 0.45 mm inside."""
+    """Checks the box of a part, in mm; walls are half a line of 0.45 mm inside it."""
     want = [x0 + 0.225, y0 + 0.225, x1 - 0.225, y1 - 0.225]
     assert all(abs(got / 1000 - mm) <= 0.011 for got, mm in zip(beads.box, want)), f"{beads.box} and not {want}"
 
@@ -229,14 +235,16 @@ def check_what_has_no_effect(program, folder):
 
 
 def painted_files(state, attribute):
-    """A block of 20 mm, twice, the second copy turned."""
+    """Returns a project with two painted copies of a block of 20 mm, the second copy rotated."""
     mesh = painted(mesh_xml(cube(0, 0, 0, 20)), state, attribute)
     return {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh}</object>', item(1, 50, 60) + item(1, 120, 60, True), "PrusaSlicer-2.9.2"),
             "Metadata/Slic3r_PE.config": f"; bed_shape = {BED}\n; layer_height = 0.25\n; first_layer_height = 0.25\n; seam_position = aligned\n"}
 
 
 def seams_of(gcode):
-    """Of each layer, where the outer walls start, on the block itself; the copies are told apart by where they stand."""
+    """Returns the starts of the outer walls of all layers in the block's own coordinates, for each of the two copies.
+    The copies are distinguished by their position.
+    """
     straight, turned = [], []
     for _, loops in read_layers(gcode):
         for loop in loops:
@@ -249,7 +257,7 @@ def seams_of(gcode):
 
 
 def check_paint(program, folder):
-    """In each layer of each copy the seam is in the stripe that is enforced, and never where it is blocked."""
+    """Checks that in each layer of each copy the seam is in the enforced stripe and never in a blocked area."""
     def stripe(x, y, z):
         return 1 if y < 1e-6 and 5 < x < 9 else 0
 
@@ -300,14 +308,16 @@ def check_hostile(program, folder):
         for command in (["slice", path, "-o", folder / "bad.gcode"], ["inspect", path]):
             result = run(program, *command)
             if command[0] == "inspect" and name in ("no_such_corner", "nan"):
-                continue  # the structure does not tell
+                continue  # the structure does not show this fault
             assert result.returncode == BAD_MESH, f"{name}: {result.returncode} {result.stderr}"
             assert f"{name}.3mf" in result.stderr, f"{name}: {result.stderr}"
     assert not (folder / "bad.gcode").exists()
 
 
 def check_farm(program, folder):
-    """The same bytes from a farm of real processes, where a sandbox reads the file; and a file that only the farm finds out about."""
+    """Checks that a farm of real processes, which reads the file in a sandbox, produces the same bytes. Checks a file
+    whose fault only the farm detects.
+    """
     os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
     from local_farm import running_farm

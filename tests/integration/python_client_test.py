@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""A client in another language: docs/print_plate.py, of 62 lines at most, prints plate 2 of a Bambu 3MF with Debian's Python, our public
-protos, and Google's own google/rpc beside them, by which it shows why a call or a job failed. (Of Debian's python3, not of another one
-that comes first in the PATH: its modules are Debian's.)
+"""Tests a client in another language: docs/print_plate.py prints plate 2 of a Bambu 3MF in at most 62 lines. It uses
+Debian's Python, our public protos, and Google's google/rpc, with which it shows the reason of a failed call or job.
+Run it with Debian's python3, because another python3 in the PATH does not have Debian's modules.
 
 usage: python_client_test.py SLICEFARM
 """
@@ -43,7 +43,7 @@ def make_stubs(folder):
 
 
 def check_errors(folder, print_plate, project):
-    """Each failure is told with its reason and message."""
+    """Checks that each failure is reported with its reason and message."""
     def failure(*arguments):
         done = print_plate(*arguments)
         assert done.returncode == 1 and not (folder / "none.gcode").exists(), done

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Every setting that a region may have does something there. Each one of the table is given to a modifier that lies over one end of a part, with a
-value that differs from the part's, and to a range of heights: then the beads there differ, or the report names the setting.
+"""Tests that every region setting has an effect in a region. Each setting of the table gets a value that differs from
+the part's. It is set in a modifier that covers one end of the part, and in a range of heights. Then the beads there
+must differ, or the report must name the setting.
 
 usage: region_settings_test.py SLICEFARM
 """
@@ -39,7 +40,7 @@ VALUES = {
 
 
 def cone(x, y, z0, z1, r0, r1, corners=4):
-    """A frustum, turned so that its sides follow the axes where it has four."""
+    """Returns a frustum; with four corners, its sides are parallel to the axes."""
     def ring(z, r):
         return [(x + r * math.cos(2 * math.pi * (i + 0.5) / corners), y + r * math.sin(2 * math.pi * (i + 0.5) / corners), z) for i in range(corners)]
     n = corners
@@ -54,7 +55,7 @@ def box(x0, y0, z0, x1, y1, z1):
 
 
 def wedge(x0, x1, y, z0, z1, thin, thick):
-    """A fin that is `thin` at x0 and `thick` at x1."""
+    """Returns a fin of width `thin` at x0 and `thick` at x1."""
     corners = [(x, y + side * width / 2, z) for z in (z0, z1) for x, side, width in
                ((x0, -1, thin), (x1, -1, thick), (x1, 1, thick), (x0, 1, thin))]
     return corners, [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)] + [f for i in range(4) for f in ((i, (i + 1) % 4, 4 + i), ((i + 1) % 4, 4 + (i + 1) % 4, 4 + i))]
@@ -89,7 +90,7 @@ def project(job, modifier=None, heights=None):
 
 
 def beads_of(gcode):
-    """Beads as (middle x, middle z, all there is to know of them)."""
+    """Returns the beads as (middle x, middle z, all values that describe the bead)."""
     beads, feature, height = [], "", ""
     x = y = z = speed = 0.0
     for line in gcode.splitlines():
@@ -110,7 +111,7 @@ class Slicer:
         self.program, self.folder, self.known = program, folder, {}
 
     def __call__(self, job, **places):
-        """The beads, and what the report tells; none, and why, if the part is refused."""
+        """Returns the beads and the messages of the report; if the part is refused, no beads and the error."""
         key = json.dumps([job, places], sort_keys=True)
         if key not in self.known:
             path = write(self.folder / "part.3mf", project(job, **places))
@@ -150,7 +151,7 @@ def inside(beads, place):
 
 
 def effect(slicer, setting, place):
-    """Nothing if the setting does something at the place, else what was tried."""
+    """Returns None if the setting has an effect in the place (modifier or heights), else a text with the values tried."""
     key = setting["key"]
     job = context_of(key)
     base = inside(slicer(job, **{place: {}})[0], place)

@@ -175,7 +175,7 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);
   std::vector<LayerPlan> plans = sample.plans;
-  for (LayerPlan& plan : plans) plan.infill.clear();  // it is done
+  for (LayerPlan& plan : plans) plan.infill.clear();  // infill is already filled
   EXPECT_EQ(farm.fakes.plans, plans);
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
   EXPECT_EQ(farm.fakes.ordering_options, OrderingOf(FdmOf(sample.settings)));
@@ -395,7 +395,7 @@ TEST_P(EveryRemoteCall, AServerThatGoesAwayIsUnavailable) {
     farm.host.server().Drain(milliseconds(0));
   });
   const absl::Status status = Make(farm);
-  begun.Happen();  // if the call did not come so far
+  begun.Happen();  // ends the wait if the call failed earlier
   stop.join();
   EXPECT_TRUE(absl::IsUnavailable(status)) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kUnavailable);
@@ -429,7 +429,7 @@ TEST_P(EveryRemoteCall, WaitsForAServerThatIsFull) {
   };
   std::thread first([&] { EXPECT_TRUE(Make(farm).ok()); });
   begun.Await();
-  int polls = 0;  // of the second call's token, while it is refused
+  int polls = 0;  // polls of the second call's token while the call is refused
   StageCall call = NewCall();
   call.cancel = CancelToken([&] {
     if (++polls == 20) go_on.Happen();

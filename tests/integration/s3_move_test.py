@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""deploy/move-blobs.sh with real processes: out of PostgreSQL while two coordinators work and are fetched from, ended in the middle
-and run again; and out of a state directory. Every G-code comes out as before, and nothing stays behind.
+"""Tests deploy/move-blobs.sh with real processes: out of PostgreSQL while two coordinators work and clients download,
+interrupted in the middle and run again; and out of a state directory. Every G-code must stay the same, and no blob
+may remain at the source.
 
 usage: s3_move_test.py SLICEFARM
 """
@@ -26,7 +27,7 @@ def digest_of(farm, job, folder, name="fetched"):
 
 
 def submit_some(farm, folder):
-    """{job: digest of its G-code}."""
+    """Submits jobs, waits for their end, and returns {job: digest of its G-code}."""
     jobs = [farm.submit(MODELS / "textbox.stl", "--set", f"layer_height=0.{20 + n}") for n in range(JOBS)]
     assert {job["state"] for job in farm.await_end()} == {"JOB_STATE_SUCCEEDED"}
     return {job: digest_of(farm, job, folder) for job in jobs}
@@ -44,7 +45,7 @@ def finish(moving):
 
 
 class Fetching(threading.Thread):
-    """Fetches the G-code of all jobs, again and again."""
+    """Downloads the G-code of all jobs repeatedly."""
 
     def __init__(self, farm, jobs, folder):
         super().__init__()
@@ -75,7 +76,7 @@ def out_of_postgres(folder):
     try:
         with running_farm("postgres", folder / "farm") as farm:
             jobs = submit_some(farm, folder)
-            for coordinator in farm.coordinators:  # one after the other, as an upgrade does
+            for coordinator in farm.coordinators:  # one after the other, as in an upgrade
                 coordinator.stop()
                 coordinator.command += ["--s3", bucket.url]
                 coordinator.start()
@@ -89,7 +90,7 @@ def out_of_postgres(folder):
             moving.kill()
             moving.wait()
             finish(move(farm.postgres.connection, bucket))
-            more = submit_some(farm, folder)  # of the same work: all that is needed is found
+            more = submit_some(farm, folder)  # same jobs: all results must be in the cache
             assert all(job["result"].get("cached") for job in farm.jobs() if job["id"] in more)
             fetching.stop()
             assert rows(farm, "SELECT count(*) FROM blobs WHERE complete = 1") == 0
@@ -126,7 +127,7 @@ def main(_):
             folder = pathlib.Path(name) / part.__name__
             (folder / "farm").mkdir(parents=True)
             for directory in (pathlib.Path(name), folder):
-                directory.chmod(0o755)  # PostgreSQL's user goes through it
+                directory.chmod(0o755)  # PostgreSQL's user must be able to enter it
             part(folder)
     print("all blobs moved, and every G-code is as before")
 

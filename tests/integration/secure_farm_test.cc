@@ -320,7 +320,7 @@ TEST_F(SecureFarmTest, CertificatesAreRenewedWhileItRuns) {
                   Arguments{"--slots", "1", "--listen", address});
   v1::CreateJobRequest request = Client::RequestFor(mesh_);
   request.mutable_spec()->mutable_objects(0)->set_name("another part.stl");
-  const auto job = old.Create(request);  // over the connection from before
+  const auto job = old.Create(request);  // over the existing connection
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(old.AwaitEnd(job->id()).state(), v1::JOB_STATE_SUCCEEDED);
   EXPECT_EQ(Print(old, mesh_), quiet);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Copies that are printed one after the other (complete_objects), replayed from their G-code:
+"""Tests copies that are printed one after the other (complete_objects), by replaying their G-code:
 
-- the head, a cylinder of extruder_clearance_radius around the nozzle below a gantry of extruder_clearance_height, meets
-  nothing that is printed, and the nozzle never moves below what it has printed of the copy it is at;
-- each copy has its own layers from the bed up, and they are counted over all copies;
-- a plate that has no order is refused with the names of two copies;
+- the head is a cylinder of extruder_clearance_radius around the nozzle, below a gantry at extruder_clearance_height. It
+  never touches a printed copy, and the nozzle never moves below the printed top of the current copy;
+- each copy has its own layers from the bed up, and the layers are counted over all copies;
+- a plate without a possible order is refused with the names of two copies;
 - the bytes do not depend on the number of threads.
 
 usage: sequence_test.py SLICEFARM MODELS
@@ -74,7 +74,7 @@ def to_segment(p, a, b):
 
 
 def distance(a, b, polygon):
-    """Of the segment from the convex polygon; 0 where they meet."""
+    """Returns the distance of the segment from the convex polygon; 0 if they meet."""
     nearest = math.inf
     for c, d in zip(polygon, polygon[1:] + polygon[:1]):
         if cross(a, b, c) * cross(a, b, d) < 0 and cross(c, d, a) * cross(c, d, b) < 0:
@@ -85,21 +85,23 @@ def distance(a, b, polygon):
 
 
 def boxes_gap(a, b):
-    """How far the boxes of two sets of points are apart in x or in y: no more than the points are."""
+    """Returns the gap in x or in y between the boxes of two sets of points. It is a lower bound of the points'
+    distance.
+    """
     return max(max(min(p[i] for p in a) - max(p[i] for p in b), min(p[i] for p in b) - max(p[i] for p in a)) for i in (0, 1))
 
 
 class Replay:
-    """Follows a program and finds what the head meets."""
+    """Follows a program and detects collisions of the head."""
 
     def __init__(self, radius, height):
         self.radius, self.height = radius, height
         self.at, self.z = (0, 0), 0
         self.label, self.last = None, None
-        self.points = collections.defaultdict(set)   # of each copy's beads
+        self.points = collections.defaultdict(set)   # end points of each copy's beads
         self.tops = collections.defaultdict(float)
-        self.layers = collections.defaultdict(list)  # heights of each copy
-        self.finished = []                           # (label, hull)
+        self.layers = collections.defaultdict(list)  # layer heights of each copy
+        self.finished = []                           # (label, hull) of each finished copy
         self.heads_way = 0
 
     def enter(self, label):
@@ -133,7 +135,7 @@ class Replay:
 
 
 def replay(gcode, radius, height):
-    """From the first layer to the end G-code, whose homing is the user's."""
+    """Replays a program from the first layer to the end G-code. The end G-code is the user's, and may home the axes."""
     state = Replay(radius, height)
     body = gcode[gcode.index(";LAYER_CHANGE"):gcode.index("M107\nM104 S0")]
     for line in body.splitlines():
@@ -149,7 +151,7 @@ def replay(gcode, radius, height):
 def check_plate(program, folder, models, plate):
     gcode = slice_plate(program, folder, models, plate.arguments)
     own = [line for line in plate.arguments if "between_objects_gcode" in line]
-    if own:  # its own way down is the user's: what counts is what comes after it
+    if own:  # removes the user's own move down before the replay
         between = re.findall(r";BETWEEN (\d+)\nG1 Z0\.1\nG21\nG90\nM83\n(G1 Z\S+) F\d+\nG1 X", gcode)
         assert [int(number) for number, _ in between] == list(range(1, len(between) + 1)) and between, between
         gcode = re.sub(r";BETWEEN \d+\nG1 Z0\.1\n", "", gcode)
@@ -171,7 +173,7 @@ def check_plate(program, folder, models, plate):
 
 
 def check_refusals(program, folder, models):
-    """Two tall ones; two that stand too near each other."""
+    """Checks that two tall copies, and two copies that are too close to each other, are refused."""
     for arguments, names in [(["spot.stl", "spot.stl"], ["spot.stl"]),
                              (["spot.stl", "--copies", "spot.stl=2"], ["spot.stl (copy 1)", "spot.stl (copy 2)"]),
                              (["busted.stl", "textbox.stl", "--center", "100,100"], ["busted.stl", "textbox.stl"])]:
@@ -182,7 +184,7 @@ def check_refusals(program, folder, models):
 
 
 def check_the_replay(program, folder, models):
-    """The same copies layer by layer are no sequence: the replay must see that."""
+    """Checks that the replay detects that the same copies printed layer by layer are no sequence."""
     gcode = slice_plate(program, folder, models, ["busted.stl", "--copies", "busted.stl=2", "--set", "complete_objects=0"])
     for radius, height in [(20, 20), (1, 1)]:
         try:

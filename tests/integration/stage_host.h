@@ -36,8 +36,8 @@ struct HostedStages {
   std::function<std::unique_ptr<grpc::Service>(rpc::CallGate&)> planning =
       planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: not served
-  const MillingStage* milling = nullptr;  ///< null: not served
-  const TextureStage* texture = nullptr;  ///< null: not served
+  const MillingStage* milling = nullptr;    ///< null: not served
+  const TextureStage* texture = nullptr;    ///< null: not served
 };
 
 /// All services of the stages and the worker behind one real socket.

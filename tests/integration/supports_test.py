@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Supports and layer heights, from file to G-code: what hangs is carried at the gap, painted supports are where the paint is, nothing thick is
-printed right over a support, copies that share room are refused, heights drawn by hand and those that fit the shape are kept; and the bytes are the same for any number of
-threads, and from a farm of real processes.
+"""Tests supports and layer heights, from file to G-code. Overhangs are supported up to the contact gap, painted
+supports are below the paint, and no thick bead is printed directly over a support. Copies that overlap are refused.
+Manually drawn and adaptive layer heights are kept. The bytes are the same for any number of threads, and from a farm
+of real processes.
 
 usage: supports_test.py SLICEFARM MODELS
 """
@@ -32,7 +33,9 @@ def box(x0, y0, z0, x1, y1, z1):
 
 
 def table(state=None, attribute="", more=None, places=((50, 60, False), (120, 60, True))):
-    """A slab of 20 mm x 20 mm on a post at its middle, its underside 10 mm above the bed; two copies, the second one turned."""
+    """Returns a project with a slab of 20 mm x 20 mm on a post at its middle. Its underside is 10 mm above the bed. The
+    slab has two copies, the second one rotated.
+    """
     mesh = mesh_xml(box(8, 8, 0, 12, 12, 11), box(0, 0, 10, 20, 20, 13))
     if state is not None:
         mesh = painted(mesh, state, attribute)
@@ -41,7 +44,7 @@ def table(state=None, attribute="", more=None, places=((50, 60, False), (120, 60
 
 
 def beads_of(gcode):
-    """All beads, with relative or absolute E."""
+    """Returns all beads of a program with relative or absolute E."""
     feature = label = ""
     x = y = z = e = height = 0.0
     relative, beads = False, []
@@ -75,7 +78,7 @@ def supports(beads):
 
 
 def on_object(bead):
-    """Places of a bead's ends on the object itself, in which copy it is."""
+    """Returns the ends of a bead in the coordinates of the object itself, for either copy."""
     def place(p):
         return (p[0] - 50, p[1] - 60) if p[0] < 80 else (p[1] - 60, 120 - p[0])
     return place(bead.a), place(bead.b)
@@ -100,7 +103,7 @@ def check_automatic(program, folder):
 
 
 def check_another_object_below(program, folder):
-    """A block of 5 mm stands below the slab: supports go round it, and none stands on it."""
+    """Checks a block of 5 mm below the slab: supports avoid the block, and no support starts on it."""
     mesh, block = mesh_xml(box(8, 8, 0, 12, 12, 11), box(0, 0, 10, 20, 20, 13)), mesh_xml(box(0, 0, 0, 5, 5, 5))
     files = table()
     files["3D/3dmodel.model"] = model_xml(f'<object id="1" type="model">{mesh}</object><object id="2" type="model">{block}</object>',
@@ -117,7 +120,7 @@ def check_another_object_below(program, folder):
 
 
 def check_copies(program, folder):
-    """Ten copies: each has the same supports, under its own label."""
+    """Checks that each of ten copies has the same supports, under its own label."""
     places = [(30 + 40 * (i % 5), 60 + 40 * (i // 5), False) for i in range(10)]
     held = supports(sliced(program, folder, write(folder / "ten.3mf", table(places=places))))
     by_label = collections.defaultdict(list)
@@ -130,7 +133,9 @@ def check_copies(program, folder):
 
 
 def check_conflicts(program, folder):
-    """Copies whose supports or parts share room are refused, with the names of both; those that only touch are not."""
+    """Checks that copies whose supports or parts overlap are refused with the names of both copies. Copies that only
+    touch are not refused.
+    """
     def refusal(places, *arguments):
         done = run(program, "slice", write(folder / "plate.3mf", table(places=places)), "-o", folder / "out.gcode", "-q", *arguments)
         assert done.returncode in (0, BAD_MESH), done.stderr
@@ -151,7 +156,7 @@ def check_bridges_without_supports_are_threads(program, folder):
 
 
 def check_painted(program, folder):
-    """The underside is level: no plane cuts its paint."""
+    """Checks painted supports. The painted underside is horizontal, so no slicing plane cuts its paint."""
     def left(enforce):
         return lambda x, y, z: (1 if enforce else 2) if abs(z - 10) < 1e-6 and x < 7 else 0
 
@@ -199,7 +204,9 @@ def check_adaptive(program, folder, models):
 
 
 def check_first_layer(program, folder):
-    """What hangs lower than the first layer of supports can carry lowers no first layer, and skirts step over layers of supports alone."""
+    """Checks that an overhang too low for a first layer of supports does not lower the part's first layer. Checks that
+    skirts skip layers that have supports only.
+    """
     mesh = mesh_xml(box(0, 0, 0, 10, 10, 5), box(10, 0, 0.4, 14, 10, 5), box(-8, 0, 2.05, 0, 10, 5))
     settings = SETTINGS | {"first_layer_height": "0.3", "layer_height": "0.1", "support_material_contact_distance": "0.15", "skirts": "1", "skirt_height": "5",
                            "skirt_distance": "3", "brim_type": "no_brim"}
@@ -214,7 +221,7 @@ def check_first_layer(program, folder):
 
 
 def points_on(bead, step=0.25):
-    """Places along a bead, no more than `step` apart, and the length that each of them stands for."""
+    """Returns points along a bead, at most `step` apart, with the length that each of them represents."""
     (ax, ay), (bx, by) = bead.a, bead.b
     length = math.hypot(bx - ax, by - ay)
     count = int(length / step) + 1
@@ -222,8 +229,9 @@ def points_on(bead, step=0.25):
 
 
 def lying_on_nothing(beads, reach=1.0, bridged=4.0):
-    """Lengths, in mm by height, of stretches of support beads that lie farther than `reach` from all beads of the layer below, and are too long
-    to span from one carried place to the next: `bridged`."""
+    """Returns the lengths, in mm by height, of unsupported pieces of support beads. These pieces are farther than
+    `reach` from all beads of the layer below, and too long (`bridged`) to bridge between two supported points.
+    """
     heights = sorted({bead.z for bead in beads})
     floating = collections.Counter()
     for below, here in zip(heights, heights[1:]):
@@ -255,7 +263,9 @@ def lying_on_nothing(beads, reach=1.0, bridged=4.0):
 
 
 def check_organic_beads_lie_on_something(program, folder):
-    """A wide plate low over the bed: many branches, whose feet have no room beside each other. All that is printed lies on something."""
+    """Checks that all support beads rest on a bead below. The part is a wide plate low over the bed, with many branches
+    whose feet overlap.
+    """
     mesh = mesh_xml(box(24, 14, 0, 30, 20, 8), box(0, 0, 6, 54, 34, 8))
     settings = SETTINGS | {"layer_height": "0.2", "first_layer_height": "0.2", "support_material_contact_distance": "0.2"}
     files = {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh}</object>', item(1, 50, 60, False), "PrusaSlicer-2.9.2"),
@@ -298,7 +308,7 @@ def check_same_bytes(program, folder, models):
 
 
 def check_conflict_there(farm, folder):
-    """The job ends before any range is sent."""
+    """Checks that a job with overlapping copies ends on the farm before any range is sent."""
     def sent():
         return sum(coordinator.metric("slicefarm_ranges_total") or 0 for coordinator in farm.coordinators)
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Spiral vases, from mesh to G-code: above the bottom there is one bead that rises all the way, without a travel, a retraction or a step; it holds
-the plastic of a loop in each layer; its turns lead over into each other; copies are printed one after the other or refused; layers that are no
-loop are told of; the bytes are the same for any number of threads, and from a farm of real processes.
+"""Tests spiral vases, from mesh to G-code. Above the bottom there is one bead that rises all the time, without a
+travel, a retraction or a step. Its plastic is that of one loop per layer, and its turns join continuously. Copies
+are printed one after the other or refused. Layers that are not a single loop are reported. The bytes are the same
+for any number of threads, and from a farm of real processes.
 
 usage: vase_test.py SLICEFARM
 """
@@ -24,7 +25,7 @@ HEIGHT, LAYERS, BOTTOM = 10.0, 50, 4
 
 
 def cone(sides=96, low=10.0, high=13.0):
-    """An STL of a solid vase that grows wider, 10 mm high."""
+    """Returns an STL of a solid vase, 10 mm high, that becomes wider upwards."""
     def ring(radius, z):
         return [(radius * math.cos(2 * math.pi * i / sides), radius * math.sin(2 * math.pi * i / sides), z) for i in range(sides)]
     below, above, faces = ring(low, 0), ring(high, HEIGHT), []
@@ -41,7 +42,7 @@ def settings(**more):
 
 
 def moves_of(gcode):
-    """(layer, kind, x, y, z, e) of each G1; layers count from 0."""
+    """Returns (layer, start, end, e) of each G1; layers count from 0."""
     layer, x, y, z, moves = -1, 0.0, 0.0, 0.0, []
     for line in gcode.splitlines():
         if line.startswith(";LAYER_CHANGE"):
@@ -71,7 +72,7 @@ def check_one_bead(gcode):
 
 
 def check_plastic(spiral):
-    """As much as a loop in each layer, half a bead inside of the cone."""
+    """Checks that the plastic equals one loop per layer, half a bead inside the cone."""
     section = (0.5 - 0.2) * 0.2 + math.pi / 4 * 0.2 ** 2
     loops = sum(2 * math.pi * (10 + 3 * (layer + 0.5) / LAYERS - 0.25) for layer in range(BOTTOM, LAYERS))
     pushed = sum(move[3] for move in spiral) * math.pi / 4 * 1.75 ** 2
@@ -79,7 +80,7 @@ def check_plastic(spiral):
 
 
 def check_radius(spiral, centre):
-    """It grows wider as evenly as it rises: no seam."""
+    """Checks that the radius grows as evenly as the height: there is no seam."""
     for _, _, (x, y, z), _ in spiral:
         if z < 1.1 or z > HEIGHT - 0.3:
             continue

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""How soon the CPU of a job that is cancelled stops: `key value` rows.
+"""Measures how soon a cancelled job stops using the CPU: `key value` rows.
 
   tests/load/cancel.py [--jobs 60] [--seed S]
 
-A job is cancelled at a random moment of its run, and the CPU time of all services looked at every 20 ms: seconds from the
-acknowledged cancel to the last interval that used more than half of a core's time (an idle farm uses none of that).
+Cancels each job at a random moment of its run, and measures the CPU time of all services every 20 ms. A row gives the
+seconds from the acknowledged cancel to the last interval that used more than half a core. An idle farm uses far less.
 """
 import argparse
 import pathlib
@@ -17,11 +17,11 @@ from local_farm import MODELS, percentile, running_farm  # noqa: E402
 
 EVERY_S = 0.02
 LOOK_S = 2.0
-IDLE_SHARE = 0.5  # of a core
+IDLE_SHARE = 0.5  # fraction of a core
 
 
 def busy_seconds(farm):
-    """From now to the last interval in which the farm was busy."""
+    """Returns the time from now to the last interval in which the farm was busy."""
     begun = last = time.monotonic()
     busy_until, cpu = begun, sum(s.cpu_s() for s in farm.services)
     while last < begun + LOOK_S:
@@ -41,7 +41,7 @@ def cancel_one(farm, number, rng):
     time.sleep(rng.uniform(0, 0.8))
     done = farm.client("cancel", job)
     if done.returncode != 0:
-        return None  # it had ended
+        return None  # the job had ended already
     return busy_seconds(farm)
 
 

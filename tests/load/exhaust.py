@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""A farm on which something runs out: `key value limit` rows, where a limit is what must not be exceeded (`-`: a figure to
-compare with). Ends with 1 if one is.
+"""Exhausts a resource of a farm: `key value limit` rows. A value must not exceed its limit (`-`: a value for comparison).
+The exit code is 1 if a limit is exceeded.
 
-  tests/load/exhaust.py [request] [memory] [tenant] [disk] [rows] [texts]   without: all
+  tests/load/exhaust.py [request] [memory] [tenant] [disk] [rows] [texts]   without arguments: all
 
-Each word is a module of its own beside this file, exhaust_WORD.py, whose measure(farms) yields the rows; its first lines say
-what it does.
+Each word is a module beside this file, exhaust_WORD.py. Its measure() yields the rows, and its docstring describes it.
 """
 import argparse
 import importlib

@@ -1,5 +1,5 @@
-"""A tenant uploads until its budget is reached: what is kept of it then, and whether the rest is refused. A client waits for as
-long as a refusal asks it to, so each gets some seconds."""
+"""Lets a tenant upload until its budget is reached. Measures the stored data and checks that further uploads are
+refused. A client waits as long as a refusal requests, so each client gets some seconds."""
 import json
 import pathlib
 import subprocess
@@ -15,7 +15,7 @@ PATIENCE_S = 10
 
 
 def meshes(directory):
-    """Files of about MESH bytes, each another one."""
+    """Writes different files of about MESH bytes each."""
     facet = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\nendloop\nendfacet\n"
     for number in range(UPLOADS):
         path = pathlib.Path(directory) / f"{number}.stl"

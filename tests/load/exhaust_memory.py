@@ -1,6 +1,6 @@
-"""Jobs that want more memory than there is. A program of 2 GB goes through a coordinator that never has it all; jobs whose
-outlines do not fit, the larger one of 150 million points in a farm for services of 4 GiB, end with a typed error, and the ordinary
-ones beside them with their G-code."""
+"""Runs jobs that need more memory than there is. A program of 2 GB passes through a coordinator that never holds all of
+it. Jobs with outlines that do not fit end with a typed error; the larger one has 150 million points, in a farm for
+services of 4 GiB. Ordinary jobs beside them succeed."""
 import math
 import os
 import pathlib
@@ -14,13 +14,14 @@ from local_farm import MODELS, running_farm
 
 GCODE_MB = int(os.environ.get("SLICEFARM_EXHAUST_GCODE_MB", "1900"))
 LAYER_BYTES = 120_000
-# Corners of a wavy outline, height of a layer in mm, --memory in MiB. A corner is two points of a layer until it is simplified.
+# Cases by name: corners of a wavy outline, layer height in mm, --memory in MiB. Before simplification, a
+# corner is two points of a layer.
 OUTLINES = {"large": (4_000, 0.05, 128), "huge": (7_500, 0.02, 1_024)}
 ORDINARY = 8
 
 
 def prism(path, corners, radius_mm, height_mm, wave_mm=0.0):
-    """A binary STL of a prism that stands on the plate, with a wavy outline, so that none of its corners can be left out."""
+    """Writes a binary STL of a prism on the plate. Its outline is wavy, so that no corner can be omitted."""
     ring = []
     for i in range(corners):
         radius = radius_mm + (wave_mm if i % 2 else 0)
@@ -37,7 +38,7 @@ def prism(path, corners, radius_mm, height_mm, wave_mm=0.0):
 
 
 class Most(threading.Thread):
-    """The most that a process has in memory of its own; pages of files are the system's."""
+    """Measures the largest own memory of a process. Pages of files belong to the system and are not included."""
 
     def __init__(self, service):
         super().__init__()

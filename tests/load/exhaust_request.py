@@ -1,6 +1,6 @@
-"""Requests that ask for more than they look like, at the limit and beyond: what the coordinator takes of CPU and memory for each, and whether
-a typed error or a job comes of it; then sixteen of each at once, and the most that any service has in memory then. Needs protoc,
-and curl with HTTP/2."""
+"""Sends requests that need more work than their size suggests, at the limit and beyond. Measures the CPU time and the
+memory of the coordinator for each, and checks that a request ends with a job or a typed error. Then sends sixteen of
+each at once and measures the largest memory of the services. Needs protoc, and curl with HTTP/2."""
 import concurrent.futures
 import hashlib
 import pathlib
@@ -13,7 +13,7 @@ from local_farm import MODELS, ROOT, running_farm
 
 PROTO = ROOT / "proto"
 MODEL = MODELS / "textbox.stl"
-# What a refusal may take.
+# Limits of a refusal: CPU seconds and MiB.
 CPU_S, MEMORY_MIB = 0.2, 64
 AT_ONCE = 16
 SERVICE_MIB = 4096
@@ -24,13 +24,13 @@ def setting(key, value):
 
 
 def field(size):
-    """A field of density of so many bytes."""
+    """Returns a density field of `size` bytes."""
     text = '{"kind":"constant","density":0.3' + " " * (size - 33) + "}"
     return setting("density_field", text.replace('"', '\\"'))
 
 
 def ranges(count):
-    """Height ranges, each with settings of its own."""
+    """Returns height ranges, each with settings of its own."""
     return " ".join(
         f"height_ranges {{from_mm: {0.02 * i:.2f} to_mm: {0.02 * (i + 1):.2f} "
         f"settings {setting('perimeters', 1 + i % 97)} settings {setting('fill_angle', i % 89)}}}"
@@ -49,7 +49,7 @@ def plates(digest, copies, settings):
 
 
 def cases(digest):
-    """Name, method, request as text."""
+    """Yields the name, the method and the request as text."""
     lines = setting("layer_gcode", "; " + "x" * 60_000)
     yield "field_at_limit", "CreateJob", job(digest, ranges(80), [field(450_000)])
     yield "field_beyond", "CreateJob", job(digest, ranges(1_000), [field(450_000)])
@@ -63,7 +63,7 @@ class Coordinator:
         self.service = service
 
     def call(self, method, text):
-        """gRPC's status and the reason that it tells."""
+        """Returns the gRPC status and the size of the encoded request."""
         request = "CreatePlatesRequest" if method == "CreatePlates" else "CreateJobRequest"
         encoded = subprocess.run(
             ["protoc", f"-I{PROTO}", f"--encode=slicefarm.v1.{request}", "slicefarm/v1/jobs.proto"],

@@ -1,6 +1,6 @@
-"""Ended jobs, a million unless SLICEFARM_EXHAUST_ROWS says otherwise, are put into the database behind the farm's back: what
-submits, gets and claims take then, against what they took in an empty one. Rounds with and without the rows take turns, so that
-what else the machine does is in both."""
+"""Inserts ended jobs directly into the database, a million by default (SLICEFARM_EXHAUST_ROWS). Compares the times of
+submits, gets and claims with an empty database. Rounds with and without the rows alternate, so that other load on
+the machine affects both."""
 import os
 import statistics
 import subprocess
@@ -11,7 +11,7 @@ ROWS = int(os.environ.get("SLICEFARM_EXHAUST_ROWS", "1000000"))
 SECONDS = os.environ.get("SLICEFARM_EXHAUST_SECONDS", "20")
 ROUNDS = 3
 BOUNDS_S = ("0.0005", "0.001", "0.0025", "0.005", "0.01", "0.025", "0.05", "0.1", "0.25", "0.5", "1", "5")
-# A job's row, its events, its inputs and its result, as SUCCEEDED jobs leave them.
+# Adds the rows of SUCCEEDED jobs: the job, its events, its inputs and its request.
 FILL = """
 INSERT INTO jobs (id, tenant, state, priority, deadline_us, spec, labels, settings_digest, action_digest, build_id, traceparent,
                   create_us, start_us, end_us, last_sequence)
@@ -27,7 +27,7 @@ INSERT INTO events SELECT number, sequence, create_us, 'SUCCEEDED', 10, 10 FROM 
 
 
 class Measured:
-    """Milliseconds at the 99th percentile of what clients and the coordinator see, each the median of some rounds."""
+    """Latencies (p99) of clients and of the coordinator in ms; each value is the median of some rounds."""
 
     def __init__(self):
         self.rounds, self.claims = {}, []
@@ -46,14 +46,15 @@ def sql(farm, text):
 
 
 def claims(farm):
-    """Their sum in seconds, and how many took at most as long as each of BOUNDS_S, of all coordinators."""
+    """Returns the total time of all claims in seconds, and the number of claims up to each of BOUNDS_S, over all
+    coordinators."""
     labels = [f'bucket{{operation="claim",le="{bound}"}}' for bound in BOUNDS_S]
     names = [f"slicefarm_store_commit_seconds_{label}" for label in ['sum{operation="claim"}', *labels]]
     return [sum(c.metric(name) or 0 for c in farm.coordinators) for name in names]
 
 
 def quantile_s(counts, part):
-    """Of a histogram, evenly within a bucket, as Prometheus reckons it."""
+    """Returns a quantile of a histogram. Interpolates linearly within a bucket, as Prometheus does."""
     wanted, below, low = part * counts[-1], 0, 0.0
     for bound, count in zip(map(float, BOUNDS_S), counts):
         if count >= wanted:
@@ -81,9 +82,9 @@ def measure():
     with running_farm("postgres") as empty, running_farm("postgres") as full:
         sql(full, FILL % ROWS)
         sql(full, "VACUUM ANALYZE")
-        sql(full, "CHECKPOINT")  # what filling left to be written
+        sql(full, "CHECKPOINT")  # writes the pending pages of the fill
         for farm in (empty, full):
-            measure_round(farm, Measured())  # everything has been reached once
+            measure_round(farm, Measured())  # warm-up
         before, after = Measured(), Measured()
         for _ in range(ROUNDS):
             measure_round(empty, before)
@@ -92,6 +93,6 @@ def measure():
         for key in before.rounds:
             yield f"rows_{key}_empty", before.value(key), None
             yield f"rows_{key}_full", after.value(key), 1.2 * before.value(key)
-        # Of all rounds, as one has few.
+        # The percentile is over all rounds, because one round has few claims.
         yield "rows_claim_p99_ms_empty", 1000 * quantile_s(before.claims, 0.99), None
         yield "rows_claim_p99_ms_full", 1000 * quantile_s(after.claims, 0.99), 1.2 * 1000 * quantile_s(before.claims, 0.99)

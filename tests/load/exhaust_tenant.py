@@ -1,7 +1,7 @@
-"""One tenant takes every place that it can get: uploads that bring next to nothing, downloads that are hardly read, watches of
-jobs, of all its jobs, checks, lists, gets, and more jobs than the farm can make. Another one goes on beside it: what its calls take then, against what they
-took alone, and whether the first one was refused at all. The greedy tenant's clients, a hundred processes, give way to the
-farm's: theirs are other machines. Needs curl with HTTP/2."""
+"""Lets one tenant take every slot that it can get: very slow uploads, downloads that are hardly read, watches of one
+job and of all jobs, checks, lists, gets, and more jobs than the farm can make. Measures the calls of another tenant
+beside it and alone, and checks that the first tenant is refused. The greedy tenant's hundred client processes have a
+low priority, because they represent other machines. Needs curl with HTTP/2."""
 import json
 import os
 import pathlib
@@ -16,18 +16,21 @@ from local_farm import BIN, MODELS, percentile, running_farm
 
 SECONDS = int(os.environ.get("SLICEFARM_EXHAUST_SECONDS", "60"))
 ALONE_SECONDS = min(SECONDS, 300)
-UPLOADS = DOWNLOADS = 80  # more than there are places for
-WATCHERS = 1000  # of each of the greedy tenant's watched jobs
+UPLOADS = DOWNLOADS = 80  # more than there are slots
+WATCHERS = 1000  # per watched job of the greedy tenant
 CHECKS = 8
 TENANT_WATCHES = 40
 OPEN_JOBS = {"hog": 500, "calm": 10_000}
 MODEL = MODELS / "textbox.stl"
-# A program that no client takes in before it reads.
+# Settings of a program that is too long for a client's buffers, so the server must wait for its
+# reads.
 LONG = [part for key in ("before_layer_gcode", "layer_gcode") for part in ("--set", f"{key}=; " + "x" * 60_000)]
 LONG += ["--set", "layer_height=0.05", "--set", "first_layer_height=0.1"]
-TAKEN = ("UploadMesh", "Download", "CreateJob", "WatchJob", "WatchJobs")  # what all places are taken of
+# Methods with slots that the greedy tenant takes.
+TAKEN = ("UploadMesh", "Download", "CreateJob", "WatchJob", "WatchJobs")
 STEPS = ("Upload", "CreateJob", "WatchOpen", "WatchJob", "Download")
-# p99 under which a doubling is not told from what the machine's scheduler does.
+# Smallest p99 for the comparison. Below it, a doubling cannot be distinguished from effects of the
+# scheduler.
 LEAST_S = 0.05
 ELSEWHERE = ["nice", "-n", "19"]
 
@@ -48,13 +51,13 @@ def framed(message):
 
 
 def first_chunk(number):
-    """UploadMeshRequest of a mesh of 1 GB: sha256 = 1, size = 2, data = 4 with a byte."""
+    """Returns an UploadMeshRequest of a mesh of 1 GB: sha256 = 1, size = 2, data = 4 with one byte."""
     digest = f"{number:064x}".encode()
     return framed(b"\x0a" + bytes([len(digest)]) + digest + b"\x10\x80\x80\x80\x80\x04" + b"\x22\x01x")
 
 
 class Slow(threading.Thread):
-    """A call that moves next to nothing, begun anew whenever it ends: how long it held its place, at most."""
+    """Makes a very slow call, and repeats it whenever it ends. Measures the longest time that a call has held its slot."""
 
     def __init__(self, address, token, method, first, more, ended):
         super().__init__()
@@ -83,7 +86,7 @@ class Slow(threading.Thread):
 
 
 class Calm(threading.Thread):
-    """The calls of the other tenant that slicefarm-load does not make, one after the other."""
+    """Makes the other tenant's calls that slicefarm-load does not make, one after another."""
 
     CALLS = {"List": ("list", "--limit", "1"), "Check": ("submit", MODEL, "--check", "-q")}
 
@@ -103,7 +106,7 @@ class Calm(threading.Thread):
 
 
 def calm_calls(farm, token, seconds):
-    """p99 in seconds of each kind of call, and how many fail."""
+    """Returns the p99 of each kind of call in seconds, and the number of failures."""
     others = Calm(farm, token)
     report = farm.load("--token-file", token, "--rate", "2", "--seconds", str(seconds), "--mix", "tiny")
     others.ended.set()
@@ -135,7 +138,8 @@ class Hog:
             client.start()
 
     def await_uploads(self):
-        """Its jobs need some, and it takes all places for uploads then."""
+        """Waits until the first jobs are refused. The jobs need uploads, and afterwards all slots for uploads are
+        taken."""
         while not refused(self.farm.coordinators[0], "CreateJob"):
             time.sleep(0.1)
 
@@ -147,7 +151,7 @@ class Hog:
         self.again("submit", MODEL, "--check", "-q", "--generic")
 
     def again(self, *arguments):
-        """A call of the command line, begun anew whenever it ends."""
+        """Runs a command of the client, and repeats it whenever it ends."""
         command = [*ELSEWHERE, BIN / "slicefarm", *arguments, "--token-file", self.token_file,
                    "--server", self.farm.coordinators[0].address, "--patience", "10"]
         while not self.ended.is_set():
@@ -163,7 +167,8 @@ class Hog:
             load.wait()
         for thread in (*self.uploads, *self.downloads, *self.clients):
             thread.join()
-        # What a download's client has not read yet may be on its own side.
+        # For downloads the time is not checked, because unread bytes may be in buffers of the
+        # client.
         return max(upload.longest_s for upload in self.uploads)
 
 

@@ -1,5 +1,5 @@
-"""Specs of at most 64 KiB whose settings make texts grow: each job succeeds with G-code of a bounded size or ends with a typed
-error, a coordinator's memory stays below 256 MiB, and a cancelled job ends within a second."""
+"""Submits specs of at most 64 KiB with settings that make texts grow. Each job succeeds with G-code of a limited size
+or ends with a typed error. The coordinator's memory stays below 256 MiB, and a cancelled job ends within a second."""
 import json
 import pathlib
 import tempfile
@@ -16,7 +16,7 @@ LONG = "x" * 30_000
 
 
 def substitutions(*rules):
-    """Rules of pattern, replacement and flags as a setting has them."""
+    """Returns the value of a setting with rules of pattern, replacement and flags."""
     return ";".join(json.dumps(text) for rule in rules for text in (*rule, ""))
 
 

@@ -1,5 +1,6 @@
-"""Large results: how much is read from PostgreSQL, or a bucket, for a download, and how fast; whether downloads that take every place cost a
-job its run; and how much a coordinator reads for equal jobs, whose result it has."""
+"""Transfers large results. Measures the bytes that a download reads from PostgreSQL or a bucket, and its speed. Checks
+that downloads in every slot do not cost a job its run. Measures the bytes that a coordinator reads for equal jobs
+with a cached result."""
 import os
 import pathlib
 import re
@@ -18,14 +19,14 @@ DOWNLOADS = 48
 JOBS_BESIDE = 20
 LAYER_BYTES = 120_000
 SUBMITTERS = 4
-STATISTICS_S = 15  # after which PostgreSQL's tell what an idle session has read
-CHUNK_BYTES = 1_996  # of a large value, as PostgreSQL keeps it
+STATISTICS_S = 15  # delay of PostgreSQL's statistics about reads of an idle session
+CHUNK_BYTES = 1_996  # size of PostgreSQL's chunks of a large value
 CHUNKS_READ = """SELECT idx_tup_fetch FROM pg_stat_all_tables
   WHERE relid = (SELECT reltoastrelid FROM pg_class WHERE oid = 'blob_pieces'::regclass)"""
 
 
 def long_job(directory, megabytes):
-    """Arguments of `submit` for a job whose G-code has so many."""
+    """Returns arguments of `submit` for a job with so many megabytes of G-code."""
     layers = megabytes * 1_000_000 // LAYER_BYTES
     model = pathlib.Path(directory) / f"tower-{megabytes}.stl"
     prism(model, 12, 4, layers * 0.02)
@@ -39,7 +40,7 @@ def long_job(directory, megabytes):
 
 
 def succeeded(farm, *arguments):
-    """The id and the bytes of a job, once it has ended."""
+    """Submits a job and waits for its end. Returns its id and the size of its G-code."""
     job_id = farm.submit(*arguments)
     assert farm.client("watch", job_id).returncode == 0
     job = next(job for job in farm.jobs() if job["id"] == job_id)
@@ -47,7 +48,7 @@ def succeeded(farm, *arguments):
 
 
 def bytes_read(farm):
-    """Of blobs in the database, by all sessions."""
+    """Returns the bytes of blobs that all sessions have read from the database."""
     return int(sql(farm, CHUNKS_READ)) * CHUNK_BYTES
 
 
@@ -73,11 +74,11 @@ def from_postgres(directory):
 
 
 def from_s3(directory):
-    """The same from a bucket, and what a coordinator holds meanwhile."""
+    """Measures downloads from a bucket, as from_postgres does, and the memory of the coordinator meanwhile."""
     with running_farm("s3") as farm:
         job_id, size = succeeded(farm, *long_job(directory, RESULT_MB))
         coordinator = farm.coordinators[0]
-        assert download(farm, job_id, coordinator) == 0  # checks it
+        assert download(farm, job_id, coordinator) == 0  # the first download checks the blob
         before, cpu, memory, begun = farm.s3.counts()["sent"], coordinator.cpu_s(), Most(coordinator), time.monotonic()
         assert download(farm, job_id, coordinator) == 0
         seconds, held = time.monotonic() - begun, memory.stop()

@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""What `slicefarm-coordinator migrate` does to a farm that works: two coordinators on a database of a million ended jobs that lacks
-the indexes which a later build adds, and a client that submits one job after the other meanwhile.
+"""Measures `slicefarm-coordinator migrate` on a working farm. Two coordinators use a database of a million ended jobs
+without the indexes that a later build adds. Meanwhile a client submits one job after another.
 
     tests/load/migrate.py [--rows 1000000] [--seconds 20]
 
-`key value` rows: rows; steps, which were taken; migrate_s; jobs, that ended meanwhile, and failed, of those; submit_p99_ms and
-job_p99_s before and meanwhile; longest_pause_s without the end of a job, meanwhile. Exit code 1 if a job failed or nothing ended
-for a minute. SLICEFARM_BIN: where the programs are (default build/bin).
+Prints `key value` rows:
+  rows; steps: number of steps taken; migrate_s;
+  jobs: jobs that ended during the migration; failed: failures among them;
+  submit_p99_ms and job_p99_s: before and during the migration;
+  longest_pause_s: longest time without the end of a job during the migration.
+The exit code is 1 if a job failed or if no job ended for a minute. SLICEFARM_BIN: directory of the programs (default
+build/bin).
 """
 import argparse
 import pathlib
@@ -19,16 +23,17 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from exhaust_rows import FILL, sql
 from local_farm import BIN, MODELS, percentile, running_farm
 
-STEPS = {"0009_held_work": "jobs_held_work", "0012_events": "events_by_time"}  # and the indexes that they make
+# Steps and their indexes.
+STEPS = {"0009_held_work": "jobs_held_work", "0012_events": "events_by_time"}
 
 
 class Client(threading.Thread):
-    """Submits a job, and waits for its end; again and again."""
+    """Submits a job and waits for its end, repeatedly."""
 
     def __init__(self, farm):
         super().__init__()
         self.farm, self.ended, self.number = farm, threading.Event(), 0
-        self.jobs = []  # (when it was submitted, how long that took, when it ended, whether it succeeded)
+        self.jobs = []  # (time of submission, its duration, time of the end, success)
         self.start()
 
     def run(self):
@@ -67,7 +72,7 @@ def measure(options):
             sql(farm, f"DELETE FROM slicefarm_migrations WHERE name = '{step}'")
         client = Client(farm)
         try:
-            time.sleep(options.seconds)  # the first jobs reach everything once
+            time.sleep(options.seconds)  # warm-up
             begin = time.monotonic()
             command = [BIN / "slicefarm-coordinator", "migrate", "--postgres", farm.postgres.connection]
             steps = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.split()

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""A tenant that asks for twice what the farm can do, and another one beside it: `key value` rows.
+"""Measures a tenant that requests twice the capacity of the farm, and another tenant beside it: `key value` rows.
 
   tests/load/overload.py [--minutes 10] [--mix tiny|mixed]
 
-peak          jobs a second of one tenant at 16 at once (closed loop), the most that goes through
-goodput       jobs a second that end in time when twice the peak is asked for (open loop)
-refused       calls that were refused, and how many of them did not say when to try again
-rss           MiB of all services together after a minute of overload, and the most later on
-calm          99th percentile of the other tenant's jobs, two a second, from upload to download: alone, beside half the peak,
-              and beside twice the peak
+peak          jobs per second of one tenant with 16 at once (closed loop), which is the capacity
+goodput       jobs per second that end in time at a load of twice the peak (open loop)
+refused       refused calls, and the number of refusals without a time to retry
+rss           MiB of all services together after a minute of overload, and the maximum later
+calm          99th percentile of the other tenant's jobs, two per second, from upload to download: alone, beside half
+              the peak, and beside twice the peak
 """
 import argparse
 import json
@@ -22,14 +22,14 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from local_farm import BIN, running_farm  # noqa: E402
 
-OPEN_JOBS = 200  # of a tenant; more are refused
+OPEN_JOBS = 200  # per tenant; more jobs are refused
 CALM_RATE = 2
 SETTLED_S = 60
-CALM_S = 150  # for the percentiles to compare with
+CALM_S = 150  # duration of the runs for comparison
 
 
 def make_tenants(path):
-    """Writes the farm's file; gives their tokens."""
+    """Writes the file of tenants and returns their tokens."""
     tokens, tenants = {}, {}
     for name in ("flood", "calm"):
         made = subprocess.run([BIN / "slicefarm", "token"], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
@@ -41,7 +41,7 @@ def make_tenants(path):
 
 
 class Load(threading.Thread):
-    """One run of slicefarm-load beside others."""
+    """Run of slicefarm-load at the same time as other runs."""
 
     def __init__(self, farm, token, rate, seconds, options):
         super().__init__()

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""How long a farm needs after a process was killed, and what it does twice: `key value` rows.
+"""Measures the recovery time of a farm after a process was killed, and the repeated work: `key value` rows.
 
   tests/load/recovery.py [--kills 20] [--seed S] [worker] [coordinator] [takeover] [postgres] [calls] [rework]
 
-worker, coordinator, postgres   killed and started again at once, on a farm that has no other: seconds until the next range is
-                                finished, and then work goes on
-takeover    one of two coordinators on a PostgreSQL is killed while it runs a job, and stays away: seconds until the other one
-            has finished a range of that job
-calls       errors of unary calls, by clients with the shipped service config, while workers are killed
-rework      CPU of all processes for the same jobs with a kill every 10 s, over that without
+worker, coordinator, postgres   the only process of its kind is killed and restarted at once: seconds until the next
+                                range is finished, after which work continues
+takeover    one of two coordinators on PostgreSQL is killed while it runs a job, and stays away: seconds until the
+            other one has finished a range of this job
+calls       errors of unary calls while workers are killed; the clients have the delivered service config
+rework      CPU time of all processes for the same jobs with a kill every 10 s, relative to no kills
 """
 import argparse
 import pathlib
@@ -53,7 +53,7 @@ class Backlog(threading.Thread):
 
 
 def seconds_to_next_range(store, victim, options, **farm_options):
-    """Of each kill."""
+    """Returns the recovery time of each kill."""
     took = []
     rng = random.Random(options.seed)
     with running_farm(store, **farm_options) as farm:
@@ -106,7 +106,7 @@ def takeover(options):
 
 
 def one_takeover(farm, number):
-    """One job alone: whoever finishes ranges is the one who runs it."""
+    """Runs a single job, so that the coordinator that finishes ranges is the one that runs the job."""
     before = {c.name: ranges_of(c) for c in farm.coordinators}
     another_job(farm, number)
     while not (running := [c for c in farm.coordinators if ranges_of(c) > before[c.name]]):
@@ -145,7 +145,8 @@ def calls(options):
 
 
 def cpu_of_jobs(options, kills):
-    """Of all processes of a farm, and its clients, until the jobs have ended."""
+    """Returns the CPU time of all processes of a farm and its clients until the jobs have ended, and the number of
+    kills."""
     rng = random.Random(options.seed)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done, ended = 0, threading.Event()

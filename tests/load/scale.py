@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""How much a farm takes at once: `key value` rows.
+"""Measures the capacity of a farm: `key value` rows.
 
-  tests/load/scale.py [submit] [get] [watch] [dispatch] [virtual] [two]      all of them by default
+  tests/load/scale.py [submit] [get] [watch] [dispatch] [virtual] [two]      default: all
 
-submit    durable CreateJob calls, 200 a second          get   GetJob calls, 500 a second
-watch     1000 watchers of a job                         dispatch   CPU of the coordinator over that of the stages
-virtual   64 workers that sleep 50 ms a layer: layers' time over workers' time
-two       a job on two workers of one slot each against one of them; and of it what is spread over them
+submit    durable CreateJob calls, 200 per second        get   GetJob calls, 500 per second
+watch     1000 watchers of a job                         dispatch   CPU of the coordinator relative to the stages
+virtual   64 workers that sleep 50 ms per layer: time of the layers relative to the time of the workers
+two       a job on two workers with one slot each, relative to one worker; also only its distributed part
 """
 import json
 import pathlib
@@ -60,7 +60,7 @@ def watch(farm):
 
 
 def dispatch(farm):
-    """Without what a coordinator takes to start."""
+    """Measures without the CPU time of the coordinator's start."""
     farm.await_end()
     coordinator_before, before = farm.coordinators[0].cpu_s(), sum(service.cpu_s() for service in farm.services)
     for number in range(4 * REPEATS):
@@ -85,7 +85,7 @@ def virtual():
 
 
 def fill(farm):
-    """Jobs whose every layer is slept over. From the first submission to the last end."""
+    """Runs jobs on workers that sleep for each layer. Measures from the first submission to the last end."""
     begin = time.time()
     for number in range(VIRTUAL_JOBS):
         farm.submit(MODELS / "benchy.stl", "--set", "layer_height=0.05", "--set", f"infill_speed={40 + number}")
@@ -98,8 +98,8 @@ def fill(farm):
 
 
 def job_seconds(farm):
-    """Of a part whose time goes into layers, from the call to the G-code; and of its ranges, from the first to the last.
-    The least of several."""
+    """Returns the shortest time of a part with many layers, from the call to the G-code. Also returns the shortest time
+    of its ranges, from the first to the last."""
     took, ranges = [], []
     for number in range(REPEATS):
         begin = time.monotonic()

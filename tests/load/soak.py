@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Whether a farm stays as it is: mixed load for hours, and what its processes hold meanwhile.
+"""Checks that a farm stays stable: runs a mixed load for hours and measures the resources of its processes.
 
   tests/load/soak.py [--minutes 120] [--rate 4] [--store sqlite|postgres] [--seed S] [--csv FILE]
 
-`key value` rows: requests, errors, and for each process the megabytes at the end, their slopes and descriptors. Slopes are in
-percent an hour with their standard errors, over the time from which old blobs go as fast as new ones come: of the means of
-every five minutes, which huge parts scatter, and of their least, which is what stays when little is under way. Descriptors
-are the medians of that time's two halves. Old jobs and blobs are removed while it runs, as on a farm that goes on for years.
+Prints `key value` rows: requests, errors, and for each process the megabytes at the end, their slopes and descriptors.
+Slopes are in percent per hour with their standard errors. They begin when old blobs are removed as fast as new ones
+arrive. One slope is of the means of every five minutes, which vary with huge parts. The other slope is of their
+minima, which show the memory that remains when few jobs run. Descriptors are the medians of the two halves of this
+time. Old jobs and blobs are removed during the run, as on a farm that runs for years.
 """
 import argparse
 import json
@@ -26,7 +27,7 @@ from local_farm import BIN, percentile, running_farm  # noqa: E402
 EVERY_S = 15
 WINDOW_S = 300
 KEPT_JOBS_DAYS = 0.01  # a quarter of an hour
-KEPT_BLOBS_H = 1  # the least
+KEPT_BLOBS_H = 1  # the smallest allowed value
 
 
 class Watch(threading.Thread):
@@ -47,7 +48,7 @@ class Watch(threading.Thread):
 
 
 def slope_percent_an_hour(points):
-    """Least squares, of the mean; and its standard error."""
+    """Returns the slope by least squares relative to the mean, and its standard error."""
     n = len(points)
     mean_t, mean_v = sum(t for t, _ in points) / n, sum(v for _, v in points) / n
     variance = sum((t - mean_t) ** 2 for t, _ in points)

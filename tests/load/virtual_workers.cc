@@ -1,7 +1,7 @@
-// Workers that sleep instead of working, to see what the coordinator makes of more of them than
-// this machine has cores.
+// Workers that sleep instead of working. They test the coordinator with more workers than this
+// machine has cores.
 //
-// Prints their addresses, one line; serves until it is told to end.
+// Prints the addresses of the workers in one line, and serves until a signal ends it.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -25,7 +25,7 @@
 namespace slicefarm {
 namespace {
 
-/// Takes so long a layer, and makes a line of each.
+/// Runner that sleeps for a fixed time per layer, and makes one line of G-code per layer.
 class SleepingRunner final : public FdmRunner {
  public:
   explicit SleepingRunner(std::chrono::duration<double, std::milli> layer) : layer_(layer) {}

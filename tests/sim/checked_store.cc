@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-/// JobRun gives a job up after this many runs that found services away.
+/// Number of runs without reachable services after which JobRun fails a job.
 constexpr int32_t kMaxRetries = 5;
 
 std::string_view Name(JobState state) { return JobStateName(state); }
@@ -53,7 +53,7 @@ absl::StatusOr<Created> CheckedStore::Create(const NewJob& job, int64_t now_us) 
   return created;
 }
 
-/// `earlier`: the job that the request_id made already.
+/// Checks the outcome of Create. `earlier`: the job that the request_id created before, or null.
 void CheckedStore::CheckCreated(const NewJob& job, const Requested* earlier, bool full,
                                 const absl::StatusOr<Created>& created) {
   const bool reused = earlier && earlier->spec_digest != job.spec_digest;
@@ -135,7 +135,7 @@ void CheckedStore::CheckClaim(const JobRecord& job, const std::string& owner, in
   seen.claimed_us = now_us;
 }
 
-/// Who listens for changes is told.
+/// Notifies the listeners of a change.
 void CheckedStore::Wrote(const JobRecord& job) {
   world_.changed({job.id, job.state, job.cancel_requested});
 }
@@ -300,7 +300,7 @@ void CheckedStore::CheckBlobs(const MemoryJobs::Entry& entry) {
   }
 }
 
-/// Numbered without gaps, and each state may follow the one before.
+/// Checks that the events are numbered without gaps, and that each state may follow the one before.
 void CheckedStore::CheckEvents(const MemoryJobs::Entry& entry, Seen& seen) {
   for (; seen.events < entry.events.size(); ++seen.events) {
     const JobEventRecord& event = entry.events[seen.events];
@@ -343,7 +343,7 @@ void CheckedStore::CheckEnd(const JobRecord& job, const Seen& seen) {
   }
 }
 
-/// FAILED is for what is wrong with the job, or with the farm for long.
+/// Checks the reason of a FAILED job: a fault of the job, or a long failure of the farm.
 void CheckedStore::CheckFailure(const JobRecord& job, const Seen& seen) {
   const std::string reason = job.error ? job.error->reason : "";
   const Work& work = works_.at(std::stoll(job.spec));
@@ -353,8 +353,8 @@ void CheckedStore::CheckFailure(const JobRecord& job, const Seen& seen) {
   const bool away = seen.job.retries == kMaxRetries && reason == ReasonName(Reason::kUnavailable);
   const bool overdue =
       job.end_us >= job.deadline_us && reason == ReasonName(Reason::kDeadlineExceeded);
-  // That a range failed often enough is checked where it fails: sim_dispatcher.h.
-  // A job that coordinators do not die of is never said to be one, however many were killed.
+  // sim_dispatcher.h checks that a range has failed often enough. A job that does not kill
+  // coordinators must never be reported as a killer, for any number of killed coordinators.
   const bool kills = work.fault == Work::Fault::kKillsCoordinators;
   const bool condemned =
       kills && reason == ReasonName(Reason::kJobPoisoned) && seen.job.lost_runs >= kMaxLostRuns;

@@ -13,21 +13,22 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// The store as the coordinators see it, with an eye on every call: what it answers, what it did to
-/// the record it is about, and what it did to all others. Tells the world of promises that are
-/// broken.
+/// Job store of the simulated coordinators that checks every call: the answer, the effect on the
+/// record of the call, and the effect on all other records. Reports broken promises to the world.
 class CheckedStore : public ForwardingJobStore {
  public:
-  /// `store` keeps its jobs in `jobs`.
+  /// Wraps `store`, which keeps its jobs in `jobs`.
   CheckedStore(World& world, JobStore& store, const MemoryJobs& jobs);
 
-  /// A client has been told that this job was made for it.
+  /// Records that a client was notified about the creation of this job.
   void Acknowledged(const std::string& job_id);
+  /// Returns true if the job was deleted.
   bool Deleted(const std::string& job_id) const { return deleted_.contains(job_id); }
-  /// nullptr: there is no such job.
+  /// Returns the record of a job; nullptr if there is no such job.
   const JobRecord* Find(const std::string& job_id) const;
-  /// The first job that has not ended; empty: all have.
+  /// Returns the id of the first open job; empty if all jobs have ended.
   std::string Unended() const;
+  /// Adds the ended jobs to the totals.
   void CountEnds();
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
@@ -47,12 +48,13 @@ class CheckedStore : public ForwardingJobStore {
   absl::Status Delete(const std::string& id) override;
 
  private:
-  /// What was seen of a job so far.
+  /// Observed history of a job.
   struct Seen {
     JobRecord job;
     size_t events = 0;
-    int64_t cancel_epoch = -1;  ///< of the claim under which its end was requested; -1: it was not
-    int64_t claimed_us = 0;     ///< on the clock of who claimed it last
+    /// Epoch of the claim under which the end was requested; -1: no request.
+    int64_t cancel_epoch = -1;
+    int64_t claimed_us = 0;  ///< time of the last claim, on the claimer's clock
   };
   struct Requested {
     std::string job_id;
@@ -75,9 +77,10 @@ class CheckedStore : public ForwardingJobStore {
   World& world_;
   const MemoryJobs& jobs_;
   ClaimOrder claim_order_;
-  std::map<int64_t, Work> works_;                                      ///< by id
-  std::map<std::string, Seen> seen_;                                   ///< by job
-  std::map<std::pair<std::string, std::string>, Requested> requests_;  ///< by tenant, request id
+  std::map<int64_t, Work> works_;     ///< works by id
+  std::map<std::string, Seen> seen_;  ///< histories by job
+  /// Requests by tenant and request id.
+  std::map<std::pair<std::string, std::string>, Requested> requests_;
   std::set<std::string> acknowledged_;
   std::set<std::string> deleted_;
 };

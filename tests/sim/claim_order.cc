@@ -18,7 +18,7 @@ std::string Describe(const JobRecord& job) { return fmt::format("{} of {}", job.
 
 void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const Call& call) {
   tenants_.clear();
-  std::set<std::string> work;  // that somebody has in hand
+  std::set<std::string> work;  // work that is held
   for (const auto& [number, entry] : jobs) {
     const JobRecord& job = entry.job;
     const bool held = job.owner_until_us > call.now_us && !job.owner.empty();
@@ -44,7 +44,7 @@ void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const 
 const ClaimOrder::Tenant* ClaimOrder::First() const {
   const Tenant* first = nullptr;
   std::tuple<int64_t, int64_t> first_turn;
-  for (const auto& [name, tenant] : tenants_) {  // equal ones by name
+  for (const auto& [name, tenant] : tenants_) {  // equal tenants are ordered by name
     if (!tenant.next) continue;
     const auto turn = turns_us_.find(name);
     const std::tuple its_turn(tenant.held, turn == turns_us_.end() ? 0 : turn->second);
@@ -70,8 +70,9 @@ std::optional<std::string> ClaimOrder::After(const Call& call, const JobRecord* 
   return CheckPassedOver(call, claimed->tenant);
 }
 
-/// Follows from the order, if the clocks of those who claim agree and their claims arrive in order:
-/// whoever is served while another one waits is behind it from then on.
+/// Checks that no tenant is passed over too often. This follows from the order if the clocks of the
+/// claimers agree and their claims arrive in order: a tenant that was served is behind a waiting
+/// tenant from then on.
 std::optional<std::string> ClaimOrder::CheckPassedOver(const Call& call, const std::string& taken) {
   const bool in_order = call.now_us > latest_us_;
   if (!in_order) {

@@ -8,7 +8,7 @@ namespace slicefarm::coordinator::sim {
 namespace {
 
 constexpr int64_t kRangeDeadlineUs = 25 * kSecondUs;
-/// When keepalive has noticed a broken line.
+/// Time after which keepalive detects a broken line.
 constexpr int64_t kNoticedUs = 3 * kSecondUs;
 
 }  // namespace
@@ -86,7 +86,7 @@ void Farm::Worked(int worker, const Flight& flight, const RangeOfWork& range) {
                       MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
                                 "a worker of another build"));
       default:
-        return;  // stuck: the deadline ends it
+        return;  // the worker hangs until the deadline
     }
   }
   RangeHashes layers;

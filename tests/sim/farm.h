@@ -13,7 +13,7 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// The layers [first, last) of a job.
+/// Layers [first, last) of a job.
 struct RangeOfWork {
   Work work;
   std::string build;
@@ -23,26 +23,34 @@ struct RangeOfWork {
 
 using RangeHashes = std::vector<uint64_t>;
 
-/// The workers, and the network between them and the coordinators.
+/// Simulated workers, and the network between them and the coordinators.
 class Farm {
  public:
-  /// Called when an answer or the end of the call arrives; again if the answer is doubled.
+  /// Function that is called when an answer or the end of the call arrives. It is called twice if
+  /// the answer is doubled.
   using Reply = std::function<void(const absl::StatusOr<RangeHashes>&)>;
 
   explicit Farm(World& world);
 
+  /// Returns the number of workers.
   int workers() const { return static_cast<int>(nodes_.size()); }
+  /// Returns the number of slots of a worker.
   int slots(int worker) const { return world_.scenario.workers[worker].slots; }
+  /// Returns the processes that a worker supports.
   ProcessSet can(int worker) const { return world_.scenario.workers[worker].can; }
 
-  /// Has a range made.
+  /// Sends a range to a worker.
   void Call(int coordinator, int worker, const RangeOfWork& range, Reply reply);
 
-  /// As the connection has it: a broken line is noticed only after a while.
+  /// Returns true if the connection considers the worker reachable. It detects a broken line only
+  /// after a while.
   bool Reachable(int coordinator, int worker) const;
 
+  /// Kills a worker, which restarts after this time.
   void Kill(int worker, int64_t restart_after_us);
+  /// Pauses a worker until this time.
   void Pause(int worker, int64_t until_us) { nodes_[worker]->process.Pause(until_us); }
+  /// Breaks the line between a coordinator and a worker until this time.
   void Partition(int coordinator, int worker, int64_t until_us);
 
  private:
@@ -51,7 +59,7 @@ class Farm {
     int coordinator = 0;
     bool settled = false;
   };
-  using Flight = std::shared_ptr<InFlight>;  // shared by the events that may settle it
+  using Flight = std::shared_ptr<InFlight>;  // shared by the events that may answer the call
 
   struct Line {
     int64_t broken_since_us = 0;
@@ -61,8 +69,8 @@ class Farm {
   struct Node {
     explicit Node(EventQueue& events) : process(events) {}
     Process process;
-    std::list<Flight> flights;  ///< that it works on
-    std::vector<Line> lines;    ///< by coordinator
+    std::list<Flight> flights;  ///< calls that it is working on
+    std::vector<Line> lines;    ///< lines by coordinator
   };
 
   int64_t Delay();
@@ -74,7 +82,7 @@ class Farm {
 
   World& world_;
   std::vector<std::unique_ptr<Node>> nodes_;
-  RangeHashes last_made_;  ///< for answers that are mixed up
+  RangeHashes last_made_;  ///< result of the last range, for mixed-up answers
 };
 
 }  // namespace slicefarm::coordinator::sim

@@ -9,31 +9,32 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// For tests: a store that breaks the contract in one way.
+/// Job store for tests that breaks the contract with one flaw.
 class FlawedStore : public ForwardingJobStore {
  public:
+  /// Flaws of a store.
   enum class Flaw {
-    kNoFencing,            ///< who lost a job may write to it
-    kStaleResultAccepted,  ///< who lost a job may end it with its result
-    kRenewIgnored,         ///< renewals are acknowledged and not written
-    kLostClaimRenewed,     ///< who lost a job may renew its claim
-    kRequestIdIgnored,     ///< each create makes a job
-    kRequestIdOfAll,       ///< a request_id of one tenant is one of all
+    kNoFencing,            ///< a coordinator that lost a job may write to it
+    kStaleResultAccepted,  ///< a coordinator that lost a job may end it with its result
+    kRenewIgnored,         ///< renewals are acknowledged but not written
+    kLostClaimRenewed,     ///< a coordinator that lost a job may renew its lease
+    kRequestIdIgnored,     ///< each Create makes a job
+    kRequestIdOfAll,       ///< a request_id of one tenant is valid for all tenants
     kQueueUnbounded,       ///< tenants may have any number of jobs
-    kCreateNotWritten,     ///< creates are acknowledged and not written
-    kHandBackNotWritten,   ///< QUEUED is acknowledged and not written
-    kEndNotWritten,        ///< SUCCEEDED is acknowledged and not written
-    kCancelNotWritten,     ///< requests to cancel are acknowledged and not written
-    kCancelForgotten,      ///< whoever renews a claim is not told that its job is to end
-    kAdoptionNotWritten,   ///< adoptions are acknowledged and not written
-    kHeldJobsClaimed,      ///< a claim takes what another holds
-    kSameWorkClaimed,      ///< a claim takes a job of whose work another one is held
+    kCreateNotWritten,     ///< Create is acknowledged but not written
+    kHandBackNotWritten,   ///< QUEUED is acknowledged but not written
+    kEndNotWritten,        ///< SUCCEEDED is acknowledged but not written
+    kCancelNotWritten,     ///< cancel requests are acknowledged but not written
+    kCancelForgotten,      ///< renewals do not report that a job is to end
+    kAdoptionNotWritten,   ///< adoptions are acknowledged but not written
+    kHeldJobsClaimed,      ///< a claim takes a job that another coordinator holds
+    kSameWorkClaimed,      ///< a claim takes a job although another job of the same work is held
     kPriorityIgnored,      ///< the oldest job of a tenant is claimed first
     kTenantsIgnored,       ///< the tenants' turns are not kept
     kSomeNeverClaimed,     ///< the jobs of some work are never claimed
     kEventsSkipped,        ///< a reader of events misses one
-    kLostRunsForgotten,    ///< how many runs of a job were lost is not written
-    kReferencesForgotten,  ///< artifacts of jobs are said not to be needed
+    kLostRunsForgotten,    ///< the number of lost runs of a job is not written
+    kReferencesForgotten,  ///< artifacts of jobs are reported as unused
   };
 
   FlawedStore(JobStore& store, Flaw flaw) : ForwardingJobStore(store), flaw_(flaw) {}
@@ -55,7 +56,7 @@ class FlawedStore : public ForwardingJobStore {
                                                  int64_t until_us,
                                                  const ClaimFilter& filter) override {
     const int64_t ahead_us = flaw_ == Flaw::kHeldJobsClaimed ? 10'000'000 : 0;
-    // For a moment somebody else has the job whose turn it is.
+    // Another coordinator holds the next job for a moment.
     if (flaw_ == Flaw::kTenantsIgnored)
       store().Claim("nobody", now_us, now_us + 1, filter).IgnoreError();
     std::vector<JobRecord> held;
@@ -160,7 +161,7 @@ class FlawedStore : public ForwardingJobStore {
   }
 
   const Flaw flaw_;
-  std::map<std::string, std::string> first_tenants_;  ///< by request id
+  std::map<std::string, std::string> first_tenants_;  ///< first tenant by request id
 };
 
 }  // namespace slicefarm::coordinator::sim

@@ -1,5 +1,5 @@
-// slicefarm-sim: the scheduler and the life of jobs under faults that seeds choose, on a simulated
-// clock. Prints `key value` rows; exit 1 at the first seed that breaks a promise.
+// slicefarm-sim: simulates the scheduler and the jobs on a simulated clock, with faults that follow
+// from seeds. Prints `key value` rows. The exit code is 1 at the first seed that breaks a promise.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -22,8 +22,8 @@ void Print(int64_t seeds, const Totals& totals, bool violated) {
   }
 }
 
-/// Runs the seeds from `first` on, up to the first that breaks a promise.
-/// `options`: those that a replay needs.
+/// Runs the seeds from `first` on, up to the first seed that breaks a promise. `options`:
+/// command-line options that a replay needs.
 int Run(uint64_t first, int64_t seeds, const Variant& variant, bool trace,
         const std::string& options) {
   std::function<void(const std::string&)> tell;
@@ -44,7 +44,8 @@ int Run(uint64_t first, int64_t seeds, const Variant& variant, bool trace,
   return 0;
 }
 
-/// A new SQLite store in `directory` beside the one in memory, for each seed.
+/// Returns a variant with a SQLite store in `directory` beside the store in memory. Each seed gets
+/// a new store.
 Variant BesideSqlite(const std::filesystem::path& directory) {
   Variant variant;
   variant.store = [directory](World& world, JobStore& store) -> std::unique_ptr<JobStore> {

@@ -8,33 +8,40 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// A process that can be killed, started again, and stopped for a while (SIGSTOP). What it was
-/// going to do dies with it; what happens to it while it is paused, it does later.
+/// Process that can be killed, started again, and paused for a while (SIGSTOP). When it is killed,
+/// its planned actions are dropped. Actions during a pause run after the pause.
 class Process {
  public:
   explicit Process(EventQueue& events) : events_(events) {}
 
+  /// Returns true if the process runs.
   bool up() const { return up_; }
+  /// Returns the number of the current life.
   int64_t life() const { return life_; }
+  /// Returns true if the process is paused.
   bool paused() const { return events_.now_us() < paused_until_us_; }
+  /// Returns the end of the pause.
   int64_t paused_until_us() const { return paused_until_us_; }
 
+  /// Starts the process.
   void Start() { up_ = true; }
+  /// Kills the process.
   void Kill() {
     up_ = false;
     ++life_;
     paused_until_us_ = 0;
   }
+  /// Pauses the process until this time.
   void Pause(int64_t until_us) { paused_until_us_ = std::max(paused_until_us_, until_us); }
 
-  /// Something that this life of the process does later.
+  /// Adds an action of the current life after a delay.
   void After(int64_t delay_us, EventQueue::Action action) {
     events_.After(delay_us, [this, life = life_, action = std::move(action)]() mutable {
       Deliver(life, std::move(action));
     });
   }
 
-  /// Something that is to be done by whatever life it then is: a message from outside.
+  /// Adds an action for the life at that time, such as a message from outside.
   void Arrive(int64_t delay_us, EventQueue::Action action) {
     events_.After(delay_us, [this, action = std::move(action)]() mutable {
       Deliver(life_, std::move(action));

@@ -20,12 +20,13 @@ Priority MakePriority(Random& random) {
   return random.Chance(600) ? Priority::kNormal : static_cast<Priority>(random.Below(3));
 }
 
-/// Who asks for what. Some ask for the same work as others, some of these are one client that asks
-/// twice, and some of these ask for something else under the same request_id.
+/// Returns the requests of the clients. Some clients request the same work. Some of these are
+/// repeated requests of one client, and some of the repetitions have other work under the same
+/// request_id.
 std::vector<ClientPlan> MakeRequests(Random& random) {
   std::vector<Work> works;
   std::vector<ClientPlan> clients;
-  std::map<std::string, int> made;  // request ids, by tenant
+  std::map<std::string, int> made;  // number of request ids by tenant
   const int count = 1 + random.Below(random.Chance(700) ? 6 : 12);
   const int tenants = 1 + random.Below(3);
   for (int i = 0; i < count; ++i) {
@@ -41,7 +42,7 @@ std::vector<ClientPlan> MakeRequests(Random& random) {
     client.work = work;
     client.tenant = absl::StrCat("t", random.Below(tenants));
     client.priority = MakePriority(random);
-    // Tenants do not know of each other's ids.
+    // Each tenant numbers its own request ids.
     if (!random.Chance(100)) client.request_id = absl::StrCat("r", made[client.tenant]++);
     clients.push_back(client);
   }
@@ -63,7 +64,7 @@ std::vector<ClientPlan> MakeClients(Random& random, int64_t until_us) {
   return clients;
 }
 
-/// Often nothing, otherwise up to `most`.
+/// Returns 0 in half of the cases, otherwise a number up to `most`.
 int Permille(Random& random, int most) { return random.Chance(500) ? 0 : random.Below(most + 1); }
 
 void MakeCast(Random& random, Scenario& scenario) {
@@ -79,10 +80,10 @@ void MakeCast(Random& random, Scenario& scenario) {
   }
 }
 
-/// Jobs of two processes, on a farm where some workers run those of one alone, and each process has
-/// a worker.
+/// Distributes the jobs over two processes. Some workers support only one of them, but each process
+/// has a worker.
 void MixProcesses(Random& random, Scenario& scenario) {
-  // Equal work is of one process.
+  // Equal work has the same process.
   const uint64_t pattern = static_cast<uint64_t>(random.Below(1 << 20));
   for (ClientPlan& client : scenario.clients)
     client.work.process = slicefarm::kProcesses[pattern >> (client.work.id % 20) & 1].process;
@@ -93,8 +94,8 @@ void MixProcesses(Random& random, Scenario& scenario) {
   }
 }
 
-/// One piece of work kills the coordinators that run it. Not with two builds, each of which begins
-/// to count anew.
+/// Makes one work kill the coordinators that run it. Does nothing if there are two builds, because
+/// each build counts the lost runs anew.
 void MixKiller(Scenario& scenario) {
   for (const CoordinatorPlan& coordinator : scenario.coordinators)
     if (coordinator.build != scenario.coordinators.front().build) return;
@@ -103,7 +104,7 @@ void MixKiller(Scenario& scenario) {
     if (client.work.id == killer) client.work.fault = Work::Fault::kKillsCoordinators;
 }
 
-/// For most of an hour coordinators are killed every few seconds.
+/// Makes a storm: for most of an hour, a coordinator is killed every few seconds.
 void MakeStorm(Random& random, Scenario& scenario) {
   scenario.faults = {Fault::kKillCoordinator};
   scenario.quiet_from_us = 3000 * kSecondUs;

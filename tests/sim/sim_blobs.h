@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// Whose blob, and which. Meshes are each tenant's own; results go without a name, as where tenants
-/// share them, so that the same work of two tenants is done once.
+/// Tenant and digest of a blob. Each tenant has its own meshes. Results have no tenant, as in a
+/// farm with shared results, so that the same work of two tenants is done once.
 struct BlobKey {
   std::string tenant;
   std::string digest;
@@ -16,15 +16,17 @@ struct BlobKey {
   friend auto operator<=>(const BlobKey&, const BlobKey&) = default;
 };
 
-/// The blob stores: of each blob, that it is there, and when it was last used.
+/// Simulated blob stores. They contain only the existence of each blob and the time of its last
+/// use.
 class SimBlobs {
  public:
-  /// Put, or finished again.
+  /// Records a Put or a repeated Finish of a blob.
   void Put(const BlobKey& key, int64_t now_us) { used_us_[key] = now_us; }
 
+  /// Returns true if the blob exists.
   bool Has(const BlobKey& key) const { return used_us_.contains(key); }
 
-  /// It counts as used; false: it is not there.
+  /// Marks a blob as used. Returns false if it does not exist.
   bool Keep(const BlobKey& key, int64_t now_us) {
     const auto found = used_us_.find(key);
     if (found == used_us_.end()) return false;
@@ -32,7 +34,7 @@ class SimBlobs {
     return true;
   }
 
-  /// False: it was used later than that.
+  /// Deletes a blob. Returns false if it was used after this time.
   bool Delete(const BlobKey& key, int64_t used_before_us) {
     const auto found = used_us_.find(key);
     if (found == used_us_.end() || found->second > used_before_us) return false;
@@ -40,6 +42,7 @@ class SimBlobs {
     return true;
   }
 
+  /// Returns the time of the last use of each blob.
   const std::map<BlobKey, int64_t>& used_us() const { return used_us_; }
 
  private:

@@ -27,7 +27,7 @@ void SimClient::StartFromYesterday(const std::string& job_id) {
   world_.events.At(plan_.begin_us, [this, job_id] { Created(job_id); });
 }
 
-/// Calls a coordinator. `then` is called once: with its answer, or when there is none in time.
+/// Calls a coordinator. Calls `then` once: with the answer, or when no answer arrives in time.
 void SimClient::Send(const Call& call, const ReplyTo& then) {
   const auto settled = std::make_shared<bool>(false);
   const ReplyTo settle = [settled, then](const absl::StatusOr<Reply>& reply) {
@@ -76,7 +76,7 @@ void SimClient::Create() {
   const auto copies = std::make_shared<int>(0);
   Send(
       [plan = plan_, job_id, copies](SimCoordinator& to, const ReplyTo& reply) {
-        // The coordinator makes up the id: another one for the call's double.
+        // The coordinator generates the id, so a doubled call gets another id.
         to.Create(plan, absl::StrCat(job_id, (*copies)++ == 0 ? "" : "'"), reply);
       },
       [this](const absl::StatusOr<Reply>& reply) {
@@ -90,7 +90,8 @@ void SimClient::NotCreated(const absl::Status& error) {
     world_.blobs.Put({plan_.tenant, MeshOf(plan_.work)}, world_.wall_us());
   }
   const bool refused = reason == Reason::kBlobNotFound || reason == Reason::kQueueFull;
-  // Without a request_id, who does not know whether there is a job must not ask again.
+  // Without a request_id, a client that does not know whether the job exists must not repeat the
+  // call.
   const bool may_ask = refused || !plan_.request_id.empty();
   if (may_ask && reason != Reason::kRequestIdReused) return Again(&SimClient::Create);
   done_ = true;

@@ -11,16 +11,18 @@ namespace slicefarm::coordinator::sim {
 
 using Coordinators = std::vector<std::unique_ptr<SimCoordinator>>;
 
-/// A client: creates a job and asks again until it knows that it was taken, may want it to end,
-/// watches it by the numbers of its events, and may delete it. Each call goes to any coordinator.
-/// Uploads its mesh when it is told that there is none.
+/// Simulated client. It creates a job and repeats the call until the job is acknowledged. It may
+/// cancel the job, watches its events by their numbers, and may delete it. Each call goes to a
+/// random coordinator. It uploads its mesh if a coordinator reports that the mesh is missing.
 class SimClient {
  public:
   SimClient(World& world, CheckedStore& store, Coordinators& coordinators, int index);
 
+  /// Begins with the creation of its job.
   void Start();
-  /// It had its job made and done before, and will come back for it.
+  /// Begins with a job that was done before the simulation.
   void StartFromYesterday(const std::string& job_id);
+  /// Returns true if the client has completed its plan.
   bool done() const { return done_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-// As JobRunnerOptions has them.
+// Values of JobRunnerOptions.
 constexpr int kPlaces = 4;
 constexpr int kInteractivePlace = 2;
 constexpr int kGuestPlace = 3;
@@ -83,7 +83,7 @@ void SimCoordinator::Kill() {
   stopping_ = false;
 }
 
-/// Of a job; as a service manager does, it is started again.
+/// Kills the coordinator because of its job. It is started again, as by a service manager.
 void SimCoordinator::Die() {
   world_.Tell("{} dies", Owner());
   ++world_.totals.deaths;
@@ -151,7 +151,7 @@ void SimCoordinator::Take(int place, int64_t claimed_us, int64_t seen, const Cla
   Run(place, claimed_us, **claimed);
 }
 
-/// As JobRunner::Adopt does.
+/// Simulates JobRunner::Adopt.
 void SimCoordinator::Adopt(int place, int64_t claimed_us, JobRecord job) {
   const Lease lease{job.id, job.owner_epoch};
   job.action_digest = ActionOf(works_.at(std::stoll(job.spec)), plan_.build);
@@ -169,7 +169,7 @@ void SimCoordinator::Adopt(int place, int64_t claimed_us, JobRecord job) {
            });
 }
 
-/// The same is being worked on.
+/// Returns the job to the queue, because the same work is held.
 void SimCoordinator::PutBack(int place, const Lease& lease) {
   link_.Do(
       [lease, now_us = NowUs()](JobStore& store) {
@@ -199,7 +199,7 @@ void SimCoordinator::Run(int place, int64_t claimed_us, const JobRecord& job) {
   NextClaim();
 }
 
-/// Until there is news, or for a while.
+/// Waits for a wake, or for the poll interval.
 void SimCoordinator::Nap(int place, int64_t seen) {
   Place& napping = places_[place];
   napping.idle = true;
@@ -239,8 +239,8 @@ void SimCoordinator::EndOverdue() {
       [](const absl::Status&) {});
 }
 
-/// The answer to a renewal tells whether the claim is still held, and whether the job is to end.
-/// What changed may have changed after it, but not after the next one.
+/// Checks that the run has learned the news of the last renewal: a lost lease or a cancel request.
+/// A change after one renewal must be learned by the next one.
 void SimCoordinator::CheckHeard(const SimRun& run) {
   const JobRecord* job = store_.Find(run.lease().job_id);
   const bool held = job && job->owner_epoch == run.lease().epoch && job->owner == Owner();
@@ -255,7 +255,7 @@ void SimCoordinator::CheckHeard(const SimRun& run) {
   missed = news;
 }
 
-/// With the store away, a run ends before its claim does.
+/// Checks that a run ends before its lease expires if the store is unreachable.
 void SimCoordinator::CheckGivenUp(const SimRun& run) {
   const JobRecord* job = store_.Find(run.lease().job_id);
   if (!job || job->owner_epoch != run.lease().epoch || job->owner != Owner()) return;
@@ -264,7 +264,7 @@ void SimCoordinator::CheckGivenUp(const SimRun& run) {
   }
 }
 
-/// As Maintenance does.
+/// Sweeps at random intervals, like Maintenance.
 void SimCoordinator::SweepFromTimeToTime() {
   process_.After(world_.random.Between(0, 2 * world_.scenario.sweep_every_us), [this] {
     const auto swept = SweepInTime(world_, process_, store_, NowUs());
@@ -277,7 +277,7 @@ void SimCoordinator::Notice() {
   for (const auto& [lease, run] : runs_) run->Notice();
 }
 
-/// As JobIntake does.
+/// Simulates JobIntake.
 void SimCoordinator::Create(const ClientPlan& client, const std::string& job_id,
                             const ReplyTo& reply) {
   NewJob job = MakeJob(client, job_id, plan_.build);
@@ -324,7 +324,7 @@ void SimCoordinator::Events(const std::string& job_id, int64_t after, const Repl
            });
 }
 
-/// As Coordinator::Changed does.
+/// Simulates Coordinator::Changed.
 void SimCoordinator::Changed(const std::optional<JobChange>& change) {
   if (!Serving()) return;
   if (!change || change->state == JobState::kQueued) Wake();

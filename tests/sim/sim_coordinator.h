@@ -14,45 +14,55 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// The job that a coordinator of this build makes for a client.
+/// Returns the job that a coordinator of this build creates for a client.
 NewJob MakeJob(const ClientPlan& client, const std::string& job_id, const std::string& build);
 
-/// What a client gets back.
+/// Answer to a client.
 struct Reply {
   JobRecord job = {};
   std::vector<JobEventRecord> events = {};
 };
 using ReplyTo = std::function<void(const absl::StatusOr<Reply>&)>;
 
-/// JobRunner and JobsService without threads: claims jobs, holds their leases, runs them, answers
-/// clients; is killed, stopped, paused and started again.
+/// Simulated coordinator: JobRunner and JobsService without threads. Claims jobs, renews their
+/// leases, runs them and answers clients. It can be killed, stopped, paused and started again.
 class SimCoordinator {
  public:
   SimCoordinator(World& world, CheckedStore& store, Farm& farm, int index);
 
+  /// Starts the coordinator.
   void Start();
+  /// Kills the coordinator.
   void Kill();
-  /// Hands everything back, ends, and starts again.
+  /// Returns all jobs to the queue, ends, and starts again.
   void Stop();
+  /// Pauses the coordinator until this time.
   void Pause(int64_t until_us) { process_.Pause(until_us); }
 
+  /// Returns the process of the coordinator.
   Process& process() { return process_; }
+  /// Returns the dispatcher of the coordinator.
   SimDispatcher& dispatcher() { return dispatcher_; }
+  /// Returns true if the coordinator answers calls.
   bool Serving() const { return process_.up() && leases_ && !stopping_; }
 
+  /// Creates a job for a client.
   void Create(const ClientPlan& client, const std::string& job_id, const ReplyTo& reply);
+  /// Requests the end of a job.
   void Cancel(const std::string& job_id, const ReplyTo& reply);
+  /// Deletes an ended job.
   void Delete(const std::string& job_id, const ReplyTo& reply);
+  /// Returns the events of a job after `after`.
   void Events(const std::string& job_id, int64_t after, const ReplyTo& reply);
 
-  /// A coordinator wrote to a job; none: changes may have been missed.
+  /// Handles the notice that a job has changed. nullopt: notices may have been missed.
   void Changed(const std::optional<JobChange>& change);
 
  private:
-  /// One of the threads that run jobs.
+  /// Simulated thread that runs jobs.
   struct Place {
     bool idle = false;
-    int64_t naps = 0;  ///< tells one nap from another
+    int64_t naps = 0;  ///< number of the current nap, to distinguish it from earlier ones
   };
   using Claimed = absl::StatusOr<std::optional<JobRecord>>;
 
@@ -85,15 +95,17 @@ class SimCoordinator {
   StoreLink link_;
   SimDispatcher dispatcher_;
   RunDesk desk_;
-  std::map<int64_t, Work> works_;  ///< by id: what a spec means
+  std::map<int64_t, Work> works_;  ///< works by id, which is the spec of a job
 
-  // Of this life.
+  // State of the current life:
   std::optional<LeaseBook> leases_;
   int64_t calm_since_us_ = 0;
   std::map<Lease, std::shared_ptr<SimRun>> runs_;
-  std::map<Lease, std::string> unheard_;  ///< what a run could have heard at the last renewal
+  /// News that a run could have learned at the last renewal.
+  std::map<Lease, std::string> unheard_;
   std::vector<Place> places_;
-  std::vector<int> claims_wanted_;  ///< one claim at a time, as claim_mutex_ of JobRunner sees to
+  /// Threads that wait to claim; only one claims at a time, as with claim_mutex_ of JobRunner.
+  std::vector<int> claims_wanted_;
   bool claiming_ = false;
   int64_t wakes_ = 0;
   bool stopping_ = false;

@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// As in the dispatcher, but that a slot asks less often whether a range has become slow.
+/// Intervals of the dispatcher, except that a slot checks less often for slow ranges.
 constexpr int64_t kHedgePollUs = 250 * kMillisecondUs;
 constexpr int64_t kReadyWaitUs = 200 * kMillisecondUs;
 constexpr milliseconds kMinRest{20};
@@ -20,7 +20,7 @@ int64_t RestUs(int failures) {
   return std::chrono::microseconds(RestAfter(failures, kMinRest, kMaxRest)).count();
 }
 
-/// True if the rule of SchedulerOptions, as it stands, ends a job for a range that failed so.
+/// Returns true if the rule of SchedulerOptions ends a job because of a range with these failures.
 bool MustPoison(const std::vector<RunnerId>& failed_on, int refusals) {
   const SchedulerOptions rule;
   const auto tries = static_cast<int>(failed_on.size());
@@ -99,7 +99,7 @@ void SimDispatcher::ServeLater(Slot& slot, int64_t delay_us) {
   process_.After(delay_us, [this, &slot] { Serve(slot); });
 }
 
-/// A slot looks for something to do.
+/// Gives the slot a range if there is one.
 void SimDispatcher::Serve(Slot& slot) {
   if (slot.left || slot.busy || slot.waiting || jobs_.empty()) return;
   int64_t wait_us = kReadyWaitUs + RestUs(1);
@@ -136,7 +136,7 @@ void SimDispatcher::Begin(Slot& slot, const FanOut::Grant& grant) {
              });
 }
 
-/// Of those that run as far as can be told: not on workers that left.
+/// Returns true if another copy of the range runs on a worker that has not left.
 bool SimDispatcher::OtherCopies(const FanOut::Grant& grant) const {
   return std::any_of(calls_.begin(), calls_.end(), [&](const auto& entry) {
     const Call& call = entry.second;
@@ -167,7 +167,7 @@ void SimDispatcher::Answered(int64_t call, const FanOut::Grant& grant,
                              const absl::StatusOr<RangeHashes>& answer) {
   const auto found = calls_.find(call);
   if (found == calls_.end()) {
-    // Doubled, or nobody waited any more.
+    // The answer is doubled, or no call waits for it any more.
     if (answer.ok() && fan_out_->Succeeded(grant, world_.events.now_s()).first) {
       world_.Violated("c{}: an answer that was not waited for counts", coordinator_);
     }
@@ -254,7 +254,7 @@ void SimDispatcher::CheckPoison(const Range& range, FanOut::Verdict verdict, boo
   }
 }
 
-/// Cancellation takes its time, in which the call may yet be answered.
+/// Stops calls. The stop takes some time, and an answer may arrive before.
 template <typename Which>
 void SimDispatcher::StopCalls(const Which& which) {
   for (auto& [id, call] : calls_) {

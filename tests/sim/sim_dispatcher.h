@@ -15,9 +15,9 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// Dispatcher without threads: slots that ask FanOut for a range, have a worker make it, and tell
-/// what came of it. Watches that no range has more copies than it may, and that the poison rule is
-/// kept to the letter.
+/// Dispatcher without threads. Its slots take ranges from FanOut, let workers make them, and report
+/// the results. Checks that no range has too many copies, and that the poison rule is followed
+/// exactly.
 class SimDispatcher {
  public:
   using Progress = std::function<void(int32_t layers_done)>;
@@ -26,17 +26,19 @@ class SimDispatcher {
   SimDispatcher(World& world, Process& process, Farm& farm, int coordinator)
       : world_(world), process_(process), farm_(farm), coordinator_(coordinator) {}
 
-  /// A new life of the coordinator begins: all workers join.
+  /// Begins a life of the coordinator: all workers join.
   void Begin();
-  /// A life ends; what its ranges came to is counted.
+  /// Ends a life. Adds its ranges to the totals.
   void End();
 
-  /// Cuts the work into ranges and runs them; `done` is called once, unless it is given up.
+  /// Cuts the work into ranges and runs them. Calls `done` once, unless the job is given up.
   FanOut::JobId Execute(const Work& work, const std::string& build, Progress progress, Done done);
+  /// Gives up a job and stops its calls.
   void GiveUp(FanOut::JobId job);
 
-  /// The worker's address has gone from DNS, or is there again.
+  /// Removes a worker, because its address has disappeared from DNS.
   void Leave(int worker);
+  /// Adds a worker, because its address has appeared in DNS.
   void Join(int worker);
 
  private:
@@ -46,7 +48,7 @@ class SimDispatcher {
     bool done = false;
     RangeHashes layers = {};
     std::vector<RunnerId> failed_on = {};
-    int refusals = 0;  ///< of these
+    int refusals = 0;  ///< failures in `failed_on` that were refusals
   };
   struct Job {
     Work work;
@@ -67,7 +69,8 @@ class SimDispatcher {
   struct Call {
     FanOut::Grant grant;
     Slot* slot = nullptr;
-    bool stopped = false;  ///< nobody waits for it any more; its answer may be on its way
+    /// True if no slot waits for the call any more; its answer may still arrive.
+    bool stopped = false;
   };
 
   void WorkNews();
@@ -91,7 +94,7 @@ class SimDispatcher {
   const int coordinator_;
   std::optional<FanOut> fan_out_;
   std::map<FanOut::JobId, Job> jobs_;
-  std::list<Slot> slots_;  ///< those of workers that left included
+  std::list<Slot> slots_;  ///< slots, including slots of workers that left
   std::map<int64_t, Call> calls_;
   RunnerId next_runner_ = 1;
   int64_t next_call_ = 1;

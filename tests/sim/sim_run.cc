@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-// As JobRun has them.
+// Values of JobRun.
 constexpr int kLastWrites = 50;
 constexpr int64_t kLastWritePauseUs = 200 * kMillisecondUs;
 
@@ -66,7 +66,7 @@ void SimRun::Took(const absl::StatusOr<bool>& succeeded) {
   Advance();
 }
 
-/// As JobResults::SucceedFromCache does.
+/// Simulates JobResults::SucceedFromCache.
 void SimRun::FindCached() {
   desk_.link.Do([action = job_.action_digest](JobStore& store) { return store.FindResult(action); },
                 [self = shared_from_this()](const auto& found) {
@@ -113,7 +113,7 @@ void SimRun::Compute() {
   Notice();
 }
 
-/// The slicing stage has answered.
+/// Handles the answer of the slicing stage.
 void SimRun::Sliced() {
   if (!computing_) return;
   World& world = desk_.world;
@@ -184,7 +184,7 @@ void SimRun::Conclude() {
   WriteAtLast(update, kLastWrites);
 }
 
-/// As JobRun::WriteAtLast does; so often at most.
+/// Simulates JobRun::WriteAtLast, with at most `writes` tries.
 void SimRun::WriteAtLast(const JobUpdate& update, int writes) {
   Write(update, [this, update, writes](const absl::Status& written) {
     const bool failed = DetailOf(written).reason == Reason::kStoreFailed;

@@ -13,33 +13,36 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// What the runs of a coordinator share.
+/// Objects that the runs of a coordinator share.
 struct RunDesk {
   World& world;
   Process& process;
   StoreLink& link;
   SimDispatcher& dispatcher;
   std::string build;
+  /// Clock of the coordinator, in us.
   std::function<int64_t()> now_us;
-  std::function<void()> die;  ///< the coordinator, of the job that it runs
+  std::function<void()> die;  ///< kills the coordinator because of the job that it runs
 };
 
-/// JobRun without a thread: takes the steps of RunSteps, each of which goes on when the store or
-/// the workers have answered.
+/// JobRun without a thread. Takes the steps of RunSteps; each step continues when the store or the
+/// workers have answered.
 class SimRun : public std::enable_shared_from_this<SimRun> {
  public:
   SimRun(RunDesk& desk, Work work, JobRecord job, int64_t calm_us);
 
-  /// `over` is called once, unless the coordinator dies before.
+  /// Starts the run. Calls `over` once, unless the coordinator dies before.
   void Start(std::function<void()> over);
 
-  /// The wishes may have changed.
+  /// Checks whether the run must end, because its requests may have changed.
   void Notice();
 
-  /// As JobRun has it.
+  /// Returns true if the run has written no end, as in JobRun.
   bool lost() const { return !ended_; }
 
+  /// Returns the lease of the job.
   const Lease& lease() const { return lease_; }
+  /// Returns the requests to end the run.
   const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
 
  private:
@@ -69,10 +72,10 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   RunSteps steps_{lost_runs_};
   PipelineProgress told_;
   bool computing_ = false;
-  std::optional<FanOut::JobId> fan_out_;  ///< while its ranges run
+  std::optional<FanOut::JobId> fan_out_;  ///< set while its ranges run
   RangeHashes layers_;
   bool ended_ = false;
-  bool fenced_ = false;  ///< it was told so
+  bool fenced_ = false;  ///< true if the run was notified that it is fenced
 };
 
 }  // namespace slicefarm::coordinator::sim

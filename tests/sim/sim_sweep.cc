@@ -6,7 +6,7 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-/// A thread of a coordinator that waits for answers.
+/// Simulated thread of a coordinator that waits for answers.
 class Waiter {
  public:
   Waiter(World& world, Process& process)
@@ -44,7 +44,7 @@ class WaitingJobs : public ForwardingJobStore {
   Waiter& waiter_;
 };
 
-/// As much of a tenant's blob store as a sweep needs.
+/// Part of a tenant's blob store that a sweep needs.
 class WaitingBlobs : public SweptBlobStore {
  public:
   WaitingBlobs(World& world, Waiter& waiter, std::string tenant)

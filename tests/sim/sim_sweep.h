@@ -7,8 +7,9 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// Sweep, as a coordinator's thread calls it: before each call of a store time passes, in which
-/// everything else goes on. Errors: Sweep's, and Cancelled if the coordinator dies meanwhile.
+/// Calls Sweep as a coordinator's thread does. The clock advances before each call of a store, and
+/// all other events happen meanwhile. Errors: errors of Sweep; Cancelled if the coordinator dies
+/// meanwhile.
 absl::StatusOr<Swept> SweepInTime(World& world, Process& process, JobStore& jobs, int64_t now_us);
 
 }  // namespace slicefarm::coordinator::sim

@@ -14,12 +14,13 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-/// Nothing that was on its way when it became quiet arrives later than this.
+/// Longest delay of a message after the quiet time has begun.
 constexpr int64_t kLateUs = 21 * kSecondUs;
-/// What jobs may wait for at most when nothing goes wrong any more: the longest delay of a store
-/// failure, leases of the dead, deadlines of calls; their work comes on top.
+/// Longest wait of jobs in the quiet time: the longest delay of a store failure, leases of dead
+/// coordinators, and deadlines of calls. The time of their work is added.
 constexpr int64_t kWaitUs = 180 * kSecondUs;
-/// What LostRuns has a suspect wait for in all, at most, and the deaths of coordinators between.
+/// Longest total wait of a suspect by LostRuns, including the deaths of coordinators between its
+/// runs.
 constexpr int64_t kCondemnUs = 1100 * kSecondUs;
 constexpr int64_t kYesterdayUs = World::kBeginUs - int64_t{24} * 3600 * kSecondUs;
 
@@ -68,7 +69,7 @@ class Simulation {
     clients_[client]->StartFromYesterday(MakeYesterday(plan));
   }
 
-  /// A job that was made and done long ago, by who is not there any more.
+  /// Creates a job that was done long ago by a coordinator that does not exist any more.
   std::string MakeYesterday(const ClientPlan& plan) {
     const std::string build = world_.scenario.coordinators.front().build;
     const NewJob job = MakeJob(plan, "yesterday", build);
@@ -87,8 +88,8 @@ class Simulation {
     return job.id;
   }
 
-  /// Coordinators that share a store tell each other what they wrote to it. Who misses something
-  /// learns of that later.
+  /// Notifies all coordinators of a change in their shared store. A coordinator that misses the
+  /// notice learns later that changes may have been missed.
   void Announce(const JobChange& change) {
     for (const auto& coordinator : coordinators_) {
       std::optional<JobChange> told = change;
@@ -102,8 +103,8 @@ class Simulation {
     }
   }
 
-  /// Until jobs that coordinators die of are found out: the calm before each of their runs, which
-  /// those of others end.
+  /// Returns the time until all jobs that kill coordinators are found: the calm times before each
+  /// of their runs. Runs of other such jobs end the calm.
   int64_t CondemnedUs() const {
     return kCondemnUs *
            std::ranges::count_if(world_.scenario.clients, [](const ClientPlan& client) {
@@ -111,8 +112,8 @@ class Simulation {
            });
   }
 
-  /// Of all jobs, one after the other on the slowest worker, twice; what cannot be made, as often
-  /// as it is tried.
+  /// Returns twice the time of all jobs, one after another on the slowest worker. Jobs with a
+  /// poison layer count once per try.
   int64_t WorkUs() const {
     int64_t work_us = 0;
     for (const ClientPlan& client : world_.scenario.clients) {
@@ -143,7 +144,7 @@ class Simulation {
     });
   }
 
-  /// Some time within the next `most_us`, but not after it has become quiet.
+  /// Returns a random time within the next `most_us`, but not after the begin of the quiet time.
   int64_t UntilUs(int64_t most_us) {
     return std::min(world_.events.now_us() + world_.random.Between(50'000, most_us),
                     world_.scenario.quiet_from_us);

@@ -10,15 +10,17 @@
 
 namespace slicefarm::coordinator::sim {
 
+/// Outcome of a simulation.
 struct Outcome {
-  std::optional<std::string> violation;  ///< the first promise that was broken, and when
+  std::optional<std::string> violation;  ///< first broken promise with its time
   Totals totals;
 };
 
-/// Runs coordinators, workers and clients through what the seed has in store for them, on a clock
-/// of its own: the same seed, the same steps. `trace` gets a line for each of them that matters.
-/// Ends when all clients have what they wanted and all jobs have ended; that they do, at the latest
-/// some minutes after the last fault, is a promise as well.
+/// Simulates coordinators, workers and clients with the scenario of a seed, on a simulated clock.
+/// The same seed gives the same steps. `trace` gets a line for each important step.
+///
+/// Ends when all clients have completed their plans and all jobs have ended. The simulation also
+/// checks that this happens at most some minutes after the last fault.
 Outcome Simulate(uint64_t seed, const Variant& variant = {},
                  const std::function<void(const std::string&)>& trace = {});
 

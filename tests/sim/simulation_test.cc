@@ -1,5 +1,5 @@
-// That the simulation finds bugs: flaws of all parts that it can be given, and how soon it sees
-// them. That there are none without a flaw is what `slicefarm-sim --seeds` is run for, by CTest.
+// Tests that the simulation finds bugs: flaws of all its parts, within a limited number of seeds.
+// CTest runs `slicefarm-sim --seeds` to show that there are no bugs without flaws.
 #include "tests/sim/simulation.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A flaw is found within so many: what CI runs.
+/// Number of seeds that must find a flaw; CI runs the same number.
 constexpr int kSeeds = 10'000;
 
 Variant OfStore(FlawedStore::Flaw flaw) {

@@ -11,17 +11,18 @@
 
 namespace slicefarm::coordinator::sim {
 
+/// Returns the error of a failed store.
 absl::Status StoreFailed();
 
-/// A coordinator's connection to the store. A call takes effect some time after it was decided on,
-/// and its answer arrives later still; in between the coordinator may be paused or die. A call may
-/// fail before it took effect, after, or take effect long after it seemed to have failed.
+/// Connection of a coordinator to the store. A call takes effect some time after the decision, and
+/// its answer arrives later still. Between these times the coordinator may be paused or die. A call
+/// may fail before its effect or after it, or take effect long after it seemed to have failed.
 class StoreLink {
  public:
   StoreLink(World& world, Process& process, JobStore& store)
       : world_(world), process_(process), store_(store) {}
 
-  /// `call` gives a Status or a StatusOr.
+  /// Makes a call and passes its result to `then`. `call` returns a Status or a StatusOr.
   template <typename Call, typename Then>
   void Do(Call call, Then then) {
     // The coordinator may be paused between the decision and the call.
@@ -41,7 +42,7 @@ class StoreLink {
     using Answer = decltype(call(store_));
     const Fate fate = Draw();
     const int64_t life = process_.life();
-    // The effect is the store's: it does not ask whether the caller still lives.
+    // The store makes the effect, even if the caller has died.
     const auto effect = [this, fate, life, call = std::move(call), then]() mutable {
       Answer answer = fate == Fate::kFailsBefore ? Answer(StoreFailed()) : call(store_);
       if (fate == Fate::kFailsAfter) answer = StoreFailed();

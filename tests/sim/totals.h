@@ -4,7 +4,7 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// What happened, in one seed or in many. To be added to: a row of kTotals.
+/// Counts of events in one seed or in many. A new count also needs a row in kTotals.
 struct Totals {
   int64_t jobs = 0;
   int64_t succeeded = 0;
@@ -17,8 +17,8 @@ struct Totals {
   int64_t request_ids_reused = 0;
   int64_t swept_blobs = 0;
   int64_t kills = 0;
-  int64_t deaths = 0;     ///< of coordinators, of their jobs
-  int64_t condemned = 0;  ///< jobs, because of these
+  int64_t deaths = 0;     ///< deaths of coordinators because of their jobs
+  int64_t condemned = 0;  ///< jobs that were found to kill coordinators
   int64_t stops = 0;
   int64_t pauses = 0;
   int64_t partitions = 0;
@@ -38,6 +38,7 @@ struct Totals {
   int64_t simulated_s = 0;
 };
 
+/// Name and member of a count.
 struct TotalsField {
   const char* name;
   int64_t Totals::*value;

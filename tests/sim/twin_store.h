@@ -9,14 +9,14 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// Two stores that are called alike. The first one's answers count; where the second one answers
-/// otherwise, the world is told.
+/// Pair of stores that get the same calls. The answers of the first store are returned. Reports to
+/// the world if the second store answers differently.
 class TwinStore : public JobStoreCalls<TwinStore> {
  public:
   TwinStore(World& world, JobStore& first, std::unique_ptr<JobStore> second)
       : world_(world), first_(first), second_(std::move(second)) {}
 
-  /// Calls both and returns the answer of the first.
+  /// Calls both stores and returns the answer of the first.
   template <typename Method, typename... Args>
   auto Dispatch(const char* name, Method method, const Args&... args) {
     auto answer = (first_.*method)(args...);

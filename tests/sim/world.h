@@ -16,7 +16,7 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// What all parts of one simulation share: clock, chance, weather, and what is told of it.
+/// State that all parts of a simulation share: clock, random numbers, faults, and the trace.
 struct World {
   World(uint64_t seed, Variant given) : random(seed), variant(std::move(given)) {}
 
@@ -25,27 +25,28 @@ struct World {
   const Variant variant;
   const Scenario scenario = MakeScenario(random);
   Totals totals;
-  bool quiet = false;  ///< nothing goes wrong any more
+  bool quiet = false;  ///< true when no more faults happen
   int64_t store_away_until_us = 0;
   int64_t disk_full_until_us = 0;
   int64_t slicing_away_until_us = 0;
   SimBlobs blobs;
-  std::function<void(const JobChange&)> changed = [](const JobChange&) {};  ///< a job was written
-  std::optional<std::string> violation;                                     ///< the first one
-  std::function<void(const std::string& line)> trace = {};                  ///< empty: not wanted
+  /// Called when a job was written.
+  std::function<void(const JobChange&)> changed = [](const JobChange&) {};
+  std::optional<std::string> violation;                     ///< first broken promise
+  std::function<void(const std::string& line)> trace = {};  ///< empty if no trace is requested
 
-  /// When it all begins, in microseconds since 1970.
+  /// Begin of the simulation, in microseconds since 1970.
   static constexpr int64_t kBeginUs = 1'000'000 * kSecondUs;
-  /// The time on a clock that is right.
+  /// Returns the time of a correct clock.
   int64_t wall_us() const { return kBeginUs + events.now_us(); }
 
-  /// One step of what happens, for who reads along.
+  /// Writes a step to the trace.
   template <typename... Args>
   void Tell(fmt::format_string<Args...> format, Args&&... args) {
     if (trace) trace(Stamp() + fmt::format(format, std::forward<Args>(args)...));
   }
 
-  /// A promise was broken.
+  /// Records a broken promise.
   template <typename... Args>
   void Violated(fmt::format_string<Args...> format, Args&&... args) {
     if (violation) return;
@@ -53,7 +54,9 @@ struct World {
     if (trace) trace("VIOLATION " + *violation);
   }
 
+  /// Returns true with this probability, but never in the quiet time.
   bool Happens(int permille) { return !quiet && permille > 0 && random.Chance(permille); }
+  /// Returns true before this time.
   bool Until(int64_t until_us) const { return events.now_us() < until_us; }
 
  private:

@@ -1,4 +1,4 @@
-// Chores of MemoryJobStore, and its records of use.
+// Maintenance functions of MemoryJobStore, and its usage records.
 #include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator {

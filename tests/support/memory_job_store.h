@@ -41,9 +41,9 @@ class MemoryJobs {
   std::unordered_map<std::string, int64_t> numbers_;  ///< number of each job, by id
   /// Requests by tenant and request id.
   std::map<std::pair<std::string, std::string>, Request> requests_;
-  std::map<std::string, int64_t> turns_;  ///< time when a job of the tenant was last claimed
+  std::map<std::string, int64_t> turns_;      ///< time when a job of the tenant was last claimed
   std::map<std::string, JobResult> results_;  ///< results by action digest
-  std::map<std::string, int64_t> chores_;  ///< end time of each chore's lease
+  std::map<std::string, int64_t> chores_;     ///< end time of each chore's lease
 };
 
 /// JobStore without persistence, for simulation and tests. It fulfils the contract

@@ -29,7 +29,7 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0.01,
        .max = 5,
        .standard = "0.3",
-       .doc = "Height of a layer; at most the nozzle's diameter",
+       .doc = "Height of a layer; at most the nozzle diameter",
        .field = Bind<&ObjectSlicingOptions::layer_height_nm>(),
        .orca = {{"layer_height"}}},
       {.key = "first_layer_height",
@@ -38,7 +38,7 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0.01,
        .max = 5,
        .standard = "0.35",
-       .doc = "Height of the first layer; at most the nozzle's diameter",
+       .doc = "Height of the first layer; at most the nozzle diameter",
        .relative_to = "layer_height",
        .field = Bind<&JobSlicingOptions::first_layer_height_nm>(),
        .orca = {{"initial_layer_print_height"}}},
@@ -46,9 +46,9 @@ std::vector<SettingSpec> LayerSettings() {
        .kind = Kind::kChoice,
        .standard = "regular",
        .doc =
-           "What counts as inside where outlines of a part overlap: what any of them encloses "
-           "(regular), an odd number of them (even_odd), more forwards than backwards (positive), "
-           "what any outer one encloses, whatever holes there are (close_holes)",
+           "Inside of a part where outlines overlap. regular: enclosed by any outline. even_odd: "
+           "enclosed by an odd number of outlines. positive: enclosed more often by outer outlines "
+           "than by holes. close_holes: enclosed by any outer outline, holes are ignored",
        .choices = {{"regular", fill_rule(FillRule::kNonZero)},
                    {"even_odd", fill_rule(FillRule::kEvenOdd)},
                    {"positive", fill_rule(FillRule::kPositive)},
@@ -62,7 +62,7 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 10,
        .standard = "0.049",
-       .doc = "Cracks narrower than twice this are closed, in meshes that are not closed",
+       .doc = "Half the width of cracks that are closed, in meshes that are not closed",
        .field = Bind<&ObjectSlicingOptions::closing_radius_nm>(),
        .orca = {{"slice_closing_radius"}}},
       {.key = "open_loop_max_gap",
@@ -70,15 +70,16 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 100,
        .standard = "2",
-       .doc = "Outlines of a mesh with holes are closed over gaps up to this; wider ones are left "
-              "out and reported",
+       .doc = "Widest gap over which open outlines of a mesh with holes are closed; outlines with "
+              "wider gaps are left out and reported",
        .field = Bind<&JobSlicingOptions::max_gap_nm>()},
       {.key = "xy_size_compensation",
        .unit = "mm",
        .min = -5,
        .max = 5,
        .standard = "0",
-       .doc = "Grows the outlines of every layer; negative: shrinks them",
+       .doc = "Distance by which the outlines of every layer grow, so that holes shrink; negative: "
+              "the opposite",
        .field = Bind<&ObjectSlicingOptions::xy_compensation_nm>(),
        .orca = {{"xy_contour_compensation"}}},
       {.key = "xy_hole_compensation",
@@ -86,7 +87,8 @@ std::vector<SettingSpec> LayerSettings() {
        .min = -5,
        .max = 5,
        .standard = "0",
-       .doc = "Grows the holes, besides xy_size_compensation",
+       .doc = "Distance by which holes grow in every layer, in addition to xy_size_compensation; "
+              "negative: holes shrink",
        .field = Bind<&ObjectSlicingOptions::hole_compensation_nm>(),
        .orca = {{"xy_hole_compensation"}}},
       {.key = "outline_resolution",
@@ -94,14 +96,14 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 1,
        .standard = "0.005",
-       .doc = "Outlines are simplified to this tolerance",
+       .doc = "Tolerance to which outlines are simplified; larger: fewer points",
        .field = Bind<&JobSlicingOptions::resolution_nm>()},
       {.key = "resolution",
        .unit = "mm",
        .min = 0,
        .max = 1,
        .standard = "0",
-       .doc = "Outlines are simplified to this tolerance if it is greater than outline_resolution"},
+       .doc = "Tolerance to which outlines are simplified, if greater than outline_resolution"},
   };
 }
 

@@ -9,7 +9,7 @@ std::vector<SettingSpec> PlateSettings() {
        .kind = Kind::kBedShape,
        .unit = "mm",
        .standard = "0x0,200x0,200x200,0x200",
-       .doc = "Outline of the bed: corners XxY, by commas",
+       .doc = "Outline of the bed: corners XxY, separated by commas",
        .field = Bind<&JobSlicingOptions::bed>(),
        .orca = {{"printable_area", OrcaValue::kPoints}}},
       {.key = "max_print_height",
@@ -17,7 +17,7 @@ std::vector<SettingSpec> PlateSettings() {
        .min = 0,
        .max = 10000,
        .standard = "200",
-       .doc = "Height that the machine can print; 0: no limit",
+       .doc = "Largest height that the machine can print; 0: no limit",
        .field = Bind<&JobSlicingOptions::max_print_height_nm>(),
        .orca = {{"printable_height"}}},
       {.key = "duplicate_distance",
@@ -25,7 +25,7 @@ std::vector<SettingSpec> PlateSettings() {
        .min = 0,
        .max = 1000,
        .standard = "6",
-       .doc = "Distance between copies that are arranged",
+       .doc = "Distance between copies that are arranged automatically",
        .field = Bind<&JobSlicingOptions::part_distance_nm>()},
   };
 }

@@ -6,7 +6,7 @@
 
 namespace slicefarm::gcode {
 
-// Numbers of the format of binary G-code (.bgcode). Source: libbgcode's specification, version 1.
+// Constants of the format of binary G-code (.bgcode). Source: libbgcode's specification, version 1.
 inline constexpr std::string_view kBinaryMagic = "GCDE";
 inline constexpr uint32_t kBinaryVersion = 1;
 inline constexpr uint16_t kCrc32 = 1;

@@ -15,9 +15,9 @@
 namespace slicefarm::gcode {
 namespace {
 
-constexpr size_t kMostTextBytes = 65'536;  // of the text in a block
+constexpr size_t kMostTextBytes = 65'536;  // limit on the text in a block
 
-/// What printers read of the settings, and of the facts.
+/// Settings and facts that printers read.
 constexpr std::string_view kOfPrinter[] = {
     "printer_model",    "filament_type",   "filament_abrasive", "nozzle_diameter",
     "nozzle_high_flow", "bed_temperature", "brim_width",        "fill_density",
@@ -36,7 +36,7 @@ void Append32(uint32_t value, std::string& to) {
   Append16(static_cast<uint16_t>(value >> 16), to);
 }
 
-/// `parameters`: as bytes. `data`: not compressed yet.
+/// A block of the file. `parameters`: as bytes. `data`: before compression.
 struct Block {
   BlockType type;
   Compression compression = kNone;
@@ -113,7 +113,7 @@ std::vector<Block> MetadataOf(GcodeParts& parts) {
   return blocks;
 }
 
-/// The most whole lines that a block holds; empty: the first line is too long.
+/// Takes as many whole lines as a block can hold; empty if the first line is too long.
 std::string_view TakeLines(std::string_view& rest) {
   size_t size = std::min(rest.size(), kMostTextBytes);
   if (size < rest.size()) {

@@ -18,7 +18,8 @@ namespace {
 
 constexpr size_t kHeaderBytes = 10;
 constexpr size_t kChecksumBytes = 4;
-/// Most bytes of a block, packed or not. A block of text has 64 KiB, a picture a few MiB.
+/// Maximum number of bytes of a block, before and after decompression. A block of text has 64 KiB,
+/// a picture a few MiB.
 constexpr uint32_t kMostBlockBytes = 64 << 20;
 
 absl::Status Broken(int64_t offset, std::string_view what) {
@@ -34,17 +35,17 @@ uint32_t NumberAt(std::string_view bytes, size_t at, int size) {
   return number;
 }
 
-/// The head of a block.
+/// The header of a block.
 struct Head {
   uint16_t type = 0;
   uint16_t compression = 0;
   uint32_t size = 0;
   uint32_t stored = 0;
   size_t data_at = 0;
-  size_t end = 0;  ///< with the checksum
+  size_t end = 0;  ///< end of the block, including its checksum
 };
 
-/// nullopt: more bytes are needed.
+/// Reads a header. Returns nullopt if it needs more bytes.
 std::optional<Head> HeadOf(std::string_view bytes, bool has_checksum) {
   constexpr size_t kFixed = 8;
   if (bytes.size() < kFixed) return std::nullopt;
@@ -93,7 +94,7 @@ bool IsIntact(std::string_view block) {
   return crc32(crc32(0, nullptr, 0), bytes, static_cast<uInt>(size)) == NumberAt(block, size, 4);
 }
 
-/// "G1X10Y2" as "G1 X10 Y2".
+/// Appends a packed line with blanks: "G1X10Y2" as "G1 X10 Y2".
 void AppendSpaced(std::string_view line, std::string& text) {
   const bool is_move = line.size() > 1 && line[0] == 'G' && line[1] >= '0' && line[1] <= '9';
   const bool is_packed = is_move && line.find(' ') == std::string_view::npos;
@@ -104,7 +105,7 @@ void AppendSpaced(std::string_view line, std::string& text) {
   text += '\n';
 }
 
-/// The metadata and pictures on their way to comments.
+/// Collects blocks and converts metadata and pictures to comments.
 class TextBuilder {
  public:
   absl::Status Take(const BinaryBlock& block) {

@@ -13,29 +13,30 @@ namespace slicefarm::gcode {
 /// A block of a file of binary G-code (.bgcode).
 struct BinaryBlock {
   uint16_t type = 0;   ///< a BlockType
-  int64_t offset = 0;  ///< of its first byte in the file
-  /// Of a thumbnail its format, width and height; of others the encoding.
+  int64_t offset = 0;  ///< offset of the block's first byte in the file
+  /// Format, width and height of a thumbnail; encoding of other blocks.
   std::array<uint16_t, 3> parameters = {};
-  std::string data;  ///< not compressed any more
+  std::string data;  ///< data after decompression
 };
 
-/// Returns true if the file begins as binary G-code does.
+/// Returns true if the file begins like binary G-code.
 bool IsBinaryGcode(std::string_view file);
 
-/// Reads a file of binary G-code that comes in pieces, checks the checksums, and holds one block at
-/// a time. Cost: O(bytes).
+/// Reads a file of binary G-code in pieces and checks the checksums. It has only one block in
+/// memory at a time. Cost: O(bytes).
 class BinaryGcodeReader {
  public:
   using Take = std::function<absl::Status(const BinaryBlock& block)>;
 
+  /// Makes a reader that passes each block to `take`.
   explicit BinaryGcodeReader(Take take) : take_(std::move(take)) {}
 
-  /// Errors: InvalidArgument for bytes that are none of a version 1 file, with the block's offset;
-  /// those of `take`.
+  /// Adds bytes. Errors: InvalidArgument for bytes that do not belong to a version 1 file, with the
+  /// block's offset; errors of `take`.
   absl::Status Add(std::string_view bytes);
 
-  /// To be called when all bytes were added. Errors: InvalidArgument for a file that ends within a
-  /// block.
+  /// Ends the file; call it after all bytes were added. Errors: InvalidArgument for a file that
+  /// ends within a block.
   absl::Status End() const;
 
  private:
@@ -44,17 +45,17 @@ class BinaryGcodeReader {
 
   const Take take_;
   std::string held_;
-  int64_t held_at_ = 0;  ///< where held_ begins in the file
+  int64_t held_at_ = 0;  ///< offset of held_ in the file
   bool has_header_ = false;
   bool has_checksums_ = false;
 };
 
-/// Returns the lines of a block of G-code. Comments behind commands and empty lines are gone for
-/// good; the blanks between the words of moves are put back. Errors: InvalidArgument.
+/// Returns the lines of a block of G-code. Blanks between the words of moves are restored. Comments
+/// after commands and empty lines cannot be restored. Errors: InvalidArgument.
 absl::StatusOr<std::string> TextOf(const BinaryBlock& block);
 
-/// Returns the file as G-code text, with metadata and thumbnails as slicefarm writes them.
-/// Errors: those of BinaryGcodeReader and TextOf.
+/// Returns the file as G-code text, with metadata and thumbnails as slicefarm writes them. Errors:
+/// errors of BinaryGcodeReader and TextOf.
 absl::StatusOr<std::string> TextOfBinaryGcode(std::string_view file);
 
 }  // namespace slicefarm::gcode

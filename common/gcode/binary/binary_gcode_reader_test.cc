@@ -31,7 +31,7 @@ TEST(TextOfBinaryGcode, IsWhatWasWritten) {
   EXPECT_TRUE(IsBinaryGcode(*file));
   const auto text = TextOfBinaryGcode(*file);
   ASSERT_TRUE(text.ok()) << text.status();
-  // Empty lines say nothing.
+  // Empty lines are ignored.
   const auto without = [](const std::string& lines) {
     return absl::StrReplaceAll(lines, {{"\n\n", "\n"}});
   };

@@ -72,7 +72,7 @@ struct Seen {
   uint32_t compression;
 };
 
-/// Types and compressions of the blocks, whose checksums must be right.
+/// Returns the types and compressions of the blocks, and checks their checksums.
 std::vector<Seen> Blocks(const std::string& file) {
   std::vector<Seen> seen;
   for (size_t at = 10; at < file.size();) {

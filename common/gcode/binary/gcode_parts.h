@@ -10,7 +10,7 @@
 
 namespace slicefarm::gcode {
 
-/// A key and its value, in the order of the file.
+/// Keys and values, in the order of the file.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
 /// A picture in a file of G-code.
@@ -21,19 +21,19 @@ struct Picture {
   std::string data;
 };
 
-/// What a file of G-code is made of.
+/// Parts of a file of G-code.
 struct GcodeParts {
   std::string producer;     ///< "slicefarm 0.1.0"
-  std::string produced_on;  ///< the day
+  std::string produced_on;  ///< date of production
   std::string objects_info;
   std::vector<Picture> pictures;
-  Entries facts;     ///< filament used, times, ...
-  Entries settings;  ///< sorted by key, as the file has them
+  Entries facts;     ///< used filament, times, ...
+  Entries settings;  ///< sorted by key, as in the file
   std::string program;
 };
 
-/// Takes the file apart. What is no metadata belongs to the program.
-/// Errors: InvalidArgument for pictures that are not base64. Cost: O(bytes).
+/// Separates a file into its parts. Everything except metadata belongs to the program. Errors:
+/// InvalidArgument for pictures that are not base64. Cost: O(bytes).
 absl::StatusOr<GcodeParts> TakeApart(std::string_view gcode);
 
 }  // namespace slicefarm::gcode

@@ -13,14 +13,14 @@ constexpr size_t kWindow = size_t{1} << kWindowBits;
 constexpr size_t kLongest = size_t{1} << kLengthBits;
 constexpr uint32_t kLiteralBits = 1 + 8;
 constexpr uint32_t kMatchBits = 1 + kWindowBits + kLengthBits;
-constexpr size_t kShortest = 2;  // one byte is shorter by itself
+constexpr size_t kShortest = 2;  // a single byte is shorter as a literal
 
 struct Match {
-  uint16_t length = 0;  ///< 0: none
+  uint16_t length = 0;  ///< 0: no match
   uint16_t back = 0;
 };
 
-/// Places where some bytes stood last, by their hash, each with the one before it.
+/// Last positions of byte sequences, by their hash. Each position has a link to the previous one.
 class Chains {
  public:
   Chains(size_t bytes, int hash_bits)
@@ -45,7 +45,7 @@ class Matches {
   explicit Matches(std::string_view bytes)
       : bytes_(bytes), pairs_(bytes.size(), 16), triples_(bytes.size(), kTripleBits) {}
 
-  /// The longest that ends before the bytes do. To be called for each place in turn.
+  /// Returns the longest match at a position. Call it for each position in ascending order.
   Match At(size_t place) {
     Match best;
     if (place + kShortest > bytes_.size()) return best;
@@ -108,8 +108,8 @@ class BitWriter {
   std::string text_;
 };
 
-/// Leaves the matches that a shortest stream is made of: what is left of the bytes never costs more
-/// than with one byte before it, so a match is best taken as long as it is.
+/// Removes the matches that are not part of a shortest stream. The rest of the bytes never costs
+/// more than the rest with one byte before it, so a chosen match is best used in full length.
 void ChooseMatches(std::vector<Match>& matches) {
   std::vector<uint32_t> bits(matches.size() + 1, 0);
   for (size_t i = matches.size(); i-- > 0;) {
@@ -147,7 +147,7 @@ class BitReader {
  public:
   explicit BitReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// -1: there are not so many.
+  /// Reads a number of bits. Returns -1 if there are too few bits.
   int32_t Read(int bits) {
     while (count_ < bits) {
       if (at_ == bytes_.size()) return -1;

@@ -10,7 +10,7 @@
 namespace slicefarm::gcode::heatshrink_test {
 namespace {
 
-/// A reader of its own. Empty where the stream is none.
+/// Independent decoder. Returns an empty text for an invalid stream.
 std::string Read(const std::string& stream, size_t size) {
   size_t at = 0;
   const auto number = [&](int bits) {
@@ -34,7 +34,7 @@ std::string Read(const std::string& stream, size_t size) {
   return bytes;
 }
 
-/// How many bits a shortest stream has: all matches of all lengths are looked at.
+/// Returns the number of bits of a shortest stream, by testing all matches of all lengths.
 size_t FewestBits(const std::string& bytes) {
   std::vector<size_t> bits(bytes.size() + 1, 0);
   for (size_t i = bytes.size(); i-- > 0;) {
@@ -48,9 +48,9 @@ size_t FewestBits(const std::string& bytes) {
 
 TEST(Heatshrink, IsAsTheFormatSays) {
   EXPECT_EQ(Heatshrink(""), "");
-  // 1 01100001, and 7 bits that say nothing.
+  // 1 01100001, and 7 bits without meaning.
   EXPECT_EQ(Heatshrink("a"), "\xb0\x80");
-  // 1 01100001, then 0, 1 back, 9 more.
+  // 1 01100001, then 0, a distance of 1, and 9 more bytes.
   EXPECT_EQ(Heatshrink("aaaaaaaaaa"), std::string("\xb0\x80\x02\x00", 4));
 }
 

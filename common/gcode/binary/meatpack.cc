@@ -17,8 +17,8 @@ constexpr char kNoSpaces = '\xf7';
 constexpr char kSpaces = '\xf6';
 constexpr char kReset = '\xf9';
 
-constexpr uint8_t kWhole = 15;  // the character stands behind, as it is
-/// By their number; `E` has that of the blank, which is not packed then.
+constexpr uint8_t kWhole = 15;  // the unpacked character follows
+/// Characters in the order of their codes. `E` has the code of the blank, which is not packed.
 constexpr std::string_view kPacked = "0123456789.E\nGX";
 
 uint8_t NumberOf(char c) {
@@ -32,12 +32,12 @@ uint8_t NumberOf(char c) {
   return kNumbers[static_cast<unsigned char>(c)];
 }
 
-/// Whether a command is G and a number: its words need no blanks between them.
+/// Returns true if a command is G and a number: its words need no blanks between them.
 bool IsMove(std::string_view line) {
   return line.size() > 1 && line[0] == 'G' && std::isdigit(static_cast<unsigned char>(line[1]));
 }
 
-/// A line as firmwares need it; empty: nothing.
+/// Returns the part of a line that firmwares need; empty if there is none.
 std::string Command(std::string_view line) {
   line = Trim(line.substr(0, line.find(';')));
   std::string command(line);

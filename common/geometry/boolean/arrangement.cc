@@ -292,7 +292,7 @@ class Arrangement {
   int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
   std::vector<Stop> stops_;
-  /// index of the first stop of each ring; one entry more than rings
+  /// Index of the first stop of each ring; one entry more than rings.
   std::vector<int32_t> ring_begin_;
   std::vector<int> whole_winding_;  ///< winding number of each ring at its start
   std::vector<Polygon> result_;

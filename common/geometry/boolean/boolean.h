@@ -17,8 +17,11 @@ enum class FillRule {
 /// Points of intersection are rounded to nm; slivers under 1 nm vanish. Cost: O((n + k) log n) for
 /// k crossings.
 MultiPolygon Union(std::span<const Polygon> rings, FillRule rule);
+/// Returns the union of two regions. Result and cost as above.
 MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b);
+/// Returns region a minus region b. Result and cost as above.
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b);
+/// Returns the intersection of two regions. Result and cost as above.
 MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b);
 
 }  // namespace slicefarm

@@ -22,6 +22,7 @@ struct Differences {
   /// Area in which the rings of the region have a winding number below 0 or above 1.
   double overlap_nm2 = 0;
 };
+/// Returns the differences as text, for failure messages.
 std::string ToText(const Differences& differences);
 
 /// Compares `got` with the exact result of `op`. A point is in a, b or got if the winding number

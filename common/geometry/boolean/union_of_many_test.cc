@@ -13,9 +13,9 @@ namespace {
 
 constexpr Coord kMm = kNmPerMm;
 
-/// Paints a triangle with a round brush, as a brush in a slicer does. It divides the triangle into
-/// four, `levels` times, where it meets the circle around the origin. It then adds the pieces with
-/// their middle in the circle.
+/// Paints a triangle with a round brush, as in the painting tool of a slicer. It divides the
+/// triangle into four, `levels` times, where it meets the circle around the origin. It then adds
+/// the pieces with their middle in the circle.
 void Paint(const Polygon& t, double radius, int levels, std::vector<Polygon>& pieces) {
   const Point ab = {(t[0].x + t[1].x) / 2, (t[0].y + t[1].y) / 2};
   const Point bc = {(t[1].x + t[2].x) / 2, (t[1].y + t[2].y) / 2};

@@ -11,6 +11,7 @@ namespace slicefarm {
 /// winding number of `rings`. Rings may cross and overlap, so one sweep can handle the outlines of
 /// many regions. The result is in canonical form. Cost: O((n + k) log n) for k crossings.
 MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Polygon> rings);
+/// Returns a region minus the region of `rings`, as the function above does.
 MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings);
 
 /// Adds the rings of `region` that can affect `box`, with the same winding numbers inside the box.

@@ -9,6 +9,7 @@ namespace slicefarm {
 enum class Join { kMiter, kRound, kSquare };
 enum class Cap { kButt, kSquare, kRound };
 
+/// Join style of an offset, and its limits.
 struct OffsetOptions {
   Join join = Join::kMiter;
   /// Miter limit: miters longer than this number of offsets are cut square. The smallest useful

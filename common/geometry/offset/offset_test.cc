@@ -52,7 +52,7 @@ class NotchTest : public testing::TestWithParam<MiterCase> {};
 // errata 10.1.2: the rule for an inward offset at a reflex corner: 1 / |sin(theta / 2)|.
 TEST_P(NotchTest, InwardMiterIsAsLongAsTheAngleAsks) {
   const auto [degrees, factor] = GetParam();
-  // half of the notch's opening angle
+  // Half of the notch's opening angle.
   const double half = (360 - degrees) / 2 * std::numbers::pi / 180;
   const double deep = 300, wide = deep * std::tan(half);
   // A wide plate with a notch from above. The tip of the notch is at the origin.

@@ -27,7 +27,7 @@ class WaysWithin {
   /// Shortest paths from one point to all bends.
   struct Tree {
     std::vector<double> length;  ///< length of the path to each bend, in nm; infinite: no path
-    /// previous bend on the path to each bend; the number of bends: none
+    /// Previous bend on the path to each bend; the number of bends: none.
     std::vector<size_t> before;
   };
 
@@ -36,7 +36,7 @@ class WaysWithin {
 
   MultiPolygon region_;       ///< the region grown slightly, so that paths may run along its edge
   std::vector<Point> bends_;  ///< points at which paths may bend
-  /// straight distances between bends, in nm; infinite: not visible
+  /// Straight distances between bends, in nm; infinite: not visible.
   std::vector<std::vector<double>> lengths_;
 };
 

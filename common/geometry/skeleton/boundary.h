@@ -28,6 +28,7 @@ struct Boundary {
   int Holes() const { return static_cast<int>(rings.size()) - 1; }
   /// Returns true if the interior angle at the start of `edge` is more than 180 degrees.
   bool StartsReflex(int edge) const;
+  /// Returns true if the interior angle at the start of `edge` is less than 180 degrees.
   bool StartsConvex(int edge) const;
 };
 

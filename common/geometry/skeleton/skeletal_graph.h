@@ -39,9 +39,11 @@ struct SkeletalGraph {
   std::vector<HalfEdge> half_edges;
   std::vector<BoundaryEdge> boundary;  ///< in nm from `origin`
 
+  /// Returns the end node of a half-edge.
   int To(int half) const { return half_edges[half ^ 1].from; }
   const SkeletalNode& FromNode(int half) const { return nodes[half_edges[half].from]; }
   const SkeletalNode& ToNode(int half) const { return nodes[To(half)]; }
+  /// Returns the length of a half-edge, in nm.
   double Length(int half) const;
   /// Returns the point of the half-edge's feature that is nearest to the node.
   Vector2 Foot(int half, const SkeletalNode& node) const;
@@ -62,10 +64,11 @@ struct SkeletalGraph {
   int Split(int half, const SkeletalNode& node);
 };
 
+/// Precision of the chords that replace curved edges.
 struct SkeletalOptions {
   double tolerance_nm = 2'000;  ///< maximum deviation of chords from parabolas, and of their radii
   double step_nm = 800'000;     ///< length of the longest chord
-  /// in radians: a chord ends where centrality changes at this angle
+  /// Angle in radians: a chord ends where centrality changes at this angle.
   double transition_angle = 0.1745;
 };
 

@@ -54,6 +54,7 @@ struct LooseComparison {
   }
 };
 
+/// Converter from the builder's number types to Loose.
 struct ToLoose {
   template <typename Number>
   Loose operator()(const Number& value) const {
@@ -67,7 +68,7 @@ struct ToLoose {
   }
 };
 
-/// Traits of a builder for 32-bit coordinates that calculates with Loose.
+/// Traits of a Voronoi builder that has 32-bit coordinates and calculates with Loose numbers.
 struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
   using fpt_type = Loose;
   using ulp_cmp_type = LooseComparison;

@@ -11,6 +11,7 @@
 
 namespace slicefarm::rpc {
 
+/// Retries, connection sharing and security of a channel.
 struct ChannelOptions {
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
   bool retries = true;          ///< retries of unary methods; if false, each call is one attempt

@@ -16,6 +16,7 @@
 
 namespace slicefarm::rpc {
 
+/// Deadline, cancellation and trace of a call.
 struct ClientCallOptions {
   std::chrono::milliseconds deadline{60'000};
   CancelToken cancel = {};
@@ -38,6 +39,7 @@ class ClientCall {
   /// Waits for the operation that was started last. Returns true if it succeeded.
   bool Await() { return AwaitAny().ok; }
 
+  /// Result of an operation.
   struct Done {
     void* tag = nullptr;
     bool ok = false;  ///< true if the operation succeeded
@@ -100,12 +102,15 @@ class StreamCall {
   /// Returns false after an operation found that the call has ended. Finish returns the cause.
   bool alive() const { return alive_; }
 
+  /// Writes a request. Returns true if the call is still alive.
   bool Write(const Request& request) {
     return Step([&] { stream_->Write(request, grpc::WriteOptions().set_buffer_hint(), nullptr); });
   }
+  /// Ends the requests. Returns true if the call is still alive.
   bool WritesDone() {
     return Step([&] { stream_->WritesDone(nullptr); });
   }
+  /// Reads an answer. Returns false if there are no more answers.
   bool Read(Response* response) {
     return Step([&] { stream_->Read(response, nullptr); });
   }

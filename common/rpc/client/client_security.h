@@ -15,7 +15,7 @@ namespace slicefarm::rpc {
 /// Settings by which a client program verifies its server and identifies itself.
 struct ClientSecurity {
   TlsFiles tls = {};
-  /// name in the server's certificate; empty: the host of the server's address
+  /// Name in the server's certificate; empty: the host of the server's address.
   std::string server_name = {};
   bool with_token = false;      ///< a token is sent with each call, if there is one
   std::string token_file = {};  ///< empty: the token is read from the environment

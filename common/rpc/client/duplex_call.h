@@ -103,7 +103,7 @@ class DuplexCall {
   std::unique_ptr<Stream> stream_;
   Response response_;
   absl::Status taken_;
-  /// a write operation is running; the address of this member is the tag of the operation
+  /// A write operation is running; the address of this member is the tag of the operation.
   bool writing_ = false;
   bool reading_ = false;
   bool can_write_ = false;

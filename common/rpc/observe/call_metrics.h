@@ -20,10 +20,12 @@ namespace slicefarm::rpc {
 /// of. Thread-safe.
 class CallMetrics {
  public:
+  /// REQUIRES: `registry` outlives this object.
   explicit CallMetrics(prometheus::Registry& registry);
 
   /// Counts the start of a call. `method`: in gRPC's form, "/slicefarm.v1.Beading/BeadLayers".
   void Started(const std::string& method);
+  /// Counts the end of a call with its status and duration.
   void Handled(const std::string& method, grpc::StatusCode code,
                std::chrono::duration<double> time);
 

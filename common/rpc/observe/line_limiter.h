@@ -8,10 +8,11 @@
 
 namespace slicefarm::rpc {
 
+/// Limits of the number of log lines.
 struct LineLimits {
   double burst = 20;       ///< maximum number of lines of one message at once
   double lines_per_s = 1;  ///< maximum average rate of one message
-  /// number of messages with separate limits; all further messages share one limit
+  /// Number of messages with separate limits; all further messages share one limit.
   size_t max_messages = 256;
 };
 

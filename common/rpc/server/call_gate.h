@@ -17,10 +17,11 @@
 
 namespace slicefarm::rpc {
 
+/// Slots, queue length and time limits of a gate.
 struct CallGateOptions {
   int slots = 1;  ///< number of calls that work at the same time
   int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
-  /// deadline of calls without a deadline of the client
+  /// Deadline of calls without a deadline of the client.
   std::chrono::milliseconds default_deadline{300'000};
   std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< time limit of every call
 };
@@ -40,6 +41,7 @@ class CallGate {
  public:
   CallGate(const CallGateOptions& options, JsonLog log);
 
+  /// Waits for a slot, calls `work`, logs the call, and returns its status for gRPC.
   grpc::Status Run(const grpc::ServerContext& context, std::string_view method,
                    const std::function<absl::Status(Call&)>& work);
 

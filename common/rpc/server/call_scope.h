@@ -31,6 +31,7 @@ class CallScope {
   /// or the server stops. It is cheap to poll: it queries gRPC once per millisecond. Must not
   /// outlive the scope.
   CancelToken Token() const;
+  /// Returns true if the token of the call is cancelled.
   bool Cancelled() const;
 
   /// Returns the status to answer with: DeadlineExceeded if the work ended as Cancelled because of

@@ -33,7 +33,7 @@ struct ServeFlags {
   int accept_patience_s = 30;  ///< 0: the server does not check that it accepts connections
   TlsFiles tls;                ///< all three files, or none: no TLS
   ClientCerts client_certs = ClientCerts::kRequired;
-  /// with TLS: policy that decides who may call which method
+  /// Policy that decides who may call which method, used with TLS.
   std::string_view policy = InnerPolicy();
   std::string policy_file;  ///< if not empty, replaces `policy`
 };

@@ -63,7 +63,7 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   SetConnectionRules(options, &builder);
   for (grpc::Service* service : services) builder.RegisterService(service);
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> interceptors;
-  // runs before the call is counted
+  // Runs before the call is counted.
   interceptors.push_back(std::make_unique<UnreadableRequestFactory>());
   if (options.log) interceptors.push_back(std::make_unique<StorageErrorsFactory>(*options.log));
   interceptors.push_back(std::make_unique<CallMetricsFactory>(metrics));

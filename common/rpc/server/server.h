@@ -19,6 +19,7 @@
 
 namespace slicefarm::rpc {
 
+/// Address, limits, security and logging of a server.
 struct ServerOptions {
   std::string listen = "127.0.0.1:0";  ///< host:port; port 0: any free port
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;

@@ -14,12 +14,13 @@
 
 namespace slicefarm::rpc {
 
+/// Time limits and minimum rate of streams.
 struct StreamTimes {
   std::chrono::milliseconds idle{60'000};  ///< maximum time without a message
   /// Minimum average rate: a stream that stays below it accumulates a delay, and is cut at a delay
   /// of `idle`.
   int64_t min_bytes_per_s = 4096;
-  /// deadline of calls without a deadline of the client
+  /// Deadline of calls without a deadline of the client.
   std::chrono::milliseconds default_deadline{300'000};
 };
 
@@ -35,7 +36,7 @@ class StreamWatch {
 
     grpc::ServerContext& context;
     const Clock::time_point deadline;
-    /// time of the cut; each message delays it in proportion to its bytes
+    /// Time of the cut; each message delays it in proportion to its bytes.
     std::atomic<Clock::time_point> due;
     bool cut = false;
   };

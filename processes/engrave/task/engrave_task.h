@@ -21,6 +21,7 @@ struct EngraveTask {
   TaskLabel Label() const { return LabelOf(range); }
 };
 
+/// Result of an engraving task.
 struct EngraveResult {
   std::vector<EngravedLayer> layers;
   StageTimes times;

@@ -13,6 +13,7 @@
 #include "common/stage/motion_job.h"
 #include "common/stage/slice_input_test.h"
 #include "processes/fdm/job/fdm_report.h"
+#include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"

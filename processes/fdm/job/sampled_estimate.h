@@ -22,6 +22,7 @@ struct LayerSample {
   friend bool operator==(const LayerSample&, const LayerSample&) = default;
 };
 
+/// Sample layers of a print, and the time outside of layers.
 struct LayerSamples {
   std::vector<LayerSample> layers;  ///< in ascending order
   double around_s = 0;              ///< time before, between and after the layers

@@ -10,7 +10,8 @@ namespace slicefarm::config::fdm {
 /// Returns the conditions under which settings have an effect on FDM.
 std::vector<Need> Needs();
 
-/// See ProcessSettings::UnmetNeedsOf.
+/// Returns notes about settings of an object's parts and ranges that have no effect because other
+/// settings switch them off. See ProcessSettings::UnmetNeedsOf.
 std::vector<std::string> NeedsOfObject(const SceneObject& object, const JobRows& settings);
 
 }  // namespace slicefarm::config::fdm

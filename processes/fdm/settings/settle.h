@@ -16,8 +16,8 @@ size_t ToolOf(std::span<const Setting> given);
 /// head, halos of fields. Errors: errors of Resolve about settings that contradict each other.
 absl::Status Settle(const Settling& settling);
 
-/// Adds the settings that the G-code of each layer refers to, and no other settings. Other settings
-/// must not affect the identity of a layer. Errors: errors of the job's G-code; REQUEST_TOO_LARGE.
+/// Adds the settings that the G-code of each layer refers to, and no other settings. Layers thus do
+/// not depend on other settings. Errors: errors of the job's G-code; REQUEST_TOO_LARGE.
 absl::Status TakeGcode(const Draft& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

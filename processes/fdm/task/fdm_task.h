@@ -28,10 +28,11 @@ struct FdmTask {
   TaskLabel Label() const { return LabelOf(range); }
 };
 
+/// Result of an FDM task.
 struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
-  /// layer by layer, summed over all copies; for the order within a layer see AddUse
+  /// Layer by layer, summed over all copies; for the order within a layer see AddUse.
   std::vector<FillUse> fills;
   StageTimes times;
 

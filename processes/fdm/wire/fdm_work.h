@@ -22,6 +22,8 @@ struct FdmWork {
 /// Converts a task to its message. Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to
 /// the field.
 absl::Status ToProto(const FdmWork& work, v1::FdmWork* proto);
+/// Converts a message to a task. Errors: REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to
+/// the field.
 absl::StatusOr<FdmWork> FromProto(const v1::FdmWork& proto);
 
 absl::Status ToProto(const FdmShared& job, v1::FdmShared* proto);

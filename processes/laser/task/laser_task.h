@@ -25,6 +25,7 @@ struct LaserTask {
   TaskLabel Label() const { return LabelOf(range); }
 };
 
+/// Result of a laser task.
 struct LaserResult {
   std::vector<ExposedProgram> programs;
   StageTimes times;

@@ -19,6 +19,7 @@ struct PlacingInput {
   SlicingOptions options;
 };
 
+/// Inputs for placing the parts and the stock.
 struct PartsAndStock {
   PlacingInput parts;
   std::optional<PlacingInput> stock;  ///< none: the stock is a box
@@ -32,6 +33,7 @@ absl::StatusOr<PartsAndStock> TakeStock(PlacingInput job, std::string_view stock
 /// Centres the stock on the parts, unless the job gives the stock a position.
 void PutAround(const PlacedScene& parts, PlacingInput& stock);
 
+/// Meshes of a milling job, with reports and warnings.
 struct MillScene {
   MillInput input;
   std::vector<MeshReport> meshes;     ///< reports in program coordinates

@@ -6,8 +6,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Maximum weight of a task: the work lost with a failed worker, about a hundred levels of
-/// roughing.
+/// Maximum weight of a task: about a hundred levels of roughing. It limits the work that is lost
+/// with a failed worker.
 constexpr int64_t kMostWeight = 400;
 /// Minimum weight of a task. Below it, the overhead of a call exceeds the benefit.
 constexpr int64_t kLeastWeight = 16;

@@ -36,15 +36,17 @@ std::vector<SettingSpec> TableSettings() {
   for (SettingSpec& spec : all) {
     if (spec.key == "bed_shape") {
       spec.standard = "0x0,1000x0,1000x1000,0x1000";
-      spec.doc = "Outline of the table, on which parts are arranged: corners XxY, by commas";
+      spec.doc =
+          "Outline of the table on which parts are arranged: corners XxY, separated by commas";
     }
     if (spec.key == "max_print_height") {
       spec.standard = "0";
-      spec.doc = "Height of parts that the machine can mill; 0: no limit";
+      spec.doc = "Largest height of parts that the machine can mill; 0: no limit";
     }
     if (spec.key == "duplicate_distance") {
       spec.standard = "20";
-      spec.doc = "Distance between copies that are arranged: room for the cutter";
+      spec.doc =
+          "Distance between copies that are arranged automatically; the cutter needs this room";
     }
   }
   return all;

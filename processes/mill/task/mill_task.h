@@ -26,6 +26,7 @@ struct MillTask {
   TaskLabel Label() const;
 };
 
+/// Result of a milling task.
 struct MillResult {
   std::vector<MilledStep> steps;
   StageTimes times;

@@ -9,6 +9,8 @@ namespace slicefarm {
 
 /// Converts a task without its input. Errors: REQUEST_MALFORMED with the path to the field.
 absl::Status ToProto(const MillTask& task, v1::MillWork* proto);
+/// Converts a message to a task without its input. Errors: REQUEST_MALFORMED with the path to the
+/// field.
 absl::StatusOr<MillTask> FromProto(const v1::MillWork& proto);
 
 namespace v1 {

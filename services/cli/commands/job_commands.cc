@@ -25,7 +25,7 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr int kPageSize = 100;
-constexpr size_t kCancelledAtOnce = 1000;  // the most that a call takes
+constexpr size_t kCancelledAtOnce = 1000;  // maximum of one call
 
 struct JobCommandOptions {
   ServerOptions server;

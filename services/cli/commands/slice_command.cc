@@ -209,7 +209,7 @@ ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
 void AddSlice(CLI::App& app, CommandContext& context) {
   CLI::App* command =
       app.add_subcommand("slice", "Make G-code of models or of a project, in this process");
-  const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
+  const auto options = std::make_shared<SliceOptions>();  // owned by the callback
   AddJobOptions(*command, options->job);
   command
       ->add_option("-o,--output", options->output,

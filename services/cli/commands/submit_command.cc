@@ -191,7 +191,7 @@ absl::Status CheckMade(const SubmitOptions& options, const std::vector<v1::Job>&
   std::vector<Setting> settings = SettingsFromProto(job->spec().project_settings());
   std::ranges::move(SettingsFromProto(job->spec().settings()), std::back_inserter(settings));
   const auto resolved = config::Resolve(settings, options.job.process);
-  if (!resolved.ok()) return absl::OkStatus();  // the farm says what is wrong with them
+  if (!resolved.ok()) return absl::OkStatus();  // the farm reports the error
   return CheckFormat(options.output, options.job.process, resolved->effective_text);
 }
 

@@ -84,7 +84,7 @@ std::string Advice(const absl::Status& status) {
     case Reason::kUnavailable:
       return "is the coordinator running there? `slicefarm health HOST:PORT` asks it";
     case Reason::kDeadlineExceeded:
-      return detail.metadata.contains("field")  // of a job, not of a call
+      return detail.metadata.contains("field")  // deadline of a job, not of a call
                  ? "submit the job again with a later --deadline, or with a higher --priority"
                  : "the server is too busy, or the network too slow: try again";
     case Reason::kOverloaded:

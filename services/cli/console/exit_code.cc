@@ -6,7 +6,8 @@ namespace slicefarm::cli {
 
 ExitCode ExitCodeOf(const absl::Status& status) {
   if (status.ok()) return ExitCode::kOk;
-  if (absl::IsUnimplemented(status)) return ExitCode::kServerUnavailable;  // it is another service
+  // A different service listens there.
+  if (absl::IsUnimplemented(status)) return ExitCode::kServerUnavailable;
   switch (DetailOf(status).reason) {
     case Reason::kSettingUnknown:
     case Reason::kSettingMalformed:
@@ -41,7 +42,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
       return ExitCode::kRefusedNow;
     case Reason::kStoreFailed:
       return absl::IsUnavailable(status) ? ExitCode::kServerUnavailable : ExitCode::kJobFailed;
-    case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but it is the server's
+    case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but the data are on the server
     case Reason::kRangePoisoned:
     case Reason::kJobPoisoned:
     case Reason::kDiskFull:

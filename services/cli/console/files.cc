@@ -20,7 +20,7 @@
 namespace slicefarm::cli {
 namespace {
 
-constexpr mode_t kMode = 0666;  // less the umask
+constexpr mode_t kMode = 0666;  // without the bits of the umask
 
 struct Descriptor {
   explicit Descriptor(int n) : number(n) {}
@@ -122,7 +122,8 @@ absl::StatusOr<std::string> ReadWhole(int descriptor, const std::string& name, i
   if (regular && info.st_size > max_bytes) return TooLarge(name, max_bytes, info.st_size);
 
   constexpr size_t kBlock = 1 << 20;
-  std::string bytes(regular ? info.st_size + 1 : kBlock, '\0');  // + 1: room to see the end
+  // + 1 to detect the end of the file.
+  std::string bytes(regular ? info.st_size + 1 : kBlock, '\0');
   size_t size = 0;
   for (;;) {
     if (size == bytes.size()) bytes.resize(size + kBlock);

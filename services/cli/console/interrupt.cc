@@ -37,7 +37,7 @@ sigset_t Signals() {
 
 Interrupt::Interrupt() {
   const sigset_t signals = Signals();
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // all threads to come inherit it
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // later threads inherit the mask
   thread_ = std::thread([this] { Wait(); });
 }
 

@@ -13,7 +13,8 @@ namespace slicefarm::cli {
 
 std::string NameOf(const std::string& path) {
   if (path == "-") return "stdin";
-  const std::string_view file = std::string_view(path).substr(path.rfind('/') + 1);  // npos + 1: 0
+  // Npos + 1 is 0.
+  const std::string_view file = std::string_view(path).substr(path.rfind('/') + 1);
   return ReplaceControls(ToUtf8(file, limits::kMaxNameBytes), '?');
 }
 

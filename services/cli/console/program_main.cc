@@ -27,7 +27,7 @@ ExitCode Parse(CLI::App& app, int argc, char** argv) {
 
 ExitCode Run(const ProgramInfo& program, std::span<const AddCommand> commands, int argc,
              char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error of writing
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a write error instead
   Interrupt interrupt;
   CommandContext context = {.interrupt = &interrupt, .run = {}};
   CLI::App app(program.description, program.name);
@@ -51,7 +51,7 @@ int RunProgram(const ProgramInfo& program, std::span<const AddCommand> commands,
                char** argv) {
   try {
     return static_cast<int>(Run(program, commands, argc, argv));
-  } catch (const std::exception& error) {  // memory ran out, most likely
+  } catch (const std::exception& error) {  // most likely out of memory
     fmt::print(stderr, "error: {}\n", error.what());
     return static_cast<int>(ExitCode::kInternal);
   }

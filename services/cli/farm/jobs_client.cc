@@ -23,14 +23,14 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kUnaryDeadline{20'000};
-constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goes on after it
+constexpr milliseconds kTransferDeadline{600'000};  // a new call continues the transfer
 /// Deadline of one watch. A watch that was open continues after it, even without any event.
 constexpr milliseconds kWatchDeadline{3'600'000};
 constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
 
-/// Returns true if the same call may succeed later.
+/// Returns true if the call may succeed later: the server does not answer, or requests a retry.
 bool OutOfReach(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) ||
          DetailOf(status).reason == Reason::kOverloaded ||
@@ -152,7 +152,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
   const std::string sha256 = Sha256Hex(bytes);
   v1::GetUploadRequest request;
   request.set_sha256(sha256);
-  int64_t had = -1;  // what the server had at the attempt before
+  int64_t had = -1;  // bytes on the server at the previous attempt
   const absl::Status status = Persist([&]() -> absl::Status {
     v1::Upload upload;
     const absl::Status got =
@@ -190,7 +190,7 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
   chunk.set_sha256(sha256);
   chunk.set_size(static_cast<int64_t>(bytes.size()));
   chunk.set_write_offset(offset);
-  do {  // at least once: the first message says what is sent
+  do {  // at least once: the first message has the digest and size
     const std::string_view piece = bytes.substr(offset, limits::kUploadChunkBytes);
     chunk.set_data(piece.data(), piece.size());
     if (alive) {
@@ -211,7 +211,7 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
   writer->Finish(&status, nullptr);
   call.Await();
   if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
-    // If another client sent the same mesh, the server has more bytes than expected.
+    // Another client may have sent bytes of the same mesh meanwhile.
     if (DetailOf(outcome).reason != Reason::kUploadOffset) return outcome;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      std::string(outcome.message()));
@@ -341,7 +341,7 @@ absl::StatusOr<v1::ListMeshesResponse> JobsClient::ListMeshes(
                                       [&](auto... a) { return meshes_->AsyncListMeshes(a...); });
 }
 
-/// Deletes a mesh. An attempt without an answer may have deleted it already.
+/// Deletes a mesh. An attempt without an answer may have deleted it, so NotFound may follow.
 absl::StatusOr<bool> JobsClient::DeleteMesh(const std::string& sha256) {
   v1::DeleteMeshRequest request;
   request.set_sha256(sha256);

@@ -11,7 +11,7 @@ constexpr std::chrono::system_clock::time_point kNow{std::chrono::seconds(1'000)
 struct QueueTextCase {
   std::string name;
   int position;
-  double end_s;  // after now; 0: not known
+  double end_s;  // seconds from now; 0: not known
   std::string queue, end;
 };
 

@@ -33,7 +33,7 @@ class WatchBar {
   ProgressBar bar_;
   bool queued_ = false;
   std::condition_variable_any changed_;
-  std::jthread thread_;  // the last member
+  std::jthread thread_;  // last member, because it uses the members above
 };
 
 }  // namespace slicefarm::cli

@@ -62,7 +62,7 @@ TEST_F(FieldFiles, ThePicturesTopIsTheGreatestY) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   image.width = 2, image.height = 2, image.format = PNG_FORMAT_GRAY;
-  const std::vector<uint8_t> grey = {255, 0, 0, 0};  // white at the top left
+  const std::vector<uint8_t> grey = {255, 0, 0, 0};  // white pixel at the top left
   ASSERT_NE(png_image_write_to_file(&image, (folder_.path() + "/p.png").c_str(), 0, grey.data(), 0,
                                     nullptr),
             0);

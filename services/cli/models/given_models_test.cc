@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 std::string TempFile(const std::string& name, const std::string& text) {
   const std::string path = testing::TempDir() + "/given_models_" + name;
-  std::ofstream(path) << text;  // WriteFile does not replace what a test before has read
+  std::ofstream(path) << text;  // WriteFile does not replace a file that the program has read
   return path;
 }
 
@@ -228,7 +228,7 @@ TEST(ReadModels, AllPlatesAreAPlateEach) {
 }
 
 TEST(PutOnBeds, CopiesTakeAsManyPlatesAsNeeded) {
-  JobOptions options = WithProject(threemf::CubeFiles());  // of 10 mm
+  JobOptions options = WithProject(threemf::CubeFiles());  // cube of 10 mm
   options.plates = true;
   options.copies = {"given_models_plate.3mf=20"};
   const std::vector<Setting> bed = {{"bed_shape", "0x0,50x0,50x50,0x50"}};

@@ -121,7 +121,7 @@ std::optional<std::vector<double>> NumbersOf(std::string_view text) {
 /// Processes one `$$NAME/numbers` of the ASCII geometry.
 absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKeeper& keeper) {
   const size_t header = name == "POLYLINE" ? 3 : name == "HATCHES" ? 2 : 0;
-  if (name != "LAYER" && header == 0) return absl::OkStatus();  // labels and the like
+  if (name != "LAYER" && header == 0) return absl::OkStatus();  // ignores labels and other commands
   const auto numbers = NumbersOf(values);
   if (!numbers || numbers->size() < std::max<size_t>(header, 1))
     return NotCli(fmt::format("$${} has no numbers", name));

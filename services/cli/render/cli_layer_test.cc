@@ -54,7 +54,7 @@ TEST(ReadCliLayer, LabelsTellSpeedAndEnergy) {
   EXPECT_EQ(layer->beads[0].speed_mm_s, 400);
   EXPECT_DOUBLE_EQ(layer->beads[0].energy_j_mm, 0.25);
   EXPECT_DOUBLE_EQ(layer->beads[1].energy_j_mm, 0.5);
-  EXPECT_EQ(layer->beads[2].energy_j_mm, 0);  // no label
+  EXPECT_EQ(layer->beads[2].energy_j_mm, 0);  // the hatch has no label
 }
 
 TEST(ReadCliLayer, LabelsOfSlicefarmTellKindsApart) {

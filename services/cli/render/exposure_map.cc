@@ -57,7 +57,7 @@ ExposureMap MapExposure(const GcodeLayer& layer, const Layout& layout) {
   const bool known = std::all_of(layer.beads.begin(), layer.beads.end(),
                                  [](const BeadRun& run) { return run.energy_j_mm > 0; });
   if (known) map.unit = "J/mm2";
-  std::map<double, std::vector<const BeadRun*>> runs;  // by what a pass gives
+  std::map<double, std::vector<const BeadRun*>> runs;  // runs by the dose of one pass
   for (const BeadRun& run : layer.beads)
     runs[known ? run.energy_j_mm / run.width_mm : 1].push_back(&run);
   map.values.resize(static_cast<size_t>(layout.part_width_px) *

@@ -19,7 +19,7 @@ namespace {
 constexpr double kDefaultFilamentMm = 1.75;
 constexpr double kSecondsPerMinute = 60;
 constexpr double kArcChordMm = 0.2;
-constexpr double kDefaultWidthMm = 0.4;  // until the first ;WIDTH:
+constexpr double kDefaultWidthMm = 0.4;  // used until the first ;WIDTH:
 /// Largest coordinate, so that sums and extents of any number of moves are finite.
 constexpr double kFarthestMm = 1e9;
 

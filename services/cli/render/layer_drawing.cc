@@ -17,10 +17,10 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr int kLegendPx = 250;
-constexpr int kMinHeightPx = 420;  // so that the legend fits
+constexpr int kMinHeightPx = 420;  // minimum for the legend
 constexpr double kMarginMm = 2;
-constexpr double kRim = 0.6;    // how dark the rim of a bead is, against its middle
-constexpr double kCore = 0.86;  // how much of a bead's width the middle takes
+constexpr double kRim = 0.6;    // brightness of a bead's rim relative to its middle
+constexpr double kCore = 0.86;  // share of a bead's width without the rims
 
 constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
     {"External perimeter", {1.00, 0.49, 0.22}},

@@ -37,8 +37,8 @@ struct TenantQueue {
 /// Open jobs of a farm at one time.
 struct QueueSnapshot {
   std::vector<HeldPlace> held = {};  ///< held jobs in the order of their begin
-  std::set<std::string> held_work =
-      {};  ///< action digests of the held work for which other jobs wait
+  /// Action digests of the held work for which other jobs wait.
+  std::set<std::string> held_work = {};
   std::vector<TenantQueue> tenants = {};  ///< tenants with waiting jobs, sorted by name
   std::vector<int64_t> runs_us = {};      ///< run times of the latest jobs
 

@@ -24,7 +24,7 @@ struct RemoteOptions {
   /// Number of outline points for which the deadline grows by another `deadline`.
   int64_t points_a_deadline = 15'000'000;
 
-  /// Returns the deadline of one try for work with so many outline points.
+  /// Returns the deadline of one try for work with `points` outline points.
   std::chrono::milliseconds DeadlineFor(int64_t points) const {
     const double times = 1 + static_cast<double>(points) / static_cast<double>(points_a_deadline);
     return std::chrono::duration_cast<std::chrono::milliseconds>(deadline * times);

@@ -202,7 +202,7 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
   Greet(member, absent ? kRetryDelay : options_.greet_every);
 }
 
-/// Makes the member a runner with so many slots. If its slots or processes changed, it leaves and
+/// Makes the member a runner with `slots` slots. If its slots or processes changed, it leaves and
 /// joins again; with 0 slots it only leaves.
 void WorkerPool::Seat(const MemberPtr& member, int slots, ProcessSet processes) {
   {

@@ -24,7 +24,7 @@ absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToke
       if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
       const absl::Status deleted = jobs.Delete(id);
       if (absl::IsUnavailable(deleted)) return deleted;
-      // deleted by another coordinator
+      // Deleted by another coordinator.
       const bool gone = deleted.ok() || absl::IsNotFound(deleted);
       if (!gone) first_error.Update(deleted);
       more = more || gone;

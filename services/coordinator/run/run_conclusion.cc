@@ -14,8 +14,8 @@ constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
 
-/// Returns true if the required services are away. For some time, other services may run at their
-/// addresses and refuse this coordinator.
+/// Returns true if the required services are unreachable. For some time, other services may run at
+/// their addresses and refuse this coordinator.
 bool IsAway(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
          absl::IsUnauthenticated(status);
@@ -67,10 +67,10 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunW
     update.claimable_from_us = now_us + PauseUs(job.store_failures);
     update.store_failed = true;
   } else if (DetailOf(error).reason == Reason::kOverloaded) {
-    // at its next claim, the job waits for memory again
+    // At its next claim, the job waits for memory again.
     update.claimable_from_us = now_us + kNoRoomPauseUs;
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
-    // an upgrade takes some time and then ends
+    // An upgrade takes some time and then ends.
     update.claimable_from_us = now_us + kUpgradePauseUs;
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && !lost_runs.condemned()) {
     update.claimable_from_us = now_us + lost_runs.rest_us();

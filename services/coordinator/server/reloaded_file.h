@@ -80,7 +80,7 @@ class ReloadedFile {
   const rpc::JsonLog log_;
   prometheus::Gauge& usable_;
   mutable std::mutex mutex_;
-  // shared, because running calls continue with the old content
+  // Shared, because running calls continue with the old content.
   std::shared_ptr<const Content> content_;
   std::optional<rpc::FileWatch> watch_;  ///< last member, because its thread uses the other members
 };

@@ -11,6 +11,7 @@ template <typename Store>
 class StorePlace {
  public:
   virtual ~StorePlace() = default;
+  /// Opens the store.
   virtual std::unique_ptr<Store> Open() = 0;
 };
 

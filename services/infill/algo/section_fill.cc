@@ -1,7 +1,5 @@
 #include "services/infill/algo/section_fill.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -12,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
@@ -20,6 +17,7 @@
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/axis/middle_lines.h"
 #include "services/infill/algo/fields/mean_density.h"
+#include "services/infill/algo/infill_check.h"
 #include "services/infill/algo/ironing.h"
 #include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/quality/fill_plastic.h"
@@ -38,37 +36,6 @@ namespace {
 /// Distance between the edges of the round threads of thick bridges, in nm. Threads sag, and would
 /// otherwise touch.
 constexpr double kThreadGapNm = 50'000;
-
-/// Checks that the lines of all widths have a positive spacing. Otherwise their number would be
-/// infinite.
-absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
-  if (view.on_bed) {
-    return CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
-                        view.height_nm);
-  }
-  absl::Status status =
-      CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
-  status.Update(CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
-  if (options.density > 0 || !options.density_field.empty()) {
-    status.Update(CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
-  }
-  return status;
-}
-
-const absl::StatusOr<FlowTable>& FlowTableOf(const InfillOptions& options) {
-  return options.small_area_flow_table.Once(
-      [](const std::string& text) { return ParseFlowTable(text); });
-}
-
-absl::Status CheckFlows(const InfillOptions& options) {
-  if (!options.small_area_flow) return absl::OkStatus();
-  const auto& table = FlowTableOf(options);
-  if (table.ok()) return absl::OkStatus();
-  constexpr const char* kSetting = "small_area_infill_flow_compensation_model";
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("{}: {}", kSetting, std::string(table.status().message())),
-                   {{"setting", kSetting}});
-}
 
 /// Returns the plan of a region's sparse infill, or null if there is none.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
@@ -89,13 +56,6 @@ void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& 
   if (share == 1 && from_nm == to_nm) return;
   for (Path& path : paths)
     for (Coord& width : path.widths_nm) width = WidthFor(share, width, from_nm, to_nm);
-}
-
-/// Returns the table of the plastic of short lines of solid infill. If it is empty, all lines have
-/// all their plastic. REQUIRES: CheckFlows.
-FlowTable FlowsOf(const InfillOptions& options) {
-  if (!options.small_area_flow) return {};
-  return *FlowTableOf(options);
 }
 
 /// Groups of paths that fill areas, and the reports of their plastic.
@@ -123,7 +83,7 @@ class RegionFill {
   /// Fills an area. `bare`: the area has no walls. `field`: the fields of the layer; null if there
   /// are none.
   absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field,
-                    Fills& fills) const {
+                    Fills& fills) {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
     Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
@@ -134,12 +94,10 @@ class RegionFill {
                                 .over_bridges = options_.over_bridges});
     SparseBridges over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_) && !skins.solid.empty() &&
-        SkinsBegin(field) &&
-        MayHoldBridges(skins.solid, SparsePitchNm(options_, view_.height_nm),
-                       Width(options_.solid_width_nm))) {
-      const auto under = SparseUnder(fill_area.area, {view_, options_, plan_, row_});
-      if (!under.ok()) return under.status();
-      over_sparse = TakeSparseBridges(*under, Width(options_.solid_width_nm), skins);
+        SkinsBegin(field)) {
+      auto bridges = BridgesOverSparse(fill_area.area, skins);
+      if (!bridges.ok()) return bridges.status();
+      over_sparse = *std::move(bridges);
     }
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
@@ -303,8 +261,24 @@ class RegionFill {
     return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
   }
 
-  /// Adds threads from line to line of the sparse infill below. They are thick even without
-  /// thick_bridges: they are not visible, and must not tear.
+  /// Takes the parts of the skins that need bridges between the lines of the sparse infill below.
+  absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area, Skins& skins) {
+    const Coord width_nm = Width(options_.solid_width_nm);
+    const MultiPolygon middles =
+        BridgeMiddles(skins.solid, SparsePitchNm(options_, view_.height_nm), width_nm);
+    if (middles.empty()) return SparseBridges{};
+    if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
+    SparseBelow below = under_->Within(fill_area, middles);
+    MultiPolygon unheld = UnheldParts(below, width_nm, skins);
+    if (unheld.empty()) return SparseBridges{};
+    auto beads = under_->BeadsIn(below);
+    if (!beads.ok()) return beads.status();
+    below.beads = *std::move(beads);
+    return TakeSparseBridges(std::move(unheld), below, width_nm, skins);
+  }
+
+  /// Appends threads between the lines of the sparse infill below. They are thick for every value
+  /// of thick_bridges: they are invisible from outside and must not tear.
   absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
     const BridgeBead bead = ThreadBead();
     for (const PolygonWithHoles& region : bridges.regions) {
@@ -436,6 +410,7 @@ class RegionFill {
   const Cover cover_;
   const FillLineAngles angles_;
   const FlowTable flows_;
+  std::optional<SparseUnder> under_;  ///< made when first needed
 };
 
 /// Sets settings, tool and feature of each path and each use.

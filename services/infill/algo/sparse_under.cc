@@ -37,23 +37,13 @@ MultiPolygon BeadsOf(const std::vector<Piece>& pieces, Coord width_nm) {
   return lines.empty() ? MultiPolygon{} : OffsetLines(lines, width_nm / 2, Cap::kButt);
 }
 
-/// Computes the lines of the sparse infill of a layer.
-absl::Status LayOut(const SectionView& layer, const RegionView& region, SparseBelow& sparse) {
-  const InfillOptions& options = region.options;
-  const FillPattern pattern = region.plan == nullptr ? options.pattern : region.plan->pattern;
-  sparse.pitch_nm = SparsePitchNm(options, layer.height_nm);
-  if (!HasLaw(pattern, region)) return absl::OkStatus();
-  const FillLineAngles angles = AnglesOf(options, layer.layer);
-  const auto pieces =
-      PatternOf(pattern)(sparse.region, {.z_nm = layer.z_nm,
-                                         .layer = angles.sparse_planned ? 0 : layer.layer,
-                                         .pitch_nm = sparse.pitch_nm,
-                                         .angle_rad = angles.sparse_rad,
-                                         .spacing_nm = Spacing(options.sparse_width_nm, layer.height_nm),
-                                         .smoothing_nm = options.smoothing_nm});
-  if (!pieces.ok()) return pieces.status();
-  sparse.beads = BeadsOf(*pieces, options.sparse_width_nm);
-  return absl::OkStatus();
+SectionView Below(SectionView view) {
+  --view.layer;
+  if (const ObjectSection* section = view.stacks.Find(view.stack.id, view.layer); section != nullptr) {
+    view.z_nm = section->z_nm - section->height_nm / 2;
+    view.height_nm = section->height_nm;
+  }
+  return view;
 }
 
 }  // namespace
@@ -63,28 +53,48 @@ double SparsePitchNm(const InfillOptions& options, Coord height_nm) {
   return options.density > 0 ? spacing / options.density : kVoidPitchBeads * spacing;
 }
 
-absl::StatusOr<SparseBelow> SparseUnder(const MultiPolygon& fill_area, const RegionView& region) {
-  SectionView below = region.section;
-  --below.layer;
-  const ObjectSection* section = below.stacks.Find(below.stack.id, below.layer);
-  const MultiPolygon* outline = below.OutlineAt(below.layer, region.row);
+SparseUnder::SparseUnder(const RegionView& region)
+    : region_(region), below_(Below(region.section)), outline_(below_.OutlineAt(below_.layer, region.row)) {
+  if (outline_ == nullptr) return;
+  const MultiPolygon* above = below_.OutlineAt(region.section.layer, region.row);
+  same_outline_ = above != nullptr && *above == *outline_;
+  cover_ = CoverOf(below_, region.options, region.row);
+}
+
+const MultiPolygon& SparseUnder::WithinWalls() {
+  if (!within_walls_) within_walls_ = FastOffset(*outline_, -region_.options.walls_nm);
+  return *within_walls_;
+}
+
+SparseBelow SparseUnder::Within(const MultiPolygon& fill_area, const MultiPolygon& wanted) {
   SparseBelow sparse;
-  if (section == nullptr || outline == nullptr) return sparse;
-  below.z_nm = section->z_nm - section->height_nm / 2;
-  below.height_nm = section->height_nm;
-  const InfillOptions& options = region.options;
-  sparse.region = PartFillArea(fill_area, *outline, CoverOf(below, options, region.row),
-                               {.width_nm = options.solid_width_nm,
-                                .solid_below_area_mm2 = options.solid_below_area_mm2,
-                                .all_solid = IsSolidLayer(options, below.layer),
-                                .shells = options.shells})
-                      .sparse;
-  const MultiPolygon* above = below.OutlineAt(region.section.layer, region.row);
-  if (above == nullptr || *above != *outline)
-    sparse.region = Intersection(sparse.region, FastOffset(*outline, -options.walls_nm));
-  if (sparse.region.empty()) return sparse;
-  if (absl::Status ok = LayOut(below, region, sparse); !ok.ok()) return ok;
+  if (outline_ == nullptr) return sparse;
+  const InfillOptions& options = region_.options;
+  sparse.pitch_nm = SparsePitchNm(options, below_.height_nm);
+  sparse.region = SparsePart(fill_area, *outline_, cover_,
+                             {.width_nm = options.solid_width_nm,
+                              .solid_below_area_mm2 = options.solid_below_area_mm2,
+                              .all_solid = IsSolidLayer(options, below_.layer),
+                              .shells = options.shells},
+                             wanted);
+  if (!sparse.region.empty() && !same_outline_) sparse.region = Intersection(sparse.region, WithinWalls());
   return sparse;
+}
+
+absl::StatusOr<MultiPolygon> SparseUnder::BeadsIn(const SparseBelow& sparse) const {
+  const InfillOptions& options = region_.options;
+  const FillPattern pattern = region_.plan == nullptr ? options.pattern : region_.plan->pattern;
+  if (!HasLaw(pattern, region_)) return MultiPolygon{};
+  const FillLineAngles angles = AnglesOf(options, below_.layer);
+  const auto pieces =
+      PatternOf(pattern)(sparse.region, {.z_nm = below_.z_nm,
+                                         .layer = angles.sparse_planned ? 0 : below_.layer,
+                                         .pitch_nm = sparse.pitch_nm,
+                                         .angle_rad = angles.sparse_rad,
+                                         .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
+                                         .smoothing_nm = options.smoothing_nm});
+  if (!pieces.ok()) return pieces.status();
+  return BeadsOf(*pieces, options.sparse_width_nm);
 }
 
 }  // namespace slicefarm::infill

@@ -22,10 +22,32 @@ struct RegionView {
 /// infill, returns the value that skins above it use.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
-/// Returns the sparse infill of the layer below within `fill_area`: the area where the outlines
-/// give no skins and no walls there, and its lines if their positions follow from a formula.
-/// REQUIRES: BridgesSparse. Errors: as MakePattern. Cost: the cost of PartFillArea, and of the
-/// pattern.
-absl::StatusOr<SparseBelow> SparseUnder(const MultiPolygon& fill_area, const RegionView& region);
+/// Sparse infill of the layer below a region, for the skins of all fill areas of the region. Not
+/// thread-safe.
+class SparseUnder {
+ public:
+  /// REQUIRES: BridgesSparse. Cost: a comparison of some outlines.
+  explicit SparseUnder(const RegionView& region);
+
+  /// Returns the sparse infill of the layer below within `fill_area`, without its lines: the area
+  /// without skins and walls, as computed from outlines. Returns nothing if it does not meet
+  /// `wanted`. Cost: that of SparsePart, and one offset of the layer for the first fill area.
+  SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
+
+  /// Returns the areas of the beads of sparse infill, for patterns whose lines follow from a
+  /// formula. Errors: those of MakePattern. Cost: that of the pattern, and a union of the lines.
+  absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
+
+ private:
+  /// Returns the area inside the walls of the layer below.
+  const MultiPolygon& WithinWalls();
+
+  RegionView region_;
+  SectionView below_;
+  const MultiPolygon* outline_ = nullptr;  ///< outline of the layer below; null: no layer below
+  bool same_outline_ = false;  ///< true if the layer below and this layer have the same outline
+  Cover cover_;
+  std::optional<MultiPolygon> within_walls_;
+};
 
 }  // namespace slicefarm::infill

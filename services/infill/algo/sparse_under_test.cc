@@ -29,8 +29,9 @@ std::vector<SlicedLayer> Layers(const std::vector<std::string_view>& outlines) {
   return layers;
 }
 
-/// Returns the sparse infill under layer 4 of these layers, in a fill area of 18 x 18 mm.
-SparseBelow UnderOrDie(const std::vector<std::string_view>& outlines, InfillOptions options) {
+/// Under layer 4 of such layers, in a fill area of 18 x 18 mm.
+SparseBelow UnderOrDie(const std::vector<std::string_view>& outlines, InfillOptions options,
+                       std::string_view wanted = {}) {
   options.top_solid_layers = 2;
   options.bottom_solid_layers = 1;
   options.walls_nm = 1'000'000;
@@ -39,10 +40,13 @@ SparseBelow UnderOrDie(const std::vector<std::string_view>& outlines, InfillOpti
   const MultiPolygon nothing;
   const SectionView view{
       .stack = 0, .layer = 4, .height_nm = 200'000, .stacks = stacks, .carried = nothing};
-  const auto under =
-      SparseUnder(MakePolygonsOrDie("(1 1, 19 1, 19 19, 1 19)"), {.section = view, .options = options});
-  EXPECT_TRUE(under.ok()) << under.status();
-  return *under;
+  const MultiPolygon fill_area = MakePolygonsOrDie("(1 1, 19 1, 19 19, 1 19)");
+  SparseUnder under({.section = view, .options = options});
+  SparseBelow sparse = under.Within(fill_area, wanted.empty() ? fill_area : MakePolygonsOrDie(wanted));
+  auto beads = under.BeadsIn(sparse);
+  EXPECT_TRUE(beads.ok()) << beads.status();
+  sparse.beads = *std::move(beads);
+  return sparse;
 }
 
 double Mm2(const MultiPolygon& region) { return Area(region) / 1e12; }
@@ -67,6 +71,16 @@ TEST(SparseUnder, NotOverTheWallsOfASmallerLayer) {
   const std::vector<std::string_view> wider = {kSquare, kSquare, kSquare, "(0 0, 10 0, 10 20, 0 20)",
                                                kSquare, kSquare};
   EXPECT_NEAR(Bounds(UnderOrDie(wider, {}).region).max.x / 1e6, 9, 1e-6);
+}
+
+TEST(SparseUnder, NothingWhereWhatIsWantedIsSolid) {
+  // The layer above layer 4 is missing at x > 10: layer 3 is solid there, and the skin's anchor beyond.
+  const std::vector<std::string_view> step = {kSquare, kSquare, kSquare, kSquare, "(0 0, 10 0, 10 20, 0 20)",
+                                              kSquare};
+  EXPECT_TRUE(UnderOrDie(step, {}, "(12 5, 15 5, 15 15, 12 15)").region.empty());
+  const SparseBelow whole = UnderOrDie(step, {});
+  EXPECT_GT(Mm2(whole.region), 18 * 7);
+  EXPECT_EQ(UnderOrDie(step, {}, "(2 5, 5 5, 5 15, 2 15)").region, whole.region);
 }
 
 TEST(SparseUnder, LinesThatFollowNoLawAreNotKnown) {

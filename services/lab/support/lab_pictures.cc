@@ -13,7 +13,7 @@ using planning::SupportRole;
 constexpr double kLongerSidePx = 1200;
 constexpr double kEdgeMm = 3;
 
-/// A picture of a box of the plane; mm, y upwards.
+/// A picture of a rectangle of the plane; in mm, y upwards.
 class LabCanvas {
  public:
   LabCanvas(double left, double bottom, double right, double top)

@@ -8,12 +8,13 @@
 
 namespace slicefarm::lab {
 
-/// PNG of one layer of support, with the part's layer that shares most height with it in grey.
-/// Errors: Internal if the picture cannot be made.
+/// Returns a PNG of one support layer. The part's layer that overlaps it most in height is drawn in
+/// grey. Errors: Internal if the picture cannot be made.
 absl::StatusOr<std::string> DrawSupportLayer(const planning::SupportProblem& problem,
                                              const planning::SupportPlan& plan, size_t layer);
 
-/// PNG of all, seen from the front (or from the right): supports in front of the part.
+/// Returns a PNG of the whole model, seen from the front or from the right. Supports are drawn in
+/// front of the part.
 absl::StatusOr<std::string> DrawSupportView(const planning::SupportProblem& problem,
                                             const planning::SupportPlan& plan, bool from_right);
 

@@ -19,7 +19,7 @@ using planning::SupportRole;
 
 constexpr double kFilamentMm2 = 1.75 * 1.75 * std::numbers::pi / 4;
 
-/// Beads of one height after the other.
+/// Writes beads, layer height by layer height.
 class Writer {
  public:
   void Height(Coord top_nm, Coord height_nm) {
@@ -62,7 +62,7 @@ class Writer {
   Point at_;
 };
 
-/// Level or upright lines inside of the region, `pitch_nm` apart.
+/// Writes horizontal or vertical lines inside the region, `pitch_nm` apart.
 void Hatch(const MultiPolygon& region, Coord pitch_nm, double width_mm, bool upright,
            Writer& writer) {
   std::map<Coord, std::vector<Coord>> crossings;
@@ -88,7 +88,7 @@ void Hatch(const MultiPolygon& region, Coord pitch_nm, double width_mm, bool upr
   }
 }
 
-/// Loops from the outside in, as many as asked for; what they leave.
+/// Writes `count` loops from the outside in. Returns the remaining region.
 MultiPolygon Loops(MultiPolygon region, int count, Coord width_nm, Writer& writer) {
   for (int i = 0; i < count; ++i) {
     writer.Loops(FastOffset(region, -width_nm / 2), ToMm(static_cast<double>(width_nm)));
@@ -109,7 +109,7 @@ void Support(const planning::SupportLayer& layer, const LabBeads& beads, Writer&
     const int loops = region.role == SupportRole::kThickBranch ? 2 : 1;
     const MultiPolygon rest = Loops(region.outlines, loops, beads.support_width_nm, writer);
     if (interface || layer.first)
-      Hatch(rest, beads.support_width_nm, width_mm, true, writer);  // across the base's lines
+      Hatch(rest, beads.support_width_nm, width_mm, true, writer);  // across the lines of the base
     else if (!branch)
       Hatch(rest, beads.support_width_nm + beads.spacing_nm, width_mm, false, writer);
   }

@@ -8,17 +8,17 @@
 
 namespace slicefarm::lab {
 
-/// How supports are laid in a lab program.
+/// Bead widths and spacing of supports in a lab program.
 struct LabBeads {
   Coord part_width_nm = 450'000;
   Coord support_width_nm = 350'000;
-  Coord spacing_nm = 2'500'000;  ///< free between lines of the base
+  Coord spacing_nm = 2'500'000;  ///< gap between lines of the base
 };
 
-/// G-code that judges read, of the part's outer walls and all of its supports: a loop around each
-/// region (two of thick branches), dense lines in interfaces, and on the bed, spaced ones in bases,
-/// none in branches. Not for printing: there is nothing in the part, and no travel is planned.
-/// Cost: O(length of all beads).
+/// Returns G-code for judges of supports, with the part's outer walls and all of its supports. Each
+/// region has a loop around it (thick branches have two). Interfaces and the first layer have dense
+/// lines, bases have spaced lines, and branches have none. The program is not for printing: the
+/// part is empty inside, and travel is not planned. Cost: O(length of all beads).
 std::string LabProgram(const planning::SupportProblem& problem, const planning::SupportPlan& plan,
                        const LabBeads& beads);
 

@@ -97,7 +97,7 @@ TEST(CheckLayer, NamesTheLayer) {
       [](auto& l) { l.visits[1].corners = {{0, INT64_MIN + 1}}; },
       [](auto& l) { l.visits[0].pass = 2; },
       [](auto& l) { l.visits[0].pass = -1; },
-      [](auto& l) { l.begins_ready = true; },  // its block has two visits
+      [](auto& l) { l.begins_ready = true; },  // not allowed: the block has two visits
       [](auto& l) { l.ends_ready = true; },
       [](auto& l) {
         l.blocks[0].leave = {{INT64_MAX, 0}, {}};

@@ -62,7 +62,7 @@ class LocalMotion : public MotionStage {
           ProgramLayer(layer, job->facts, running, code, materials ? &*materials : nullptr);
       if (!passes.ok()) return passes.status();
       std::ranges::move(*passes, std::back_inserter(programs));
-      layer.blocks = {};  // a range may be long: its paths make room for its text
+      layer.blocks = {};  // frees memory: a long range also needs memory for its text
     }
     return programs;
   }

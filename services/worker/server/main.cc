@@ -19,7 +19,7 @@
 
 namespace {
 
-/// The runners of the processes that are named; of all if none is.
+/// Returns the runners of the processes in `names`; of all processes if `names` is empty.
 slicefarm::ProcessRunners RunnersOf(const std::vector<std::string>& names,
                                     const slicefarm::Stages& stages) {
   std::vector<std::shared_ptr<const slicefarm::TaskRunner>> runners;

@@ -10,8 +10,9 @@
 
 namespace slicefarm::worker {
 
-/// Translates slicefarm.v1.Worker to a TaskRunner and back. The gate's slots are the worker's.
-/// `shared`: what the jobs' tasks have in common. All three must outlive the service.
+/// Returns the service slicefarm.v1.Worker, which translates calls to a TaskRunner. The gate's
+/// slots are the worker's slots. `shared`: values that the tasks of a job share. The runner, the
+/// gate and `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate,
                                                  SharedCache& shared);
 

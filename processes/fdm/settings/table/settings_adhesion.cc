@@ -13,8 +13,8 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = limits::kMaxSkirtLoops,
        .standard = "0",
-       .doc = "Loops around all that is printed, to start the flow; 0: none (PrusaSlicer's own "
-              "standard is 1)",
+       .doc = "Number of skirt loops around all objects, which start the flow; 0: no skirt. The "
+              "default of PrusaSlicer is 1",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::loops>(),
        .orca = {{"skirt_loops"}}},
       {.key = "skirt_distance",
@@ -22,7 +22,7 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1000,
        .standard = "6",
-       .doc = "From what is printed, brims included, to the skirt",
+       .doc = "Distance between the skirt and the objects with their brims",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::distance_nm>(),
        .orca = {{"skirt_distance"}}},
       {.key = "skirt_height",
@@ -31,7 +31,7 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = limits::kMaxLayers,
        .standard = "1",
-       .doc = "On how many layers there is a skirt",
+       .doc = "Number of layers with a skirt",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::height_layers>(),
        .orca = {{"skirt_height"}}},
       {.key = "min_skirt_length",
@@ -39,15 +39,15 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1e6,
        .standard = "0",
-       .doc = "Filament that the skirt takes on the first layer at least: loops are added until it "
-              "does",
+       .doc = "Least length of filament that the skirt uses on the first layer; loops are added "
+              "until it is reached",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::min_length_nm>(),
        .orca = {{"min_skirt_length"}}},
       {.key = "draft_shield",
        .kind = Kind::kChoice,
        .standard = "disabled",
-       .doc = "Skirt as a wall against draft, skirt_distance from the parts: brims give way to it; "
-              "limited: as high as skirt_height, enabled: on all layers",
+       .doc = "Skirt that shields the part from draft, at skirt_distance from the part; it takes "
+              "precedence over brims. limited: as high as skirt_height. enabled: on all layers",
        .choices = {{"disabled", shield(DraftShield::kDisabled)},
                    {"limited", shield(DraftShield::kLimited)},
                    {"enabled", shield(DraftShield::kEnabled)},
@@ -78,9 +78,9 @@ std::vector<SettingSpec> Brim() {
       {.key = "brim_type",
        .kind = Kind::kChoice,
        .standard = "outer_only",
-       .doc = "Where there is a brim: around the object, in its holes, both, as discs at sharp "
-              "corners (brim_ears), or around the object and as wide as its shape and material "
-              "need it (auto_brim)",
+       .doc = "Place of the brim. outer_only: around the object. inner_only: in its holes. "
+              "outer_and_inner: both. brim_ears: discs at sharp corners. auto_brim: around the "
+              "object, as wide as its shape and material need",
        .choices = {{"no_brim", type(BrimType::kNone)},
                    {"outer_only", type(BrimType::kOuterOnly)},
                    {"inner_only", type(BrimType::kInnerOnly)},
@@ -96,7 +96,7 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 200,
        .standard = "0",
-       .doc = "Width of the brim, or the radius of its ears; 0: none. A raft has none",
+       .doc = "Width of the brim, or radius of brim ears; 0: no brim. Objects on a raft have none",
        .field = Bind<&ObjectRow::brim, &BrimOptions::width_nm>(),
        .orca = {{"brim_width"}}},
       {.key = "brim_separation",
@@ -104,7 +104,7 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "From the object to its brim",
+       .doc = "Gap between an object and its brim",
        .field = Bind<&ObjectRow::brim, &BrimOptions::separation_nm>(),
        .orca = {{"brim_object_gap"}}},
       {.key = "brim_ears_max_angle",
@@ -112,7 +112,7 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 180,
        .standard = "125",
-       .doc = "Corners sharper than this get an ear (OrcaSlicer's setting)",
+       .doc = "Inner angle below which a corner gets a brim ear (OrcaSlicer's setting)",
        .field = Bind<Scale::kDegrees, &ObjectRow::brim, &BrimOptions::ear_max_angle_rad>(),
        .orca = {{"brim_ears_max_angle"}}},
       {.key = "brim_ears_detection_length",
@@ -120,7 +120,8 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 100,
        .standard = "1",
-       .doc = "Corners are looked for in outlines simplified to this (OrcaSlicer's setting)",
+       .doc = "Tolerance by which an outline is simplified before its corners are searched for "
+              "brim ears; larger: fewer ears (OrcaSlicer's setting)",
        .field = Bind<&ObjectRow::brim, &BrimOptions::ear_detection_nm>(),
        .orca = {{"brim_ears_detection_length"}}},
   };
@@ -133,7 +134,7 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = limits::kMaxRaftLayers,
        .standard = "0",
-       .doc = "Layers of a raft under the object; 0: none",
+       .doc = "Number of raft layers below the object; 0: no raft",
        .field = Bind<&ObjectRow::raft, &RaftOptions::heights, &RaftHeights::layers>(),
        .orca = {{"raft_layers"}}},
       {.key = "raft_contact_distance",
@@ -141,7 +142,7 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 5,
        .standard = "0.1",
-       .doc = "From the raft's top to the object",
+       .doc = "Vertical gap between raft and object",
        .field = Bind<&ObjectRow::raft, &RaftOptions::heights, &RaftHeights::contact_distance_nm>(),
        .orca = {{"raft_contact_distance"}}},
       {.key = "raft_expansion",
@@ -149,7 +150,7 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 100,
        .standard = "1.5",
-       .doc = "How far the raft's top stands out from the object",
+       .doc = "Distance by which the top of the raft extends beyond the object",
        .field = Bind<&ObjectRow::raft, &RaftOptions::expansion_nm>(),
        .orca = {{"raft_expansion"}}},
       {.key = "raft_first_layer_expansion",
@@ -157,9 +158,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 100,
        .standard = "3",
-       .doc =
-           "How much farther the raft's first layer stands out; without a raft, how far the first "
-           "layer of organic supports reaches beyond their feet",
+       .doc = "Distance by which the first raft layer extends beyond the rest of the raft; without "
+              "a raft, beyond the feet of organic supports",
        .field = Bind<&ObjectRow::raft, &RaftOptions::first_layer_expansion_nm>(),
        .orca = {{"raft_first_layer_expansion", OrcaValue::kOrAuto}}},
       {.key = "raft_first_layer_density",
@@ -168,7 +168,7 @@ std::vector<SettingSpec> Raft() {
        .min = 10,
        .max = 100,
        .standard = "90%",
-       .doc = "Density of the raft's first layer",
+       .doc = "Density of the first raft layer",
        .field = Bind<Scale::kPercent, &ObjectRow::raft, &RaftOptions::lines,
                      &RaftLines::first_layer_density>(),
        .orca = {{"raft_first_layer_density", OrcaValue::kPercent}}},
@@ -178,8 +178,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 20,
        .standard = "0",
-       .doc = "Width of the lines of supports, and of a raft above its first layer; 0: "
-              "extrusion_width",
+       .doc =
+           "Extrusion width of supports, and of a raft above its first layer; 0: extrusion_width",
        .relative_to = "layer_height",
        .field = Bind<&ObjectRow::raft, &RaftOptions::lines, &RaftLines::width_nm>(),
        .also = Bind<&ObjectRow::support, &SupportOptions::width_nm>(),
@@ -189,7 +189,7 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 100,
        .standard = "2.5",
-       .doc = "Free room between the lines of supports and of a raft's base",
+       .doc = "Gap between lines of supports and of the raft base; larger: less material",
        .field = Bind<&ObjectRow::raft, &RaftOptions::lines, &RaftLines::spacing_nm>(),
        .also = Bind<&ObjectRow::support, &SupportOptions::spacing_nm>(),
        .orca = {{"support_base_pattern_spacing"}}},
@@ -198,8 +198,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 359,
        .standard = "0",
-       .doc = "Direction of the lines of supports and of a raft's base; those of interfaces run "
-              "across",
+       .doc = "Direction of the lines of supports and of the raft base, from the x axis; interface "
+              "lines run across them",
        .field =
            Bind<Scale::kDegrees, &ObjectRow::raft, &RaftOptions::lines, &RaftLines::angle_rad>(),
        .also = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::angle_rad>(),

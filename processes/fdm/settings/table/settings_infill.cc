@@ -35,13 +35,14 @@ std::vector<SettingSpec> IroningSettings() {
       {.key = "ironing",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Smooths surfaces by going over them once more with little plastic",
+       .doc = "Smooth surfaces with a second pass of the hot nozzle at low flow",
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::enabled>(),
        .orca = {{"ironing_type", OrcaValue::kChoice}}},
       {.key = "ironing_type",
        .kind = Kind::kChoice,
        .standard = "top",
-       .doc = "What is ironed: all top surfaces, those of the last layer, or all solid infill",
+       .doc = "Ironed surfaces. top: all top surfaces. topmost: the last layer. solid: all solid "
+              "infill",
        .choices = {{"top", static_cast<int>(IroningType::kTop)},
                    {"topmost", static_cast<int>(IroningType::kTopmost)},
                    {"solid", static_cast<int>(IroningType::kSolid)}},
@@ -53,7 +54,7 @@ std::vector<SettingSpec> IroningSettings() {
        .min = 0,
        .max = 100,
        .standard = "15%",
-       .doc = "Plastic of ironing, of what would fill the layer",
+       .doc = "Flow of ironing relative to the flow that would fill the layer",
        .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::ironing,
                      &IroningOptions::flow>(),
        .orca = {{"ironing_flow", OrcaValue::kPercent}}},
@@ -62,7 +63,7 @@ std::vector<SettingSpec> IroningSettings() {
        .min = 0.01,
        .max = 10,
        .standard = "0.1",
-       .doc = "Distance of the lines of ironing",
+       .doc = "Distance between ironing lines",
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::spacing_nm>(),
        .orca = {{"ironing_spacing"}}},
   };
@@ -121,32 +122,33 @@ SettingSpec MinThickness(std::string_view key, std::string_view doc) {
 std::vector<SettingSpec> InfillSettings() {
   std::vector<SettingSpec> settings = {
       Orca({"top_shell_layers"},
-           SolidLayers("top_solid_layers", "Number of solid layers under a top surface",
+           SolidLayers("top_solid_layers", "Number of solid layers below a top surface",
                        LayersField<&InfillOptions::top_solid_layers, &InfillOptions::top_spare>())),
       Orca({"bottom_shell_layers"},
            SolidLayers(
-               "bottom_solid_layers", "Number of solid layers over a bottom surface",
+               "bottom_solid_layers", "Number of solid layers above a bottom surface",
                LayersField<&InfillOptions::bottom_solid_layers, &InfillOptions::bottom_spare>())),
       Orca({"top_shell_thickness"},
            MinThickness("top_solid_min_thickness",
-                        "Makes top_solid_layers more until they are this thick; not if it is 0")),
-      Orca(
-          {"bottom_shell_thickness"},
-          MinThickness("bottom_solid_min_thickness",
-                       "Makes bottom_solid_layers more until they are this thick; not if it is 0")),
+                        "Smallest thickness of the top shell: solid layers are added to "
+                        "top_solid_layers until it is reached; 0: none are added")),
+      Orca({"bottom_shell_thickness"},
+           MinThickness("bottom_solid_min_thickness",
+                        "Smallest thickness of the bottom shell: solid layers are added to "
+                        "bottom_solid_layers until it is reached; 0: none are added")),
       {.key = "fill_density",
        .kind = Kind::kPercent,
        .unit = "%",
        .min = 0,
        .max = 100,
        .standard = "20%",
-       .doc = "How much of the inside is filled; 100%: solid",
+       .doc = "Density of the sparse infill; 100%: solid",
        .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::density>(),
        .orca = {{"sparse_infill_density", OrcaValue::kPercent}}},
       {.key = "fill_pattern",
        .kind = Kind::kChoice,
        .standard = "grid",
-       .doc = "Pattern of the sparse infill; auto: by density, the part's thickness and "
+       .doc = "Pattern of the sparse infill; auto: chosen by density, thickness of the part and "
               "infill_goal",
        .choices = SparsePatterns(),
        .field = Convert<RegionRow>(
@@ -156,16 +158,15 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "infill_goal",
        .kind = Kind::kChoice,
        .standard = "strength",
-       .doc = "What the pattern that fill_pattern = auto chooses is to be good for",
+       .doc = "Property that fill_pattern = auto optimises",
        .choices = {{"strength", static_cast<int>(FillGoal::kStrength)},
                    {"time", static_cast<int>(FillGoal::kTime)},
                    {"flexibility", static_cast<int>(FillGoal::kFlexibility)}},
        .field = Bind<&RegionRow::infill, &InfillOptions::goal>()},
       Orca({"internal_solid_infill_pattern", OrcaValue::kChoice},
-           SolidFill(
-               "solid_fill_pattern", "rectilinear",
-               "Pattern of the solid infill inside a part, where the order of lines is not seen",
-               Bind<&RegionRow::infill, &InfillOptions::solid_pattern>())),
+           SolidFill("solid_fill_pattern", "rectilinear",
+                     "Pattern of solid infill inside the part, which is not visible",
+                     Bind<&RegionRow::infill, &InfillOptions::solid_pattern>())),
       Orca({"top_surface_pattern", OrcaValue::kChoice},
            SolidFill("top_fill_pattern", "monotonic", "Pattern of top surfaces",
                      Bind<&RegionRow::infill, &InfillOptions::top_pattern>())),
@@ -177,26 +178,29 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 360,
        .standard = "45",
-       .doc = "Direction of the infill's lines; solid layers turn by a right angle each",
+       .doc = "Direction of infill lines, from the x axis; solid infill turns by 90 degrees from "
+              "layer to layer",
        .field = Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::angle_rad>(),
        .orca = {{"infill_direction"}}},
       Orca({"sparse_infill_rotate_template"},
            AnglesByLayer(
                "fill_angle_template",
-               "Direction of the sparse infill's lines by layer, in place of fill_angle: 0,90 "
-               "or 45#2,0 for angles, +30 for turns from layer to layer",
+               "Directions of sparse infill lines by layer, instead of fill_angle: 0,90 or 45#2,0 "
+               "for angles, +30 for a turn from layer to layer; empty: fill_angle",
                Bind<&RegionRow::infill, &InfillOptions::angle_template>())),
       Orca({"solid_infill_rotate_template"},
-           AnglesByLayer("solid_fill_angle_template",
-                         "The same for solid infill; bridges have their own direction",
-                         Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>())),
+           AnglesByLayer(
+               "solid_fill_angle_template",
+               "Directions of solid infill lines by layer, instead of fill_angle, written like "
+               "fill_angle_template; bridges keep their own direction. Empty: fill_angle",
+               Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>())),
       {.key = "infill_overlap",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
        .min = 0,
        .max = 5,
        .standard = "25%",
-       .doc = "How far the infill's lines reach into the walls",
+       .doc = "Overlap of infill lines with the walls",
        .relative_to = "perimeter_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::overlap_nm>(),
        .orca = {{"infill_wall_overlap", OrcaValue::kPercent}}},
@@ -206,8 +210,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1000,
        .standard = "600%",
-       .doc = "How far a line of sparse infill that is not linked to another one turns along the "
-              "wall; 0: not at all",
+       .doc = "Length along the wall by which a sparse infill line without a connection to another "
+              "one is extended; 0: none",
        .relative_to = "infill_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::anchor_nm>(),
        .orca = {{"infill_anchor"}}},
@@ -217,8 +221,9 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1000,
        .standard = "50",
-       .doc = "Longest link along the wall between two lines of sparse infill; 0: none. Links are "
-              "thinner than lines, so that the density stays what fill_density asks for",
+       .doc =
+           "Longest connection along the wall between two sparse infill lines; 0: no connections. "
+           "Connections are thinner than infill lines, so that the density remains fill_density",
        .relative_to = "infill_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::anchor_max_nm>(),
        .orca = {{"infill_anchor_max"}}},
@@ -227,29 +232,30 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 10,
        .standard = "0",
-       .doc = "Rounds the lines of fill_pattern = medialaxis: what is shorter than some six times "
-              "this is smoothed away; 0: not at all",
+       .doc = "Smoothing of the lines of fill_pattern = medialaxis: details shorter than about six "
+              "times this length disappear; 0: none",
        .field = Bind<&RegionRow::infill, &InfillOptions::smoothing_nm>()},
       {.key = "solid_infill_every_layers",
        .kind = Kind::kInteger,
        .min = 0,
        .max = 1000000,
        .standard = "0",
-       .doc = "Each layer whose number is a multiple of this becomes solid; 0: none",
+       .doc = "Interval of layers with only solid infill, such as every 10th layer; 0: none",
        .field = Bind<&RegionRow::infill, &InfillOptions::solid_every_layers>()},
       {.key = "bridge_angle",
        .unit = "degrees",
        .min = 0,
        .max = 360,
        .standard = "0",
-       .doc = "Direction of bridges' lines; 0: for each bridge the one in which it is borne best",
+       .doc = "Direction of bridge lines, from the x axis; 0: the best supported direction of each "
+              "bridge",
        .field = Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::bridge_angle_rad>(),
        .orca = {{"bridge_angle"}}},
       {.key = "bridge_flow_ratio",
        .min = 0.1,
        .max = 2,
        .standard = "1",
-       .doc = "Plastic of bridges' lines, of what lines of their width and layer have",
+       .doc = "Flow of bridge lines relative to normal lines; 1: the same",
        .field = Bind<&RegionRow::infill, &InfillOptions::bridge_flow>(),
        .also = Bind<&RegionRow::motion, &RegionSpeeds::bridge_flow>(),
        .orca = {{"bridge_flow"}}},
@@ -263,16 +269,16 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "thick_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Prints bridges as round threads as wide as the nozzle, which span more and hang "
-              "lower than their layer",
+       .doc = "Print bridges as round threads as wide as the nozzle, which span more and sag below "
+              "their layer; 0: as lines of the layer's height",
        .field = Bind<&RegionRow::infill, &InfillOptions::thick_bridges>(),
        .also = Bind<&RegionRow::motion, &RegionSpeeds::thick_bridges>(),
        .orca = {{"thick_bridges"}}},
       {.key = "automatic_infill_combination",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Takes for infill_every_layers as many layers as "
-              "automatic_infill_combination_max_layer_height allows",
+       .doc = "Set infill_every_layers to the number of layers that fit into "
+              "automatic_infill_combination_max_layer_height",
        .own_scope = Scope::kRegion,
        .orca = {{"infill_combination"}}},
       {.key = "automatic_infill_combination_max_layer_height",
@@ -281,8 +287,7 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 10,
        .standard = "100%",
-       .doc = "Highest bead that automatic_infill_combination makes; never higher than the "
-              "nozzle is wide",
+       .doc = "Largest height of combined infill; the nozzle diameter limits it as well",
        .relative_to = "nozzle_diameter",
        .own_scope = Scope::kRegion},
       {.key = "infill_every_layers",
@@ -290,42 +295,42 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 1,
        .max = 100,
        .standard = "1",
-       .doc = "Prints the sparse infill of that many layers at once, where all of them have it, "
-              "as far as the nozzle's diameter allows",
+       .doc = "Number of layers that share one sparse infill, printed as a thicker line in the "
+              "topmost of them; the nozzle diameter limits its height. 1: every layer has its own",
        .field = Bind<&RegionRow::infill, &InfillOptions::every_layers>()},
       {.key = "interface_shells",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Gives a region with settings of its own solid layers also where it lies on or under "
-              "another one",
+       .doc = "Print solid layers also where a region with its own settings borders on another one "
+              "above or below",
        .field = Bind<&RegionRow::infill, &InfillOptions::interface_shells>(),
        .own_scope = Scope::kObject,
        .orca = {{"interface_shells"}}},
       {.key = "small_area_infill_flow_compensation",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Gives short lines of solid infill less plastic, by "
-              "small_area_infill_flow_compensation_model",
+       .doc = "Reduce the flow of short solid infill lines as "
+              "small_area_infill_flow_compensation_model says",
        .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow>(),
        .orca = {{"small_area_infill_flow_compensation"}}},
       {.key = "small_area_infill_flow_compensation_model",
        .kind = Kind::kFlowTable,
        .standard = kSmallAreaFlowTable,
-       .doc = "Which part of its plastic a line of solid infill gets by its length, from turn to "
-              "turn; in proportion between these lengths",
+       .doc = "Flow factor of a solid infill line by its length between two turns: "
+              "LENGTH,FACTOR;..., lengths in mm, interpolated between them",
        .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow_table>(),
        .orca = {{"small_area_infill_flow_compensation_model", OrcaValue::kPairs}}},
       {.key = "infill_only_where_needed",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Leaves out sparse infill that has no top surface above it",
+       .doc = "Print sparse infill only where it supports a top surface above",
        .field = Bind<&RegionRow::infill, &InfillOptions::only_where_needed>()},
       {.key = "ensure_vertical_shell_thickness",
        .kind = Kind::kChoice,
        .standard = "enabled",
-       .doc = "Solid infill behind the walls of slopes: of all; partial: of gentle ones, where it "
-              "is three lines wide at least; or of none. 0 and 1 are older names of partial and "
-              "enabled",
+       .doc = "Solid infill behind walls of slopes, where the wall alone is too thin. enabled: "
+              "everywhere. partial: where this infill is at least three lines wide, as on gentle "
+              "slopes. disabled: none. 0 and 1 are older names of partial and enabled",
        .choices = {{"disabled", static_cast<int>(ShellThickness::kDisabled)},
                    {"partial", static_cast<int>(ShellThickness::kPartial)},
                    {"enabled", static_cast<int>(ShellThickness::kEnabled)},
@@ -336,8 +341,8 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "extra_perimeters_on_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Fills overhangs that bridges cannot span from what bears them outwards, each line "
-              "beside the one before",
+       .doc = "Fill overhangs that no bridge can span with lines side by side, starting from the "
+              "supported edge",
        .field = Bind<&RegionRow::infill, &InfillOptions::overhang_lines>(),
        .orca = {{"extra_perimeters_on_overhangs"}}},
       {.key = "solid_infill_below_area",
@@ -345,25 +350,25 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1e6,
        .standard = "70",
-       .doc = "Regions of sparse infill smaller than this become solid",
+       .doc = "Area below which a region of sparse infill becomes solid",
        .field = Bind<&RegionRow::infill, &InfillOptions::solid_below_area_mm2>(),
        .orca = {{"minimum_sparse_infill_area"}}},
       {.key = "density_field",
        .kind = Kind::kDensityField,
        .standard = "",
-       .doc = "How dense the sparse infill is, by place; fill_density then has no effect",
+       .doc = "Density of the sparse infill by position; replaces fill_density. Empty: "
+              "fill_density everywhere",
        .field = Bind<&RegionRow::infill, &InfillOptions::density_field>()},
       {.key = "stress_field",
        .kind = Kind::kStressField,
        .standard = "",
-       .doc =
-           "Stresses whose principal directions the lines of the sparse infill follow, in place of "
-           "fill_pattern",
+       .doc = "Stresses in the part by position; the lines of the sparse infill follow their "
+              "principal directions instead of fill_pattern. Empty: fill_pattern",
        .field = Bind<&RegionRow::infill, &InfillOptions::stress_field>()},
       {.key = "infill_first",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Prints the infill before the walls",
+       .doc = "Print infill before walls",
        .field = Bind<&MachineRow::order, &JobOrder::infill_first>(),
        .orca = {{"is_infill_first"}}},
   };

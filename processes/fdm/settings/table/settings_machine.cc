@@ -29,7 +29,7 @@ std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
             Bind<&MachineRow::motion, &MachineMotion::limits,
                  &MachineLimits::max_acceleration_mm_s2, kAxis>()),
       Limit(keys[2], "mm/s", 0, 100'000, standards[2],
-            "Jump of speed that this axis allows at corners (Marlin's classic jerk)",
+            "Largest instantaneous change of speed of this axis at corners (Marlin's classic jerk)",
             Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s,
                  kAxis>()),
   };
@@ -39,53 +39,57 @@ std::vector<SettingSpec> WholeMachineLimits() {
   return {
       Orca({"machine_max_acceleration_extruding"},
            Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
-                 "Acceleration limit while extruding; 0: none",
+                 "Acceleration limit while extruding; 0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::max_acceleration_extruding_mm_s2>())),
       Orca({"machine_max_acceleration_retracting"},
            Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
-                 "Acceleration limit of retractions; 0: none",
+                 "Acceleration limit of retractions; 0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::max_acceleration_retracting_mm_s2>())),
       Orca({"machine_max_acceleration_travel"},
            Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
-                 "Acceleration limit of travel; 0: none",
+                 "Acceleration limit of travels; 0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::max_acceleration_travel_mm_s2>())),
       Orca({"machine_max_junction_deviation"},
            Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
-                 "Marlin's junction deviation; 0: the firmware uses classic jerk",
+                 "Junction deviation of Marlin; larger: faster through corners. 0: the firmware "
+                 "uses classic jerk",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::junction_deviation_mm>())),
-      Limit("square_corner_velocity", "mm/s", 0, 1000, "5", "Klipper's speed through right angles",
+      Limit("square_corner_velocity", "mm/s", 0, 1000, "5",
+            "Speed at a corner of 90 degrees (Klipper's square_corner_velocity)",
             Bind<&MachineRow::motion, &MachineMotion::limits,
                  &MachineLimits::square_corner_velocity_mm_s>()),
       Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
-            "Klipper's least share of a short move at its top speed",
+            "Smallest share of a short move that runs at constant speed (Klipper's "
+            "minimum_cruise_ratio); larger: lower top speed on short moves",
             Bind<&MachineRow::motion, &MachineMotion::limits,
                  &MachineLimits::minimum_cruise_ratio>()),
-      Orca({"machine_min_extruding_rate"},
-           Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0", "No bead is slower",
-                 Bind<&MachineRow::motion, &MachineMotion::limits,
-                      &MachineLimits::min_extruding_rate_mm_s>())),
+      Orca({"machine_min_extruding_rate"}, Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0",
+                                                 "Lowest speed of moves with extrusion",
+                                                 Bind<&MachineRow::motion, &MachineMotion::limits,
+                                                      &MachineLimits::min_extruding_rate_mm_s>())),
       Orca({"machine_min_travel_rate"},
-           Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "No travel is slower",
+           Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "Lowest speed of travels",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::min_travel_rate_mm_s>())),
       Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
-            "How fast acceleration may change on machines that follow the host's own planner",
+            "Largest change of acceleration per second, for machines that follow this program's "
+            "own motion planner",
             Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::jerk_mm_s3>()),
       {.key = "silent_mode",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc =
-           "The machine has a silent mode (Marlin): the second values of its limits say how long "
-           "the print takes in it"},
+       .doc = "Estimate the time in the silent mode of a Marlin machine too, from the second value "
+              "of each of its limits"},
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
-       .doc = "Whether the limits are written to the G-code too, or only reckoned with; "
-              "ignore: all of them are those of no setting",
+       .doc = "Use of the machine_max_ and machine_min_ limits. emit_to_gcode: for the estimated "
+              "time and written into the G-code. time_estimate_only: for the estimated time. "
+              "ignore: the defaults are used in place of the given limits",
        .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
        .field = Convert<MachineRow>(
            [](MachineRow& row, const Value& value) {
@@ -105,7 +109,7 @@ std::vector<SettingSpec> Machine() {
       {.key = "gcode_flavor",
        .kind = Kind::kChoice,
        .standard = "marlin2",
-       .doc = "The firmware that the G-code is for",
+       .doc = "Firmware for which the G-code is written",
        .choices = {{"marlin2", flavor(GcodeFlavor::kMarlin2)},
                    {"marlin", flavor(GcodeFlavor::kMarlinLegacy)},
                    {"klipper", flavor(GcodeFlavor::kKlipper)},
@@ -127,7 +131,8 @@ std::vector<SettingSpec> Machine() {
       {.key = "material_field",
        .kind = Kind::kMaterialField,
        .standard = "",
-       .doc = "Shares of the materials that a mixing extruder takes in, by place on the plate",
+       .doc = "Mixing ratio of the materials of a mixing extruder, by position on the plate; "
+              "empty: no mixing",
        .field = Bind<&MachineRow::motion, &MachineMotion::material_field>()},
       {.key = "nozzle_diameter",
        .unit = "mm",
@@ -144,47 +149,50 @@ std::vector<SettingSpec> Machine() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "How fast the nozzle heats up, for times; 0: waiting for it counts as no time",
+       .doc = "Heating rate of the nozzle, for the estimated time; 0: waiting for the nozzle "
+              "counts as no time",
        .field = Bind<&MachineRow::motion, &MachineMotion::nozzle_heating_c_s>()},
       {.key = "bed_heating_rate",
        .unit = "C/s",
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "How fast the bed heats up, for times; 0: waiting for it counts as no time",
+       .doc = "Heating rate of the bed, for the estimated time; 0: waiting for the bed counts as "
+              "no time",
        .field = Bind<&MachineRow::motion, &MachineMotion::bed_heating_c_s>()},
       {.key = "autoemit_temperature_commands",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, "
-              "M141, "
-              "M191)",
+       .doc =
+           "Add the heating commands that start_gcode lacks (M104, M109, M140, M190, M141, M191)",
        .field = Bind<&MachineRow::motion, &MachineMotion::emit_temperatures>()},
       {.key = "z_offset",
        .unit = "mm",
        .min = -100,
        .max = 100,
        .standard = "0",
-       .doc = "Added to all heights in the G-code",
+       .doc = "Offset added to every z coordinate in the G-code",
        .field = Bind<&MachineRow::motion, &MachineMotion::z_offset_mm>(),
        .orca = {{"z_offset"}}},
       {.key = "extruder_offset",
        .kind = Kind::kPoint,
        .unit = "mm",
        .standard = "0x0",
-       .doc = "Where the nozzle is in the head: all places in the G-code lie so much farther back",
+       .doc = "Position of the nozzle relative to the head; the G-code's coordinates are shifted "
+              "back by it",
        .list = List::kPerExtruder,
        .field = Bind<&ToolRow::offset>(),
        .orca = {{"extruder_offset"}}},
       {.key = "remaining_times",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Tells the printer before each layer how much is done (M73)",
+       .doc = "Report progress and remaining time to the printer before each layer (M73)",
        .field = Bind<&MachineRow::motion, &MachineMotion::progress>()},
       {.key = "gcode_label_objects",
        .kind = Kind::kChoice,
        .standard = "disabled",
-       .doc = "Whether the G-code says which copy it prints, so that a printer can give up one",
+       .doc = "Marks in the G-code that name the printed copy, so that the printer can skip a "
+              "failed one. octoprint: comments. firmware: EXCLUDE_OBJECT or M486 commands",
        .choices = {{"disabled", labels(ObjectLabels::kNone)},
                    {"octoprint", labels(ObjectLabels::kComments)},
                    {"firmware", labels(ObjectLabels::kFirmware)},
@@ -195,9 +203,8 @@ std::vector<SettingSpec> Machine() {
       {.key = "arc_fitting",
        .kind = Kind::kChoice,
        .standard = "disabled",
-       .doc =
-           "Writes curves as arcs (G2, G3) where they are within 0.025 mm; emit_center: by their "
-           "centres",
+       .doc = "Arcs (G2, G3) in place of chains of short moves that deviate from the arc by at "
+              "most 0.025 mm. emit_center: arcs are written with their centre (I, J)",
        .choices = {{"disabled", static_cast<int>(ArcFitting::kDisabled)},
                    {"emit_center", static_cast<int>(ArcFitting::kEmitCenter)}},
        .field = Bind<&MachineRow::motion, &MachineMotion::arc_fitting>(),
@@ -207,14 +214,13 @@ std::vector<SettingSpec> Machine() {
        .min = 0,
        .max = 1,
        .standard = "0.0125",
-       .doc =
-           "How far straight moves may deviate from the curves that they stand for; 0: all points "
-           "of paths are written",
+       .doc = "Largest deviation of the written moves from the planned paths; larger: fewer moves. "
+              "0: all points are written",
        .field = Bind<&MachineRow::motion, &MachineMotion::resolution_nm>(),
        .orca = {{"resolution"}}},
       {.key = "printer_model",
        .kind = Kind::kText,
-       .doc = "Name of the printer, for printer hosts",
+       .doc = "Name of the printer model, shown by printer hosts",
        .field = Bind<&MachineRow::motion, &MachineMotion::printer_model>(),
        .orca = {{"printer_model"}}},
   };
@@ -239,7 +245,7 @@ std::vector<SettingSpec> CustomGcode() {
                  Bind<&MachineRow::motion, &MachineMotion::end_gcode>())),
       {.key = "start_filament_gcode",
        .kind = Kind::kGcode,
-       .doc = "G-code of the filament, after start_gcode, when all is hot",
+       .doc = "G-code of the filament, after start_gcode and heating",
        .list = List::kPerExtruder,
        .field = Bind<&ToolRow::start_filament_gcode>(),
        .orca = {{"filament_start_gcode", OrcaValue::kGcode}}},
@@ -249,19 +255,18 @@ std::vector<SettingSpec> CustomGcode() {
        .list = List::kPerExtruder,
        .orca = {{"filament_end_gcode", OrcaValue::kGcode}}},
       Orca({"before_layer_change_gcode", OrcaValue::kGcode},
-           gcode("before_layer_gcode", "", "G-code before each layer's move up",
+           gcode("before_layer_gcode", "", "G-code before the move to the height of each layer",
                  Bind<&MachineRow::motion, &MachineMotion::before_layer_gcode>())),
       Orca({"layer_change_gcode", OrcaValue::kGcode},
-           gcode("layer_gcode", "", "G-code after each layer's move up",
+           gcode("layer_gcode", "", "G-code after the move to the height of each layer",
                  Bind<&MachineRow::motion, &MachineMotion::layer_gcode>())),
       {.key = "time_lapse_gcode",
        .kind = Kind::kGcode,
-       .doc =
-           "G-code that takes a picture, at each layer: before layer_gcode, on a machine of Bambu "
-           "Lab's after it",
+       .doc = "G-code that takes a time-lapse picture at each layer: before layer_gcode; with "
+              "gcode_flavor = bambu after it",
        .orca = {{"time_lapse_gcode", OrcaValue::kGcode}}},
       gcode("between_objects_gcode", "",
-            "G-code between objects that are printed one after the other, high above them",
+            "G-code between objects that are printed one after the other; runs high above them",
             Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()),
   };
 }
@@ -273,36 +278,35 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 255,
        .standard = "0",
-       .doc = "Which extruder prints it, and so whose nozzle and filament count: that item of each "
-              "list; 0: the first. All that is printed must have the same",
+       .doc = "Extruder that prints the job, counted from 1; its item in each list of nozzle and "
+              "filament settings applies. 0: the first one. All objects must use the same extruder",
        .own_scope = Scope::kRegion,
        .orca = {{"extruder"}}},
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
-       .doc =
-           "When the job was made, as 2026-11-25T10:37:01Z: timestamp, year, month, ... of G-code "
-           "templates. Counts only if they name it"},
+       .doc = "Creation time of the job, such as 2026-11-25T10:37:01Z, for timestamp, year, month, "
+              "... in custom G-code. It has an effect only if custom G-code uses it"},
       {.key = "complete_objects",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Prints one copy after the other, each as a whole",
+       .doc = "Print each object completely before the next one begins",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::complete_objects>(),
        .orca = {{"print_sequence", OrcaValue::kChoice}}},
       {.key = "objects_may_overlap",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Prints copies that share room through one another, and warns of it, instead of "
-              "refusing the job",
+       .doc =
+           "Print copies that overlap, with a warning; 0: a job with overlapping copies is refused",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::objects_may_overlap>()},
       {.key = "extruder_clearance_radius",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "20",
-       .doc = "Room that the head takes around the nozzle: copies that are printed one after the "
-              "other stand so far apart",
+       .doc = "Radius around the nozzle that the print head needs; with complete_objects, copies "
+              "keep this distance",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_radius_nm>(),
        .orca = {{"extruder_clearance_radius"}, {"extruder_clearance_max_radius"}}},
@@ -311,8 +315,8 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 1000,
        .standard = "20",
-       .doc = "Height of the gantry over the nozzle: of the copies that are printed one after the "
-              "other only the last may be taller",
+       .doc = "Height of the gantry above the nozzle tip; with complete_objects, only the last "
+              "copy may be higher",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_height_nm>(),
        .orca = {{"extruder_clearance_height_to_rod"}}},
@@ -327,10 +331,9 @@ std::vector<SettingSpec> Plate() {
        .kind = Kind::kAreas,
        .unit = "mm",
        .standard = "",
-       .doc =
-           "Areas of the bed that parts, skirts, brims and travel keep out of, such as that of a "
-           "cutter: corners XxY, by commas; each four that are a rectangle are one area, else "
-           "all corners are one polygon. G-code of the settings is not looked at",
+       .doc = "Areas of the bed that parts, skirts, brims and travels avoid, such as that of a "
+              "cutter: corners XxY, separated by commas. Each four corners that form a rectangle "
+              "are one area; otherwise all corners form one polygon. Custom G-code is not checked",
        .field = Bind<&JobSlicingOptions::excluded>(),
        .orca = {{"bed_exclude_area", OrcaValue::kPoints}}});
   for (SettingSpec& spec : settings) {
@@ -338,8 +341,8 @@ std::vector<SettingSpec> Plate() {
       spec.also = Bind<&MachineRow::motion, &MachineMotion::max_print_height_nm>();
     if (spec.key == "duplicate_distance")
       spec.doc =
-          "Distance between copies that are arranged; at least extruder_clearance_radius with "
-          "complete_objects";
+          "Distance between copies that are arranged automatically; with complete_objects, "
+          "extruder_clearance_radius if that is larger";
   }
   return settings;
 }

@@ -10,8 +10,9 @@ std::vector<SettingSpec> ScarfSettings() {
       {.key = "scarf_seam_placement",
        .kind = Kind::kChoice,
        .standard = "nowhere",
-       .doc = "Which loops get a scarf: they begin low and thin, rise to the layer's height, and "
-              "end over their own beginning; not on the first layer",
+       .doc = "Loops that get a scarf: they begin low and thin, rise to the layer height and end "
+              "on top of their own beginning (not in the first layer). contours: outer contours. "
+              "everywhere: holes too",
        .choices = {{"nowhere", placement(ScarfPlacement::kNowhere)},
                    {"contours", placement(ScarfPlacement::kContours)},
                    {"everywhere", placement(ScarfPlacement::kEverywhere)}},
@@ -20,7 +21,7 @@ std::vector<SettingSpec> ScarfSettings() {
       {.key = "scarf_seam_only_on_smooth",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "No scarf where the seam is at a corner, which hides it",
+       .doc = "Omit the scarf where the seam is at a corner, which hides it",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::only_on_smooth>(),
        .orca = {{"seam_slope_conditional"}}},
       {.key = "scarf_seam_start_height",
@@ -29,13 +30,13 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0,
        .max = 100,
        .standard = "0%",
-       .doc = "How high in its layer a scarf begins",
+       .doc = "Height at which a scarf begins, as a share of the layer height",
        .field = Bind<Scale::kPercent, &RegionRow::motion, &RegionSpeeds::scarf,
                      &ScarfOptions::start_height_ratio>()},
       {.key = "scarf_seam_entire_loop",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "The scarf is as long as the loop, whatever scarf_seam_length says",
+       .doc = "Extend the scarf over the whole loop; scarf_seam_length then has no effect",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::entire_loop>(),
        .orca = {{"seam_slope_entire_loop"}}},
       {.key = "scarf_seam_length",
@@ -43,7 +44,7 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0,
        .max = 1000,
        .standard = "20",
-       .doc = "Length of a scarf; no longer than the loop",
+       .doc = "Length of a scarf; at most the length of the loop",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::length_mm>(),
        .orca = {{"seam_slope_min_length"}}},
       {.key = "scarf_seam_max_segment_length",
@@ -51,12 +52,12 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0.15,
        .max = 100,
        .standard = "1",
-       .doc = "Longest piece of a scarf: within one the flow is constant",
+       .doc = "Longest segment of constant flow in a scarf; smaller: smoother",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::max_segment_mm>()},
       {.key = "scarf_seam_on_inner_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Inner walls get scarfs too",
+       .doc = "Print scarfs on inner walls too",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::scarf, &ScarfOptions::on_inner>(),
        .orca = {{"seam_slope_inner_walls"}}},
   };
@@ -70,8 +71,9 @@ std::vector<SettingSpec> SeamSettings() {
       {.key = "seam_position",
        .kind = Kind::kChoice,
        .standard = "aligned",
-       .doc = "Where loops start: in line up the object and at corners, near the nozzle, at the "
-              "back, anywhere, or in line where the least is seen of it",
+       .doc =
+           "Start of loops. aligned: in line up the object, at corners. nearest: near the nozzle. "
+           "rear: at the back. random: anywhere. hidden: in line where the seam is least visible",
        .choices = {{"aligned", seam(SeamPosition::kAligned)},
                    {"nearest", seam(SeamPosition::kNearest)},
                    {"rear", seam(SeamPosition::kRear)},
@@ -82,8 +84,8 @@ std::vector<SettingSpec> SeamSettings() {
       {.key = "staggered_inner_seams",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Each inner loop starts further along than the one outside of it, by as much as it "
-              "lies inside of the outermost",
+       .doc = "Shift the start of each inner loop along the wall, by the loop's distance from the "
+              "outermost loop",
        .field = Bind<&RegionRow::order, &WallOrder::stagger_seams>(),
        .orca = {{"staggered_inner_seams"}}},
   };
@@ -94,8 +96,8 @@ std::vector<SettingSpec> SeamSettings() {
                   .max = 10,
                   .standard = "0",
                   .doc =
-                      "How much of a loop stays open at its end, so that no blob lies on its "
-                      "beginning; scarfs close",
+                      "Gap left at the end of a loop, so that no blob forms where it meets its "
+                      "beginning; loops with a scarf have none",
                   .relative_to = "nozzle_diameter",
                   .field = Bind<&MachineRow::motion, &MachineMotion::seam_gap_mm>(),
                   .orca = {{"seam_gap"}}};
@@ -103,7 +105,9 @@ std::vector<SettingSpec> SeamSettings() {
   gap.key = "filament_seam_gap_distance";
   gap.list = List::kPerExtruder;
   gap.standard = kNotSet;
-  gap.doc = "The filament's own value of the setting without filament_; nil: none";
+  gap.doc =
+      "Value for this filament that replaces the setting of the same name without filament_; nil: "
+      "not replaced";
   gap.field = {};
   settings.push_back(gap);
   for (SettingSpec& scarf : ScarfSettings()) settings.push_back(std::move(scarf));

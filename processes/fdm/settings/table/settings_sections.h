@@ -22,16 +22,16 @@ struct RowOf<ToolRow> : MemberRow<&FdmRows::tool, Scope::kJob> {};
 namespace slicefarm::config::fdm {
 
 // Sections of the settings table, by topic.
-std::vector<SettingSpec> SlicingSettings();   ///< settings_slicing.cc
-std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc
-std::vector<SettingSpec> SeamSettings();      ///< settings_seams.cc
-std::vector<SettingSpec> InfillSettings();    ///< settings_infill.cc
-std::vector<SettingSpec> AdhesionSettings();  ///< settings_adhesion.cc
-std::vector<SettingSpec> SupportSettings();   ///< settings_supports.cc
-std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc
-std::vector<SettingSpec> FilamentSettings();  ///< settings_filament.cc
-std::vector<SettingSpec> MachineSettings();   ///< settings_machine.cc
-std::vector<SettingSpec> TravelSettings();    ///< settings_travel.cc
-std::vector<SettingSpec> WritingSettings();   ///< settings_writing.cc
+std::vector<SettingSpec> SlicingSettings();   ///< defined in settings_slicing.cc
+std::vector<SettingSpec> WallSettings();      ///< defined in settings_walls.cc
+std::vector<SettingSpec> SeamSettings();      ///< defined in settings_seams.cc
+std::vector<SettingSpec> InfillSettings();    ///< defined in settings_infill.cc
+std::vector<SettingSpec> AdhesionSettings();  ///< defined in settings_adhesion.cc
+std::vector<SettingSpec> SupportSettings();   ///< defined in settings_supports.cc
+std::vector<SettingSpec> SpeedSettings();     ///< defined in settings_speed.cc
+std::vector<SettingSpec> FilamentSettings();  ///< defined in settings_filament.cc
+std::vector<SettingSpec> MachineSettings();   ///< defined in settings_machine.cc
+std::vector<SettingSpec> TravelSettings();    ///< defined in settings_travel.cc
+std::vector<SettingSpec> WritingSettings();   ///< defined in settings_writing.cc
 
 }  // namespace slicefarm::config::fdm

@@ -66,7 +66,7 @@ SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
           .max = kMaxSpeed,
           .standard = "30",
           .doc = doc,
-          .percent_of = "each feature's own",
+          .percent_of = "the speed in other layers",
           .field = Convert<MachineRow>(set, get)};
 }
 
@@ -81,27 +81,28 @@ std::vector<SettingSpec> Overhangs() {
       {.key = "overhangs",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Prints walls over nothing as bridges, with their speed, fan and flow",
+       .doc = "Print walls that overhang completely as bridges, with the speed, fan speed and flow "
+              "of bridges",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::bridging_walls>(),
        .orca = {{"detect_overhang_wall"}}},
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc =
-           "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
-           "between these in proportion",
+       .doc = "Slow overhanging walls down to overhang_speed_0 to _3, interpolated between them",
        .field = Bind<&RegionRow::motion, &RegionSpeeds::dynamic_overhangs>(),
        .orca = {{"enable_overhang_speed"}}},
       Orca({"overhang_4_4_speed"},
            OverhangSpeed<0>("overhang_speed_0", "15",
-                            "Speed of walls that rest on nothing; 0: not slowed down")),
-      Orca({"overhang_3_4_speed"},
-           OverhangSpeed<1>("overhang_speed_1", "15",
-                            "Speed where 25 % of the width rest on the layer below")),
-      Orca({"overhang_2_4_speed"},
-           OverhangSpeed<2>("overhang_speed_2", "20", "Speed where 50 % of the width rest on it")),
-      Orca({"overhang_1_4_speed"},
-           OverhangSpeed<3>("overhang_speed_3", "25", "Speed where 75 % of the width rest on it")),
+                            "Speed of walls that overhang completely; 0: not slowed down")),
+      Orca({"overhang_3_4_speed"}, OverhangSpeed<1>("overhang_speed_1", "15",
+                                                    "Speed of walls of which 25 % of the width "
+                                                    "rest on the layer below; 0: not slowed down")),
+      Orca({"overhang_2_4_speed"}, OverhangSpeed<2>("overhang_speed_2", "20",
+                                                    "Speed of walls of which 50 % of the width "
+                                                    "rest on the layer below; 0: not slowed down")),
+      Orca({"overhang_1_4_speed"}, OverhangSpeed<3>("overhang_speed_3", "25",
+                                                    "Speed of walls of which 75 % of the width "
+                                                    "rest on the layer below; 0: not slowed down")),
   };
 }
 
@@ -120,7 +121,7 @@ SettingSpec FlowSlope(std::string_view key, std::string_view doc, Field field) {
 SettingSpec OverBridgeSpeed() {
   SettingSpec spec =
       RelativeSpeed("over_bridge_speed", "0", "solid_infill_speed",
-                    "Speed of the solid infill of the layer above a bridge; 0: solid_infill_speed",
+                    "Speed of solid infill in the layer above a bridge; 0: solid_infill_speed",
                     SpeedOf<Feature::kSolidOverBridge>());
   spec.also = Convert<RegionRow>(
       [](RegionRow& row, const Value& value) { row.infill.over_bridges = value.number > 0; },
@@ -138,9 +139,10 @@ std::vector<SettingSpec> Speeds() {
                                                "Speed of outer walls; 0: max_print_speed",
                                                SpeedOf<Feature::kExternalPerimeter>())),
       Orca({"small_perimeter_speed"},
-           RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
-                         "Speed of loops of radius below 6.5 mm; 0: max_print_speed",
-                         Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>())),
+           RelativeSpeed(
+               "small_perimeter_speed", "15", "perimeter_speed",
+               "Speed of walls that are loops with a radius below 6.5 mm; 0: max_print_speed",
+               Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>())),
       Orca({"sparse_infill_speed"},
            Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
                  SpeedOf<Feature::kInternalInfill>())),
@@ -159,65 +161,72 @@ std::vector<SettingSpec> Speeds() {
       Orca({"bridge_speed"},
            Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
                  SpeedOf<Feature::kBridgeInfill>(), SpeedOf<Feature::kOverhangPerimeter>())),
+      InScope(Scope::kObject,
+              Orca({"support_speed"},
+                   Speed("support_material_speed", "60",
+                         "Speed of supports, rafts, skirt and brim; 0: max_print_speed",
+                         SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>()))),
       InScope(
           Scope::kObject,
-          Orca({"support_speed"}, Speed("support_material_speed", "60",
-                                        "Speed of rafts, skirt and brim; 0: max_print_speed",
-                                        SpeedOf<Feature::kSupport>(), SpeedOf<Feature::kSkirt>()))),
-      InScope(
-          Scope::kObject,
-          Orca({"support_interface_speed"},
-               RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
-                             "Speed of the layers of rafts that carry the part; 0: max_print_speed",
-                             SpeedOf<Feature::kSupportInterface>()))),
+          Orca(
+              {"support_interface_speed"},
+              RelativeSpeed(
+                  "support_material_interface_speed", "100%", "support_material_speed",
+                  "Speed of support interfaces and of the top layers of a raft; 0: max_print_speed",
+                  SpeedOf<Feature::kSupportInterface>()))),
       Orca({"ironing_speed"}, Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
                                     SpeedOf<Feature::kIroning>())),
       Orca({"initial_layer_speed"},
            LayerSpeed<&MachineMotion::first_layer_speed_mm_s,
                       &MachineMotion::first_layer_speed_ratio>(
                "first_layer_speed",
-               "Speed of all beads of the first layer; as a percentage, of what each has above")),
+               "Speed of all extrusion in the first layer; a percentage is taken of the speed in "
+               "other layers. 0: as in other layers")),
       Orca({"initial_layer_infill_speed"},
            RelativeSpeed(
                "first_layer_infill_speed", "0", "solid_infill_speed",
                "Speed of solid infill in the first layer; 0: first_layer_speed",
                Bind<&MachineRow::motion, &MachineMotion::first_layer_infill_speed_mm_s>())),
       LayerSpeed<&MachineMotion::over_raft_speed_mm_s, &MachineMotion::over_raft_speed_ratio>(
-          "first_layer_speed_over_raft", "Speed of all beads of an object's first layer on a raft"),
+          "first_layer_speed_over_raft",
+          "Speed of all extrusion in an object's first layer on a raft; a percentage is taken of "
+          "the speed in other layers. 0: as in other layers"),
       {.key = "max_print_speed",
        .unit = "mm/s",
        .min = 1,
        .max = kMaxSpeed,
        .standard = "80",
-       .doc = "Speed of features whose own setting is 0",
+       .doc = "Speed of extrusion with a speed setting of 0",
        .field = Bind<&MachineRow::motion, &MachineMotion::max_print_speed_mm_s>()},
       {.key = "travel_speed",
        .unit = "mm/s",
        .min = 1,
        .max = kMaxSpeed,
        .standard = "130",
-       .doc = "Speed of moves without extrusion",
+       .doc = "Speed of travels",
        .field = Bind<&MachineRow::motion, &MachineMotion::travel_speed_mm_s>(),
        .orca = {{"travel_speed"}}},
       Orca({"initial_layer_travel_speed", OrcaValue::kPercentOf, "travel_speed"},
            Speed("first_layer_travel_speed", "0",
-                 "Speed of moves without extrusion in the first layer; 0: travel_speed",
+                 "Speed of travels in the first layer; 0: travel_speed",
                  Bind<&MachineRow::motion, &MachineMotion::first_layer_travel_speed_mm_s>())),
       Orca({"travel_speed_z"},
-           Speed("travel_speed_z", "0",
-                 "Speed of moves up and down; 0: as fast as the machine's z goes",
+           Speed("travel_speed_z", "0", "Speed of vertical travels; 0: the limit of the z axis",
                  Bind<&MachineRow::motion, &MachineMotion::travel_speed_z_mm_s>())),
       {.key = "max_volumetric_speed",
        .unit = "mm3/s",
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Bound on the extruded volume per second, besides the filament's own; 0: none"},
+       .doc = "Highest flow of the print, in volume per second, besides "
+              "filament_max_volumetric_speed; 0: no limit"},
       FlowSlope("max_volumetric_extrusion_rate_slope_positive",
-                "How fast the flow may rise from bead to bead; 0: at once",
+                "Largest increase of the flow per second between neighbouring lines; smaller: "
+                "smoother. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_rise_mm3_s2>()),
       FlowSlope("max_volumetric_extrusion_rate_slope_negative",
-                "How fast the flow may fall from bead to bead; 0: at once",
+                "Largest decrease of the flow per second between neighbouring lines; smaller: "
+                "smoother. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_fall_mm3_s2>()),
   };
 }
@@ -225,9 +234,10 @@ std::vector<SettingSpec> Speeds() {
 std::vector<SettingSpec> Accelerations() {
   return {
       Orca({"default_acceleration"},
-           Acceleration("default_acceleration",
-                        "Acceleration where nothing below says otherwise; 0: left to the firmware",
-                        Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
+           Acceleration(
+               "default_acceleration",
+               "Acceleration of extrusion without a setting of its own; 0: no command sets it",
+               Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
       Orca({"inner_wall_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
            Acceleration("perimeter_acceleration",
                         "Acceleration of inner walls; 0: default_acceleration",
@@ -256,19 +266,19 @@ std::vector<SettingSpec> Accelerations() {
       Orca({"initial_layer_acceleration"},
            Acceleration(
                "first_layer_acceleration",
-               "Acceleration of all beads of the first layer; 0: as in the others",
+               "Acceleration of all extrusion in the first layer; 0: as in other layers",
                Bind<&MachineRow::motion, &MachineMotion::first_layer_acceleration_mm_s2>())),
-      Acceleration(
-          "first_layer_acceleration_over_raft",
-          "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
-          Bind<&MachineRow::motion, &MachineMotion::over_raft_acceleration_mm_s2>()),
+      Acceleration("first_layer_acceleration_over_raft",
+                   "Acceleration of all extrusion in an object's first layer on a raft; 0: as in "
+                   "other layers",
+                   Bind<&MachineRow::motion, &MachineMotion::over_raft_acceleration_mm_s2>()),
       Acceleration("travel_short_distance_acceleration",
                    "Acceleration of travels to outer walls that are shorter than "
                    "retract_before_travel; 0: travel_acceleration",
                    Bind<&MachineRow::motion, &MachineMotion::short_travel_acceleration_mm_s2>()),
       Orca({"travel_acceleration"},
            Acceleration("travel_acceleration",
-                        "Acceleration of travel; 0: the machine's limit for it",
+                        "Acceleration of travels; 0: machine_max_acceleration_travel",
                         Bind<&MachineRow::motion, &MachineMotion::travel_acceleration_mm_s2>())),
   };
 }

@@ -12,7 +12,9 @@ void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_v
   to.push_back(spec);
   spec.key = filament_key;
   spec.standard = kNotSet;
-  spec.doc = "The filament's own value of the setting without filament_; nil: none";
+  spec.doc =
+      "Value for this filament that replaces the setting of the same name without filament_; nil: "
+      "not replaced";
   spec.field = {};
   to.push_back(spec);
 }
@@ -34,29 +36,30 @@ void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
 std::vector<SettingSpec> Retraction() {
   std::vector<SettingSpec> settings;
   AddRetraction(settings, "retract_length", "filament_retract_length", "mm", 100, "2",
-                "How much filament is pulled back before a travel; 0: none",
+                "Length of filament that is retracted before a travel; 0: no retraction",
                 Bind<&ToolRow::retraction, &RetractionOptions::length_mm>());
   AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
-                "Speed of pulling back",
+                "Speed of retractions",
                 Bind<&ToolRow::retraction, &RetractionOptions::speed_mm_s>());
   AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
-                "Speed of pushing forward again; 0: retract_speed",
+                "Speed of pushing the filament back after a retraction; 0: retract_speed",
                 Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>());
   AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
-                "How much more is pushed forward than was pulled back; negative: how much less",
+                "Extra length of filament that is pushed after a retraction; negative: less is "
+                "pushed than was retracted",
                 Bind<&ToolRow::retraction, &RetractionOptions::restart_extra_mm>(),
                 /*min=*/-100);
   AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
-                "2", "Shorter travels do not retract, but for those over outer walls",
+                "2", "Shortest travel that retracts; travels across outer walls always do",
                 Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>());
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
-                "How far the nozzle rises over a travel",
+                "Height by which the nozzle is lifted for a travel (Z hop); 0: none",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>());
   AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
-                "The nozzle does not rise in layers lower than this",
+                "Height above the bed below which the nozzle is not lifted",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>());
   AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
-                "Nor in layers higher than this; 0: however high",
+                "Height above the bed beyond which the nozzle is not lifted; 0: no upper limit",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>());
   const auto after = [](LiftAfter a) { return static_cast<int>(a); };
   AddRetraction(
@@ -64,8 +67,8 @@ std::vector<SettingSpec> Retraction() {
       {.key = "retract_lift_enforce",
        .kind = Kind::kChoice,
        .standard = "all",
-       .doc = "After which beads the nozzle rises for a travel: all, those of tops and of "
-              "ironing, those of the first layer, or of both",
+       .doc = "Extrusion after which the nozzle is lifted for a travel. all: any. top: top "
+              "surfaces and ironing. bottom: the first layer. top_and_bottom: both of these",
        .choices = {{"all", after(LiftAfter::kAll)},
                    {"top", after(LiftAfter::kTop)},
                    {"bottom", after(LiftAfter::kBottom)},
@@ -77,41 +80,43 @@ std::vector<SettingSpec> Retraction() {
                 {.key = "travel_ramping_lift",
                  .kind = Kind::kFlag,
                  .standard = "0",
-                 .doc = "The nozzle rises along its way by travel_max_lift and travel_slope, in "
-                        "place of straight up by retract_lift",
+                 .doc = "Lift the nozzle gradually along the travel, by travel_max_lift and "
+                        "travel_slope; 0: straight up by retract_lift",
                  .field = Bind<&ToolRow::retraction, &RetractionOptions::ramping>()},
                 "filament_travel_ramping_lift");
   AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
-                "How far the nozzle rises along its way; less on short ways",
+                "Largest height by which the nozzle is lifted along a travel with "
+                "travel_ramping_lift; shorter travels lift less",
                 Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>());
-  AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
-                "How steeply the nozzle rises along its way; 0 and 90: straight up",
-                Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>());
+  AddRetraction(
+      settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
+      "Slope at which the nozzle is lifted along a travel, from horizontal; 0 and 90: straight up",
+      Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>());
   AddRetraction(settings,
                 {.key = "travel_lift_before_obstacle",
                  .kind = Kind::kFlag,
                  .standard = "0",
-                 .doc = "Rises more steeply where the way meets an edge of the layer below before "
-                        "the nozzle is up",
+                 .doc = "Lift the nozzle more steeply if the travel would otherwise cross an edge "
+                        "of the layer below before the nozzle is high enough",
                  .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>()},
                 "filament_travel_lift_before_obstacle");
-  AddRetraction(settings,
-                {.key = "wipe",
-                 .kind = Kind::kFlag,
-                 .standard = "0",
-                 .doc = "The nozzle wipes along what it has printed while the filament is pulled "
-                        "back, which leaves smaller blobs",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>(),
-                 .orca = {{"wipe"}}},
-                "filament_wipe");
+  AddRetraction(
+      settings,
+      {.key = "wipe",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc =
+           "Move the nozzle along the printed line while it retracts, which leaves smaller blobs",
+       .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>(),
+       .orca = {{"wipe"}}},
+      "filament_wipe");
   AddRetraction(
       settings,
       {.key = "retract_layer_change",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Retracts at each change of layer, even where the way is hidden in the "
-              "part; done in any case where copies are labelled, and where G-code of "
-              "the settings stands between layers",
+       .doc = "Retract at each layer change, even if the travel is hidden inside the part. "
+              "Labelled objects and custom G-code between layers always cause a retraction",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::retract_layer_change>(),
        .orca = {{"retract_when_changing_layer"}}},
       "filament_retract_layer_change");
@@ -122,7 +127,7 @@ std::vector<SettingSpec> Retraction() {
        .min = 0,
        .max = 100,
        .standard = "0%",
-       .doc = "How much of retract_length is pulled back before the nozzle wipes",
+       .doc = "Share of retract_length that is retracted before the wipe begins",
        .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>(),
        .orca = {{"retract_before_wipe"}}},
       "filament_retract_before_wipe");
@@ -146,8 +151,10 @@ SettingSpec MaxDetour() {
           .min = 0,
           .max = 1000,
           .standard = "0",
-          .doc = "Walls are crossed where the way round them is longer by more than this; 0: never",
-          .percent_of = "the straight way",
+          .doc =
+              "Longest detour of avoid_crossing_perimeters; a travel that would need a longer one "
+              "crosses the wall. 0: no limit",
+          .percent_of = "the straight travel",
           .field = Convert<MachineRow>(set, get),
           .orca = {{"max_travel_detour_distance"}}};
 }
@@ -157,9 +164,8 @@ std::vector<SettingSpec> Travels() {
       {.key = "only_retract_when_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc =
-           "Does not retract before travels inside the part; before those to outer walls and to "
-           "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
+       .doc = "Do not retract before travels inside the part; travels to outer walls and over top "
+              "surfaces still retract. The default of PrusaSlicer is 0",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::hide>(),
        .orca = {{"reduce_infill_retraction"}}},
       {.key = "retract_inside_after",
@@ -167,19 +173,20 @@ std::vector<SettingSpec> Travels() {
        .min = 0,
        .max = 1000,
        .standard = "30",
-       .doc = "Longer travels retract inside the part as well; 0: none does",
+       .doc = "Length of a travel inside the part from which it retracts in spite of "
+              "only_retract_when_crossing_perimeters; 0: no travel inside retracts",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>()},
       {.key = "avoid_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Leads travels round outer walls, inside the part",
+       .doc = "Plan travels around outer walls, inside the part",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_crossing>(),
        .orca = {{"reduce_crossing_wall"}}},
       MaxDetour(),
       {.key = "avoid_crossing_curled_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Leads travels round overhangs that are likely to have curled up",
+       .doc = "Plan travels around overhangs that have probably curled up",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::avoid_curled>()},
   };
 }

@@ -49,7 +49,8 @@ std::vector<SettingSpec> VariableWalls() {
       {.key = "perimeter_generator",
        .kind = Kind::kChoice,
        .standard = "arachne",
-       .doc = "Walls of variable width that fill thin places, or of constant width",
+       .doc = "Generator of walls. arachne: variable width, which fills thin features. classic: "
+              "constant width",
        .choices = {{"arachne", generator(WallGenerator::kArachne)},
                    {"classic", generator(WallGenerator::kClassic)}},
        .field = Bind<&RegionRow::walls, &BeadingOptions::generator>(),
@@ -58,49 +59,53 @@ std::vector<SettingSpec> VariableWalls() {
       {.key = "thin_walls",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Prints places thinner than two walls as one line (classic; arachne always does)",
+       .doc =
+           "Print features thinner than two walls as a single line (classic; arachne always does)",
        .field = Bind<&RegionRow::walls, &BeadingOptions::thin_walls>(),
        .orca = {{"detect_thin_wall"}}},
       Orca({"wall_transition_length", OrcaValue::kPercent},
            OfNozzle("wall_transition_length", "100%",
-                    "Over what length the number of walls changes by one",
+                    "Length over which the number of walls changes by one",
                     Bind<&RegionRow::walls, &BeadingOptions::transition_length_nm>())),
       {.key = "wall_transition_angle",
        .unit = "degrees",
        .min = 1,
        .max = 59,
        .standard = "10",
-       .doc = "Sides that meet at less than this get walls of variable width between them",
+       .doc = "Angle between opposite sides below which walls of variable width fill the wedge "
+              "between them",
        .field = Bind<Scale::kDegrees, &RegionRow::walls, &BeadingOptions::transition_angle>(),
        .own_scope = Scope::kObject,
        .orca = {{"wall_transition_angle"}}},
       Orca({"wall_transition_filter_deviation", OrcaValue::kPercent},
-           OfNozzle(
-               "wall_transition_filter_deviation", "25%",
-               "How far widths may go beyond their limits where that saves a change of the number",
-               Bind<&RegionRow::walls, &BeadingOptions::transition_deviation_nm>())),
+           OfNozzle("wall_transition_filter_deviation", "25%",
+                    "Amount by which widths may exceed their limits to avoid changing the number "
+                    "of walls",
+                    Bind<&RegionRow::walls, &BeadingOptions::transition_deviation_nm>())),
       {.key = "wall_distribution_count",
        .kind = Kind::kInteger,
        .min = 1,
        .max = 1000,
        .standard = "1",
-       .doc = "Over how many walls from the middle outwards a change of width is spread",
+       .doc = "Number of walls, counted from the middle, over which a change of width is spread",
        .field = Bind<&RegionRow::walls, &BeadingOptions::distribution_count>(),
        .own_scope = Scope::kObject,
        .orca = {{"wall_distribution_count"}}},
       Orca({"min_feature_size", OrcaValue::kPercent},
-           OfNozzle("min_feature_size", "25%", "Thinner places are not printed (arachne)",
+           OfNozzle("min_feature_size", "25%",
+                    "Thickness below which parts of the shape are not printed (arachne)",
                     Bind<&RegionRow::walls, &BeadingOptions::min_feature_nm>())),
       Orca({"min_bead_width", OrcaValue::kPercent},
-           OfNozzle("min_bead_width", "85%", "Least width of a wall of variable width",
+           OfNozzle("min_bead_width", "85%", "Smallest extrusion width of walls of variable width",
                     Bind<&RegionRow::walls, &BeadingOptions::min_bead_width_nm>())),
       OfNozzle("max_bead_width", "200%",
-               "Greatest width of a wall of variable width, or what the walls' own widths are",
+               "Largest extrusion width of walls of variable width; never less than the width "
+               "settings of the walls",
                Bind<&RegionRow::walls, &BeadingOptions::max_bead_width_nm>()),
       {.key = "lock_outer_width",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Keeps the outer wall's width wherever a narrow wall fits between two of them",
+       .doc = "Keep the extrusion width of the outer wall wherever a narrow inner wall fits",
        .field = Bind<&RegionRow::walls, &BeadingOptions::lock_outer_width>(),
        .own_scope = Scope::kObject},
   };
@@ -111,9 +116,8 @@ std::vector<SettingSpec> FuzzySkins() {
       {.key = "fuzzy_skin",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc =
-           "Which outermost walls get a rough skin: none, those of outer rings (external), those "
-           "of holes as well (all); not on the first layer",
+       .doc = "Outermost walls that get a rough surface (not in the first layer). external: outer "
+              "contours. all: walls of holes too",
        .choices = {{"none", static_cast<int>(FuzzySkin::kNone)},
                    {"external", static_cast<int>(FuzzySkin::kContours)},
                    {"all", static_cast<int>(FuzzySkin::kAllWalls)}},
@@ -124,7 +128,7 @@ std::vector<SettingSpec> FuzzySkins() {
        .min = 0,
        .max = 10,
        .standard = "0.3",
-       .doc = "How far points of a rough skin move, outwards and inwards, at most",
+       .doc = "Largest distance by which points of a fuzzy skin move outwards or inwards",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_thickness_nm>(),
        .orca = {{"fuzzy_skin_thickness"}}},
       {.key = "fuzzy_skin_point_dist",
@@ -132,49 +136,47 @@ std::vector<SettingSpec> FuzzySkins() {
        .min = 0.01,
        .max = 100,
        .standard = "0.8",
-       .doc = "Mean distance of the points of a rough skin",
+       .doc = "Mean distance between the points of a fuzzy skin; smaller: finer",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_point_distance_nm>(),
        .orca = {{"fuzzy_skin_point_distance"}}},
   };
 }
 
 std::vector<SettingSpec> Widths() {
-  SettingSpec first =
-      Orca({"initial_layer_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
-           Width("first_layer_extrusion_width",
-                 "Width of all beads of the first layer; 0: perimeter_extrusion_width",
-                 Bind<&RegionRow::walls, &BeadingOptions::first_layer_width_nm>()));
+  SettingSpec first = Orca({"initial_layer_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+                           Width("first_layer_extrusion_width",
+                                 "Extrusion width of the first layer; 0: perimeter_extrusion_width",
+                                 Bind<&RegionRow::walls, &BeadingOptions::first_layer_width_nm>()));
   first.standard = "200%";
   first.relative_to = "first_layer_height";
   first.own_scope = Scope::kJob;
   first.also = Bind<&RegionRow::infill, &InfillOptions::first_layer_width_nm>();
   return {
-      InScope(
-          Scope::kObject,
-          Orca({"line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
-               Width("extrusion_width",
-                     "Width of beads whose own setting is 0; 0: 1.125 times the nozzle's diameter "
-                     "(top infill: the nozzle's diameter)",
-                     {}))),
+      InScope(Scope::kObject,
+              Orca({"line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+                   Width("extrusion_width",
+                         "Extrusion width of lines with a width setting of 0; 0: 1.125 times the "
+                         "nozzle diameter, for top surfaces the nozzle diameter",
+                         {}))),
       first,
       Orca({"inner_wall_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
-           Width("perimeter_extrusion_width", "Width of the inner walls; 0: extrusion_width",
+           Width("perimeter_extrusion_width", "Extrusion width of inner walls; 0: extrusion_width",
                  Bind<&RegionRow::walls, &BeadingOptions::inner_width_nm>())),
       Orca({"outer_wall_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
            Width("external_perimeter_extrusion_width",
-                 "Width of the outer walls; 0: extrusion_width",
+                 "Extrusion width of outer walls; 0: extrusion_width",
                  Bind<&RegionRow::walls, &BeadingOptions::external_width_nm>())),
       Orca({"sparse_infill_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
-           Width("infill_extrusion_width", "Width of the sparse infill's lines; 0: extrusion_width",
+           Width("infill_extrusion_width", "Extrusion width of sparse infill; 0: extrusion_width",
                  Bind<&RegionRow::infill, &InfillOptions::sparse_width_nm>())),
       Orca({"internal_solid_infill_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
            Width("solid_infill_extrusion_width",
-                 "Width of the solid infill's lines; 0: extrusion_width",
+                 "Extrusion width of solid infill; 0: extrusion_width",
                  Bind<&RegionRow::infill, &InfillOptions::solid_width_nm>())),
-      Orca({"top_surface_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
-           Width("top_infill_extrusion_width",
-                 "Width of the top surface's lines; 0: extrusion_width",
-                 Bind<&RegionRow::infill, &InfillOptions::top_width_nm>())),
+      Orca(
+          {"top_surface_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+          Width("top_infill_extrusion_width", "Extrusion width of top surfaces; 0: extrusion_width",
+                Bind<&RegionRow::infill, &InfillOptions::top_width_nm>())),
   };
 }
 
@@ -193,14 +195,14 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "only_one_perimeter_first_layer",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "One wall in the layer on the bed, and infill inside it",
+       .doc = "Print a single wall in the first layer, with infill inside it",
        .field = Bind<&RegionRow::walls, &BeadingOptions::one_on_bed>(),
        .orca = {{"only_one_wall_first_layer"}}},
       {.key = "top_one_perimeter_type",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc = "Where one wall is enough, with the top infill inside it: nowhere, on all surfaces "
-              "that are seen from above, or in the object's last layer only",
+       .doc = "Surfaces with a single wall and top infill inside it. none: no surface. top: all "
+              "top surfaces. topmost: the last layer of the object",
        .choices = {{"none", static_cast<int>(OneWallOnTop::kNowhere)},
                    {"top", static_cast<int>(OneWallOnTop::kSurfaces)},
                    {"topmost", static_cast<int>(OneWallOnTop::kTopmost)}},
@@ -209,8 +211,8 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "spiral_vase",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Above the solid bottom layers the outline of one object is one bead that winds up: "
-              "no seam, no infill, no top; of each layer the largest contour counts. Several "
+       .doc = "Print one object as a single wall that rises continuously above the solid bottom "
+              "layers: no seam, infill or top, and only the largest contour of each layer. Several "
               "copies need complete_objects",
        .field = SpiralField(),
        .own_scope = Scope::kJob,
@@ -218,45 +220,46 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "More walls in slopes, until at least 70 % of the walls above rest on them; not "
-              "where there is no infill (PrusaSlicer's own standard is 1, its printers' is 0)",
+       .doc = "Add walls in slopes until at least 70 % of the walls above are supported; not where "
+              "there is no infill. The default of PrusaSlicer is 1, that of its printer profiles 0",
        .field = Bind<&RegionRow::walls, &BeadingOptions::extra_perimeters>()},
       {.key = "external_perimeters_first",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Prints the outermost wall before the inner ones",
+       .doc = "Print outer walls before inner walls",
        .field = Bind<&RegionRow::order, &WallOrder::external_perimeters_first>(),
        .orca = {{"wall_sequence", OrcaValue::kChoice}}},
       {.key = "inner_outer_inner",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Prints all inner walls but the outermost of them, then the outer wall, which they "
-              "hold, and that one last; whatever external_perimeters_first says",
+       .doc = "Print the inner walls except the one next to the outer wall, then the outer wall, "
+              "then that last inner wall; overrides external_perimeters_first",
        .field = Bind<&RegionRow::order, &WallOrder::inner_outer_inner>(),
        .orca = {{"wall_sequence", OrcaValue::kChoice}}},
       {.key = "gap_fill_enabled",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Fills gaps between walls that are too narrow for another one",
+       .doc = "Fill gaps between walls that are too narrow for another wall",
        .field = Bind<&RegionRow::walls, &BeadingOptions::gap_fill>()},
       {.key = "gap_fill_min_width",
        .unit = "mm",
        .min = 0,
        .max = 5,
        .standard = "0.08",
-       .doc = "Narrower gaps stay empty",
+       .doc = "Narrowest gap that gap fill fills; narrower ones remain empty",
        .field = Bind<&RegionRow::walls, &BeadingOptions::min_gap_width_nm>()},
       {.key = "gap_fill_max_width",
        .unit = "mm",
        .min = 0,
        .max = 20,
        .standard = "0.8",
-       .doc = "Wider gaps are the infill's",
+       .doc = "Widest gap that gap fill fills; infill fills wider ones",
        .field = Bind<&RegionRow::walls, &BeadingOptions::max_gap_width_nm>()},
       {.key = "prefer_clockwise_movements",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Prints loops round the outside clockwise, and those round holes the other way",
+       .doc = "Print loops of outer contours clockwise and loops of holes counter-clockwise; 0: "
+              "the opposite",
        .field = Bind<&MachineRow::order, &JobOrder::clockwise>(),
        .orca = {{"wall_direction", OrcaValue::kChoice}}},
       {.key = "ordering_improvement_moves",
@@ -264,7 +267,8 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 100e6,
        .standard = "200000",
-       .doc = "How many changes of the printing order are tried per layer to shorten the travel",
+       .doc = "Number of changes to the printing order that are tried in each layer to shorten "
+              "travels; larger: shorter travels, more computing time",
        .field = Bind<&MachineRow::order, &JobOrder::improvement_moves>()},
   };
   for (SettingSpec& wall : VariableWalls()) settings.push_back(std::move(wall));

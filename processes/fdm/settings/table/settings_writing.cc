@@ -13,39 +13,39 @@ std::vector<SettingSpec> WritingWords() {
       Orca({"use_relative_e_distances"},
            WritingFlag(
                "use_relative_e_distances", "1",
-               "Each move says how much filament it pushes, not how much was pushed before it "
-               "as well. PrusaSlicer's standard is 0; programs of relative moves can be cut and "
-               "joined anywhere",
+               "Write the extrusion of each move (relative E); 0: the sum of all moves (absolute "
+               "E). The default of PrusaSlicer is 0; relative programs can be cut and joined "
+               "anywhere",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::relative_e>())),
       WritingFlag(
           "use_volumetric_e", "0",
-          "Filament in mm3, not in mm: the machine has to know its diameter (M200 in "
-          "start_gcode)",
+          "Write extrusion in mm3 instead of mm; the machine must know the filament diameter (M200 "
+          "in start_gcode)",
           Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::volumetric_e>()),
       Orca({"use_firmware_retraction"},
            WritingFlag("use_firmware_retraction", "0",
-                       "Retractions by G10 and G11, as long and as fast as the machine is set to; "
-                       "retract_length and its speeds are left for times",
+                       "Write retractions as G10 and G11; the firmware sets their length and "
+                       "speed. retract_length and its speeds only affect the estimated time",
                        Bind<&MachineRow::motion, &MachineMotion::writing,
                             &WritingOptions::firmware_retraction>())),
       Orca({"gcode_comments"},
            WritingFlag(
-               "gcode_comments", "0", "Each move says in a comment what it is for",
+               "gcode_comments", "0", "Add a comment with its purpose to each move",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::comments>())),
-      WritingFlag("binary_gcode", "0",
-                  "The file is binary G-code (.bgcode), as Prusa's printers read",
+      WritingFlag("binary_gcode", "0", "Write binary G-code (.bgcode), which Prusa printers read",
                   Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::binary>()),
       {.key = "gcode_substitutions",
        .kind = Kind::kSubstitutions,
-       .doc = "Texts of the G-code that others take the place of, layer by layer: pattern, "
-              "replacement, flags (r: regular expression, i: whatever the case, w: whole words, s: "
-              "a dot is a line end as well) and notes, in quotes, by semicolons",
+       .doc = "Replacements in the text of the G-code, layer by layer: pattern, replacement, flags "
+              "and notes, in quotes, separated by semicolons. Flags: r: regular expression, i: "
+              "ignore case, w: whole words, s: a dot matches a line end",
        .field =
            Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::substitutions>()},
       {.key = "output_filename_format",
        .kind = Kind::kText,
        .standard = "[input_filename_base].gcode",
-       .doc = "Name of the file where none is given; may name what templates of G-code may",
+       .doc = "Name of the output file if no other is given; may contain the placeholders of "
+              "custom G-code",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::file_name>(),
        .orca = {{"filename_format", OrcaValue::kGcode}}},
   };
@@ -60,11 +60,11 @@ std::vector<SettingSpec> AtHeights() {
   return {
       {.key = "custom_gcode_per_print_z",
        .kind = Kind::kHeightCode,
-       .doc = "What is done at heights of the print: z in mm, type (color_change, pause, template, "
-              "custom) and text (colour, message, G-code)",
+       .doc = "Actions at heights of the print: z in mm, type (color_change, pause, template, "
+              "custom) and text (colour, message or G-code)",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::height_code>(),
        .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}}},
-      gcode("color_change_gcode", "M600", "G-code of a change of colour",
+      gcode("color_change_gcode", "M600", "G-code of a colour change",
             Bind<&MachineRow::motion, &MachineMotion::writing,
                  &WritingOptions::color_change_gcode>()),
       Orca({"machine_pause_gcode", OrcaValue::kGcode},

@@ -13,7 +13,7 @@ double NeighbourOutlines::MeanRadius(size_t i, size_t reach, double x, double y,
   int count = 1;
   for (size_t other = first; other < last; ++other) {
     if (other == i) continue;
-    const double radius = IndexOf(other).DistanceFrom(x, y);
+    const double radius = IndexOf(other).DistanceFrom(x, y, radius_nm + band_nm);
     if (std::abs(radius - radius_nm) > band_nm) continue;
     sum += radius;
     ++count;

@@ -1,45 +1,43 @@
 #include "services/beading/algo/arachne/outline_index.h"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <limits>
-#include <vector>
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry/vector.h"
 
 namespace slicefarm::beading {
 namespace {
 
-namespace bg = boost::geometry;
-using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
-using BoostSegment = bg::model::segment<BoostPoint>;
+/// About the distance that is asked for.
+constexpr Coord kOutlineSquareNm = 700'000;
 
-BoostPoint ToBoost(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
-std::vector<BoostSegment> SegmentsOf(const MultiPolygon& outlines) {
-  std::vector<BoostSegment> segments;
-  ForEachRing(outlines, [&](const Polygon& ring) {
-    for (size_t i = 0; i < ring.size(); ++i)
-      segments.emplace_back(ToBoost(ring[i]), ToBoost(ring[i + 1 == ring.size() ? 0 : i + 1]));
-  });
-  return segments;
+/// Returns the square of the distance from `place` to an edge.
+double SquareToEdge(const Vector2& place, const EdgeIndex::Edge& edge) {
+  const Vector2 from = ToVector(edge.a), to = ToVector(edge.b), along = to - from;
+  const double dot = Dot(place - from, along), square = Dot(along, along);
+  Vector2 nearest = from;
+  if (dot >= square) nearest = to;
+  else if (dot > 0) nearest = from + dot / square * along;
+  const Vector2 apart = place - nearest;
+  return Dot(apart, apart);
 }
 
 }  // namespace
 
-struct OutlineIndex::Tree {
-  bg::index::rtree<BoostSegment, bg::index::quadratic<16>> segments;
-};
+OutlineIndex::OutlineIndex(const MultiPolygon& outlines) : edges_(outlines, kOutlineSquareNm) {}
 
-OutlineIndex::OutlineIndex(const MultiPolygon& outlines)
-    : tree_(std::make_unique<Tree>(Tree{decltype(Tree::segments)(SegmentsOf(outlines))})) {}
-OutlineIndex::~OutlineIndex() = default;
-OutlineIndex::OutlineIndex(OutlineIndex&&) noexcept = default;
-OutlineIndex& OutlineIndex::operator=(OutlineIndex&&) noexcept = default;
-
-double OutlineIndex::DistanceFrom(double x, double y) const {
-  const BoostPoint place(x, y);
-  const auto nearest = tree_->segments.qbegin(bg::index::nearest(place, 1));
-  return nearest == tree_->segments.qend() ? std::numeric_limits<double>::infinity()
-                                           : bg::distance(place, *nearest);
+double OutlineIndex::DistanceFrom(double x, double y, double limit_nm) const {
+  const auto reach = static_cast<Coord>(std::ceil(limit_nm)) + 1;
+  const Point middle{std::llround(x), std::llround(y)};
+  double least = limit_nm * limit_nm;
+  bool found = false;
+  edges_.ForEachNear(Box{middle, middle}.Grown(reach), [&](int32_t edge) {
+    const double square = SquareToEdge({x, y}, edges_.At(edge));
+    if (square > least) return;
+    least = square;
+    found = true;
+  });
+  return found ? std::sqrt(least) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace slicefarm::beading

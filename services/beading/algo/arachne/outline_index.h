@@ -1,7 +1,8 @@
 #pragma once
 
-#include <memory>
+#include <limits>
 
+#include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::beading {
@@ -9,19 +10,15 @@ namespace slicefarm::beading {
 /// Index of outlines for distance queries.
 class OutlineIndex {
  public:
-  /// Cost: O(n log n) for n edges.
+  /// Cost: O(n), n edges.
   explicit OutlineIndex(const MultiPolygon& outlines);
-  ~OutlineIndex();
-  OutlineIndex(OutlineIndex&&) noexcept;
-  OutlineIndex& operator=(OutlineIndex&&) noexcept;
 
-  /// Returns the distance of the nearest outline in nm; infinity if there is none. Cost: usually
-  /// O(log n).
-  double DistanceFrom(double x, double y) const;
+  /// Returns how far the nearest outline is, in nm; infinity if there is none within `limit_nm`. Cost: that of
+  /// the edges in a square of the limit around the place.
+  double DistanceFrom(double x, double y, double limit_nm) const;
 
  private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
+  EdgeIndex edges_;
 };
 
 }  // namespace slicefarm::beading

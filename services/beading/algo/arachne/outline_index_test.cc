@@ -16,6 +16,7 @@ namespace slicefarm::beading::outline_index_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFar = 30e6;
 
 MultiPolygon LayerOf(std::string_view outlines) { return MakePolygonsOrDie(outlines); }
 
@@ -31,7 +32,7 @@ TEST_P(PlaceNearOutlines, IsAsFarAsTheNearestEdge) {
   const OutlineIndex index(
       LayerOf("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6) ; (20 0, 24 0, 20 3)"));
   const PlaceCase& place = GetParam();
-  EXPECT_NEAR(index.DistanceFrom(place.x_mm * kNmPerMm, place.y_mm * kNmPerMm) / kNmPerMm,
+  EXPECT_NEAR(index.DistanceFrom(place.x_mm * kNmPerMm, place.y_mm * kNmPerMm, kFar) / kNmPerMm,
               place.distance_mm, 1e-9);
 }
 
@@ -47,27 +48,34 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(OutlineIndex, IsBetweenNanometres) {
   const OutlineIndex index(LayerOf("(0 0, 10 0, 10 10, 0 10)"));
-  EXPECT_DOUBLE_EQ(index.DistanceFrom(5e6, 1234.5), 1234.5);
+  EXPECT_DOUBLE_EQ(index.DistanceFrom(5e6, 1234.5, kFar), 1234.5);
 }
 
 TEST(OutlineIndex, NothingIsInfinitelyFar) {
-  EXPECT_EQ(OutlineIndex(MultiPolygon{}).DistanceFrom(0, 0), kInfinity);
-  EXPECT_EQ(OutlineIndex(LayerOf("")).DistanceFrom(0, 0), kInfinity);
+  EXPECT_EQ(OutlineIndex(MultiPolygon{}).DistanceFrom(0, 0, kFar), kInfinity);
+  EXPECT_EQ(OutlineIndex(LayerOf("")).DistanceFrom(0, 0, kFar), kInfinity);
 }
 
 TEST(OutlineIndex, KnowsAllObjects) {
   MultiPolygon layer = LayerOf("(0 0, 1 0, 1 1, 0 1) ; (5 0, 6 0, 6 1, 5 1)");
   const OutlineIndex index(layer);
-  EXPECT_DOUBLE_EQ(index.DistanceFrom(-1e6, 5e5), 1e6);
-  EXPECT_DOUBLE_EQ(index.DistanceFrom(8e6, 5e5), 2e6);
+  EXPECT_DOUBLE_EQ(index.DistanceFrom(-1e6, 5e5, kFar), 1e6);
+  EXPECT_DOUBLE_EQ(index.DistanceFrom(8e6, 5e5, kFar), 2e6);
+}
+
+TEST(OutlineIndex, WhatIsBeyondTheLimitIsInfinitelyFar) {
+  const OutlineIndex index(LayerOf("(0 0, 10 0, 10 10, 0 10)"));
+  EXPECT_DOUBLE_EQ(index.DistanceFrom(5e6, 2e6, 2e6), 2e6);
+  EXPECT_EQ(index.DistanceFrom(5e6, 2e6, 1.9e6), kInfinity);
+  EXPECT_EQ(index.DistanceFrom(5e6, -40e6, 1e6), kInfinity);
 }
 
 TEST(OutlineIndex, CanBeMoved) {
   OutlineIndex from(LayerOf("(0 0, 1 0, 1 1, 0 1)"));
   OutlineIndex index = std::move(from);
-  EXPECT_DOUBLE_EQ(index.DistanceFrom(-1e6, 5e5), 1e6);
+  EXPECT_DOUBLE_EQ(index.DistanceFrom(-1e6, 5e5, kFar), 1e6);
   index = OutlineIndex(MultiPolygon{});
-  EXPECT_EQ(index.DistanceFrom(-1e6, 5e5), kInfinity);
+  EXPECT_EQ(index.DistanceFrom(-1e6, 5e5, kFar), kInfinity);
 }
 
 // The index accepts rings that are not simple, and both orientations.
@@ -89,7 +97,7 @@ TEST(OutlineIndex, AgreesWithAllEdgesOneByOne) {
         nearest =
             std::min(nearest, DistanceToSegment(place, ring[edge], ring[(edge + 1) % corners]));
       }
-      EXPECT_NEAR(index.DistanceFrom(static_cast<double>(place.x), static_cast<double>(place.y)),
+      EXPECT_NEAR(index.DistanceFrom(static_cast<double>(place.x), static_cast<double>(place.y), kFar),
                   nearest, 0.01);
     }
   }

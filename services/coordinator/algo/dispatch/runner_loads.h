@@ -16,7 +16,7 @@ class RunnerLoads {
  public:
   using Call = std::pair<int64_t, int64_t>;  ///< job and ticket
 
-  /// Records the start of a call. `alone`: the runner gets no other call until this one ends.
+  /// Records the start of a call. `alone`: the runner gets no other call until the call ends.
   void Begin(RunnerId runner, Call call, bool alone) {
     calls_[runner].insert(call);
     if (alone) lone_ = {runner, call};

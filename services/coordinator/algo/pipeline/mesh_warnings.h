@@ -7,7 +7,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Returns the defects of a mesh that its owner should know, one plain sentence each. Empty for a
+/// Returns warnings about the defects of a mesh for its owner, one plain sentence each. Empty for a
 /// closed mesh without defects.
 std::vector<std::string> MeshWarnings(const MeshReport& mesh);
 

@@ -15,8 +15,8 @@ struct RangeSplitOptions {
   int32_t min_layers = 8;
   /// Largest number of layers of a range; with more, too much work is lost when a worker dies.
   int32_t max_layers = 128;
-  int64_t max_points =
-      100'000;  ///< largest number of outline points of a range; bounds the memory of a slot
+  /// Largest number of outline points of a range; limits the memory of a slot.
+  int64_t max_points = 100'000;
   /// Fixed cost of a layer, in outline points, in addition to its own points.
   int64_t layer_points = 100;
 };

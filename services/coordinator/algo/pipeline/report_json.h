@@ -9,8 +9,8 @@ namespace slicefarm::coordinator {
 
 /// Facts about a job that only the entry point has, for the report.
 struct ReportContext {
-  std::vector<std::string> settings_without_effect =
-      {};  ///< keys of settings that were given but had no effect
+  /// Keys of settings that were given but had no effect.
+  std::vector<std::string> settings_without_effect = {};
   std::string settings_digest = {};
   std::string build_id = {};
 };

@@ -10,7 +10,7 @@ namespace slicefarm::coordinator {
 /// Writes an audit log: one line for each call that changes or exports data of a tenant:
 ///
 ///   {"msg":"audit","method":"/slicefarm.v1.Jobs/CancelJob","tenant":"acme","token":"1f0c5a9be3d2",
-///    "address":"ipv4:192.0.2.7:40000","objects":"0123...","code":"OK"}.
+///    "address":"ipv4:192.0.2.7:40000","objects":"0123...","code":"OK"}
 ///
 /// `token` and `certificate` have the first 12 digits of a SHA-256; a line has one of them or both.
 /// `objects` has the ids and names in the request and the ids in the answer, 50 per line. Refused

@@ -94,7 +94,7 @@ class CoordinatorClient {
     v1::Object* object = request.mutable_spec()->add_objects();
     object->set_mesh_sha256(Sha256Hex(mesh));
     object->set_name("part.stl");
-    // the default settings of the services are sufficient
+    // The default settings of the services are sufficient.
     request.mutable_spec()->set_generic(true);
     return request;
   }

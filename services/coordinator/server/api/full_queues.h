@@ -12,8 +12,8 @@
 namespace slicefarm::coordinator {
 
 /// Tenants with a queue that was full a moment ago. Their meshes are refused, because their jobs
-/// would be refused as well. Without it, at twice the load that a farm can handle, half of its work
-/// was to receive such meshes. Thread-safe.
+/// would be refused as well. Without this check, at twice the load that a farm can handle, half of
+/// the farm's work was to receive such meshes. Thread-safe.
 class FullQueues {
  public:
   /// Creates an empty set. `now_us`: a clock that never runs backwards.

@@ -68,7 +68,7 @@ grpc::Status JobsService::WatchJobs(grpc::ServerContext* context,
   const auto place = watches_of_all_jobs_.Enter(caller->tenant);
   if (!place.ok()) return rpc::ToGrpc(place.status());
   TenantWatch watch(backend_.jobs, backend_.feed, backend_.now_us);
-  // otherwise a client could not distinguish an open watch from a dead server
+  // Otherwise a client could not distinguish an open watch from a dead server.
   context->AddInitialMetadata("slicefarm-watch", "open");
   stream->SendInitialMetadata();
   return rpc::ToGrpc(watch.Run({backend_.jobs, *tenant, *from_us}, *context, *stream));

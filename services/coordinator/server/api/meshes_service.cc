@@ -64,7 +64,7 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
     absl::Status added = CheckChunk(chunk.data(), pieces.offset(), size);
     if (added.ok()) added = pieces.Add(chunk.data());
     if (!added.ok()) return added;
-    // protects the mesh until its job is created
+    // Protects the mesh until its job is created.
     if (pieces.status().complete) return blobs.Keep(digest);
   } while (stream.Read(&chunk));
   if (absl::Status kept = pieces.KeepRest(); !kept.ok()) return kept;
@@ -80,7 +80,7 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto blobs = backend_.blobs.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
-  // the caller may create a job with this mesh next
+  // The caller may create a job with this mesh next.
   const auto status = (*blobs)->Keep(request->sha256());
   if (status.ok()) *response = ToProto(request->sha256(), *status);
   return rpc::ToGrpc(status.status());

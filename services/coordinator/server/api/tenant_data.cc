@@ -126,7 +126,7 @@ absl::StatusOr<std::vector<ProfileRecord>> ProfilesOf(const std::string& tenant,
 absl::Status AddProfiles(const std::string& tenant, ProfileStore& profiles, Archive& archive) {
   const auto newest = ProfilesOf(tenant, profiles);
   if (!newest.ok()) return newest.status();
-  // used as file name, because a profile name may be too long or an unsafe path, such as ".."
+  // Used as file name, because a profile name may be too long or an unsafe path, such as "..".
   int64_t number = 0;
   for (const ProfileRecord& last : *newest) {
     ++number;
@@ -175,7 +175,7 @@ absl::StatusOr<int64_t> EraseJobs(const std::string& tenant, JobStore& jobs,
     const auto gone = ErasePage(*page, jobs, now_us(), cancelled);
     if (!gone.ok()) return gone.status();
     erased += *gone;
-    // running jobs end soon after the cancel
+    // Running jobs end soon after the cancel.
     const auto pause = std::chrono::milliseconds(*gone == 0 ? 100 : 0);
     if (absl::Status wanted = SleepUnlessCancelled(cancel, pause); !wanted.ok()) return wanted;
   }
@@ -192,7 +192,7 @@ absl::Status EraseBlobs(const std::string& tenant, const TenantData& data,
     const size_t end = std::min(next + kPage, entries->size());
     std::set<std::string> digests;
     for (size_t i = next; i < end; ++i) digests.insert((*entries)[i].digest);
-    // used by other tenants, because the tenant's own jobs are deleted
+    // Used by other tenants, because the tenant's own jobs are deleted.
     const auto used = data.jobs.Referenced(tenant, digests);
     if (!used.ok()) return used.status();
     for (; next < end; ++next) {

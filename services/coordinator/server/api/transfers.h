@@ -19,7 +19,7 @@ struct TransferOptions {
   rpc::StreamTimes times = {};
 };
 
-/// Limits calls that occupy a server thread for as long as their client wants. Limits their number
+/// Limits calls that occupy a server thread for as long as their client likes. Limits their number
 /// and ends calls without progress. Thread-safe.
 class Transfers {
  public:

@@ -196,7 +196,7 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
 }
 
 /// Writes the last update of the run. A run without a last update counts as lost. So the write is
-/// repeated if the store is away for a moment, for example during its restart.
+/// repeated if the store is unreachable for a moment, for example during its restart.
 absl::Status JobRun::WriteAtLast(const JobUpdate& update) {
   const CancelToken in_vain([this] { return wishes_->lost() || wishes_->handed_back(); });
   absl::Status written = Write(update);

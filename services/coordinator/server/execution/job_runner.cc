@@ -220,7 +220,7 @@ void JobRunner::Tidy() {
     lock.unlock();
     const bool more = EndOverdue() == kMaxOverdueAtOnce;
     if (since_sweep.Seconds() > kRequestIdSweepS) {
-      // on an error, the next sweep tries again
+      // On an error, the next sweep tries again.
       environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();
       since_sweep = Stopwatch();
     }

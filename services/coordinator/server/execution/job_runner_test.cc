@@ -89,7 +89,7 @@ TEST_F(JobRunnerTest, ProgressIsToldAndNotWritten) {
 TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
   const auto runner = Runner();
   const std::string id = SubmitHeld(*runner);
-  // the client of another coordinator cancels the job
+  // The client of another coordinator cancels the job.
   ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
@@ -124,7 +124,7 @@ TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
   memory_ = std::make_unique<MemoryBudget>(3);
   const auto runner = Runner();
   const std::string held = SubmitHeld(*runner, "xx");
-  // does not fit into memory beside the first job, and cannot be sliced
+  // Does not fit into memory beside the first job, and cannot be sliced.
   const std::string other = Submit("x!");
   runner->Wake();
   EXPECT_EQ(AwaitEnd(other).state, JobState::kFailed);
@@ -209,7 +209,7 @@ TEST_F(JobRunnerTest, AJobThatDoesNotFitIntoMemoryFails) {
 TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {
   const auto runner = Runner();
   const std::string held = SubmitHeld(*runner);
-  // waits for the end of the same work
+  // Waits for the end of the same work.
   const std::string same = Submit("xx", "build", NowUs() + kSecondUs);
   Pass(kSecondUs);
   const JobRecord job = AwaitEnd(same);

@@ -119,7 +119,7 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
 }
 
 TEST_F(JobStatementsTest, ASweepOfManyBlobsWithNothingToDoIsFew) {
-  // rows per statement, because the time of a statement is limited
+  // Rows per statement, because the time of a statement is limited.
   constexpr int64_t kAtOnce = 50'000;
   const int64_t blobs = FromEnvironment("SLICEFARM_SWEEP_BLOBS", 100'000);
   for (int64_t first = 0; first < blobs; first += kAtOnce) {

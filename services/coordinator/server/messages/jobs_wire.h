@@ -17,11 +17,13 @@ constexpr int32_t kDefaultPageSize = 50;  ///< page size of lists, if a request 
 /// Conversions between jobs.proto and the coordinator's types. Errors: REQUEST_MALFORMED with the
 /// field; errors of common/wire/support/mesh_wire.h.
 
+/// Converts the spec of a job.
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
 
 /// Removes all settings and all notes without effect. With them, lists of jobs would be too long.
 void ClearSettings(v1::JobSpec& spec);
 
+/// Converts a priority; unspecified means normal.
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority);
 /// Returns the time in microseconds since 1970. Errors: also for times before 1970.
 absl::StatusOr<int64_t> FromProto(const google::protobuf::Timestamp& time);
@@ -31,9 +33,13 @@ std::string SpecBytes(const v1::JobSpec& spec);
 /// Reads the bytes of JobRecord.spec.
 absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes);
 
+/// Converts the state of a job.
 v1::JobState ToProto(JobState state);
+/// Converts the error of a failed job.
 v1::JobError ToProto(const JobError& error);
+/// Converts the cost of a job.
 v1::Cost ToProto(const Cost& cost);
+/// Converts the result of a preflight.
 v1::Preflight ToProto(const Preflight& preflight, const Cost& cost);
 
 /// Converts a request for a page of a list. The page token contains the last job of the previous
@@ -46,6 +52,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
 /// cannot be changed.
 absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request);
 
+/// Converts a job with its spec.
 v1::Job ToProto(const JobRecord& job);
 /// Converts an event. The job has the state of the event, without its spec.
 v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
@@ -53,8 +60,10 @@ v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
 /// Returns the time from which events are watched. Errors: also for an invalid cursor.
 absl::StatusOr<int64_t> WatchedFrom(const v1::WatchJobsRequest& request, int64_t now_us);
 
+/// Converts a webhook with its attempts.
 v1::Webhook ToProto(const WebhookRecord& webhook);
 
+/// Converts the state of an upload.
 v1::Upload ToProto(const std::string& digest, const BlobStatus& status);
 
 }  // namespace slicefarm::coordinator

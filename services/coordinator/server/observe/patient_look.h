@@ -56,7 +56,7 @@ class PatientLook {
   int64_t begun_ = 0;  ///< number of looks that began
   int64_t ended_ = 0;  ///< number of the last look that ended
   std::optional<T> found_;
-  // last member, because the thread uses the other members
+  // Last member, because the thread uses the other members.
   std::jthread thread_{[this](const std::stop_token& stop) { Run(stop); }};
 };
 

@@ -71,7 +71,7 @@ bool WebhookSender::SendOne() {
 }
 
 absl::StatusOr<std::optional<DueWebhook>> WebhookSender::Claim() {
-  // otherwise, several threads could claim webhooks of the same tenant at once
+  // Otherwise, several threads could claim webhooks of the same tenant at once.
   const std::lock_guard lock(claim_mutex_);
   const int64_t now_us = now_us_();
   // The claim outlasts the try, so that no other coordinator sends the webhook meanwhile.

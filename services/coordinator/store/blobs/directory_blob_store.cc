@@ -225,7 +225,7 @@ absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::st
   }
   absl::Status synced = SyncDirectory(folder);
   if (!synced.ok()) {
-    // waits for threads that are settling the folder without this name
+    // Waits for threads that are settling the folder without this name.
     const auto settling = folders_.Take(folder);
     Lock lock(doubts_mutex_);
     settled_.erase(folder);

@@ -19,7 +19,7 @@ namespace slicefarm::coordinator {
 ///   blobs/ab/abcd...   complete blobs: written elsewhere, fsynced, renamed, folder fsynced;
 ///   uploads/abcd...    uploads so far;
 ///   tmp/               files that Put is writing; emptied at the start;
-///   corrupt/abcd...    blobs with changed bytes; they make space for a new upload.
+///   corrupt/abcd...    blobs with changed bytes, moved so that a new upload can use the name.
 class DirectoryBlobStore : public BlobStore {
  public:
   /// Opens the store in a directory, which is created if it does not exist. REQUIRES: no other

@@ -17,7 +17,7 @@ constexpr int64_t kSectorBytes = 512;
 
 bool Coin(std::mt19937_64& random) { return random() % 2 == 0; }
 
-/// Writes over and past the end of `file`; a gap reads as zeros.
+/// Writes bytes into `file`, also beyond its end. A gap is filled with zeros.
 void Put(std::string& file, int64_t offset, std::string_view bytes) {
   const size_t end = offset + bytes.size();
   if (file.size() < end) file.resize(end, '\0');
@@ -41,7 +41,8 @@ CrashDisk CrashDisk::Of(const std::string& path) {
   CrashDisk disk;
   std::map<ino_t, int> nodes;  // a file may have two names
   const auto add = [&](const auto& self, const fs::path& directory, int parent) -> void {
-    std::map<std::string, fs::directory_entry> entries;  // by name: in the same order every time
+    // Sorted by name, so that the order is the same every time.
+    std::map<std::string, fs::directory_entry> entries;
     for (const auto& entry : fs::directory_iterator(directory))
       entries[entry.path().filename()] = entry;
     for (const auto& [name, entry] : entries) {
@@ -123,8 +124,8 @@ void CrashDisk::Apply(const DiskChange& change) {
   }
 }
 
-/// Writes that are on disk become bytes of the file. What follows one that was forgotten waits: if
-/// that reached the disk, it did so before.
+/// Moves synced writes into the bytes of the file. Writes after a forgotten write are kept: if the
+/// forgotten write reached the disk, it did so before them.
 void CrashDisk::Fold(Node& file) {
   size_t settled = 0;
   for (; settled < file.pending.size() && file.pending[settled].synced; ++settled) {
@@ -169,7 +170,8 @@ std::string CrashDisk::FileAfter(const Node& node, Leftover leftover,
   const bool unsynced = std::any_of(node.pending.begin(), node.pending.end(),
                                     [](const Write& write) { return !write.synced; });
   if (unsynced && leftover == Leftover::kAnything && random() % 4 == 0) {
-    bytes.resize(std::max<size_t>(bytes.size(), node.size), '\0');  // the size, without the bytes
+    // The size reached the disk, but not the bytes.
+    bytes.resize(std::max<size_t>(bytes.size(), node.size), '\0');
   }
   return bytes;
 }
@@ -198,7 +200,7 @@ void CrashDisk::WriteDirectory(int node, const std::string& path, Leftover lefto
     if (nodes_[child].is_directory) {
       WriteDirectory(child, child_path, leftover, random, written);
     } else if (const auto [other, fresh] = written.emplace(child, child_path); !fresh) {
-      fs::create_hard_link(other->second, child_path);  // half a rename
+      fs::create_hard_link(other->second, child_path);  // half of a rename
     } else {
       std::ofstream(child_path, std::ios::binary) << FileAfter(nodes_[child], leftover, random);
     }

@@ -10,19 +10,20 @@
 
 namespace slicefarm::coordinator {
 
-/// A call that changed files or asked for them to be on disk. Files and directories go by number,
-/// as a file that was renamed or removed can still be written to.
+/// Call that changed files or requested a sync. Files and directories are identified by numbers,
+/// because a file that was renamed or removed can still be written to.
 struct DiskChange {
+  /// Kind of a change.
   enum class Kind {
-    kCreate,         ///< a file: `node`, under `name` in directory `parent`
-    kMakeDirectory,  ///< the same, a directory
-    kUnlink,         ///< `name` leaves `parent`
-    kRename,         ///< `name` in `parent` becomes `to_name` in `to_parent`
-    kWrite,          ///< `bytes` at `offset` of `node`
-    kTruncate,       ///< `node` to `offset` bytes
+    kCreate,         ///< creates file `node` under `name` in directory `parent`
+    kMakeDirectory,  ///< creates directory `node` under `name` in directory `parent`
+    kUnlink,         ///< removes `name` from `parent`
+    kRename,         ///< renames `name` in `parent` to `to_name` in `to_parent`
+    kWrite,          ///< writes `bytes` at `offset` of `node`
+    kTruncate,       ///< cuts `node` to `offset` bytes
     kSync,           ///< fsync of a file or a directory
-    kSyncFailed,     ///< fsync that told of an error
-    kDamage,         ///< `bytes` at `offset` of `node` change by themselves: no call did it
+    kSyncFailed,     ///< fsync that returned an error
+    kDamage,         ///< `bytes` at `offset` of `node` changed without a call
   };
   Kind kind = Kind::kSync;
   int node = 0;
@@ -34,49 +35,54 @@ struct DiskChange {
   std::string bytes = {};
 };
 
-/// What of the unsynced a power cut leaves.
+/// Unsynced changes that survive a power cut.
 enum class Leftover {
   kNothing,
   kEverything,
-  kAnything,  ///< any of the writes, in sectors of 512 bytes; any of the names; sizes without bytes
+  /// Any subset of the writes, in sectors of 512 bytes, and of the names; sizes without bytes.
+  kAnything,
 };
 
-/// A directory tree as a disk keeps it: what is there if the power fails now?
+/// Directory tree as a disk stores it. Models the state of the disk after a power cut.
 ///
-/// - Bytes are certain once their file was synced, and a name once the directory that it stands in
-///   was. Writes, names and sizes reach the disk in any order before; a rename is two names.
-/// - An fsync that fails forgets: what was to be written counts as clean and no later fsync writes
-///   it, which is what Linux does ("fsyncgate": Rebello et al., "Can Applications Recover from
-///   fsync Failures?", USENIX ATC 2020). Directories are not forgetful: file systems keep a journal
-///   of names, and stop if it cannot be written.
+/// - Bytes are safe after a sync of their file; a name is safe after a sync of its directory.
+///   Before that, writes, names and sizes reach the disk in any order. A rename consists of two
+///   names.
+/// - A failed fsync forgets the pending writes: they count as written, and no later fsync writes
+///   them. Linux behaves like this ("fsyncgate": Rebello et al., "Can Applications Recover from
+///   fsync Failures?", USENIX ATC 2020). Directories do not forget, because file systems keep a
+///   journal of names and stop if it cannot be written.
 ///
-/// A value: what a disk would leave is asked of a copy of some moment.
+/// It is a value: a copy preserves the state at some moment.
 class CrashDisk {
  public:
   static constexpr int kRoot = 0;
 
-  /// What is in directory `path` now, all of it on disk.
+  /// Returns the content of directory `path`; all of it is on disk.
   static CrashDisk Of(const std::string& path);
 
   CrashDisk() : nodes_(1) { nodes_[kRoot].is_directory = true; }
 
+  /// Applies a change.
   void Apply(const DiskChange& change);
 
-  /// The node that `path`, relative to the root, leads to for those who have not lost power.
+  /// Returns the node of `path`, relative to the root, in the state without a power cut.
   std::optional<int> Find(std::string_view path) const;
+  /// Returns true if the node is a directory.
   bool IsDirectory(int node) const { return nodes_[node].is_directory; }
+  /// Returns the size of a file without a power cut.
   int64_t SizeOf(int node) const { return nodes_[node].size; }
-  /// The number of the next node that is made.
+  /// Returns the number of the next node that is created.
   int next_node() const { return static_cast<int>(nodes_.size()); }
 
-  /// Makes directory `path` and in it what a power cut leaves. Equal states of `random`, equal
-  /// trees.
+  /// Creates directory `path` with the content after a power cut. Equal states of `random` create
+  /// equal trees.
   void WriteImage(const std::string& path, Leftover leftover, std::mt19937_64& random) const;
 
  private:
   using Names = std::map<std::string, int, std::less<>>;
 
-  /// A write, or with no bytes a truncation to `offset`.
+  /// A write, or a truncation to `offset` without bytes.
   struct Write {
     int64_t offset = 0;
     std::string bytes;
@@ -86,15 +92,15 @@ class CrashDisk {
   };
   struct NameChange {
     std::string name;
-    std::optional<int> node;  ///< none: the name goes
+    std::optional<int> node;  ///< empty if the name is removed
   };
   struct Node {
     bool is_directory = false;
-    std::string bytes;           ///< of a file: on disk
-    std::vector<Write> pending;  ///< and what came after
-    int64_t size = 0;            ///< with all of that
-    Names names;                 ///< of a directory, now
-    Names disk_names;            ///< and on disk
+    std::string bytes;           ///< bytes of a file on disk
+    std::vector<Write> pending;  ///< writes after these bytes
+    int64_t size = 0;            ///< size with all writes
+    Names names;                 ///< current names in a directory
+    Names disk_names;            ///< names on disk
     std::vector<NameChange> pending_names;
   };
 

@@ -8,7 +8,7 @@ namespace {
 
 struct Invariant {
   const char* what;
-  const char* violations;  ///< a query that finds none
+  const char* violations;  ///< query that must find no row
 };
 
 constexpr Invariant kInvariants[] = {

@@ -1,7 +1,8 @@
-// DirectoryBlobStore when each of its calls to the disk fails, and when the power fails after each.
+// Tests of DirectoryBlobStore in which each of its disk calls fails, and in which the power fails
+// after each call. Environment variables:
 //
-//   SLICEFARM_FAULT_ERRORS   how many errors are tried at each call site (40)
-//   SLICEFARM_FAULT_SEEDS    how many random choices of what a power cut leaves (4)
+//   SLICEFARM_FAULT_ERRORS   number of errors that are tried at each call site (40);
+//   SLICEFARM_FAULT_SEEDS    number of random choices of the state after a power cut (4).
 
 #include <gtest/gtest.h>
 
@@ -22,14 +23,15 @@ namespace {
 
 constexpr size_t kPieceBytes = 1500;
 
-/// Some bytes of a few sectors.
+/// Returns some bytes that fill a few sectors.
 std::string Content(const std::string& name) {
   std::string bytes;
   for (int i = 0; bytes.size() < 4000; ++i) absl::StrAppend(&bytes, name, " ", i, "\n");
   return bytes;
 }
 
-/// Bytes whose digest begins as that of `other` does, so that they are kept in the same folder.
+/// Returns bytes with a digest that begins as the digest of `other`, so that both are in the same
+/// folder.
 std::string Neighbour(const std::string& other) {
   const std::string folder = Sha256Hex(other).substr(0, 2);
   for (int i = 0;; ++i) {
@@ -38,7 +40,8 @@ std::string Neighbour(const std::string& other) {
   }
 }
 
-/// As a client does: goes on where the upload ended, and begins again if it was damaged.
+/// Uploads bytes as a client does: continues at the end of the stored part, and begins again if the
+/// upload was damaged.
 absl::Status Upload(BlobStore& store, const std::string& bytes) {
   const std::string digest = Sha256Hex(bytes);
   const auto size = static_cast<int64_t>(bytes.size());
@@ -94,7 +97,8 @@ class BlobLife : public StoreLife {
     };
   }
 
-  /// A short write is an error only if the disk is full then.
+  /// Returns true if the error fits the fault. A short write causes an error only if the disk is
+  /// then full.
   bool Tells(const absl::Status& status, Fault fault) const override {
     const bool io = fault == Fault::kEio || fault == Fault::kEintr;
     return DetailOf(status).reason == (io ? Reason::kStoreFailed : Reason::kDiskFull);
@@ -126,7 +130,7 @@ class BlobLife : public StoreLife {
   }
 
  private:
-  /// From here on in the changes of the disk, a blob is there, or it may be gone.
+  /// Promise that a blob exists, or that it may be missing, from this change of the disk on.
   struct Promise {
     size_t changes = 0;
     bool kept = false;
@@ -166,7 +170,7 @@ class BlobLife : public StoreLife {
   absl::Status ReadDamaged(const std::string& bytes) {
     Damage(bytes);
     const absl::Status read = store_->Get(Sha256Hex(bytes)).status();
-    // Gone: it was put aside before.
+    // If the blob is missing, it was put aside before.
     return absl::IsDataLoss(read) || absl::IsNotFound(read) ? absl::OkStatus() : read;
   }
   absl::Status UploadOtherBytes(const std::string& bytes) {
@@ -188,7 +192,7 @@ class BlobLife : public StoreLife {
     return kept;
   }
 
-  /// Empty: nothing is wrong.
+  /// Returns an empty text if nothing is wrong with the blob.
   std::string CheckBlob(BlobStore& store, const std::string& bytes, size_t changes) const {
     const std::string digest = Sha256Hex(bytes);
     const bool promised = Promised(digest, changes);
@@ -212,7 +216,7 @@ class BlobLife : public StoreLife {
   const std::string a_ = Content("a"), b_ = Content("b"), c_ = Neighbour(a_), d_ = Content("d"),
                     e_ = Content("e"), f_ = Content("f");
   std::map<std::string, std::vector<Promise>> promises_;
-  std::map<std::string, size_t> damaged_;  ///< since which change
+  std::map<std::string, size_t> damaged_;  ///< change of the disk since which a blob is damaged
 };
 
 TrialOptions Options() {

@@ -33,7 +33,7 @@ int ErrnoOf(Fault fault) {
   }
 }
 
-// What may happen to a call.
+// Faults that may occur in a call that reads.
 const std::vector<Fault> kReads = {Fault::kEio, Fault::kEintr, Fault::kShort};
 const std::vector<Fault> kOpens = {Fault::kEio, Fault::kEintr};
 const std::vector<Fault> kWrites = {Fault::kEio, Fault::kNoSpace, Fault::kQuota, Fault::kEintr,
@@ -108,7 +108,7 @@ int DiskCalls::Strike(const char* function, std::string_view path, std::vector<F
   return 0;
 }
 
-/// The C library's functions as this program, and the libraries that it loads, find them.
+/// Replacements of functions of the C library, as this program and its libraries find them.
 class LibcHooks {
  public:
   static int Open(const char* path, int flags, int mode) {
@@ -159,7 +159,7 @@ class LibcHooks {
     return written;
   }
 
-  /// At the place where the file is read and written.
+  /// Makes a call at the position of the file where it is read and written.
   template <typename Call>
   static ssize_t Sequential(int fd, const Call& call) {
     const off_t at = lseek(fd, 0, SEEK_CUR);
@@ -198,7 +198,8 @@ class LibcHooks {
     }
     const int result = static_cast<int>(syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to));
     if (calls == nullptr || result != 0) return result;
-    if (faccessat(AT_FDCWD, from, F_OK, 0) == 0) return 0;  // two names of one file: nothing done
+    // A rename between two names of one file does nothing.
+    if (faccessat(AT_FDCWD, from, F_OK, 0) == 0) return 0;
     const auto source = calls->PlaceOf(from), target = calls->PlaceOf(to);
     calls->Note({.kind = Kind::kRename,
                  .parent = source.directory,
@@ -274,7 +275,7 @@ std::vector<std::string> DiskCalls::Functions() {
 
 }  // namespace slicefarm::coordinator
 
-// A definition in the program goes before that of a library, also for the other libraries.
+// A definition in the program takes precedence over that of a library, also for other libraries.
 extern "C" {
 
 using slicefarm::coordinator::LibcHooks;
@@ -282,7 +283,7 @@ using slicefarm::coordinator::LibcHooks;
 int open(const char* path, int flags, ...) {
   va_list rest;
   va_start(rest, flags);
-  const int mode = va_arg(rest, int);  // of no meaning to most calls
+  const int mode = va_arg(rest, int);  // most calls ignore this argument
   va_end(rest);
   return LibcHooks::Open(path, flags, mode);
 }

@@ -10,31 +10,33 @@
 
 namespace slicefarm::coordinator {
 
-/// What goes wrong with a call.
+/// Fault of a call.
 enum class Fault {
   kEio,
   kNoSpace,  ///< ENOSPC
   kQuota,    ///< EDQUOT
   kEintr,
-  kShort,  ///< half of what was to be written or read
+  kShort,  ///< only half of the bytes are written or read
 };
+/// Returns the name of a fault.
 std::string_view FaultName(Fault fault);
 
-/// A call that could have gone wrong.
+/// Call that can fail.
 struct DiskCall {
   std::string function;
-  std::string path;           ///< below the root
-  std::vector<Fault> faults;  ///< what may happen to it
+  std::string path;           ///< path below the root
+  std::vector<Fault> faults;  ///< faults that may occur
 };
 
-/// fsyncs that do not tell the disk: what the tests of these tests turn on.
+/// Kinds of fsync calls that have no effect. With them, the tests check that the fault tests find
+/// errors.
 enum class Lie { kNone, kFiles, kDirectories };
 
-/// Stands between this process, SQLite included, and the C library's file calls for all files below
-/// a directory, as long as it lives: notes what they change, in their order, and lets chosen ones
-/// fail. Nothing waits for the disk: an fsync is noted, and not done.
+/// Intercepts the C library's file calls of this process, including SQLite, for all files below a
+/// directory during its lifetime. Records the changes in their order, and lets selected calls fail.
+/// No call waits for the disk: an fsync is recorded but not made.
 ///
-/// One at a time, and for calls of one thread.
+/// Only one object may exist at a time, and only one thread may make calls.
 class DiskCalls {
  public:
   explicit DiskCalls(std::string root, Lie lie = Lie::kNone);
@@ -42,24 +44,28 @@ class DiskCalls {
   DiskCalls(const DiskCalls&) = delete;
   DiskCalls& operator=(const DiskCalls&) = delete;
 
-  /// Call number `call`, from 0 on, fails. If it `lasts`, so do all that follow until Heal(); a
-  /// short write that lasts is one of a disk that is full then. What cannot happen to a call does
-  /// not happen to it.
+  /// Lets call number `call` fail, counted from 0. If it `lasts`, all later calls fail until
+  /// Heal(). A lasting short write means that the disk is full afterwards. Faults that cannot occur
+  /// in a call have no effect on it.
   void FailAt(int64_t call, Fault fault, bool lasts);
+  /// Ends the failures.
   void Heal();
-  /// Whether a call has failed.
+  /// Returns true if a call has failed.
   bool struck() const { return struck_; }
 
-  /// Bytes change by themselves, as on a worn-out disk.
+  /// Changes bytes without a call, as a worn-out disk does.
   void Damage(const std::string& path, int64_t offset, const std::string& bytes);
 
+  /// Returns the calls so far.
   const std::vector<DiskCall>& calls() const { return calls_; }
+  /// Returns the changes so far.
   const std::vector<DiskChange>& changes() const { return changes_; }
-  /// Before the first change, and after all of them.
+  /// Returns the disk before the first change.
   const CrashDisk& before() const { return before_; }
+  /// Returns the disk after all changes.
   const CrashDisk& now() const { return disk_; }
 
-  /// Names of the functions that it stands before.
+  /// Returns the names of the intercepted functions.
   static std::vector<std::string> Functions();
 
  private:
@@ -79,14 +85,14 @@ class DiskCalls {
   std::string Below(std::string_view path) const;
   Place PlaceOf(std::string_view path) const;
   void Note(DiskChange change);
-  /// Counts a call. 0, or the errno that it ends with; `bytes` may become fewer.
+  /// Counts a call. Returns 0, or the errno with which the call must fail. May reduce `bytes`.
   int Strike(const char* function, std::string_view path, std::vector<Fault> faults, size_t* bytes);
 
   const std::string root_;
   const Lie lie_;
   const CrashDisk before_;
   CrashDisk disk_;
-  std::map<int, File> files_;  ///< by descriptor
+  std::map<int, File> files_;  ///< open files by descriptor
   std::vector<DiskCall> calls_;
   std::vector<DiskChange> changes_;
 

@@ -1,4 +1,5 @@
-// The disk that the tests of faults use, and that it stands before all calls that matter.
+// Tests of the simulated disk of the fault tests. They also check that it intercepts all relevant
+// calls.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -36,7 +37,7 @@ class DiskFaultsTest : public testing::Test {
     EXPECT_EQ(fsync(fd), 0);
     close(fd);
   }
-  /// What of file `name` a power cut leaves; "-": it is not there.
+  /// Returns the content of file `name` after a power cut; "-" if the file does not exist.
   std::string After(const std::string& name, Leftover leftover, uint64_t seed = 1) {
     const std::string image = absl::StrCat(directory_.path(), "/image", images_++);
     std::mt19937_64 random(seed);
@@ -144,7 +145,7 @@ TEST_F(DiskFaultsTest, OtherDirectoriesAreLeftAlone) {
   EXPECT_TRUE(disk_->calls().empty());
 }
 
-/// What a library or object file takes from others: the output of nm.
+/// Returns the undefined symbols of a library or object file, from the output of nm.
 std::set<std::string> UndefinedSymbols(const std::string& arguments) {
   const std::string command = absl::StrCat("nm --undefined-only ", arguments);
   const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
@@ -213,7 +214,7 @@ const std::set<std::string> kFileFunctions = {"__open64_2",
                                               "posix_fallocate64",
                                               "sync_file_range"};
 
-// A new call in the stores must not escape the tests of faults.
+// A new call in the stores must not bypass the fault tests.
 TEST(DiskCalls, StandsBeforeAllThatTheStoresAndSqliteCall) {
   const std::vector<std::string> functions = DiskCalls::Functions();
   for (const std::string& arguments :
@@ -227,7 +228,7 @@ TEST(DiskCalls, StandsBeforeAllThatTheStoresAndSqliteCall) {
   }
 }
 
-// The C++ library calls the C library's from within, where nothing can stand between.
+// The C++ library calls the C library internally, where these calls cannot be intercepted.
 TEST(DiskCalls, TheStoresChangeNoFilesByTheCxxLibrary) {
   for (const std::string& symbol : UndefinedSymbols(STORE_LIBRARY)) {
     for (const char* change : {"6remove", "10remove_all", "6rename", "16create_directory",

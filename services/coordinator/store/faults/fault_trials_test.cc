@@ -19,12 +19,12 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr int kTries = 3;
-/// Enough to see what is wrong.
+/// Largest number of reported violations; it is sufficient to find the cause.
 constexpr size_t kMaxViolations = 20;
 
 struct TrialResults {
-  int64_t calls = 0;              ///< of a life without faults
-  std::set<std::string> sites{};  ///< functions, and for which part of the directory
+  int64_t calls = 0;              ///< number of calls of a life without faults
+  std::set<std::string> sites{};  ///< call sites: function and part of the directory
   int64_t trials = 0;
   std::vector<std::string> violations{};
 };
@@ -33,10 +33,10 @@ struct ErrorPlan {
   int64_t call = 0;
   Fault fault = Fault::kEio;
   bool lasts = false;
-  bool reopens = false;  ///< after a step that failed
+  bool reopens = false;  ///< true if the state is opened again after a failed step
 };
 
-/// Runs the steps. Gives what went wrong otherwise than by an error that says why.
+/// Runs the steps. Returns all failures except errors that state their cause.
 std::vector<std::string> Live(StoreLife& life, DiskCalls& disk, const ErrorPlan& plan) {
   std::vector<std::string> violations;
   std::vector<LifeStep> steps = life.Steps();
@@ -63,12 +63,12 @@ std::vector<std::string> Live(StoreLife& life, DiskCalls& disk, const ErrorPlan&
   return violations;
 }
 
-/// In memory if there is a place: nothing here is to wait for a disk.
+/// Returns a directory in memory if there is one, so that no test waits for a disk.
 std::string FastPlace() {
   return access("/dev/shm/", W_OK) == 0 ? "/dev/shm/" : testing::TempDir();
 }
 
-/// How a directory is before a life.
+/// Content of a directory before a life.
 class Beginning {
  public:
   explicit Beginning(const TrialOptions& options) {
@@ -81,7 +81,7 @@ class Beginning {
   TempDirectory directory_{FastPlace()};
 };
 
-/// A directory for a life.
+/// Directory for one life.
 class Place {
  public:
   explicit Place(const Beginning& beginning) {
@@ -100,7 +100,7 @@ void Report(std::vector<std::string> found, const std::string& where, TrialResul
   }
 }
 
-/// What Check finds in the image of a disk.
+/// Returns the violations that Check finds in the image of a disk.
 std::vector<std::string> CheckImage(const StoreLife& life, const CrashDisk& disk, Leftover leftover,
                                     std::mt19937_64& random, size_t changes) {
   TempDirectory directory(FastPlace());
@@ -160,7 +160,7 @@ void Describe(const DiskCalls& disk, TrialResults& results) {
   for (const DiskCall& call : disk.calls()) results.sites.insert(SiteOf(call));
 }
 
-/// By site.
+/// Returns the planned errors by call site.
 std::map<std::string, std::vector<ErrorPlan>> PlansFor(const std::vector<DiskCall>& calls) {
   std::map<std::string, std::vector<ErrorPlan>> by_site;
   for (size_t i = 0; i < calls.size(); ++i) {
@@ -168,7 +168,7 @@ std::map<std::string, std::vector<ErrorPlan>> PlansFor(const std::vector<DiskCal
     for (const Fault fault : calls[i].faults) {
       const auto call = static_cast<int64_t>(i);
       plans.push_back({call, fault, /*lasts=*/false, /*reopens=*/false});
-      if (fault == Fault::kEintr) continue;  // what goes on for ever is no interruption
+      if (fault == Fault::kEintr) continue;  // a lasting EINTR would not be an interruption
       plans.push_back({call, fault, /*lasts=*/true, /*reopens=*/false});
       plans.push_back({call, fault, /*lasts=*/true, /*reopens=*/true});
     }

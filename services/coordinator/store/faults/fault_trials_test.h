@@ -11,59 +11,63 @@
 
 namespace slicefarm::coordinator {
 
+/// Step of a life.
 struct LifeStep {
   std::string name;
   std::function<absl::Status()> run;
 };
 
-/// What a store goes through in a test, and what it promised on the way.
+/// Sequence of operations of a store in a test, with the promises that the store made during them.
 class StoreLife {
  public:
   virtual ~StoreLife() = default;
 
+  /// Opens the store in its directory.
   virtual absl::Status Open() = 0;
+  /// Closes the store.
   virtual void Close() = 0;
-  /// Each may fail, and is then done again.
+  /// Returns the steps. Each step may fail and is then repeated.
   virtual std::vector<LifeStep> Steps() = 0;
 
-  /// Whether an error says enough of what happened to a call.
+  /// Returns true if an error sufficiently describes the fault of a call.
   virtual bool Tells(const absl::Status& status, Fault fault) const;
 
-  /// What is wrong with the state in `directory`, as it was found after `changes` of the disk: a
-  /// promise made before that is broken, bytes that are others, a store that does not work. May
-  /// change what is there.
+  /// Returns the violations in the state in `directory`, found after `changes` changes of the disk.
+  /// Violations are broken promises from before, changed bytes, or a store that does not work. May
+  /// change the directory.
   virtual std::vector<std::string> Check(const std::string& directory, size_t changes) const = 0;
 };
 
-/// A life in a directory that is there, and may hold an older state.
+/// Function that creates a life in an existing directory, which may contain an older state.
 using NewLife = std::function<std::unique_ptr<StoreLife>(DiskCalls&, const std::string& directory)>;
 
+/// Options of a trial.
 struct TrialOptions {
   NewLife life;
-  /// Called with the empty directory first.
+  /// Prepares the directory, which is empty at first.
   std::function<void(const std::string& directory)> prepare = [](const std::string&) {};
-  /// So many errors are tried at each site, spread over its calls.
+  /// Number of errors that are tried at each site, spread over its calls.
   int64_t errors_a_site = INT64_MAX;
-  /// After one of so many changes the power is cut.
+  /// Interval of the power cuts, in changes of the disk.
   int64_t cut_every = 1;
-  int64_t seed = 1;  ///< which ones, and what a power cut leaves
+  int64_t seed = 1;  ///< seed for the choice of errors and for the state after a power cut
   Lie lie = Lie::kNone;
 };
 
-/// Lets calls of a life fail, one a life: with each error that a call can end with, once or until a
-/// step failed; the life then goes on with the same store, or a new one opens the state. Expects
-/// that steps succeed in the end, that errors have a reason, and that Check finds nothing in what
-/// is there at the end, nor in what a power cut would leave of it. The figures are printed, and
-/// kept as properties of the test.
+/// Lets calls of a life fail, one per life. Tries each error that a call can return, once or until
+/// a step has failed. The life then continues with the same store, or opens the state with a new
+/// store. Expects that all steps succeed in the end and that errors have a reason. Expects that
+/// Check finds no violations in the final state, nor in its state after a power cut. Prints the
+/// counts and records them as properties of the test.
 void ExpectErrorsAreSeenTo(const TrialOptions& options);
 
-/// Cuts the power after each change of the disk in a life; all of it again for each of the seeds 1
-/// .. `seeds`. Expects that Check finds nothing then, nor after a second cut while it looked. The
-/// figures as above.
+/// Cuts the power after each change of the disk in a life, for each of the seeds 1 .. `seeds`.
+/// Expects that Check finds no violations then, nor after a second cut during the check. Prints and
+/// records counts as above.
 void ExpectPowerCutsAreSurvived(TrialOptions options, int64_t seeds);
 
-/// Expects that power cuts on a disk that lies break a promise: that these trials find a store that
-/// does not sync, here one whose fsyncs do nothing.
+/// Expects that power cuts on a lying disk break a promise. So these trials detect a store that
+/// does not sync; here, its fsyncs have no effect.
 void ExpectNoticed(Lie lie, TrialOptions options);
 
 }  // namespace slicefarm::coordinator

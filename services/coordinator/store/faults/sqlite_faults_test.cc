@@ -1,9 +1,9 @@
-// Jobs in SQLite and their blobs in a directory, when each of the calls to the disk fails, SQLite's
-// too, and when the power fails after each. What the environment sets:
+// Tests of jobs in SQLite and blobs in a directory. Each of the disk calls fails, including
+// SQLite's, and the power fails after each. Environment variables:
 //
-//   SLICEFARM_FAULT_ERRORS   how many errors are tried at each call site (8)
-//   SLICEFARM_FAULT_SEEDS    how many random choices of what a power cut leaves (1)
-//   SLICEFARM_FAULT_EVERY    after one of so many changes the power is cut (5)
+//   SLICEFARM_FAULT_ERRORS   number of errors that are tried at each call site (8);
+//   SLICEFARM_FAULT_SEEDS    number of random choices of the state after a power cut (1);
+//   SLICEFARM_FAULT_EVERY    interval of the power cuts, in changes (5).
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -31,7 +31,8 @@ using enum JobState;
 
 constexpr int64_t kLeaseUs = 100;
 
-/// So that a life of a few kilobytes sees the write-ahead log go into the database and begin again.
+/// Makes SQLite copy its log into the database often. So a life of a few kilobytes includes
+/// checkpoints and restarts of the log.
 int CheckpointOften(sqlite3* db, const char**, const void*) {
   return sqlite3_wal_autocheckpoint(db, 20);
 }
@@ -43,7 +44,7 @@ class FrequentCheckpoints : public testing::Environment {
 [[maybe_unused]] const auto* const kFrequentCheckpoints =
     testing::AddGlobalTestEnvironment(new FrequentCheckpoints);
 
-/// What a coordinator keeps in a directory.
+/// Stores of a coordinator in one directory.
 struct State {
   std::unique_ptr<JobStore> jobs;
   std::unique_ptr<ProfileStore> profiles;
@@ -75,11 +76,11 @@ NewJob JobOf(const std::string& id, const std::string& mesh) {
   return job;
 }
 
-/// What the same job was once, for those who look at it after a fault.
+/// State of a job at one time, for the check after a fault.
 struct Version {
-  size_t from = 0;                     ///< in changes of the disk: when it was asked for
-  std::optional<size_t> acknowledged;  ///< none: it failed, and may be there or not
-  std::optional<JobRecord> job;        ///< none: it was removed, or it failed
+  size_t from = 0;                     ///< number of disk changes when the call began
+  std::optional<size_t> acknowledged;  ///< empty: the call failed, and the change may exist or not
+  std::optional<JobRecord> job;        ///< empty: the job was removed, or the call failed
   bool removes = false;
 };
 
@@ -146,11 +147,11 @@ class StateLife : public StoreLife {
  private:
   size_t now() const { return disk_.changes().size(); }
 
-  // ---- Steps. A step that failed may have been done; done again, it succeeds.
+  // ---- Steps. The effect of a failed step may exist. A repeated step succeeds.
 
   absl::Status PutBlob(const std::string& bytes) { return state_.blobs->Put(bytes).status(); }
 
-  /// Notes what became of job `id` by a call that began at `from`.
+  /// Records the outcome of a call for job `id` that began at `from`.
   absl::Status Note(const std::string& id, size_t from, const absl::Status& status) {
     Version version;
     version.from = from;
@@ -175,7 +176,7 @@ class StateLife : public StoreLife {
 
   absl::Status Claim(const std::string& id) {
     const size_t from = now();
-    now_us_ += 2 * kLeaseUs;  // a claim that nobody knows of has run out
+    now_us_ += 2 * kLeaseUs;  // lets a claim without an answer expire
     const auto job = state_.jobs->Claim("me", now_us_, now_us_ + kLeaseUs);
     if (job.ok() && (!*job || (*job)->id != id)) return absl::NotFoundError("no job");
     if (job.ok()) lease_ = {id, (*job)->owner_epoch};
@@ -185,7 +186,7 @@ class StateLife : public StoreLife {
   absl::Status Update(const std::string& id, const JobUpdate& update) {
     const size_t from = now();
     absl::Status status = state_.jobs->Update(lease_, update, ++now_us_).status();
-    if (absl::IsAborted(status)) {  // it has ended, by a call of which we were told that it failed
+    if (absl::IsAborted(status)) {  // a call that reported an error has ended the job
       const auto job = state_.jobs->Get(id);
       if (job.ok() && IsTerminal(job->state) && job->state == update.state)
         status = absl::OkStatus();
@@ -234,7 +235,7 @@ class StateLife : public StoreLife {
     return Update(id, {.state = kFailed, .error = JobErrorOf(absl::InternalError("out of luck"))});
   }
 
-  /// What no job refers to goes.
+  /// Removes blobs to which no job refers.
   absl::Status Sweep() {
     std::set<std::string> digests;
     absl::Status listed =
@@ -256,9 +257,9 @@ class StateLife : public StoreLife {
     return put.status();
   }
 
-  // ---- What was promised.
+  // ---- Checks of the promises.
 
-  /// Empty: nothing is wrong.
+  /// Returns an empty text if nothing is wrong with the job.
   static std::string CheckJob(JobStore& jobs, const std::string& id,
                               const std::vector<Version>& versions, size_t changes) {
     const auto job = jobs.Get(id);
@@ -266,7 +267,7 @@ class StateLife : public StoreLife {
     std::optional<JobRecord> here;
     if (job.ok()) here = *job;
     std::optional<JobRecord> promised;
-    const Version* in_flight = nullptr;  // by a call that was not answered by then
+    const Version* in_flight = nullptr;  // version of a call without an answer
     for (const Version& version : versions) {
       if (version.from > changes) break;
       const bool answered = version.acknowledged && *version.acknowledged <= changes;
@@ -296,7 +297,7 @@ class StateLife : public StoreLife {
     }
   }
 
-  /// All that a job refers to, acknowledged or not, is there.
+  /// Checks that all blobs exist to which a job refers, acknowledged or not.
   static void CheckBlobs(State& state, std::vector<std::string>& wrong) {
     const auto jobs = state.jobs->List({.tenant = "tenant"});
     if (!jobs.ok()) return wrong.push_back(jobs.status().ToString());
@@ -312,7 +313,7 @@ class StateLife : public StoreLife {
     }
   }
 
-  /// A job from its creation to its end.
+  /// Creates a job and runs it to its end.
   static absl::Status Work(State& state) {
     const auto mesh = state.blobs->Put(mesh_);
     if (!mesh.ok()) return mesh.status();
@@ -323,7 +324,7 @@ class StateLife : public StoreLife {
     constexpr int64_t kLater = 1'000'000'000;
     const auto claimed = state.jobs->Claim("you", kLater, kLater + kLeaseUs);
     if (!claimed.ok()) return claimed.status();
-    // After the second of two power cuts, an earlier check may have ended it.
+    // After the second of two power cuts, an earlier check may have ended the job.
     if (!*claimed || (*claimed)->id != "new") return absl::OkStatus();
     return state.jobs->Update({"new", (*claimed)->owner_epoch}, {.state = kCancelled}, kLater)
         .status();
@@ -336,7 +337,7 @@ class StateLife : public StoreLife {
   int64_t now_us_ = 10'000;
   Lease lease_;
   std::map<std::string, std::vector<Version>> jobs_;
-  std::map<std::string, std::pair<size_t, int64_t>> profiles_;  ///< by settings
+  std::map<std::string, std::pair<size_t, int64_t>> profiles_;  ///< expected profiles by settings
 };
 
 TrialOptions Options() {

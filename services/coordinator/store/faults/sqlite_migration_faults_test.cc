@@ -1,9 +1,9 @@
-// Schema migrations from nothing and from every older version, when each of the calls to the disk
-// fails, and when the power fails after each. What the environment sets:
+// Tests of schema migrations from an empty database and from every older version. Each of the disk
+// calls fails, and the power fails after each. Environment variables:
 //
-//   SLICEFARM_FAULT_ERRORS   how many errors are tried at each call site (5)
-//   SLICEFARM_FAULT_SEEDS    how many random choices of what a power cut leaves (1)
-//   SLICEFARM_FAULT_EVERY    after one of so many changes the power is cut (3)
+//   SLICEFARM_FAULT_ERRORS   number of errors that are tried at each call site (5);
+//   SLICEFARM_FAULT_SEEDS    number of random choices of the state after a power cut (1);
+//   SLICEFARM_FAULT_EVERY    interval of the power cuts, in changes (3).
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ int64_t LatestVersion() {
   return query.Next() ? query.Int(0) : 0;
 }
 
-/// A database of an older build with a job in it; of version 0, none.
+/// Creates a database of an older build with a job in it. For version 0, creates none.
 void MakeVersion(const std::string& directory, int64_t version) {
   if (version == 0) return;
   DiskCalls quiet(directory);

@@ -266,7 +266,7 @@ TEST_P(JobClaimsTest, ClaimsRacedByManyAreOneAnEpoch) {
   claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
   EXPECT_EQ(claims, 2 * jobs);
   clock += 1'000'000;
-  // these leases expire in the middle of the race
+  // These leases expire in the middle of the race.
   claim(/*lease_us=*/jobs / 2, /*limit=*/jobs / 4);
   EXPECT_EQ(std::ssize(owners), claims) << "each epoch of a job was given to one claimer";
   for (int64_t i = 0; i < jobs; ++i) {

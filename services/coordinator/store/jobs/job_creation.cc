@@ -33,8 +33,8 @@ absl::StatusOr<bool> HasOpen(SqlConnection& db, const std::string& tenant, int64
   return has;
 }
 
-/// More jobs than all coordinators create at a time. If the limit of a tenant is further away, its
-/// jobs can be counted without a lock.
+/// Margin to the limit of open jobs above which a tenant's jobs are counted without a lock. All
+/// coordinators together create fewer jobs at a time.
 constexpr int64_t kManyJobs = 2'500;
 
 /// Checks the limit of open jobs. Near the limit, the jobs of a tenant are created one after

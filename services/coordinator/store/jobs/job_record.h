@@ -106,13 +106,18 @@ struct JobEventRecord {
   friend bool operator==(const JobEventRecord&, const JobEventRecord&) = default;
 };
 
-/// Returns the JSON text of an error, as stored in the tables. The other overloads convert results
-/// and labels. FromJson reads only texts of ToJson; for any other text it returns DATA_LOSS.
+/// Returns the JSON text of an error, as stored in the tables. FromJson reads only texts of ToJson;
+/// for any other text it returns DATA_LOSS.
 std::string ToJson(const JobError& error);
+/// Returns the JSON text of a result.
 std::string ToJson(const JobResult& result);
+/// Returns the JSON text of labels.
 std::string ToJson(const std::map<std::string, std::string>& labels);
+/// Reads an error from its JSON text. Errors: DATA_LOSS.
 absl::Status FromJson(const std::string& json, JobError& error);
+/// Reads a result from its JSON text. Errors: DATA_LOSS.
 absl::Status FromJson(const std::string& json, JobResult& result);
+/// Reads labels from their JSON text. Errors: DATA_LOSS.
 absl::Status FromJson(const std::string& json, std::map<std::string, std::string>& labels);
 
 }  // namespace slicefarm::coordinator

@@ -15,7 +15,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-// a key has at most 1024 bytes, of which the store needs less than 200
+// A key has at most 1024 bytes, of which the store needs less than 200.
 constexpr size_t kMostPrefix = 512;
 
 /// Returns true if the text needs no escaping in a URL and is safe as a part of a path.

@@ -109,7 +109,7 @@ absl::StatusOr<BlobStatus> S3BlobStore::Move(const std::string& digest) {
   const auto found = index_->Touch(digest, NowUs());
   if (!found.ok()) return found.status();
   const auto reader = staged_->OpenUnchecked(digest);
-  // another process has moved the blob
+  // Another process has moved the blob.
   if (absl::IsNotFound(reader.status())) return Status(digest);
   if (!reader.ok()) return reader.status();
   const BodySource body{(*reader)->size(), [&](int64_t offset, int64_t limit) {

@@ -17,7 +17,7 @@ namespace slicefarm::coordinator {
 /// and `s3_loose` of the jobs' database.
 ///
 /// The name of an object is never used twice. The object is in `s3_loose` from before its put until
-/// a blob is made of it. It is there again from the removal of the blob until its deletion. So the
+/// a blob is made of it, and again from the removal of the blob until the object's deletion. So the
 /// database contains every object, no matter when a process is killed. A deletion never affects an
 /// object that another process puts. The bucket never has to be listed. Thread-safe.
 class S3Index {

@@ -10,8 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// A database that notes each statement that is run: BEGIN and COMMIT too, but not that one was
-/// prepared.
+/// Database that records each statement that runs, including BEGIN and COMMIT. The preparation of a
+/// statement is not recorded.
 class CountingDatabase : public SqlDatabase {
  public:
   explicit CountingDatabase(std::shared_ptr<SqlDatabase> database)
@@ -20,7 +20,7 @@ class CountingDatabase : public SqlDatabase {
   absl::StatusOr<SqlSession> Read() override { return Counting(database_->Read()); }
   absl::StatusOr<SqlSession> Write() override { return Counting(database_->Write()); }
 
-  /// Those since the last call.
+  /// Returns the statements since the last call.
   std::vector<std::string> Statements() {
     const std::lock_guard lock(mutex_);
     return std::exchange(statements_, {});
@@ -37,7 +37,7 @@ class CountingDatabase : public SqlDatabase {
       return session_->Execute(sql);
     }
     std::unique_ptr<SqlStatement> Prepare(std::string_view sql) override {
-      counting_.Note(sql);  // each is run
+      counting_.Note(sql);  // each statement runs separately
       return session_->Prepare(sql);
     }
 

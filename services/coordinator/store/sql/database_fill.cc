@@ -2,8 +2,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Files do not get smaller when rows go, but the next rows take their place: so blobs, which are
-/// nearly all of it, are counted by their bytes.
+/// The size of blobs is computed from their bytes, because blobs are nearly the whole database.
+/// Files do not shrink when rows are deleted; new rows reuse the free space.
 absl::StatusOr<DatabaseFill> FillOf(SqlDatabase& database) {
   const auto session = database.Read();
   if (!session.ok()) return session.status();

@@ -12,7 +12,7 @@
 namespace slicefarm::coordinator::database_fill_test {
 namespace {
 
-// Or else a database that was full once would take nothing any more.
+// Otherwise, a database that was full once would never accept data again.
 TEST(DatabaseFill, BlobsThatAreDeletedMakeRoom) {
   const std::shared_ptr<SqlDatabase> database =
       *PostgresDatabase::Open(SharedPostgres().NewDatabase());

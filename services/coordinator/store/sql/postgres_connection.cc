@@ -30,7 +30,8 @@ constexpr SqlDialect kPostgresDialect = {
     .names_indexes = false,
 };
 
-/// Later settings of a connection string win, so these are only what `conninfo` does not say.
+/// Later settings of a connection string override earlier ones, so these are only defaults for
+/// `conninfo`.
 constexpr std::array<const char*, 8> kKeywords = {
     "connect_timeout",
     "keepalives_idle",
@@ -42,8 +43,9 @@ constexpr std::array<const char*, 8> kKeywords = {
     nullptr,
 };
 
-/// How long a transaction may stand still between two statements: a coordinator that is stopped, or
-/// whose machine is gone, would keep its locks, and the others from claiming jobs.
+/// Longest pause of a transaction between two statements. A coordinator that is stopped, or has
+/// lost its machine, would otherwise keep its locks and prevent other coordinators from claiming
+/// jobs.
 constexpr std::chrono::milliseconds kIdleLimit = std::chrono::seconds(5);
 constexpr std::string_view kIdleInTransaction = "25P03";
 
@@ -53,14 +55,15 @@ std::unique_ptr<pg_result, void (*)(pg_result*)> Own(pg_result* result) {
   return {result, PQclear};
 }
 
-/// libpq ends what it says with a line end.
+/// Removes the line end after a message of libpq.
 std::string Message(const std::string& text) {
   return absl::StrCat("PostgreSQL: ", absl::StripTrailingAsciiWhitespace(text));
 }
 
 absl::Status Away(const std::string& text) { return StoreAway(Message(text)); }
 
-/// SQLSTATE classes: https://www.postgresql.org/docs/15/errcodes-appendix.html
+/// Converts an error by its SQLSTATE class:
+/// https://www.postgresql.org/docs/15/errcodes-appendix.html
 absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
   const ExecStatusType status = PQresultStatus(result);
   if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) return absl::OkStatus();
@@ -70,8 +73,8 @@ absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
     return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull,
                      Message(PQresultErrorMessage(result)));
   }
-  // Lost connections; transactions that the server gave up on (deadlock); no more connections; a
-  // lock that others hold; the server is being stopped or just starts.
+  // Temporary errors: a lost connection; a transaction that the server aborted (deadlock); too many
+  // connections; a lock of another transaction; a server that stops or starts.
   const bool away = PQstatus(connection) != CONNECTION_OK || state == kIdleInTransaction ||
                     state.starts_with("08") || state.starts_with("40") || state.starts_with("53") ||
                     state.starts_with("57") || state == "55P03";
@@ -81,7 +84,8 @@ absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
   return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, Message(text));
 }
 
-/// Whether the socket can be read, or written if it `writes`, before `until`.
+/// Returns true if the socket becomes readable before `until`. With `writes`, it may also become
+/// writable.
 bool IsReady(int socket, bool writes, Clock::time_point until) {
   pollfd ready = {socket, static_cast<int16_t>(writes ? POLLIN | POLLOUT : POLLIN), 0};
   while (true) {
@@ -95,8 +99,8 @@ bool IsReady(int socket, bool writes, Clock::time_point until) {
   }
 }
 
-/// Sends what is to be sent and reads until there is a result, or the end of results, or the
-/// connection breaks. False: it took too long.
+/// Sends the pending bytes and reads until there is a result, the end of the results, or a broken
+/// connection. Returns false if it took too long.
 bool Exchange(pg_conn* connection, Clock::time_point until) {
   int unsent = PQflush(connection);
   while (unsent > 0 || PQisBusy(connection) == 1) {
@@ -107,7 +111,8 @@ bool Exchange(pg_conn* connection, Clock::time_point until) {
   return true;
 }
 
-/// `?` to `$1`, `$2`, ... No text in our statements has a question mark.
+/// Converts the parameters `?` to `$1`, `$2`, ... No string in the store's statements contains a
+/// question mark.
 std::string Numbered(std::string_view sql) {
   std::string numbered;
   int next = 1;
@@ -132,7 +137,7 @@ int64_t FromNetwork(const char* bytes, int length) {
 
 class PostgresStatement : public SqlStatement {
  public:
-  /// `name`: of the prepared statement; empty: `sql` is not kept.
+  /// Creates a statement. `name`: name of the prepared statement; if empty, `sql` is not prepared.
   PostgresStatement(PostgresConnection& connection, std::string_view sql,
                     absl::StatusOr<std::string> name)
       : connection_(connection), status_(name.status()), result_(Own(nullptr)) {
@@ -142,7 +147,7 @@ class PostgresStatement : public SqlStatement {
 
   void Bind(int64_t value) override { Add(absl::StrCat(value), /*binary=*/false); }
   void Bind(std::string_view value) override {
-    // libpq would take what stands before it, and so another text.
+    // libpq would use only the text before the NUL.
     if (value.find('\0') != std::string_view::npos) {
       status_.Update(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                                "a text has a NUL character"));
@@ -236,7 +241,8 @@ std::unique_ptr<SqlStatement> PostgresConnection::Prepare(std::string_view sql) 
   return std::make_unique<PostgresStatement>(*this, sql, Find(sql));
 }
 
-/// Empty: enough of them are kept.
+/// Returns the name of the prepared statement, and prepares it if needed. Returns an empty name if
+/// the connection already has the largest number of prepared statements.
 absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
   if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
   if (prepared_.size() >= kMostPrepared) return std::string();
@@ -248,7 +254,8 @@ absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
   return name;
 }
 
-/// The last result of what was `sent`, as libpq's functions that wait forever give it.
+/// Returns the last result of the commands that were `sent`, as the blocking functions of libpq do,
+/// but with a time limit.
 absl::StatusOr<PostgresConnection::Result> PostgresConnection::Answer(int sent) {
   const auto until =
       limit_ == kNoLimit ? Clock::time_point::max() : Clock::now() + limit_ + limit_ / 10;
@@ -256,7 +263,7 @@ absl::StatusOr<PostgresConnection::Result> PostgresConnection::Answer(int sent) 
   Result last = Own(nullptr);
   while (sent == 1) {
     if (!Exchange(connection_, until)) {
-      given_up_ = true;  // an answer that comes now would be taken for the next one's
+      given_up_ = true;  // a late answer would be mistaken for the answer to the next statement
       shutdown(PQsocket(connection_), SHUT_RDWR);
       return Away(absl::StrCat("no answer within ", limit_.count(), " ms"));
     }

@@ -13,20 +13,21 @@ struct pg_result;
 
 namespace slicefarm::coordinator {
 
-/// One connection to a PostgreSQL database, with its prepared statements.
+/// Connection to a PostgreSQL database, with its prepared statements.
 ///
-/// A statement's rows are all fetched at its first Next(). Errors: DISK_FULL; STORE_FAILED, as
-/// Unavailable with a time to try again if the server is not there or gave up on the transaction.
+/// The first Next() of a statement fetches all its rows. Errors: DISK_FULL; STORE_FAILED. If the
+/// server is unreachable or has aborted the transaction, STORE_FAILED has the code Unavailable and
+/// a time to retry.
 class PostgresConnection : public SqlConnection {
  public:
-  /// Of one statement.
+  /// Time limit of one statement.
   using Limit = std::chrono::milliseconds;
   static constexpr Limit kLimit = std::chrono::seconds(30);
   static constexpr Limit kNoLimit = Limit::zero();
 
-  /// `conninfo` as libpq takes it: a URI, or keywords and values. Notices a server that has gone
-  /// within 10 s. Statements that take longer than `limit` end; so does the connection if the
-  /// server does not say so itself, a tenth of that later, because it stands still.
+  /// Opens a connection. `conninfo`: connection string of libpq (a URI, or keywords and values).
+  /// Detects a lost server within 10 s. The server ends statements that take longer than `limit`.
+  /// If the server does not answer for a tenth longer, the connection ends.
   static absl::StatusOr<std::unique_ptr<PostgresConnection>> Open(const std::string& conninfo,
                                                                   Limit limit = kLimit);
   ~PostgresConnection() override;
@@ -37,9 +38,9 @@ class PostgresConnection : public SqlConnection {
   absl::Status Execute(const std::string& sql) override;
   std::unique_ptr<SqlStatement> Prepare(std::string_view sql) override;
 
-  /// False after the connection broke; it stays so.
+  /// Returns false after the connection broke; it remains broken.
   bool alive() const;
-  /// For what libpq's interface for SQL lacks: LISTEN.
+  /// Returns libpq's connection, for functions that SqlConnection lacks: LISTEN.
   pg_conn* raw() { return connection_; }
 
  private:
@@ -52,8 +53,9 @@ class PostgresConnection : public SqlConnection {
 
   pg_conn* connection_;
   const Limit limit_;
-  bool given_up_ = false;                                     ///< it did not answer in time
-  std::map<std::string, std::string, std::less<>> prepared_;  ///< names by SQL
+  bool given_up_ = false;  ///< true if the server did not answer in time
+  /// Names of prepared statements, by SQL.
+  std::map<std::string, std::string, std::less<>> prepared_;
 };
 
 }  // namespace slicefarm::coordinator

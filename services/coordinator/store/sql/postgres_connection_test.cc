@@ -53,7 +53,7 @@ TEST_F(PostgresConnectionTest, ErrorsStick) {
   EXPECT_TRUE(db_->alive());
 }
 
-// It would be cut off there.
+// Otherwise the text would be cut off at the NUL.
 TEST_F(PostgresConnectionTest, ATextWithANulIsRefused) {
   SqlQuery query(*db_, "SELECT ?::TEXT");
   query.Bind(std::string("a\0b", 3));
@@ -91,7 +91,8 @@ TEST_F(PostgresConnectionTest, AStatementThatTakesTooLongEnds) {
   EXPECT_TRUE(SqlQuery(*db, "SELECT 1").Run().ok());
 }
 
-// Or a coordinator that is stopped in the middle of a claim would stop those of all others.
+// Otherwise, a coordinator that is stopped in the middle of a claim would block the claims of all
+// others.
 TEST_F(PostgresConnectionTest, ATransactionThatStandsStillGivesUpItsLocks) {
   ASSERT_TRUE(db_->Execute("CREATE TABLE t (a BIGINT); INSERT INTO t VALUES (1)").ok());
   const auto stopped = *PostgresConnection::Open(database_);
@@ -115,7 +116,7 @@ TEST_F(PostgresConnectionTest, KeepsSoManyStatementsAndNoMore) {
   EXPECT_EQ(kept.Int(0), 128);
 }
 
-/// The server accepts what its sockets hold, and says nothing.
+/// The kernel of the server still accepts bytes, but the server does not answer.
 TEST_F(PostgresConnectionTest, AServerThatStandsStillIsAway) {
   PostgresServer server;
   const std::string database = server.NewDatabase();

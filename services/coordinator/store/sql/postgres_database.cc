@@ -9,14 +9,15 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Less than a lease, so that those who renew one hear of it in time.
+/// Longest wait for a connection. It is shorter than a lease, so that the renewal of a lease gets
+/// the error in time.
 constexpr std::chrono::seconds kPatience{5};
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<PostgresDatabase>> PostgresDatabase::Open(
     const std::string& conninfo, int max_connections) {
-  // A new index of a farm's tables has no need to end in time.
+  // There is no time limit, because the creation of an index on a farm's tables may take long.
   const auto patient = PostgresConnection::Open(conninfo, PostgresConnection::kNoLimit);
   if (!patient.ok()) return patient.status();
   if (absl::Status ready = MigratePostgres(**patient); !ready.ok()) return ready;
@@ -36,7 +37,8 @@ absl::StatusOr<SqlSession> PostgresDatabase::Take() {
     if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; })) {
       return StoreAway("PostgreSQL: all connections are busy");
     }
-    if (absl::Status beats = CheckPulse(); !beats.ok()) return beats;  // meanwhile
+    // The pulse may have stopped meanwhile.
+    if (absl::Status beats = CheckPulse(); !beats.ok()) return beats;
     --free_;
     if (!idle_.empty()) {
       connection = std::move(idle_.back());
@@ -56,7 +58,8 @@ absl::StatusOr<SqlSession> PostgresDatabase::Take() {
   });
 }
 
-/// When one broke, the server was away: so have the others.
+/// Returns a connection. If it is broken, also drops the idle connections: the server was
+/// unreachable, so they are broken as well.
 void PostgresDatabase::GiveBack(std::unique_ptr<PostgresConnection> connection) {
   std::vector<std::unique_ptr<PostgresConnection>> broken;
   std::lock_guard lock(mutex_);

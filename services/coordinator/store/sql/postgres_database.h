@@ -11,22 +11,22 @@
 
 namespace slicefarm::coordinator {
 
-/// A PostgreSQL database with a bounded number of connections. They are made when they are needed,
-/// and anew after the server was away.
+/// PostgreSQL database with a limited number of connections. Connections are opened when needed,
+/// and again after the server was unreachable.
 class PostgresDatabase : public SqlDatabase {
  public:
   static constexpr int kConnections = 8;
 
-  /// Brings the database to the present schema; several may do so at a time. Errors: STORE_FAILED
-  /// (FailedPrecondition if its schema is newer than this build).
+  /// Opens a database and brings it to the current schema. Several processes may do so at the same
+  /// time. Errors: STORE_FAILED (FailedPrecondition if the schema is newer than this build).
   static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
                                                                 int max_connections = kConnections);
 
-  /// From now on nobody waits for a connection while the server is silent: that is an error at
-  /// once. Before More.
+  /// Uses `pulse` from now on: while the server is silent, requests for a connection fail at once
+  /// instead of waiting. REQUIRES: called before More.
   void Heed(std::shared_ptr<const PostgresPulse> pulse) { pulse_ = std::move(pulse); }
 
-  /// Other connections to the same database, for those whom these are not to keep waiting.
+  /// Returns a database with other connections, for users that must not wait for these connections.
   std::unique_ptr<PostgresDatabase> More(int max_connections = kConnections) const {
     std::unique_ptr<PostgresDatabase> more(new PostgresDatabase(conninfo_, max_connections));
     more->pulse_ = pulse_;
@@ -45,10 +45,11 @@ class PostgresDatabase : public SqlDatabase {
   void GiveBack(std::unique_ptr<PostgresConnection> connection);
 
   const std::string conninfo_;
-  std::shared_ptr<const PostgresPulse> pulse_;  ///< null: its silence is noticed by waiting
+  /// Null: a silent server is noticed only by waiting.
+  std::shared_ptr<const PostgresPulse> pulse_;
   std::mutex mutex_;
   std::condition_variable given_back_;
-  int free_;  ///< how many more may be taken
+  int free_;  ///< number of connections that may still be taken
   std::vector<std::unique_ptr<PostgresConnection>> idle_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kAskForNameEvery{100};
 
-/// By which the server notices that the machine of a coordinator is gone, and frees its name.
+/// Settings by which the server detects a lost machine of a coordinator and then releases its name.
 constexpr char kKeepalives[] =
     "SET tcp_keepalives_idle = 5; SET tcp_keepalives_interval = 2; SET tcp_keepalives_count = 3; "
     "SET tcp_user_timeout = 10000";
@@ -51,7 +51,7 @@ absl::Status PostgresPulse::Connect() {
 
 absl::StatusOr<bool> PostgresPulse::TakeName() {
   if (name_.empty()) return true;
-  // Several farms may share a database, each in a schema of its own.
+  // The name is unique per schema, because several farms may share a database with a schema each.
   SqlQuery query(*connection_,
                  "SELECT pg_try_advisory_lock(hashtextextended("
                  "coalesce(current_schema()::TEXT, '') || '/' || ?::TEXT, 5117320))");
@@ -77,8 +77,8 @@ absl::Status PostgresPulse::AwaitName() {
   }
 }
 
-/// Returns true if the server answered. A connection that broke is made anew, and takes the name
-/// again.
+/// Sends one query. Returns true if the server answered. Opens a broken connection again and takes
+/// the name again.
 bool PostgresPulse::Beat() {
   if (!connection_->alive() && !Connect().ok()) return false;
   if (!has_name_) {

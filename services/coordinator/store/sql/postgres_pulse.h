@@ -12,30 +12,33 @@
 
 namespace slicefarm::coordinator {
 
-/// Asks a PostgreSQL server again and again whether it still answers, on a connection of its own,
-/// so that nobody else has to wait for one that stands still. The same connection holds the name of
-/// a coordinator: there is one of a name at a time. Thread-safe.
+/// Queries a PostgreSQL server every second on a connection of its own. So it detects a server
+/// without answers, and no other call has to wait for it. The same connection holds the
+/// coordinator's name, which only one process at a time may have. Thread-safe.
 class PostgresPulse {
  public:
+  /// Time limits of a pulse.
   struct Options {
     std::chrono::milliseconds every{1'000};
     std::chrono::milliseconds silent_after{5'000};
-    /// With another process that has the name. One that was killed loses it at once; one whose
-    /// machine is gone, within 11 s.
+    /// Longest wait for another process with the same name. A killed process loses its name at
+    /// once; a process on a lost machine loses it within 11 s.
     std::chrono::milliseconds name_patience{12'000};
   };
 
-  /// `name`: of a coordinator; empty: none is held. Errors: STORE_FAILED, Unavailable if the server
-  /// does not answer, FailedPrecondition if another process has the name.
+  /// Connects and takes the name. `name`: name of a coordinator; empty: no name is taken. Errors:
+  /// STORE_FAILED; Unavailable if the server does not answer; FailedPrecondition if another process
+  /// has the name.
   static absl::StatusOr<std::unique_ptr<PostgresPulse>> Begin(const std::string& conninfo,
                                                               const std::string& name,
                                                               Options options);
+  /// Connects and takes the name, with the default options.
   static absl::StatusOr<std::unique_ptr<PostgresPulse>> Begin(const std::string& conninfo,
                                                               const std::string& name) {
     return Begin(conninfo, name, Options());
   }
 
-  /// True if no question was answered for `silent_after`.
+  /// Returns true if the server has not answered for `silent_after`.
   bool silent() const;
 
  private:
@@ -49,9 +52,10 @@ class PostgresPulse {
   const std::string conninfo_;
   const std::string name_;
   const Options options_;
-  std::unique_ptr<PostgresConnection> connection_;  ///< of the thread, once that runs
-  bool has_name_ = false;                           ///< on this connection
-  std::atomic<int64_t> answered_ms_ = 0;            ///< of a clock that does not run backwards
+  std::unique_ptr<PostgresConnection> connection_;  ///< used only by the thread after its start
+  bool has_name_ = false;                           ///< true if this connection holds the name
+  /// Time of the last answer, by a clock that does not run backwards.
+  std::atomic<int64_t> answered_ms_ = 0;
   std::jthread thread_;
 };
 

@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 
 constexpr PostgresPulse::Options kQuick = {milliseconds(20), milliseconds(1'000), milliseconds(0)};
 
-/// Again while a busy machine is slower than kQuick.
+/// Begins a pulse. Repeats the attempt while a busy machine is slower than kQuick.
 absl::StatusOr<std::unique_ptr<PostgresPulse>> Begin(const std::string& database,
                                                      const std::string& name) {
   while (true) {
@@ -57,7 +57,8 @@ TEST(PostgresPulse, OutlivesTheServer) {
   Await(*pulse, true);
   server.Start();
   Await(*pulse, false);
-  while (Begin(name, "a").ok()) std::this_thread::yield();  // it has it again
+  // Waits until the first pulse has the name again.
+  while (Begin(name, "a").ok()) std::this_thread::yield();
 }
 
 TEST(PostgresPulse, OneOfAName) {

@@ -12,16 +12,16 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// What `slicefarm_schema.version` may be at most, for this build.
+/// Largest `slicefarm_schema.version` that this build supports.
 constexpr int64_t kKnownVersion = 8;
 
-/// As long as this others wait behind a step that waits for a lock.
+/// Longest wait of a step for a lock. Other transactions wait behind it for this time.
 constexpr std::string_view kLockTimeout = "SET lock_timeout = '2s'";
 constexpr int kLockTries = 100;
 constexpr std::chrono::milliseconds kLockPause{1'000};
 constexpr std::chrono::milliseconds kTurnPause{200};
 
-/// True for the first row's first column.
+/// Returns true if the first column of the first row is true.
 absl::StatusOr<bool> Ask(SqlConnection& db, std::string_view sql) {
   SqlQuery query(db, sql);
   const bool yes = query.Next() && query.Int(0) != 0;
@@ -29,8 +29,9 @@ absl::StatusOr<bool> Ask(SqlConnection& db, std::string_view sql) {
   return yes;
 }
 
-/// The right to change the schema, held as long as this lives. Asked for again and again: a
-/// statement that waits for it would itself be waited for by CREATE INDEX CONCURRENTLY.
+/// Right to change the schema, held for the lifetime of this object. It is requested repeatedly
+/// instead of with one waiting statement, because CREATE INDEX CONCURRENTLY would wait for such a
+/// statement.
 class Turn {
  public:
   explicit Turn(SqlConnection& db) : db_(db) {}
@@ -81,7 +82,7 @@ absl::Status NoteTaken(SqlConnection& db, const PostgresMigration& step, int64_t
   return SqlQuery(db, "INSERT INTO slicefarm_migrations (name) VALUES (?)").Bind(step.name).Run();
 }
 
-/// Indexes of which a process that was ended has left a half, which serves nobody.
+/// Drops invalid indexes that a killed process left. They are of no use.
 absl::Status DropHalves(SqlConnection& db) {
   std::vector<std::string> names;
   SqlQuery query(

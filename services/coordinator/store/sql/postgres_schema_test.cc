@@ -18,7 +18,7 @@
 namespace slicefarm::coordinator::postgres_schema_test {
 namespace {
 
-// A database from before blobs had tenants, with a blob in it.
+// The database has a blob from before blobs had tenants.
 TEST(PostgresSchema, KeepsWhatOldDatabasesHold) {
   const std::string database = SharedPostgres().NewDatabase();
   const std::string bytes = "some bytes";
@@ -40,10 +40,10 @@ TEST(PostgresSchema, KeepsWhatOldDatabasesHold) {
   ASSERT_TRUE(migrated.ok()) << migrated.status();
   PostgresBlobStore blobs(*std::move(migrated));
   EXPECT_EQ(*blobs.Get(Sha256Hex(bytes)), bytes);
-  EXPECT_TRUE(*blobs.Delete(Sha256Hex(bytes), 0));  // its pieces go with it
+  EXPECT_TRUE(*blobs.Delete(Sha256Hex(bytes), 0));  // the deletion includes its pieces
 }
 
-/// The steps of this build, and others of a newer one.
+/// Steps of this build, and further steps of a newer build.
 class NewerBuild {
  public:
   void Add(std::string_view name, std::string_view sql) { steps_.push_back({name, sql}); }
@@ -82,7 +82,8 @@ TEST_F(PostgresMigrationTest, EachStepIsTakenOnce) {
   EXPECT_THAT(newer_.taken(), testing::IsEmpty());
 }
 
-// A pod of the old build that is moved during an upgrade starts again, and there is a way back.
+// During an upgrade, a moved pod of the old build starts again. A return to the old build must also
+// be possible.
 TEST_F(PostgresMigrationTest, AnOldBuildStartsBesideWhatANewOneAdded) {
   newer_.Add("9001_more", "ALTER TABLE jobs ADD COLUMN more BIGINT NOT NULL DEFAULT 0");
   ASSERT_TRUE(newer_.Migrate(*db_).ok());
@@ -128,7 +129,7 @@ TEST_F(PostgresMigrationTest, AHalfIndexOfAnEndedProcessIsMadeAnew) {
   const std::string twins =
       "INSERT INTO blobs (tenant, digest, size, complete) VALUES ('', 'a', 1, 1), ('', 'b', 1, 1)";
   ASSERT_TRUE(db_->Execute(twins).ok());
-  // As it is left behind: invalid, as its rows are not what it wants.
+  // The statement leaves an invalid index, because the rows are not unique.
   EXPECT_FALSE(db_->Execute("CREATE UNIQUE INDEX CONCURRENTLY blobs_by_size ON blobs (size)").ok());
   newer_.Add("9001_by_size",
              "CREATE INDEX CONCURRENTLY IF NOT EXISTS blobs_by_size ON blobs (size)");
@@ -139,7 +140,7 @@ TEST_F(PostgresMigrationTest, AHalfIndexOfAnEndedProcessIsMadeAnew) {
             1);
 }
 
-// Who reads for long must not keep all who come after it waiting, behind a step that waits for it.
+// A long read must not block all later transactions behind a step that waits for its lock.
 TEST_F(PostgresMigrationTest, AStepWaitsForNoLockForLong) {
   ASSERT_TRUE(MigratePostgres(*db_).ok());
   const auto reader = Connect();

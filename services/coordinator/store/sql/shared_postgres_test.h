@@ -4,7 +4,7 @@
 
 namespace slicefarm::coordinator {
 
-/// One server for all tests of a process; each takes a database of its own.
+/// Returns the only server for all tests of a process. Each test uses a database of its own.
 inline PostgresServer& SharedPostgres() {
   static PostgresServer server;
   return server;

@@ -10,66 +10,77 @@
 
 namespace slicefarm::coordinator {
 
-/// What SqlJobStore needs of a database: SQLite's and PostgreSQL's common part. Statements are
-/// written once for both, with `?` for parameters.
+/// Common interface of SQLite and PostgreSQL for SqlJobStore. Statements are written once for both,
+/// with `?` for parameters.
 
-/// Where the two differ.
+/// Differences between the two databases.
 struct SqlDialect {
-  std::string_view begin;        ///< a transaction that will write
-  std::string_view for_update;   ///< after a SELECT of rows that the transaction will write
-  std::string_view skip_locked;  ///< the same, passing over rows that another one holds
-  std::string_view lock_tenant;  ///< until the transaction ends; empty: no other one writes
-  std::string_view lock_work;    ///< the same, by an action digest
-  std::string_view notify;       ///< tells other processes of jobs; empty: there are none
-  std::string_view spec;         ///< of the row of `jobs` that is selected, be it in it or apart
-  std::string_view texts;        ///< the strings of a JSON list, as a table with the column `value`
-  bool writes_in_with;           ///< what stands in WITH may write
-  bool names_indexes;            ///< its planner knows no statistics, and needs to be told
+  std::string_view begin;        ///< begins a transaction that will write
+  std::string_view for_update;   ///< follows a SELECT of rows that the transaction will write
+  std::string_view skip_locked;  ///< like for_update, but skips rows that another transaction holds
+  /// Locks a tenant until the transaction ends; empty: only one transaction writes at a time.
+  std::string_view lock_tenant;
+  std::string_view lock_work;  ///< like lock_tenant, for an action digest
+  /// Notifies other processes of a job; empty: there are no other processes.
+  std::string_view notify;
+  /// Expression for the spec of the selected row of `jobs`, which may be in another table.
+  std::string_view spec;
+  std::string_view texts;  ///< strings of a JSON list, as a table with the column `value`
+  bool writes_in_with;     ///< true if statements in WITH may write
+  /// True if statements must name indexes, because the planner has no statistics.
+  bool names_indexes;
 
-  /// After the name of a table, the index by which it is to be read.
+  /// Returns the text after a table's name that selects the index for reading it.
   std::string Through(std::string_view index) const {
     return names_indexes ? " INDEXED BY " + std::string(index) : std::string();
   }
 };
 
-/// STORE_FAILED as Unavailable: it may go better a second later, and says so.
+/// Returns STORE_FAILED as Unavailable, with a time to retry of one second.
 absl::Status StoreAway(std::string_view why);
 
-/// Bytes that are no text.
+/// Parameter of bytes that are not a text.
 struct Blob {
   std::string_view bytes;
 };
 
-/// One run of a statement. The first error sticks: rows end, and status() tells.
+/// One run of a statement. Keeps the first error: after it, Next() returns false and status()
+/// returns the error.
 class SqlStatement {
  public:
   virtual ~SqlStatement() = default;
+  /// Sets the next parameter to a number.
   virtual void Bind(int64_t value) = 0;
+  /// Sets the next parameter to a text.
   virtual void Bind(std::string_view value) = 0;
+  /// Sets the next parameter to bytes.
   virtual void Bind(Blob value) = 0;
-  /// To the next row; false: there is none.
+  /// Moves to the next row. Returns false if there is none.
   virtual bool Next() = 0;
+  /// Returns the first error.
   virtual const absl::Status& status() const = 0;
-  virtual int64_t Int(int column) const = 0;       ///< of a truth value: 0 or 1
-  virtual std::string Text(int column) const = 0;  ///< of a blob: its bytes
+  virtual int64_t Int(int column) const = 0;       ///< 0 or 1 for a truth value
+  virtual std::string Text(int column) const = 0;  ///< the bytes of a blob
 };
 
-/// Statements that a connection keeps. Those of lists have their filters' shapes, which are many.
+/// Largest number of prepared statements of a connection. There is a limit, because the statements
+/// of lists have many forms, one per combination of filters.
 inline constexpr size_t kMostPrepared = 128;
 
-/// One connection. Not thread-safe: a user at a time.
+/// Connection to a database. Not thread-safe: only one user at a time.
 class SqlConnection {
  public:
   virtual ~SqlConnection() = default;
+  /// Returns the dialect of the database.
   virtual const SqlDialect& dialect() const = 0;
-  /// Runs statements without parameters or results.
+  /// Runs statements without parameters and results.
   virtual absl::Status Execute(const std::string& sql) = 0;
-  /// `sql` is prepared once a connection, the first kMostPrepared are; no two runs of the same text
-  /// at a time.
+  /// Returns a run of `sql`. The first kMostPrepared different statements of a connection are
+  /// prepared once. REQUIRES: no other run of the same text is in progress.
   virtual std::unique_ptr<SqlStatement> Prepare(std::string_view sql) = 0;
 };
 
-/// A statement with its parameters:
+/// Statement with its parameters:
 ///
 ///   SqlQuery query(db, "SELECT id FROM jobs WHERE state = ?");
 ///   query.Bind("QUEUED");
@@ -80,16 +91,21 @@ class SqlQuery {
   SqlQuery(SqlConnection& connection, std::string_view sql) : statement_(connection.Prepare(sql)) {}
 
   template <typename... Values>
+  /// Sets the next parameters.
   SqlQuery& Bind(const Values&... values) {
     (BindNext(values), ...);
     return *this;
   }
 
+  /// Moves to the next row. Returns false if there is none.
   bool Next() { return statement_->Next(); }
-  /// To the end, for statements without rows.
+  /// Runs the statement to its end, for statements without rows.
   absl::Status Run();
+  /// Returns the first error.
   const absl::Status& status() const { return statement_->status(); }
+  /// Returns a column of the current row as a number.
   int64_t Int(int column) const { return statement_->Int(column); }
+  /// Returns a column of the current row as a text.
   std::string Text(int column) const { return statement_->Text(column); }
 
  private:
@@ -104,7 +120,7 @@ class SqlQuery {
   std::unique_ptr<SqlStatement> statement_;
 };
 
-/// A write transaction. Rolled back unless committed.
+/// Write transaction. The destructor rolls it back unless it was committed.
 class SqlTransaction {
  public:
   explicit SqlTransaction(SqlConnection& connection);
@@ -112,7 +128,9 @@ class SqlTransaction {
   SqlTransaction(const SqlTransaction&) = delete;
   SqlTransaction& operator=(const SqlTransaction&) = delete;
 
+  /// Returns the error of its begin.
   const absl::Status& status() const { return status_; }
+  /// Commits the transaction.
   absl::Status Commit();
 
  private:
@@ -121,15 +139,16 @@ class SqlTransaction {
   bool open_ = false;
 };
 
-/// A connection of a database, until it is given back.
+/// Connection of a database. The destructor returns it to the database.
 using SqlSession = std::unique_ptr<SqlConnection, std::function<void(SqlConnection*)>>;
 
-/// Thread-safe.
+/// Database that provides connections. Thread-safe.
 class SqlDatabase {
  public:
   virtual ~SqlDatabase() = default;
-  /// Waits for a free connection. Errors: STORE_FAILED if none can be made.
+  /// Waits for a free connection for reading. Errors: STORE_FAILED if none can be opened.
   virtual absl::StatusOr<SqlSession> Read() = 0;
+  /// Waits for a free connection for writing. Errors: STORE_FAILED if none can be opened.
   virtual absl::StatusOr<SqlSession> Write() = 0;
 };
 

@@ -11,7 +11,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr int kBusyTimeoutMs = 5000;
-/// From its beginning no other connection writes, which is all the locking there is.
+/// A transaction blocks all other writers from its begin, so no other locks are needed.
 constexpr SqlDialect kSqliteDialect = {
     .begin = "BEGIN IMMEDIATE",
     .for_update = "",
@@ -25,7 +25,8 @@ constexpr SqlDialect kSqliteDialect = {
     .names_indexes = true,
 };
 
-/// Whether there was no room for a file of the database. SQLite calls most of that an I/O error.
+/// Returns true if a file of the database had no space. SQLite reports most such cases as I/O
+/// errors.
 bool IsDiskFull(sqlite3* db, int code) {
   if (code == SQLITE_FULL) return true;
   if (code != SQLITE_IOERR && code != SQLITE_CANTOPEN) return false;
@@ -33,7 +34,7 @@ bool IsDiskFull(sqlite3* db, int code) {
   return error == ENOSPC || error == EDQUOT;
 }
 
-/// DISK_FULL, or STORE_FAILED with SQLite's words.
+/// Returns DISK_FULL, or STORE_FAILED with SQLite's message.
 absl::Status ErrorOf(sqlite3* db, int code) {
   if (code == SQLITE_OK) return absl::OkStatus();
   const std::string message = absl::StrCat("SQLite: ", sqlite3_errmsg(db));
@@ -119,7 +120,8 @@ absl::StatusOr<std::unique_ptr<SqliteConnection>> SqliteConnection::Open(const s
       path.c_str(), &db, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
   std::unique_ptr<SqliteConnection> connection(new SqliteConnection(db));
   if (code != SQLITE_OK) return ErrorOf(db, code);
-  if (sqlite3_db_readonly(db, "main") == 1) {  // what SQLite makes of a file that it may not write
+  // SQLite opens a file without write permission as read-only
+  if (sqlite3_db_readonly(db, "main") == 1) {
     return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
                      absl::StrCat("SQLite: ", path, " cannot be written"));
   }

@@ -12,12 +12,12 @@ struct sqlite3_stmt;
 
 namespace slicefarm::coordinator {
 
-/// One connection to an SQLite database, with its prepared statements.
+/// Connection to an SQLite database, with its prepared statements.
 ///
 /// Durable: write-ahead log, synchronous=FULL. Waits up to 5 s for another process's lock.
 class SqliteConnection : public SqlConnection {
  public:
-  /// Opens or creates. Errors: STORE_FAILED, DISK_FULL.
+  /// Opens a database, or creates it. Errors: STORE_FAILED, DISK_FULL.
   static absl::StatusOr<std::unique_ptr<SqliteConnection>> Open(const std::string& path);
   ~SqliteConnection() override;
   SqliteConnection(const SqliteConnection&) = delete;

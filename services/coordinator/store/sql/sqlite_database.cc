@@ -11,14 +11,15 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Less than a lease, so that those who renew one hear of it in time.
+/// Longest wait for a reader. It is shorter than a lease, so that the renewal of a lease gets the
+/// error in time.
 constexpr std::chrono::seconds kReaderPatience{5};
 
-/// Puts the log on disk as it is read now: its end may have been written by an earlier life that
-/// ended before its fsync, or whose fsync failed. Before all else, so that no page goes into the
-/// database that the log might not have after a power cut.
+/// Writes the log to disk in its current state. The previous process may have written the end of
+/// the log without a successful fsync. This is done before all other steps, so that no page is
+/// copied into the database that the log may lose in a power cut.
 absl::Status SettleLog(SqliteConnection& db, const std::string& path) {
-  SqlTransaction transaction(db);  // nobody else writes to it meanwhile
+  SqlTransaction transaction(db);  // no other connection writes meanwhile
   if (!transaction.status().ok()) return transaction.status();
   const auto log = PosixFile::OpenToWrite(path + "-wal");
   if (!log.ok()) return log.status();
@@ -27,7 +28,7 @@ absl::Status SettleLog(SqliteConnection& db, const std::string& path) {
   return transaction.Commit();
 }
 
-/// Returns FailedPrecondition if pages of the database are damaged. Cost: reads all of it.
+/// Returns FailedPrecondition if pages of the database are damaged. Cost: reads the whole database.
 absl::Status CheckIntegrity(SqliteConnection& db, const std::string& path) {
   SqlQuery check(db, "PRAGMA quick_check(1)");
   std::string found;
@@ -48,7 +49,7 @@ absl::StatusOr<std::unique_ptr<SqliteDatabase>> SqliteDatabase::Open(const std::
   if (absl::Status intact = CheckIntegrity(**writer, path); !intact.ok()) return intact;
   if (absl::Status ready = MigrateSqlite(**writer); !ready.ok()) return ready;
   std::unique_ptr<SqliteDatabase> database(new SqliteDatabase(path, *std::move(writer)));
-  // What cannot be read is to be heard of now.
+  // An unreadable database is reported at once.
   if (const auto readable = database->Read(); !readable.ok()) return readable.status();
   return database;
 }

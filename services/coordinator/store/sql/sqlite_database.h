@@ -11,19 +11,19 @@
 
 namespace slicefarm::coordinator {
 
-/// A database in one file, for one machine. Writes go over one connection and reads over some
-/// others, so that no reader waits for a writer's fsync, or for a list over a million rows.
+/// Database in a local file. It has one connection for writes and several for reads. So no reader
+/// waits for the fsync of a writer or for a list of a million rows.
 class SqliteDatabase : public SqlDatabase {
  public:
-  /// Opens or creates the database, checks its pages, and brings it to the present schema. What can
-  /// be read then survives a power cut, whatever happened to those who wrote it. Errors:
+  /// Opens or creates the database, checks its pages, and brings it to the current schema. After
+  /// that, all readable data survives a power cut, even if its writer was killed. Errors:
   /// FailedPrecondition for a damaged file and for the schema of a newer build; STORE_FAILED. Cost:
-  /// reads all of the file.
+  /// reads the whole file.
   static absl::StatusOr<std::unique_ptr<SqliteDatabase>> Open(const std::string& path);
 
   static constexpr int kReaders = 4;
 
-  /// Errors: also STORE_FAILED if all readers are busy for long.
+  /// Returns a connection for reading. Errors: also STORE_FAILED if all readers are busy for long.
   absl::StatusOr<SqlSession> Read() override;
   absl::StatusOr<SqlSession> Write() override;
 
@@ -40,7 +40,7 @@ class SqliteDatabase : public SqlDatabase {
 
   std::mutex read_mutex_;
   std::condition_variable given_back_;
-  int free_ = kReaders;  ///< how many more may be taken
+  int free_ = kReaders;  ///< number of readers that may still be taken
   std::vector<Connection> idle_;
 };
 

@@ -56,7 +56,7 @@ TEST(SqliteDatabase, RefusesDamagedPages) {
   EXPECT_TRUE(absl::StrContains(refused.message(), "is damaged")) << refused;
 }
 
-// Or else a list over a million rows would hold up whoever wants to know of one.
+// Otherwise, a list of a million rows would block the read of a single row.
 TEST(SqliteDatabase, ManyReadAtATimeAndSeeWhatWasCommitted) {
   TempDirectory directory;
   const auto database = *SqliteDatabase::Open(directory.path() + "/jobs.db");
@@ -84,7 +84,8 @@ TEST(SqliteSchema, MigratesOnce) {
   EXPECT_TRUE(MigrateSqlite(*db).ok());
 }
 
-// The build before knows nothing of what was added, and is the way back: it must find its version.
+// A return to the previous build must be possible. That build does not support the additions, so it
+// must find its own version.
 TEST(SqliteSchema, WhatIsAddedChangesNoVersion) {
   TempDirectory directory;
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
@@ -102,7 +103,7 @@ TEST(SqliteSchema, WhatIsAddedChangesNoVersion) {
   EXPECT_TRUE(added.Next()) << added.status();
 }
 
-// A database to which the last build could add nothing yet.
+// The database has the version of the last build, but none of the additions.
 TEST(SqliteSchema, AddsToWhatHasTheVersionAlready) {
   TempDirectory directory;
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
@@ -115,7 +116,7 @@ TEST(SqliteSchema, AddsToWhatHasTheVersionAlready) {
   EXPECT_TRUE(added.Next()) << added.status();
 }
 
-/// What is asked all the time must not read all jobs, nor all of a tenant, nor all that wait.
+/// Frequent queries must not read all jobs, all jobs of a tenant, or all waiting jobs.
 TEST(SqliteSchema, ClaimingUsesAnIndex) {
   TempDirectory directory;
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
@@ -126,7 +127,7 @@ TEST(SqliteSchema, ClaimingUsesAnIndex) {
     while (plan.Next()) {
       const std::string step = plan.Text(3);
       if (!absl::StartsWith(step, "SEARCH") && !absl::StartsWith(step, "SCAN")) continue;
-      if (absl::StrContains(step, "SCAN o")) continue;  // the list of tenants itself
+      if (absl::StrContains(step, "SCAN o")) continue;  // the list of tenants itself is scanned
       ++reads;
       EXPECT_THAT(step, testing::AnyOf(testing::HasSubstr("INDEX jobs_open"),
                                        testing::HasSubstr("INDEX jobs_held"),
@@ -136,7 +137,7 @@ TEST(SqliteSchema, ClaimingUsesAnIndex) {
   }
 }
 
-// The queue is read often, and must not read jobs that ended.
+// The queue is read often, so it must not read ended jobs.
 TEST(SqliteSchema, TheQueueIsReadThroughIndexes) {
   TempDirectory directory;
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
@@ -151,7 +152,7 @@ TEST(SqliteSchema, TheQueueIsReadThroughIndexes) {
   }
 }
 
-// A database of the first build, with a job in it.
+// The database is from the first build and has a job.
 TEST(SqliteSchema, KeepsWhatOldDatabasesHold) {
   TempDirectory directory;
   const std::string path = directory.path() + "/jobs.db";
@@ -173,7 +174,8 @@ TEST(SqliteSchema, KeepsWhatOldDatabasesHold) {
   EXPECT_EQ(store->Create(again, 30)->job.id, "a");
 }
 
-// PostgreSQL shows each statement what was committed before it: a deletion may come in between two.
+// In PostgreSQL each statement sees all earlier commits, so a deletion may occur between two
+// statements.
 TEST(SqlJobStore, ARequestWhoseJobIsBeingDeletedIsToBeMadeAgain) {
   TempDirectory directory;
   const std::string path = directory.path() + "/jobs.db";

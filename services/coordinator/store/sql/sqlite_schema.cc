@@ -12,8 +12,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Migration i leads from version i to i + 1, which builds of an older version refuse. Those that
-/// were released never change.
+/// Migrations. Migration i changes version i to i + 1, which builds for an older version refuse.
+/// Released migrations never change.
 constexpr std::array kMigrations = {
     R"(
 CREATE TABLE jobs (
@@ -169,17 +169,18 @@ ALTER TABLE jobs ADD COLUMN result_tenant TEXT NOT NULL DEFAULT '';  -- of resul
     R"(
 ALTER TABLE jobs ADD COLUMN lost_runs INTEGER NOT NULL DEFAULT 0;
 )",
-    // Lists pass over what they do not want without reading its row.
+    // With these columns, lists skip unwanted jobs without reading their rows.
     R"(
 DROP INDEX jobs_by_tenant;
 CREATE INDEX jobs_by_tenant ON jobs (tenant, number, priority, create_us, state);
 )",
-    // Claims ask which work somebody has in hand.
+    // Claims search for work that is held.
     R"(
 CREATE INDEX jobs_held_work ON jobs (action_digest)
   WHERE state IN ('QUEUED', 'RUNNING') AND owner <> '';
 )",
-    // A row is written anew with all that it has, and a spec may be a MiB.
+    // An update writes the whole row again, and a spec may have a MiB, so specs have a table of
+    // their own.
     R"(
 CREATE TABLE specs (
   job  INTEGER PRIMARY KEY REFERENCES jobs (number) ON DELETE CASCADE,
@@ -195,8 +196,8 @@ CREATE TABLE chores (
 )",
 };
 
-/// A later step, which only adds: builds that do not know it go on beside it, so it changes no
-/// version, and stands by its name in the table `migrations`.
+/// Later step that only adds to the schema. Builds that do not support it can run beside it, so it
+/// does not change the version. It is recorded by its name in the table `migrations`.
 struct Addition {
   std::string_view name;
   std::string_view sql;
@@ -221,7 +222,7 @@ CREATE TABLE s3_loose (
 ) STRICT, WITHOUT ROWID;
 CREATE INDEX s3_loose_by_tenant ON s3_loose (tenant);
 )"},
-    // Who watches all jobs of a tenant goes on from a time.
+    // A watcher of all jobs of a tenant continues from a point in time.
     {"events_by_time", "CREATE INDEX events_by_time ON events (time_us, job, sequence);"},
     {"deadly_runs", "ALTER TABLE jobs ADD COLUMN deadly_runs INTEGER NOT NULL DEFAULT 0;"},
 };
@@ -240,7 +241,7 @@ absl::StatusOr<bool> WasAdded(SqliteConnection& db, std::string_view name) {
   return added;
 }
 
-/// All at once, or none.
+/// Takes all missing additions in one transaction.
 absl::Status TakeAdditions(SqliteConnection& db) {
   SqlTransaction transaction(db);
   if (!transaction.status().ok()) return transaction.status();

@@ -7,10 +7,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Brings a database, new or of an older version, to the schema of this build, one migration a
-/// transaction; then adds what changes no version, so that the build before goes on with it: that
-/// is the way back. Errors: FailedPrecondition if a newer build's version is in it. Tests of
-/// migrations stop at version `to`.
+/// Brings a database, new or of an older version, to the schema of this build, with one transaction
+/// per migration. Then makes the additions that do not change the version, so that a return to the
+/// previous build is possible. Errors: FailedPrecondition if the database has the version of a
+/// newer build. `to`: version at which tests of migrations stop.
 absl::Status MigrateSqlite(SqliteConnection& db, int64_t to = INT64_MAX);
 
 }  // namespace slicefarm::coordinator

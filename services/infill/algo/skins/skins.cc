@@ -66,23 +66,24 @@ class SparseRegion {
         mask_(fill_mask_),
         width_nm_(width_nm) {}
 
-  /// Removes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
-  /// wide, with an anchor around them.
-  void TakeBareParts(const MultiPolygon& layer, Coord least_nm) {
-    if (!mask_.MayMeet(layer)) {
-      MultiPolygon covered = IslandsUnder(region_, layer, true);
-      if (covered.size() != region_.size()) Set(std::move(covered));
-      return;
-    }
-    TakeWide(Difference(region_, layer), least_nm);
+  /// Takes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
+  /// wide, and an anchor around them. Returns true if there was something to take.
+  bool TakeBareParts(const MultiPolygon& layer, Coord least_nm) {
+    if (mask_.MayMeet(layer)) return TakeWide(Difference(region_, layer), least_nm);
+    MultiPolygon covered = IslandsUnder(region_, layer, true);
+    if (covered.size() == region_.size()) return false;
+    Set(std::move(covered));
+    return true;
   }
 
   /// Removes the parts that the nearest layer below does not support, computed from the whole fill
   /// area. If a recess widens from layer to layer, farther layers have already removed all bare
   /// parts, but bridges still need their anchors around them.
   void TakeUnborneParts(const MultiPolygon& layer, Coord least_nm) {
-    if (!fill_mask_.MayMeet(layer)) return TakeBareParts(layer, least_nm);
-    TakeWide(Difference(fill_area_, layer), least_nm);
+    if (fill_mask_.MayMeet(layer))
+      TakeWide(Difference(fill_area_, layer), least_nm);
+    else
+      TakeBareParts(layer, least_nm);
   }
 
   /// Removes the parts that `nearer` covers and `layer` does not.
@@ -93,11 +94,12 @@ class SparseRegion {
   const MultiPolygon& region() const { return region_; }
 
  private:
-  void TakeWide(MultiPolygon bare, Coord least_nm) {
+  bool TakeWide(MultiPolygon bare, Coord least_nm) {
     EraseSpecks(bare, width_nm_);
     const MultiPolygon core = SmoothOffset(bare, -least_nm / 2);
-    if (core.empty()) return;
+    if (core.empty()) return false;
     Set(Difference(region_, SmoothOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
+    return true;
   }
 
   void Set(MultiPolygon region) {
@@ -152,10 +154,17 @@ MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& ou
   return sparse.region();
 }
 
-/// Returns the part that every layer of the cover covers. The order is from far to near, because
-/// the bare parts of a far layer usually contain the bare parts of nearer layers.
+/// Returns true if the regions have a point in common. `wanted` may be null: the whole plane.
+bool Meets(const MultiPolygon& region, const MultiPolygon* wanted) {
+  return wanted == nullptr ? !region.empty() : !Intersection(*wanted, region).empty();
+}
+
+/// Returns the part of the fill area that every layer of the cover covers. It goes from far layers
+/// to near ones: a far layer most often leaves everything bare that a nearer one does. Returns
+/// nothing as soon as the rest does not meet `wanted` (may be null).
 MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
-                         const Cover& cover, const SkinOptions& options) {
+                         const Cover& cover, const SkinOptions& options,
+                         const MultiPolygon* wanted = nullptr) {
   if (options.all_solid) return {};
   if (options.shells == ShellThickness::kDisabled)
     return UnexposedPart(fill_area, outline, cover, options);
@@ -164,13 +173,14 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   const bool partial = options.shells == ShellThickness::kPartial;
   for (const auto* side : {&cover.above, &cover.below}) {
     const size_t nearest = side == &cover.below ? 1 : 0;
-    for (size_t i = side->size(); i-- > nearest && !sparse.region().empty();) {
+    for (size_t i = side->size(); i-- > nearest;) {
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
       // An area that is open itself is a skin, however narrow it is.
       const Coord least_nm =
           partial && i > 0 ? kPartialBeads * options.width_nm : LeastBare(options);
-      if (!seen && layer != &outline) sparse.TakeBareParts(*layer, least_nm);
+      if (seen || layer == &outline) continue;
+      if (sparse.TakeBareParts(*layer, least_nm) && !Meets(sparse.region(), wanted)) return {};
     }
   }
   if (!cover.below.empty() && cover.below[0] != &outline)
@@ -196,20 +206,27 @@ MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare,
   return narrow;
 }
 
-/// Divides a fill area into sparse and solid. A narrow part of the covered area becomes solid where
-/// it is beside a bare area, for example between two skins. Farther away it stays sparse: a wedge
-/// between walls is not a skin.
-void PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, Coord width_nm, Skins& skins) {
-  if (covered.empty() || covered == fill_area) {
-    (covered.empty() ? skins.solid : skins.sparse) = fill_area;
-    return;
+/// Divides a fill area into sparse and solid parts. A narrow covered part beside a bare part, as
+/// between two skins, becomes solid. Farther away it stays sparse: a wedge between walls is no
+/// skin. Small sparse regions become solid too. Returns false if `skins.solid` still lacks parts
+/// that became solid.
+bool PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, const SkinOptions& options,
+                Skins& skins) {
+  bool complete = true;
+  if (covered.empty()) {
+    skins.solid = fill_area;
+  } else if (covered == fill_area) {
+    skins.sparse = fill_area;
+  } else {
+    skins.solid = Difference(fill_area, covered);
+    skins.sparse = std::move(covered);
+    const MultiPolygon narrow = NarrowBeside(skins.sparse, skins.solid, options.width_nm);
+    complete = narrow.empty();
+    if (!complete) skins.sparse = Difference(skins.sparse, narrow);
   }
-  skins.solid = Difference(fill_area, covered);
-  skins.sparse = std::move(covered);
-  const MultiPolygon narrow = NarrowBeside(skins.sparse, skins.solid, width_nm);
-  if (narrow.empty()) return;
-  skins.sparse = Difference(skins.sparse, narrow);
-  skins.solid = Difference(fill_area, skins.sparse);
+  const double least_area = options.solid_below_area_mm2 * kNmPerMm * kNmPerMm;
+  return std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; }) == 0 &&
+         complete;
 }
 
 /// Removes a part from the solid region, with a margin that supports the lines of bridges at both
@@ -266,17 +283,22 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
                    const SkinOptions& options) {
   Skins skins;
   if (fill_area.empty()) return skins;
-  PartSparse(fill_area, CoveredPart(fill_area, outline, cover, options), options.width_nm, skins);
-  const double least_area = options.solid_below_area_mm2 * kNmPerMm * kNmPerMm;
-  const size_t small =
-      std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; });
+  const bool complete = PartSparse(fill_area, CoveredPart(fill_area, outline, cover, options), options, skins);
   if (skins.sparse == fill_area) return skins;
-  if (small > 0)
+  if (!complete)
     skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
   if (!cover.above.empty())
     skins.top = Take(TopOf(skins.solid, outline, cover, options.width_nm), skins.solid);
   if (!cover.on_bed) PartByBearers(outline, cover, options, skins);
   return skins;
+}
+
+MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
+                        const SkinOptions& options, const MultiPolygon& wanted) {
+  Skins skins;
+  MultiPolygon covered = CoveredPart(fill_area, outline, cover, options, &wanted);
+  if (Meets(covered, &wanted)) PartSparse(fill_area, std::move(covered), options, skins);
+  return std::move(skins.sparse);
 }
 
 }  // namespace slicefarm::infill

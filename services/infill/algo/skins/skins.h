@@ -62,4 +62,9 @@ struct Skins {
 Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
                    const SkinOptions& options);
 
+/// Returns the sparse part of the same partition, or nothing if it does not meet `wanted`. Cost: that of
+/// PartFillArea without the kinds of skins; it stops at the first layer that takes all of `wanted`.
+MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
+                        const SkinOptions& options, const MultiPolygon& wanted);
+
 }  // namespace slicefarm::infill

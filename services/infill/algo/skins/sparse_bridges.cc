@@ -46,16 +46,17 @@ Coord LeastBridgeNm(double pitch_nm, Coord width_nm) {
 
 }  // namespace
 
-bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm) {
-  // The layer below may be higher, with a smaller distance between its lines.
+MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm) {
+  // The layer below may be higher, and its lines nearer to each other.
   constexpr double kSurely = 0.8;
-  return !SmoothOffset(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2).empty();
+  return SmoothOffset(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2);
 }
 
-SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins) {
-  MultiPolygon bridged = WidePart(Intersection(skins.solid, below.region),
-                                  LeastBridgeNm(below.pitch_nm, width_nm));
-  if (bridged.empty()) return {};
+MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins) {
+  return WidePart(Intersection(skins.solid, below.region), LeastBridgeNm(below.pitch_nm, width_nm));
+}
+
+SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm, Skins& skins) {
   const MultiPolygon room = Union(skins.solid, skins.sparse);
   if (!below.beads.empty()) bridged = ToBeads(bridged, below, room, width_nm);
   skins.solid = Difference(skins.solid, bridged);

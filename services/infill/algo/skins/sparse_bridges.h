@@ -20,16 +20,19 @@ struct SparseBridges {
   MultiPolygon bearers;  ///< supports of their lines: the beads below, and the solid areas there
 };
 
-/// Returns true if a solid part may contain a bridge over cells of this pitch. This is a fast test,
-/// because most parts contain none. Cost: an offset.
-bool MayHoldBridges(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
+/// Returns the centres of all bridges over cells of this pitch that fit into a solid part. Most
+/// parts have none. Cost: one offset.
+MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
 
-/// Removes the parts of the skins that are over sparse infill and have to be bridged: the solid
-/// part there that is wide enough for a cell of the lines below. A cell that it touches is bridged
-/// completely, up to a pitch away and onto the beads around it, so that lines end on beads. This
-/// extension is removed from the skins' sparse part. Invariant: the skins and the bridges together
-/// tile the area of the original skins. Cost: some boolean operations if there is a bridge,
-/// otherwise one.
-SparseBridges TakeSparseBridges(const SparseBelow& below, Coord width_nm, Skins& skins);
+/// Returns the parts of the skins over sparse infill that are wide enough to need bridges,
+/// independently of the lines below. Cost: one boolean operation, and a few more per part found.
+MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins);
+
+/// Takes `bridged` (the result of UnheldParts) from the skins. A cell that it touches is bridged as
+/// a whole, up to one pitch away and onto the beads around it, so that lines end on beads. This
+/// area is taken from the sparse part of the skins. Invariant: the skins and the bridges together
+/// cover the area that the skins covered before. Cost: a few boolean operations.
+SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm,
+                                Skins& skins);
 
 }  // namespace slicefarm::infill

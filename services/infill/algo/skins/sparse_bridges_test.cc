@@ -35,12 +35,17 @@ Skins SkinsOf(std::string_view solid, std::string_view all) {
   return skins;
 }
 
+SparseBridges TakeUnheld(const SparseBelow& below, Skins& skins) {
+  MultiPolygon unheld = UnheldParts(below, kWidth, skins);
+  return unheld.empty() ? SparseBridges{} : TakeSparseBridges(std::move(unheld), below, kWidth, skins);
+}
+
 constexpr std::string_view kAll = "(-20 -20, 20 -20, 20 20, -20 20)";
 
 TEST(TakeSparseBridges, GoesOnToTheLinesOnEitherSide) {
   Skins skins = SkinsOf("(-7 -5, 7 -5, 7 5, -7 5)", kAll);
   const double before = Mm2(skins.solid) + Mm2(skins.sparse);
-  const SparseBridges bridges = TakeSparseBridges(LinesBelow(4), kWidth, skins);
+  const SparseBridges bridges = TakeUnheld(LinesBelow(4), skins);
   ASSERT_EQ(bridges.regions.size(), 1U);
   // Lines are at x = -8 and 8, at least half a millimetre outside.
   const Box box = Bounds(bridges.regions);
@@ -55,7 +60,7 @@ TEST(TakeSparseBridges, GoesOnToTheLinesOnEitherSide) {
 TEST(TakeSparseBridges, NothingNarrowerThanACell) {
   Skins skins = SkinsOf("(-20 -20, -16 -20, -16 20, -20 20)", kAll);
   const Skins before = skins;
-  EXPECT_TRUE(TakeSparseBridges(LinesBelow(4), kWidth, skins).regions.empty());
+  EXPECT_TRUE(TakeUnheld(LinesBelow(4), skins).regions.empty());
   EXPECT_EQ(skins.solid, before.solid);
   EXPECT_EQ(skins.sparse, before.sparse);
 }
@@ -64,20 +69,20 @@ TEST(TakeSparseBridges, NothingOverWhatIsSolid) {
   Skins skins = SkinsOf("(-7 -5, 7 -5, 7 5, -7 5)", kAll);
   SparseBelow below = LinesBelow(4);
   below.region = MakePolygonsOrDie("(10 -20, 20 -20, 20 20, 10 20)");
-  EXPECT_TRUE(TakeSparseBridges(below, kWidth, skins).regions.empty());
+  EXPECT_TRUE(TakeUnheld(below, skins).regions.empty());
 }
 
 TEST(TakeSparseBridges, WhereLinesAreNotKnownTheSkinsAreTakenAsTheyAre) {
   Skins skins = SkinsOf("(-7 -5, 7 -5, 7 5, -7 5)", kAll);
   SparseBelow below = LinesBelow(4);
   below.beads.clear();
-  const SparseBridges bridges = TakeSparseBridges(below, kWidth, skins);
+  const SparseBridges bridges = TakeUnheld(below, skins);
   EXPECT_NEAR(Mm2(bridges.regions), 140, 1e-3);
 }
 
 TEST(TakeSparseBridges, LinesMayLieOnBeadsAndOnWhatIsSolidAround) {
   Skins skins = SkinsOf("(-20 -20, 20 -20, 20 20, -20 20)", kAll);
-  const SparseBridges bridges = TakeSparseBridges(LinesBelow(4), kWidth, skins);
+  const SparseBridges bridges = TakeUnheld(LinesBelow(4), skins);
   EXPECT_NEAR(Mm2(bridges.regions), 1600, 1e-3);
   EXPECT_NEAR(Mm2(Intersection(bridges.bearers, bridges.regions)), 10 * 40 * .45, 1);
   EXPECT_TRUE(Intersection(Difference(bridges.bearers, bridges.regions),

@@ -11,7 +11,7 @@ TEST(Bambu, LabelsAreBitsOfAMask) {
   Bambu().BeginCopy("a", 0, out);
   Bambu().EndCopy("a", 0, out);
   Bambu().BeginCopy("b", 9, out);
-  Bambu().BeginCopy("c", 64, out);  // beyond the mask
+  Bambu().BeginCopy("c", 64, out);  // outside the 64-bit mask
   EXPECT_EQ(out.text(),
             "; start printing object, unique label id: 0\nM624 AQAAAAAAAAA=\n"
             "; stop printing object, unique label id: 0\nM625\n"

@@ -8,7 +8,7 @@
 namespace slicefarm::motion {
 namespace {
 
-constexpr size_t kMostNameBytes = 240;  // file systems have 255
+constexpr size_t kMostNameBytes = 240;  // the limit of file systems is 255
 constexpr std::string_view kTextEnding = ".gcode";
 constexpr std::string_view kBinaryEnding = ".bgcode";
 

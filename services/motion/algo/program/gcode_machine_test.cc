@@ -70,7 +70,7 @@ TEST(GcodeMachine, FirmwareRetraction) {
 }
 
 TEST(GcodeMachine, FilamentMayBeAVolume) {
-  constexpr double kAreaMm2 = 2.405281875;  // of 1.75 mm
+  constexpr double kAreaMm2 = 2.405281875;  // section of filament of 1.75 mm
   const auto pushed = [](GcodeMachine& machine, const char* line) {
     return machine.Read(ParseGcodeLine(line)).moves[0].Filament();
   };

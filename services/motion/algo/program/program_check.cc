@@ -97,7 +97,7 @@ class Checker {
                            firmware_.name()));
     if (firmware_.Knows(line)) return;
     if (firmware_.has_macros() && labels_.Custom() && line.letter == 0) {
-      heated_ = true;  // a macro may do anything
+      heated_ = true;  // a macro may heat the nozzle
       return;
     }
     Find(absl::StrFormat("%s: a command that %s does not know", line.command, firmware_.name()));

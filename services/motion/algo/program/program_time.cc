@@ -77,7 +77,7 @@ class Clock {
     accounts_.push_back({KindOf(move), labels_.layer(), lines_});
     planner_->Add(ToKinematic(move, firmware_, machine_.limits()));
     ++time_.moves;
-    if (!move.InSpace() && firmware_.StopsForFilament()) Stop();  // bounds memory
+    if (!move.InSpace() && firmware_.StopsForFilament()) Stop();  // limits the memory
   }
 
   void Stop() {

@@ -139,7 +139,7 @@ GcodeLine ParseGcodeLine(std::string_view line) {
     while (end < line.size() && (absl::ascii_isdigit(line[end]) || line[end] == '.')) ++end;
     std::from_chars(line.data() + 1, line.data() + end, result.number);
   } else if (Upper(line.front()) == 'T' && line.size() == 2) {
-    result.letter = 'T';  // T?, Tx, Tc of Prusa's multi-material unit
+    result.letter = 'T';  // commands T?, Tx, Tc of Prusa's multi-material unit
     end = line.size();
   } else {
     while (end < line.size() && !IsBlank(line[end])) ++end;

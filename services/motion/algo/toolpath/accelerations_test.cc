@@ -17,7 +17,7 @@ MotionOptions Options() {
 
 TEST(Accelerations, LeftToTheFirmware) {
   MotionOptions options = Options();
-  options.acceleration_mm_s2[0] = 500;  // without default_acceleration, of no effect
+  options.acceleration_mm_s2[0] = 500;  // no effect without default_acceleration
   const Accelerations a = AccelerationsFor(options, Ground::kLayers);
   EXPECT_FALSE(a.told);
   EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 1500);

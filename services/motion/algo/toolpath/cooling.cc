@@ -48,7 +48,7 @@ std::vector<bool> InnerBeads(const Toolpath& path, double transition_mm) {
   return inner;
 }
 
-using Layer = std::vector<FullSpeeds>;  // by toolpath
+using Layer = std::vector<FullSpeeds>;  // speeds by toolpath
 
 Layer FullSpeedsOf(const CoolingOptions& cooling, std::span<const Toolpath> paths) {
   Layer layer;

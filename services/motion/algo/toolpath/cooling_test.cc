@@ -142,7 +142,7 @@ TEST(SlowDown, NotBelowTheLeastSpeed) {
 TEST(SlowDown, BeadsThatAreSlowerAlreadyAreNotSpedUp) {
   CoolingOptions cooling;
   cooling.slowdown_below_layer_time_s = 1'000;
-  cooling.min_print_speed_mm_s = 50;  // above the squares' 30
+  cooling.min_print_speed_mm_s = 50;  // above the 30 mm/s of the squares
   Toolpath path = Squares(1);
   Slowed(cooling, path);
   EXPECT_EQ(path.moves, Squares(1).moves);
@@ -178,7 +178,7 @@ TEST(SlowDown, EmptyLayer) {
 }
 
 TEST(FanPercent, GoesWithTheLayersTime) {
-  CoolingOptions cooling;  // 35..100 %, 5..60 s
+  CoolingOptions cooling;  // fan 35..100 %, layer times 5..60 s
   EXPECT_EQ(FanPercent(cooling, 0, 3), 0) << "first layers";
   EXPECT_EQ(FanPercent(cooling, 1, 3), 100);
   EXPECT_EQ(FanPercent(cooling, 1, 5), 100);

@@ -62,7 +62,7 @@ LayerEdges EdgesOf(std::span<const Stretch> stretches) {
   MoveWalk walk({.z_um = stretches.front().path->start_z_um}, 0);
   const std::vector<EdgeMove> moves = AllMoves(stretches, walk);
   const auto at = [&](size_t i) { return moves.begin() + static_cast<std::ptrdiff_t>(i); };
-  const size_t entry = stretches.front().path->approach + 1;  // after the starting place
+  const size_t entry = stretches.front().path->approach + 1;  // first move after the start point
   edges.approach = static_cast<int32_t>(entry);
   edges.head.assign(at(0), at(std::min(moves.size(), entry + 1 + kEdgeMoves)));
   const size_t last = moves.size() - 1;

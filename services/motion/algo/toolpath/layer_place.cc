@@ -20,7 +20,7 @@ LayerPlace PlaceOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   if (part == visits.end()) {
     const bool of_copy = !visits.empty() && visits.back().copy >= 0;
     if (of_copy) place.number = pass.layers_before + std::max(0, frame.index - pass.first_layer);
-    return place;  // else of the plate alone, in the first pass
+    return place;  // otherwise the layer has only plate items
   }
   const int32_t own = layer.blocks[static_cast<size_t>(part->block)].layer;
   place.index = pass.first_layer + own;

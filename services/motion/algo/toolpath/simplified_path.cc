@@ -193,7 +193,7 @@ class Reach {
 
   /// Extends the beads to the next node.
   void Take(const Node& to) {
-    even_ = widest_ == 0;  // one edge may always be a bead
+    even_ = widest_ == 0;  // a single edge is always a valid bead
     narrowest_ = std::min(narrowest_, to.narrowest_nm);
     widest_ = std::max(widest_, to.widest_nm);
     length_ = to.along - from_.along;
@@ -279,7 +279,7 @@ class FewestBeads {
   FewestBeads(std::span<const Node> nodes, const Tolerance& tolerance)
       : nodes_(nodes), tolerance_(tolerance), ways_(nodes.size()), farthest_(nodes.size()) {
     ways_[0][0].beads = 0;
-    size_t fewest = 0;  // to any node from here on
+    size_t fewest = 0;  // fewest beads to any node from here on
     for (size_t i = 0; i + 1 < nodes_.size(); ++i) {
       while (farthest_[fewest] < i) ++fewest;
       if (std::min(ways_[i][0].beads, ways_[i][1].beads) != fewest) continue;

@@ -69,7 +69,7 @@ TEST(SpiralTurn, FirstAndLastTurnPrintAsMuchAsOneLoop) {
 
 TEST(SpiralTurn, LeadsOverFromTheTurnBelow) {
   const Path path = TurnIn(10);
-  const Point from{FromMm(9.475), 0};  // of a turn in a circle 0.3 mm less
+  const Point from{FromMm(9.475), 0};  // start of a turn with a radius 0.3 mm smaller
   const auto pieces = TurnOf(path, {.start = path.points[0], .from = from}, {{Ring(9.7), {}}});
   // The radius grows as evenly as the height.
   for (const TurnPiece& piece : pieces)

@@ -27,9 +27,8 @@ namespace {
 /// Largest filament of one move, in 1e-5 mm: more than any printer can push.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-/// Largest difference between widths of solid infill and gap fill and the path's, as a share. These
-/// beads are inside the part, between others. With a larger share, more than ten changes of the
-/// flow per metre would exceed 30 %.
+/// Largest relative difference between the path's width and widths of solid infill and gap fill,
+/// which are inside the part. Above it, more than ten flow changes per metre would exceed 30 %.
 constexpr double kFillWidthShare = 0.085;
 
 /// Share of the full wipe length above which a wipe retracts everything. Steps make wipes shorter.
@@ -257,8 +256,7 @@ void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps
   at_.rest = kFullRest;
 }
 
-/// Prints a piece of a wall over air: as a thread, except over supports. A thread sags below its
-/// layer and would weld itself to a support.
+/// Prints a piece of a wall over air: as a thread, except over supports, where a thread would weld.
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
   if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
@@ -441,7 +439,8 @@ void ToolpathBuilder::PullBack(int32_t units) {
   path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
 
-/// Retracts `units` during the wipe, or a share on a path shorter than it. Returns the units.
+/// Retracts `units` during the wipe, or the corresponding share on a path much shorter than the
+/// wipe. Returns the retracted units.
 int32_t ToolpathBuilder::WipeBack(int32_t units) {
   const double reach_mm = WayMm(wipe_way_);
   const double whole_mm = reach_mm > kWholeWipe * wipe_.length_mm ? reach_mm : wipe_.length_mm;
@@ -489,7 +488,7 @@ FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
 }
 
 void ToolpathBuilder::Count(const Path& path, int64_t filament) {
-  // Bridges count as bridges. Rounding must not make the rest of the path negative.
+  // Pieces printed as bridges are counted as bridges. Rounding must not make the rest negative.
   const double own_mm = std::max(0.0, ToMm(PathLength(path)) - std::exchange(bridged_mm_, 0));
   const int64_t own_filament = filament - std::exchange(bridged_filament_, 0);
   stats_.features[static_cast<size_t>(path.feature)].Add(UseOf(own_mm, own_filament));

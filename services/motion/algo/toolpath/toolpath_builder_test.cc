@@ -429,7 +429,7 @@ TEST(ToolpathBuilder, LoopsCloseWhereTheyStart) {
 
 TEST(ToolpathBuilder, ShortTravelsDoNotRetract) {
   const Built built = Build({Line("(0 0, 10 0)"), Line("(10 1.9, 0 1.9)"), Line("(0 4, 10 4)")});
-  EXPECT_EQ(built.stats.retractions, 2);  // before the third, and at the end
+  EXPECT_EQ(built.stats.retractions, 2);  // before the third path and at the end
   EXPECT_EQ(built.stats.travels, 3);
   EXPECT_NEAR(built.stats.travel_mm, 1.9 + 2.1, 1e-9);
 }
@@ -519,7 +519,8 @@ TEST(ToolpathBuilder, RetractsInPlaceThenOnTheWay) {
                   MoveKind::kPrint, MoveKind::kRetract, MoveKind::kWipe));
   EXPECT_EQ(built.path.moves[4].filament, -35'000);
   EXPECT_EQ(built.path.moves[5].filament, -35'000);
-  EXPECT_EQ(built.path.moves[5].x_um, 8'800);  // 0.35 mm at 35 mm/s: 0.01 s at 120 mm/s
+  // 1.2 mm: 0.01 s at 120 mm/s, the time of 0.35 mm at 35 mm/s.
+  EXPECT_EQ(built.path.moves[5].x_um, 8'800);
   EXPECT_EQ(built.path.moves[5].feed_rate, FeedRate(120));
   EXPECT_EQ(built.path.moves[7].filament, 70'000);
   EXPECT_EQ(built.stats.retractions, 2);
@@ -634,7 +635,7 @@ TEST(ToolpathBuilder, ShortPiecesKeepTheLimitOfVolume) {
 
 // The infill stage prints bridges as beads of their layer's height, with the plastic of a thread.
 TEST(ToolpathBuilder, ThreadsOfBridgesAreToldAsRoundAsTheyAre) {
-  const MotionOptions options;  // nozzle of 0.4 mm
+  const MotionOptions options;  // default nozzle of 0.4 mm
   const double disc_mm2 = std::numbers::pi / 4 * 0.4 * 0.4;
   const Coord width_nm = WidthForSpacing(FromMm(disc_mm2 / 0.2), 200'000);
   Path bridge = Line("(0 0, 10 0)", {width_nm});

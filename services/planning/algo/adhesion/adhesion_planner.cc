@@ -219,7 +219,7 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   const std::set<int32_t> alone = Alone();
   auto brims = PlaceBrims(alone, ShieldKeepOut(loops, skirt), cancel);
   if (!brims.ok()) return brims.status();
-  MultiPolygon outside;  // of brims
+  MultiPolygon outside;  // outlines of all brims
   for (const Region& brim : *brims) Append(brim.outlines, outside);
   for (const int32_t object : alone) {
     absl::StatusOr<MultiPolygon> brim = OwnBrim(object, cancel);

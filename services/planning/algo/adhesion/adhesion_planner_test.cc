@@ -107,7 +107,7 @@ TEST(AdhesionPlanner, BrimsOfCopiesThatStandCloseAreOneRegion) {
   EXPECT_EQ(brim.role, Role::kBrim);
   EXPECT_EQ(brim.settings, 7);
   EXPECT_EQ(section.height_nm, 200'000);
-  ASSERT_THAT(brim.outlines, SizeIs(2));  // two together, one alone
+  ASSERT_THAT(brim.outlines, SizeIs(2));  // one brim around two copies, one around a single copy
   EXPECT_THAT(brim.outlines[0].holes, SizeIs(2));
   EXPECT_THAT(brim.outlines[1].holes, SizeIs(1));
 }
@@ -168,7 +168,7 @@ TEST(AdhesionPlanner, ARaftKeepsAwayFromWhatItDoesNotCarry) {
   const Planned plan =
       PlanOrDie(options, {{0, {}, {}}, {1, Mm(17, 0), {}}, {2, Mm(-12, 0), {}}}, layers);
   const MultiPolygon raft = RegionsOf(plan, 0, Role::kRaft);
-  const MultiPolygon low = RegionsOf(plan, 0, Role::kRaftInterface);  // of object 2
+  const MultiPolygon low = RegionsOf(plan, 0, Role::kRaftInterface);  // raft of object 2
   EXPECT_NEAR(Gap(raft, Moved(MakePolygonsOrDie(kWide), Mm(17, 0))), 0.5e6, 10'000)
       << "from the wider layer";
   EXPECT_NEAR(Gap(low, raft), 0.5e6, 10'000);

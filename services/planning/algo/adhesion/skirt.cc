@@ -126,7 +126,7 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   Coord distance_nm = options.distance_nm + options.width_nm / 2;
   for (; wanted(); distance_nm += spacing_nm) {
     const MultiPolygon around = Offset({{hull, {}}}, distance_nm, {.join = Join::kRound});
-    if (around.empty()) return {};  // a hull of a few nm
+    if (around.empty()) return {};  // the hull is only a few nm wide
     loops.push_back(SkirtLoop(around.front().outer, options));
     filament_nm += FilamentNm(loops.back(), options);
   }

@@ -14,7 +14,7 @@ Coord StepsUp(Coord at, Coord step) { return at >= 0 ? (at + step - 1) / step : 
 }  // namespace
 
 std::vector<Point> GridPoints(const MultiPolygon& region, Coord step_nm) {
-  std::map<Coord, std::vector<double>> rows;  // crossings by row
+  std::map<Coord, std::vector<double>> rows;  // x of the crossings in each row
   ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];

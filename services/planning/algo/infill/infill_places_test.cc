@@ -39,7 +39,7 @@ TEST(LeaveOutUnneeded, ConesThatWidenUpwardsNeedLittleNearTheBed) {
   std::vector<InfillPlaces> places(stack.size());
   LeaveOutUnneeded(areas, roofs, 900'000, 500'000, places);
   EXPECT_NEAR(Mm2(Difference(areas[21], places[21].left_out)), 0, 1e-6);
-  for (const size_t i : {20u, 10u, 5u})  // the sliver needs nothing
+  for (const size_t i : {20u, 10u, 5u})  // the sliver needs no infill
     EXPECT_NEAR(Mm2(Difference(areas[i], places[i].left_out)), 9, 1e-3) << i;
 }
 

@@ -89,7 +89,7 @@ TEST(LightningLines, LinesRestOnWhatIsBelow) {
   int checked = 0;
   for (const Sample& sample : Samples()) {
     for (size_t i = 1; i < sample.stack.size(); ++i) {
-      if (sample.areas[i - 1].empty()) continue;  // solid
+      if (sample.areas[i - 1].empty()) continue;  // the layer is solid
       const RegionEdges edges(sample.areas[i - 1]);
       for (const Polyline& line : sample.lines[i]) {
         for (size_t k = 1; k < line.size(); ++k) {
@@ -124,7 +124,7 @@ TEST(LightningLines, LieInsideAndVanishDownwards) {
   for (const Polyline& line : box.lines[146]) top += Length(line);
   for (const Polyline& line : box.lines[10]) bottom += Length(line);
   EXPECT_GT(top, 100e6);
-  EXPECT_EQ(bottom, 0);  // 27 mm below a roof of 28 mm
+  EXPECT_EQ(bottom, 0);  // 27 mm below a roof at 28 mm
 }
 
 /// Raster with pixels of 0.25 mm over a plate of 32 mm. It shares no code with polygons and their

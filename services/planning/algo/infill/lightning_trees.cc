@@ -124,7 +124,8 @@ void LightningTrees::CutTips(double step_nm) {
       }
       kept[at] = 0;
       left -= length;
-      if (parent < 0 || --counts[static_cast<size_t>(parent)] > 0) break;  // a fork goes on
+      // A fork has other branches.
+      if (parent < 0 || --counts[static_cast<size_t>(parent)] > 0) break;
       at = static_cast<size_t>(parent);
     }
   }
@@ -229,8 +230,8 @@ std::vector<Polyline> LightningTrees::Lines(double beyond_nm) const {
     const auto& of = children[static_cast<size_t>(order[k])];
     order.insert(order.end(), of.begin(), of.end());
   }
-  std::vector<double> reach(nodes_.size());      // of the longest way outwards
-  std::vector<int32_t> next(nodes_.size(), -1);  // on it
+  std::vector<double> reach(nodes_.size());      // length of the longest path to a leaf
+  std::vector<int32_t> next(nodes_.size(), -1);  // next node on this path
   for (size_t k = order.size(); k-- > 0;) {
     const auto i = static_cast<size_t>(order[k]);
     for (const int32_t child : children[i]) {

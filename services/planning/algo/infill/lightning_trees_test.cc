@@ -23,8 +23,8 @@ double LengthOf(const LightningTrees& branches) {
 TEST(LightningTrees, GrowFromTheEdgeOrFromATree) {
   LightningTrees branches;
   EXPECT_EQ(branches.GrowTo(Mm(8, 10), Square()), Mm(0, 10));
-  EXPECT_EQ(branches.GrowTo(Mm(6, 12), Square()), Mm(6, 10));   // a fork
-  EXPECT_EQ(branches.GrowTo(Mm(10, 10), Square()), Mm(8, 10));  // the tip goes on
+  EXPECT_EQ(branches.GrowTo(Mm(6, 12), Square()), Mm(6, 10));   // a new fork
+  EXPECT_EQ(branches.GrowTo(Mm(10, 10), Square()), Mm(8, 10));  // the tip is extended
   EXPECT_EQ(branches.GrowTo(Mm(10, 2), Square()), Mm(10, 0));
   EXPECT_NEAR(LengthOf(branches), 10 + 2 + 2, 1e-6);
   const auto lines = branches.Lines(500'000);
@@ -65,13 +65,13 @@ TEST(LightningTrees, AreTiedToAnotherRegion) {
   branches.GrowTo(Mm(8, 10), Square());
   LightningTrees wider = branches;
   wider.Refit(RegionEdges(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)")));
-  EXPECT_NEAR(LengthOf(wider), 11, 1e-6);  // the wall has gone away
+  EXPECT_NEAR(LengthOf(wider), 11, 1e-6);  // the wall has moved away
   LightningTrees narrower = branches;
   narrower.Refit(RegionEdges(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)")));
   EXPECT_NEAR(LengthOf(narrower), 3, 1e-6);
   LightningTrees across = branches;
   across.Refit(RegionEdges(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)")));
-  EXPECT_NEAR(LengthOf(across), 2 + 4, 0.01);  // a hole lies in the way
+  EXPECT_NEAR(LengthOf(across), 2 + 4, 0.01);  // a hole interrupts the line
   LightningTrees gone = branches;
   gone.Refit(RegionEdges({}));
   EXPECT_TRUE(gone.nodes().empty());

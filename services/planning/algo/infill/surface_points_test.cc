@@ -41,9 +41,10 @@ TEST(SurfacePlaces, LieOnSidesAndUnderAndOverSkins) {
   EXPECT_GE(counts.at(100'000).count, 60 + 160 + 39 * 39);
   EXPECT_GE(counts.at(500'000).count, 40 + 160 + 39 * 39);
   EXPECT_NEAR(counts.at(500'000).around_nm, 302'500, 1);
-  EXPECT_GE(counts.at(300'000).count, 60 + 60 + 19 * 9);  // the floor: edge and grid
+  // Floor: points on the edge and on the grid.
+  EXPECT_GE(counts.at(300'000).count, 60 + 60 + 19 * 9);
   EXPECT_EQ(counts.at(300'000).around_nm, 0);
-  EXPECT_EQ(counts.at(700'000).count, 40);  // the edge, each mm
+  EXPECT_EQ(counts.at(700'000).count, 40);  // a point on the edge every mm
   EXPECT_EQ(counts.size(), 4u);
 }
 

@@ -36,11 +36,12 @@ bool IsStraight(const Bend& bend) {
 double Bend::TurnRad() const { return Atan2(Cross(in, out), Dot(in, out)); }
 
 int Bend::Outward() const {
-  const Point along = in + out;  // the solid is to its left
+  const Point along = in + out;  // the solid is to the left of the ring
   auto x = static_cast<double>(along.y), y = static_cast<double>(-along.x);
   if (x == 0 && y == 0) return 0;
   int quarter = 0;
-  for (; x <= 0 || y < 0; ++quarter) x = std::exchange(y, -x);  // a quarter turn back
+  // Turns the vector back by 90 degrees.
+  for (; x <= 0 || y < 0; ++quarter) x = std::exchange(y, -x);
   return 4 * quarter + (y >= kSixteenth * x) + (y >= x) + (kSixteenth * y >= x);
 }
 
@@ -75,7 +76,7 @@ Point RingShape::At(double along_nm, size_t& edge) const {
 std::vector<Bend> RingShape::BendsAt(std::span<const double> along_nm) const {
   std::vector<Bend> bends;
   bends.reserve(along_nm.size());
-  size_t before = 0, here = 0, after = 0;  // edges
+  size_t before = 0, here = 0, after = 0;  // edge indices
   for (const double nm : along_nm) {
     const Point at = At(nm, here);
     bends.push_back({at, at - At(nm - arm_nm_, before), At(nm + arm_nm_, after) - at});

@@ -52,7 +52,7 @@ TEST(RingShape, OutwardIsToTheRight) {
 
 TEST(RingShape, OutwardIsTheSixteenthOfTheTurnThatTheAngleLiesIn) {
   for (int i = 0; i < 720; ++i) {
-    const double angle = (i + 0.5) * pi / 360;  // of the way; outwards is a quarter turn less
+    const double angle = (i + 0.5) * pi / 360;  // direction of the ring; outward is 90 degrees less
     const Point arm = Mm(std::cos(angle), std::sin(angle));
     const double outward = angle - pi / 2;
     const auto want = static_cast<int>((outward < 0 ? outward + 2 * pi : outward) / (2 * pi) * 16);

@@ -14,7 +14,7 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr int32_t kMostCells = 256;  // along each side
+constexpr int32_t kMostCells = 256;  // cells along each side
 constexpr double kReachMm = 30;
 /// Size of the surface patches that share one visibility, in mm.
 constexpr int32_t kPatchMm = 4;
@@ -25,7 +25,7 @@ constexpr double kMostCrossings = 20e6;
 constexpr double kLiftCells = 1.5;
 constexpr std::array<double, 4> kSideways = {-std::numbers::pi / 3, -std::numbers::pi / 9,
                                              std::numbers::pi / 9, std::numbers::pi / 3};
-constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz by horizontal length
+constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz per horizontal length
 
 Vector2 DirectionOf(double angle_rad) { return {Cos(angle_rad), Sin(angle_rad)}; }
 

@@ -73,8 +73,8 @@ double StepCost::Of(Point from, Point to, double away_mm) const {
 }
 
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step) {
-  std::vector<std::vector<double>> costs(nodes.size());  // of the trees from each node up
-  std::vector<std::vector<int32_t>> best(nodes.size());  // place, by that of the parent
+  std::vector<std::vector<double>> costs(nodes.size());  // cost of the tree above each node
+  std::vector<std::vector<int32_t>> best(nodes.size());  // best place for each place of the parent
   for (size_t i = 0; i < nodes.size(); ++i) costs[i] = nodes[i].costs;
   std::vector<int32_t> chosen(nodes.size(), 0);
   for (size_t i = nodes.size(); i-- > 0;) {

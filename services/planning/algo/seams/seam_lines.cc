@@ -7,7 +7,7 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr size_t kReach = 8;  // layers
+constexpr size_t kReach = 8;  // number of layers
 
 /// Returns the lines as indices of choices, each line bottom up.
 std::vector<std::vector<size_t>> LinesOf(std::span<const SeamChoice> choices) {

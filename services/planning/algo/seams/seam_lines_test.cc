@@ -74,9 +74,9 @@ TEST(SeamLines, SeamsStayOnTheirWalls) {
 
 TEST(SeamLines, LinesEndWhereNothingFollowsAndPartAtSplits) {
   std::vector<SeamChoice> choices = LineOf(std::vector<double>(10, 0));
-  choices.push_back(OnAWall(9, 0.5));   // goes on
-  choices.push_back(OnAWall(9, -0.5));  // a line of its own
-  choices.push_back(OnAWall(-1, 7));    // after a jump
+  choices.push_back(OnAWall(9, 0.5));   // continues the line
+  choices.push_back(OnAWall(9, -0.5));  // starts its own line
+  choices.push_back(OnAWall(-1, 7));    // starts after a jump
   const std::vector<Point> seams = SmoothSeams(choices);
   EXPECT_GT(seams[9].x, 0) << "drawn to the first alone";
   EXPECT_EQ(seams[10], Mm(0.5, 0));

@@ -51,7 +51,7 @@ absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
   if (absl::Status ok = CheckLayers(); !ok.ok()) return ok;
   std::vector<SequenceItem> items;
-  std::vector<size_t> copy_of;  // by item
+  std::vector<size_t> copy_of;  // copy index by item
   for (size_t i = 0; i < copies_.size(); ++i) {
     const auto printed = printed_.find(copies_[i].object);
     if (printed == printed_.end()) continue;

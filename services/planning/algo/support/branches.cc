@@ -144,7 +144,7 @@ class Grower {
         std::all_of(from.begin(), from.end(), [&](Point p) { return Within(slab, p, wish); });
     if (in_reach && Reach(slab, wish, anywhere) >= radius_nm) return wish;
     std::optional<Point> best;
-    std::pair<Coord, double> most{0, 0};  // room that counts, less the distance
+    std::pair<Coord, double> most{0, 0};  // usable radius, negative squared distance
     ForEachStep(slab, from[0], [&](Point p) {
       const Coord room = std::min(Reach(slab, p, anywhere), radius_nm);
       if (room < TipRadius()) return;

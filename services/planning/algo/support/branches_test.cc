@@ -11,7 +11,7 @@
 namespace slicefarm::planning::branches_test {
 namespace {
 
-constexpr int kLayers = 100;  // 20 mm
+constexpr int kLayers = 100;  // 20 mm high
 
 /// Branches under a square of `side` mm around the origin, below the top of the given number of
 /// layers.

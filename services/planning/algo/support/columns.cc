@@ -74,7 +74,7 @@ Bitmap Closed(const Bitmap& bitmap, Coord radius_nm) {
 /// Returns the squares of the plane, `side` pixels wide, that contain a set pixel.
 Bitmap Cells(const Bitmap& bitmap, int32_t side) {
   const PixelGrid& grid = bitmap.grid();
-  const auto first = [&](Coord at) {  // pixel at which the first whole square begins
+  const auto first = [&](Coord at) {  // first pixel of the first square
     const Coord pixels = at / grid.pixel_nm % side;
     return static_cast<int32_t>(pixels > 0 ? side - pixels : -pixels) - side;
   };
@@ -142,7 +142,7 @@ class ColumnMaker {
   /// edges, and a printer slows down at each corner. Closing turns the stairs into slopes.
   void Begin(size_t index, RasterLayer& layer) const {
     layer.contact.Fill(contacts_[index]);
-    layer.contact.FillEdges(contacts_[index]);  // so that the thinnest has a column
+    layer.contact.FillEdges(contacts_[index]);  // so that the thinnest contact gets a column
     const Coord cell = std::max(options_.spacing_nm / 2, options_.width_nm);
     const auto side = std::max<Coord>(1, cell / grid_.pixel_nm);
     layer.beside =

@@ -93,9 +93,9 @@ TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
   options.top_interface_layers = 2;
   options.bottom_interface_layers = 0;
   for (MultiPolygon& body : bodies_) body = BoxOf(0, 0, 10, 10);
-  bodies_.back().push_back(BoxOf(20, 0, 30, 10).front());  // of no contact
+  bodies_.back().push_back(BoxOf(20, 0, 30, 10).front());  // no contact above it
   contacts_.back() = BoxOf(0, 0, 6, 10);
-  contacts_[10] = BoxOf(0, 0, 4, 10);  // others go on above it
+  contacts_[10] = BoxOf(0, 0, 4, 10);  // the rest of the column continues above it
   const SupportProblem problem = plate_.Problem();
   const auto layers = ColumnLayers(problem, Even(), bodies_, contacts_, options, 1);
   for (size_t i = 0; i < kLayers; ++i) {
@@ -149,7 +149,7 @@ TEST_F(InterfacesTest, OfBranches) {
   const SupportProblem problem = plate_.Problem();
   const Clearance clearance(problem, options, 100'000'000, 1);
   const auto sheets = Sheets(Even(), contacts_, clearance, options, 1);
-  EXPECT_NEAR(AreaMm2(sheets[18]), 100.64, 0.01);  // a little more than the contact above
+  EXPECT_NEAR(AreaMm2(sheets[18]), 100.64, 0.01);  // slightly more than the contact above
   EXPECT_TRUE(sheets[17].empty());
   std::vector<BranchSections> branches(kLayers);
   for (size_t i = 0; i < kLayers; ++i) {

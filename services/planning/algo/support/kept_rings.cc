@@ -44,7 +44,7 @@ struct Carried {
 /// Returns true if every unsupported run of the ring is short enough to bridge its gap.
 bool LiesOn(const Polygon& ring, const Carried& carried) {
   constexpr double kMost = kBridgedNm - 2 * kNearNm;
-  double first = -1, run = 0, longest = 0;  // `first`: the run that the ring starts with
+  double first = -1, run = 0, longest = 0;  // `first`: length of the run at the start of the ring
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], by = ring[i + 1 < ring.size() ? i + 1 : 0] - a;
     const double length = Distance(a, a + by);

@@ -111,7 +111,7 @@ TEST(OverhangOf, EqualsBruteForce) {
       if (found) {
         EXPECT_TRUE(inside && distance > 225'000);
       } else if (inside && distance > 300'000) {
-        ADD_FAILURE() << "missed, " << ToText(p);  // scraps of 0.02 mm2 are let go
+        ADD_FAILURE() << "missed, " << ToText(p);  // scraps of 0.02 mm2 are dropped
       }
     }
   }

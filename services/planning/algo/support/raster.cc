@@ -50,7 +50,7 @@ void LeastSum(const int16_t* squared, int16_t* least) {
   for (int i = 0; i < kBlock; ++i) least[i] = squared[i];
   for (int d = 1; d <= kReach; ++d) {
     const auto more = static_cast<int16_t>(d * d);
-    if (d % 4 == 1) {  // nothing farther can be nearer
+    if (d % 4 == 1) {  // stops if no farther pixel can give a smaller sum
       int16_t most = 0;
       for (int i = 0; i < kBlock; ++i) most = std::max(most, least[i]);
       if (most <= more) return;

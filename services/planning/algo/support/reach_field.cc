@@ -154,7 +154,7 @@ std::vector<PixelDistance> MostWithin(const std::vector<PixelDistance>& values,
         PixelDistance* out = most.data() + static_cast<size_t>(y) * grid.width;
         const PixelDistance* in = values.data() + static_cast<size_t>(y + dy) * grid.width + dx;
         int32_t x = x0;
-        for (; x + 16 <= x1; x += 16)  // a fixed number, for the compiler
+        for (; x + 16 <= x1; x += 16)  // a fixed count, so that the compiler vectorises
           for (int k = 0; k < 16; ++k) out[x + k] = std::max(out[x + k], in[x + k]);
         for (; x < x1; ++x) out[x] = std::max(out[x], in[x]);
       }

@@ -80,7 +80,8 @@ TEST_F(PlateTest, AboveItBranchesMustGetPastItsEdge) {
   options.bed_only = true;
   const auto field = FieldOf(problem_, 60, options);
   ASSERT_TRUE(field.ok());
-  const size_t top = field->slabs().size() - 1;  // 12 mm: 5.9 above the plate, 4.9 mm sideways
+  // At 12 mm: 5.9 mm above the plate, 4.9 mm sideways.
+  const size_t top = field->slabs().size() - 1;
   EXPECT_EQ(field->ToBed(top, At(0, 0)), 0);
   EXPECT_EQ(field->ToBed(top, At(4.5, 0)), 0);
   EXPECT_GT(field->ToBed(top, At(7, 0)), FromMm(0.4));

@@ -80,8 +80,8 @@ TEST(HeightsFor, TheFirstLayerIsNeverLowerThanThePartsOwn) {
     std::vector<size_t> hanging;
     std::vector<double> tops;
   } cases[] = {
-      {"below it", {1}, {}},                     // 0.05
-      {"a little above it", {2}, {0.2}},         // 0.25
+      {"below it", {1}, {}},                     // height 0.05 mm
+      {"a little above it", {2}, {0.2}},         // height 0.25 mm
       {"both, and more", {1, 2, 3}, {0.2, 0.325, 0.45}},
   };
   for (const auto& [name, hanging, tops] : cases) {

@@ -187,7 +187,7 @@ MultiPolygon Covered(const SupportLayer& layer, Coord width_nm) {
 /// Returns the longest run of a ring that is farther than a millimetre from a region.
 double LongestOff(const Polygon& ring, const MultiPolygon& region) {
   double run = 0, longest = 0;
-  for (int turn = 0; turn < 2; ++turn) {  // twice round: the stretch may pass the ring's start
+  for (int turn = 0; turn < 2; ++turn) {  // two turns: the run may cross the ring's start
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[(i + 1) % ring.size()];
       run = DistanceTo(region, a) <= 1e6 ? 0 : run + Distance(a, b);
@@ -319,7 +319,7 @@ TEST_P(StyleTest, TopsLieAtTheGap) {
 }
 
 TEST_P(StyleTest, OnBedOnlyLeavesWhatStandsOverThePart) {
-  const TestStack stack(60, kShapes[5].outline);  // a shelf over a plate that is larger
+  const TestStack stack(60, kShapes[5].outline);  // a shelf over a larger plate
   options_.bed_only = true;
   const SupportPlan plan = Plan(stack.Problem(), options_);
   ASSERT_THAT(plan.findings, SizeIs(1));
@@ -375,7 +375,7 @@ TEST_P(StyleTest, KeepOffOtherObjects) {
     if (layer.top_nm > 6'000'000) continue;
     EXPECT_LT(AreaMm2(Intersection(All(layer), BoxOf(13.8, -2.2, 24.2, 22.2))), 1e-6);
   }
-  if (GetParam() != SupportStyle::kTree) {  // branches get round it
+  if (GetParam() != SupportStyle::kTree) {  // branches can bypass it
     EXPECT_FALSE(plan.findings.empty());
   }
 }

@@ -99,7 +99,7 @@ absl::Status SupportsPlanner::Plan(std::span<const SlicedLayer> parts, const Can
     if (options_.objects[static_cast<size_t>(copy.object)].support.on) objects.insert(copy.object);
   PlateSolids plate(parts, copies_);
   std::vector<AddedStack> done;
-  done.reserve(objects.size());  // the plate refers to them
+  done.reserve(objects.size());  // the plate keeps pointers to the elements
   for (const int32_t object : objects) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     const ObjectPlanOptions& options = options_.objects[static_cast<size_t>(object)];

@@ -120,7 +120,7 @@ void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
     if (section.stack.object == kPlateObject) continue;
     const auto [left_at, is_new] = left_at_.try_emplace(section.stack.object, kFrontLeft);
     PlanOf(section.stack.id, plan).entry = left_at->second;
-    if (!section.stack.IsPart()) continue;  // it leads to the part
+    if (!section.stack.IsPart()) continue;  // the path through a support ends at the part
     const LikelyExit exit = ExitOf(OutlineOf(section), left_at->second);
     left_at->second = exit.at;
     if (is_single && section.stack.object == copies_.front().object)
@@ -144,8 +144,8 @@ absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers
     LayerPlan& above = layers.At(i);
     SectionPlan* const left = FindPlanOf(copy.object, below);
     const SectionPlan* const entered = FindPlanOf(copy.object, above);
-    if (left == nullptr || entered == nullptr) continue;  // one has supports alone
-    if (left->spiral || entered->spiral) continue;        // they meet where turns do
+    if (left == nullptr || entered == nullptr) continue;  // one layer has only supports
+    if (left->spiral || entered->spiral) continue;        // spiral turns already join
     const RingRange rings = last_rings_[static_cast<size_t>(i - 1)];
     const auto meeting = SeamToMeetAt(*entered, SeamsOf(*left, rings));
     if (!meeting || begins_with_support_[static_cast<size_t>(i)]) continue;

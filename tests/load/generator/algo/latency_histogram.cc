@@ -8,7 +8,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// Each power of two is cut into 2^kSubBits buckets.
+/// Each power of two is divided into 2^kSubBits buckets.
 constexpr int kSubBits = 7;
 static_assert(LatencyHistogram::kRelativeError == 1.0 / (1 << kSubBits));
 constexpr int kMaxShift = 63 - (kSubBits + 1);

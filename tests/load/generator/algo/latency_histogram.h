@@ -5,28 +5,32 @@
 
 namespace slicefarm::load {
 
-/// Counts of durations, in buckets whose width grows with the duration: a percentile is at most
-/// kRelativeError too high and never too low, from 1 ns to 292 years.
-/// Cost: 64 kB; Record O(1). Source: G. Tene's HdrHistogram.
+/// Histogram of durations. The width of a bucket grows with the duration: a percentile is at most
+/// kRelativeError too high and never too low, from 1 ns to 292 years. Cost: 64 kB; Record O(1).
+/// Source: G. Tene's HdrHistogram.
 class LatencyHistogram {
  public:
   static constexpr double kRelativeError = 1.0 / 128;
 
   LatencyHistogram();
 
-  /// A negative duration counts as 0.
+  /// Adds a duration. A negative duration counts as 0.
   void Record(int64_t ns);
 
+  /// Returns the number of durations.
   int64_t count() const { return count_; }
+  /// Returns the smallest duration; 0 without any.
   int64_t min_ns() const { return count_ == 0 ? 0 : min_ns_; }
+  /// Returns the largest duration.
   int64_t max_ns() const { return max_ns_; }
+  /// Returns the mean duration.
   double mean_ns() const;
 
-  /// The least duration, rounded up within its bucket, that `percent` of all reach not or just:
-  /// nearest rank. 0 without any. REQUIRES: 0 <= percent <= 100.
+  /// Returns the smallest duration that at least `percent` of all do not exceed (nearest rank),
+  /// rounded up within its bucket. Returns 0 without any. REQUIRES: 0 <= percent <= 100.
   int64_t PercentileNs(double percent) const;
 
-  /// How many lie at or below `ns`, whose whole bucket is counted in.
+  /// Returns the number of durations up to `ns`. Includes all durations in the bucket of `ns`.
   int64_t CountUpTo(int64_t ns) const;
 
  private:

@@ -25,7 +25,7 @@ int64_t NearestRank(const std::vector<int64_t>& sorted, double percent) {
   return sorted[std::clamp<size_t>(rank, 1, sorted.size()) - 1];
 }
 
-/// Durations from nanoseconds to hours, as many of each order.
+/// Returns durations from nanoseconds to hours, with equal numbers per order of magnitude.
 std::vector<int64_t> LogUniform(uint64_t seed, int number) {
   SeededRandom random(seed);
   std::vector<int64_t> values;

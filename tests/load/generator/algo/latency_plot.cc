@@ -22,7 +22,7 @@ struct Line {
   double percent;
 };
 
-// Colours of Okabe and Ito, which stay apart for the colour-blind.
+// Colours of Okabe and Ito, which colour-blind people can distinguish.
 constexpr std::array kLines = {Line{"p50", "#009e73", 50}, Line{"p90", "#56b4e9", 90},
                                Line{"p99", "#0072b2", 99}, Line{"p99.9", "#e69f00", 99.9},
                                Line{"max", "#d55e00", 100}};
@@ -35,7 +35,7 @@ double LatencyMs(const RunReport& run, const Line& line) {
   return static_cast<double>(run.record.latency.PercentileNs(line.percent)) / 1e6;
 }
 
-/// Loads from 0 on, latencies in whole powers of ten around what there is.
+/// Scale of the plot: loads from 0 on, and latencies in whole powers of ten around the values.
 struct Scale {
   double max_rps = 1;
   int low_decade = 0;

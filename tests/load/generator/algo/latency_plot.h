@@ -7,9 +7,9 @@
 
 namespace slicefarm::load {
 
-/// p50 to max of the latency over the load, as SVG: one point for each run, by ascending load,
-/// which is the intended rate (of a closed loop: what it achieved). Under a load, what did not end
-/// well there: failed and skipped requests in percent.
+/// Returns an SVG plot of the latency (p50 to max) over the load, with one point per run, by
+/// ascending load. The load is the intended rate; for a closed loop, the achieved rate. Below each
+/// load is the percentage of failed and skipped requests.
 std::string LatencyPlot(const std::vector<RunReport>& runs);
 
 }  // namespace slicefarm::load

@@ -26,7 +26,8 @@ RunReport RunAt(double rate_rps, int64_t latency_ns, int ended, int skipped = 0)
   return report;
 }
 
-/// Each element is closed in its turn, and no text holds a bare `<` or `&`.
+/// Returns true if all elements are closed in the right order, and no text contains an unescaped
+/// `<` or `&`.
 bool IsWellFormed(const std::string& xml) {
   static const std::regex kToken(
       R"re(<(/?)([a-z]+)((?:\s+[A-Za-z0-9-]+="[^"<&]*")*)\s*(/?)>|(&(?:amp|lt|gt);)|([^<&]+))re");

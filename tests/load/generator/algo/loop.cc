@@ -3,7 +3,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// REQUIRES: a slot was entered; it is left when the request has ended.
+/// Starts a request. The end of the request releases its slot. REQUIRES: a slot was entered.
 void Begin(int64_t intended_ns, const LoopParts& parts) {
   parts.start([&clock = parts.clock, &slots = parts.slots, &log = parts.log,
                intended_ns](const Outcome& outcome) {

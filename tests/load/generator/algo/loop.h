@@ -9,19 +9,22 @@
 
 namespace slicefarm::load {
 
-/// The time of a run, from its beginning. Thread-safe.
+/// Clock of a run, in ns from its beginning. Thread-safe.
 class RunClock {
  public:
   virtual ~RunClock() = default;
+  /// Returns the current time.
   virtual int64_t NowNs() const = 0;
+  /// Waits until this time.
   virtual void AwaitNs(int64_t instant_ns) = 0;
 };
 
 using Done = std::function<void(const Outcome&)>;
-/// Starts a request and returns; `done` is called once, from any thread, when it has ended.
+/// Function that starts a request and returns. It calls `done` once, from any thread, when the
+/// request has ended.
 using StartRequest = std::function<void(Done)>;
 
-/// What a loop works with. Everything outlives it.
+/// Objects that a loop uses. All of them must outlive it.
 struct LoopParts {
   RunClock& clock;
   Slots& slots;
@@ -29,15 +32,15 @@ struct LoopParts {
   const StartRequest& start;
 };
 
-/// Open loop: starts a request at each arrival before `duration_ns`, whatever became of those
-/// before, and counts its latency from that instant, not from when it got to start. So a server
-/// that stands still shows in all requests that were to start meanwhile. An arrival for which no
-/// slot is free is skipped and counted. Returns when all requests have ended.
+/// Open loop: starts a request at each arrival before `duration_ns`, even if earlier requests have
+/// not ended. The latency counts from the time of the arrival, not from the actual start. So a
+/// server that stalls affects all requests that were to start meanwhile. An arrival without a free
+/// slot is skipped and counted. Returns when all requests have ended.
 void RunOpenLoop(PoissonArrivals arrivals, int64_t duration_ns, const LoopParts& parts);
 
-/// Closed loop: keeps all slots busy for `duration_ns`, each with the next request as soon as one
-/// has ended. Shows how much goes through, and hides what a client would wait. Returns when all
-/// requests have ended.
+/// Closed loop: keeps all slots busy for `duration_ns`. Each slot starts the next request as soon
+/// as one has ended. It measures the throughput but hides the waiting times of real clients.
+/// Returns when all requests have ended.
 void RunClosedLoop(int64_t duration_ns, const LoopParts& parts);
 
 }  // namespace slicefarm::load

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int64_t kSecond = 1'000'000'000;
 
-/// Goes on only when somebody waits for it, or says so.
+/// Clock that advances only if a thread waits for it, or if the test advances it.
 class FakeClock final : public RunClock {
  public:
   int64_t NowNs() const override { return now_ns_; }
@@ -67,7 +67,7 @@ TEST(OpenLoop, StartsEachArrivalAtItsInstant) {
   EXPECT_EQ(record.latency.max_ns(), 0);
 }
 
-// Who counts from the actual start would see one slow request and many fast ones.
+// A measurement from the actual start would show one slow request and many fast ones.
 TEST(OpenLoop, AStandstillShowsInAllArrivalsMeanwhile) {
   Fixture fixture(1);
   const auto instants = Instants(100, 3, 10 * kSecond);
@@ -84,7 +84,8 @@ TEST(OpenLoop, AStandstillShowsInAllArrivalsMeanwhile) {
     EXPECT_EQ(record.samples[i].intended_ns, instants[i]);
     EXPECT_EQ(record.samples[i].latency_ns, meanwhile ? back - instants[i] : 0) << i;
   }
-  // Three of ten seconds: more than a quarter of all requests, not one of a thousand.
+  // The server stalls for three of ten seconds: this affects more than a quarter of all requests,
+  // not one of a thousand.
   EXPECT_GT(record.latency.PercentileNs(75), 0);
   EXPECT_GT(record.latency.PercentileNs(90), kSecond);
   EXPECT_GT(record.start_lag.PercentileNs(90), kSecond);
@@ -94,7 +95,7 @@ TEST(OpenLoop, ArrivalsBeyondTheSlotsAreSkippedAndCounted) {
   Fixture fixture(3);
   std::vector<Done> open;
   const auto instants = Instants(100, 3, 10 * kSecond);
-  // The first three end when many more were to start; those after them at once.
+  // The first three requests end when many more were due; the later ones end at once.
   fixture.clock.OnReach(instants[500], [&] {
     for (const Done& end : open) end({});
   });

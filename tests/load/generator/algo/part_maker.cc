@@ -30,7 +30,7 @@ class StlWriter {
     std::memcpy(bytes_.data() + kHeaderBytes, &triangles, sizeof triangles);
   }
 
-  /// Without a normal: readers take it from the vertices.
+  /// Writes a triangle without a normal; readers compute it from the vertices.
   void Triangle(const Vertex& a, const Vertex& b, const Vertex& c) {
     constexpr size_t kNormalBytes = sizeof(Vertex);
     char* at = bytes_.data() + next_ + kNormalBytes;
@@ -48,7 +48,7 @@ class StlWriter {
   size_t next_;
 };
 
-/// Rings of vertices upon each other, closed by a fan below and one above.
+/// Rings of vertices above each other, closed by a fan at the bottom and one at the top.
 struct Lathe {
   int rings;
   int around;
@@ -66,7 +66,7 @@ std::vector<Vertex> Rings(const Lathe& lathe, uint64_t seed) {
   const double radius_mm = random.Uniform(10, 20);
   const double height_mm = random.Uniform(20, 40);
   const double flutes = std::floor(random.Uniform(3, 9));
-  const double depth = random.Uniform(0.03, 0.10);  // of the radius
+  const double depth = random.Uniform(0.03, 0.10);  // fraction of the radius
   const double belly = random.Uniform(0.05, 0.20);
   std::vector<Vertex> vertices;
   vertices.reserve(static_cast<size_t>(lathe.rings) * lathe.around);
@@ -109,7 +109,7 @@ std::string MakeBox(uint64_t seed) {
   const Vertex size = {static_cast<float>(random.Uniform(4, 12)),
                        static_cast<float>(random.Uniform(4, 12)),
                        static_cast<float>(random.Uniform(4, 12))};
-  // Corner i has its x, y, z from the bits 0, 1, 2 of i.
+  // The bits 0, 1, 2 of i select x, y, z of corner i.
   const auto corner = [&](int i) -> Vertex {
     return {i & 1 ? size[0] : 0, i & 2 ? size[1] : 0, i & 4 ? size[2] : 0};
   };

@@ -38,7 +38,8 @@ double SignedVolume(const std::vector<Triangle>& triangles) {
 
 class PartMakerTest : public testing::TestWithParam<PartSize> {};
 
-// Each edge is run along once in each direction: closed, and all faces the same way round.
+// Each edge occurs once in each direction: the part is closed, and all faces have the same
+// orientation.
 TEST_P(PartMakerTest, PartsAreClosedAndFaceOutwards) {
   const auto triangles = Read(MakePart(GetParam(), 1));
   std::vector<std::pair<Vertex, Vertex>> edges, turned;
@@ -51,7 +52,7 @@ TEST_P(PartMakerTest, PartsAreClosedAndFaceOutwards) {
   std::sort(edges.begin(), edges.end());
   std::sort(turned.begin(), turned.end());
   EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
-  EXPECT_TRUE(edges == turned);  // not to be printed
+  EXPECT_TRUE(edges == turned);  // avoids a long failure message
   EXPECT_GT(SignedVolume(triangles), 50);
 }
 

@@ -6,14 +6,15 @@
 
 namespace slicefarm::load {
 
-/// The instants at which requests are to start: a Poisson process, as of many clients that know
-/// nothing of each other and do not wait for the server. The same seed gives the same instants.
+/// Start times of requests: a Poisson process, as from many independent clients that do not wait
+/// for the server. The same seed gives the same times.
 class PoissonArrivals {
  public:
-  /// REQUIRES: rate_rps > 0.
+  /// Creates a process with this mean rate. REQUIRES: rate_rps > 0.
   PoissonArrivals(double rate_rps, uint64_t seed) : rate_rps_(rate_rps), random_(seed) {}
 
-  /// Nanoseconds from the beginning of the run; never less than the one before.
+  /// Returns the next start time, in ns from the beginning of the run. It is never smaller than the
+  /// previous one.
   int64_t NextNs();
 
  private:

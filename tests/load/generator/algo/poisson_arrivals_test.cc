@@ -14,7 +14,7 @@ std::vector<int64_t> Arrivals(double rate_rps, uint64_t seed, int number) {
   return instants;
 }
 
-/// How many arrivals fall into each second.
+/// Returns the number of arrivals in each second.
 std::vector<int> CountsPerSecond(const std::vector<int64_t>& instants, int seconds) {
   std::vector<int> counts(seconds);
   for (const int64_t at : instants) {
@@ -25,8 +25,8 @@ std::vector<int> CountsPerSecond(const std::vector<int64_t>& instants, int secon
 
 class PoissonArrivalsTest : public testing::TestWithParam<uint64_t> {};
 
-// Of a Poisson process, the counts per second have the rate as their mean and as their variance,
-// and the gaps have the mean as their standard deviation. A clockwork has neither.
+// In a Poisson process, the rate is both the mean and the variance of the counts per second, and
+// the mean gap is also the standard deviation of the gaps. Regular arrivals have neither property.
 TEST_P(PoissonArrivalsTest, CountsHaveTheRateAsMeanAndVariance) {
   constexpr double kRate = 20;
   constexpr int kSeconds = 5'000;

@@ -31,7 +31,7 @@ Json Percentiles(const LatencyHistogram& latency) {
   return percentiles;
 }
 
-/// ghz's are whole percentages, and readers in Go take no others.
+/// The percentages of ghz are integers, and readers in Go accept no other numbers.
 Json LatencyDistribution(const LatencyHistogram& latency) {
   Json list = Json::array();
   if (latency.count() == 0) return list;
@@ -41,7 +41,7 @@ Json LatencyDistribution(const LatencyHistogram& latency) {
   return list;
 }
 
-/// Marks at equal distances from the fastest to the slowest, as ghz has them.
+/// The marks are at equal distances from the fastest to the slowest request, as in ghz.
 Json Histogram(const LatencyHistogram& latency) {
   Json list = Json::array();
   if (latency.count() == 0) return list;
@@ -95,7 +95,7 @@ Json Steps(const RunRecord& record) {
   return steps;
 }
 
-/// What ghz has.
+/// Returns the part of the report that ghz also has.
 Json GhzReport(const RunReport& run) {
   const RunRecord& record = run.record;
   const double total_s = run.TotalSeconds();

@@ -7,16 +7,16 @@
 
 namespace slicefarm::load {
 
-/// The runs as JSON in the form of ghz's reports, so that what reads those reads these: one run is
-/// an object, several are an array of them. Durations are nanoseconds where ghz has them so.
+/// Returns the runs as JSON in the form of ghz's reports, so that readers of ghz's reports can read
+/// it. One run is an object; several runs are an array of objects. Durations are in nanoseconds
+/// where ghz uses them.
 ///
-/// Unlike ghz's, every latency is over all requests that were started, failed ones too, and counts
-/// from the intended start. What ghz has no place for stands under names of its own; tests/load
-/// lists them.
+/// In contrast to ghz, latencies cover all started requests, including failed ones, and count from
+/// the intended start. Values that ghz does not have use names of their own; tests/load lists them.
 /// Source: ghz, runner/reporter.go.
 std::string ReportJson(const std::vector<RunReport>& runs);
 
-/// Go's name of a status code, as ghz writes it: "DeadlineExceeded".
+/// Returns Go's name of a status code, as in ghz's reports: "DeadlineExceeded".
 std::string_view GoCodeName(absl::StatusCode code);
 
 }  // namespace slicefarm::load

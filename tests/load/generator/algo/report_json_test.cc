@@ -13,7 +13,7 @@ using testing::ElementsAre;
 
 constexpr int64_t kMs = 1'000'000;
 
-/// 100 requests of 1 to 100 ms; every tenth fails; 3 more were skipped.
+/// Returns a report of 100 requests of 1 to 100 ms. Every tenth failed, and 3 more were skipped.
 RunReport Sample() {
   RunLog log;
   for (int i = 1; i <= 103; ++i) log.Arrived();
@@ -62,7 +62,7 @@ TEST(ReportJson, PercentagesAreWholeAndOverFailedRequestsToo) {
     ASSERT_TRUE(entry["percentage"].is_number_integer());
     const int percentage = entry["percentage"];
     percentages.push_back(percentage);
-    // The i-th of 100 took i ms.
+    // The i-th of 100 requests took i ms.
     EXPECT_NEAR(entry["latency"].get<double>(), percentage * kMs, percentage * kMs * 0.01);
   }
   EXPECT_THAT(percentages, ElementsAre(10, 25, 50, 75, 90, 95, 99));

@@ -5,7 +5,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// A generator that starts its requests later than this measures itself.
+/// Lag above which the results are doubtful, because the generator measures its own delay.
 constexpr double kDoubtfulLagMs = 10;
 
 constexpr char kRow[] = "{:>8} {:>8} {:>8} {:>7} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>6}\n";

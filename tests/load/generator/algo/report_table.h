@@ -6,9 +6,10 @@
 
 namespace slicefarm::load {
 
-/// For a terminal: one line a run, below it the errors, and a warning where the generator itself
-/// was so late that its figures are in doubt.
+/// Returns the header of a table for a terminal.
 std::string TableHeader();
+/// Returns the row of a run: one line, then its errors. Adds a warning if the generator itself was
+/// so late that the results are doubtful.
 std::string TableRow(const RunReport& run);
 
 }  // namespace slicefarm::load

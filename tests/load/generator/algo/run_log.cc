@@ -9,7 +9,8 @@
 namespace slicefarm::load {
 namespace {
 
-/// Without the message, which may name a job and so would be another one each time.
+/// Returns the text of an error without its message. The message may contain the job's id, which
+/// differs each time.
 std::string ErrorText(const Outcome& outcome) {
   if (outcome.status.ok()) return "";
   return fmt::format("{}: {} {}", outcome.step, absl::StatusCodeToString(outcome.status.code()),

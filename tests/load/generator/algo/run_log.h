@@ -13,57 +13,67 @@
 
 namespace slicefarm::load {
 
-/// How a request ended. `step`: the call that brought the error, such as "CreateJob".
+/// Outcome of a request. `step`: call that returned the error, such as "CreateJob".
 struct Outcome {
   absl::Status status = {};
   std::string step = {};
-  bool says_when_to_retry = false;  ///< the error carries RetryInfo
+  bool says_when_to_retry = false;  ///< true if the error contains RetryInfo
 };
 
-/// One request that ended.
+/// Request that has ended.
 struct Sample {
-  int64_t intended_ns = 0;  ///< from the beginning of the run
-  int64_t latency_ns = 0;   ///< from the intended start
+  int64_t intended_ns = 0;  ///< intended start, from the beginning of the run
+  int64_t latency_ns = 0;   ///< time from the intended start to the end
   absl::StatusCode code = absl::StatusCode::kOk;
   std::string error;  ///< empty: none
 };
 
+/// Kinds of further counts.
 enum class Tally { kRetries, kEvents, kCachedJobs, kBytesSent, kBytesReceived };
 inline constexpr int kTallies = 5;
 
-/// What happened during a run.
+/// Counts and durations of a run.
 struct RunRecord {
-  int64_t arrivals = 0;  ///< requests that were to start
-  int64_t skipped = 0;   ///< of those: never started, because too many were in flight
-  int64_t end_ns = 0;    ///< of the last request, from the beginning of the run
+  int64_t arrivals = 0;  ///< requests that were due
+  int64_t skipped = 0;   ///< requests that were not started, because too many were in flight
+  int64_t end_ns = 0;    ///< end of the last request, from the beginning of the run
   LatencyHistogram latency;
-  LatencyHistogram start_lag;  ///< how late the generator itself was
+  LatencyHistogram start_lag;  ///< delays of the generator itself
   std::map<absl::StatusCode, int64_t> codes;
   std::map<std::string, int64_t> errors;
-  int64_t exhausted_with_retry_info = 0;     ///< RESOURCE_EXHAUSTED that says when to come again
-  int64_t exhausted_without_retry_info = 0;  ///< ... that does not
-  std::map<std::string, LatencyHistogram> steps;  ///< of calls that went well, from their own start
+  int64_t exhausted_with_retry_info = 0;     ///< RESOURCE_EXHAUSTED with a time to retry
+  int64_t exhausted_without_retry_info = 0;  ///< RESOURCE_EXHAUSTED without a time to retry
+  /// Durations of successful calls, from their own start.
+  std::map<std::string, LatencyHistogram> steps;
   std::array<int64_t, kTallies> tallies = {};
-  std::vector<Sample> samples;  ///< the first kMaxSamples
+  std::vector<Sample> samples;  ///< first kMaxSamples requests
   int64_t samples_left_out = 0;
 
+  /// Returns a further count.
   int64_t tally(Tally what) const { return tallies[static_cast<size_t>(what)]; }
+  /// Returns the number of successful requests.
   int64_t succeeded() const;
 };
 
-/// Collects what happens, from any thread.
+/// Collects the counts and durations of a run, from any thread.
 class RunLog {
  public:
   static constexpr size_t kMaxSamples = 200'000;
 
+  /// Counts a request that was due.
   void Arrived();
+  /// Counts a request that was skipped.
   void Skipped();
+  /// Records the delay of a start.
   void Started(int64_t lag_ns);
+  /// Records the end of a request.
   void Ended(int64_t intended_ns, int64_t end_ns, const Outcome& outcome);
+  /// Records the duration of a successful call.
   void StepTook(std::string_view step, int64_t ns);
+  /// Adds to a further count.
   void Add(Tally what, int64_t number = 1);
 
-  /// REQUIRES: all requests ended.
+  /// Returns the record. REQUIRES: all requests have ended.
   RunRecord Take() { return std::move(record_); }
 
  private:

@@ -19,7 +19,7 @@ TEST(RunReport, AchievedCountsWhatWentWell) {
   EXPECT_DOUBLE_EQ(ReportOf(10, 9'000'000'000, 50, 50).AchievedRps(), 5);
 }
 
-// Else requests that a server works off after the load would count as a rate that it sustained.
+// Otherwise, requests that a server completes after the load would count as a sustained rate.
 TEST(RunReport, TheRunLastsUntilItsLastRequestEnds) {
   const RunReport report = ReportOf(10, 40'000'000'000, 100, 0);
   EXPECT_DOUBLE_EQ(report.TotalSeconds(), 40);

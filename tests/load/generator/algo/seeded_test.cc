@@ -8,7 +8,7 @@ namespace slicefarm::load::seeded_test {
 namespace {
 
 TEST(SeededRandom, IsSplitMix64) {
-  // The first numbers of the reference implementation for the seed 0.
+  // The expected values are the first numbers of the reference implementation for the seed 0.
   SeededRandom random(0);
   EXPECT_EQ(random.Bits(), 0xe220a8397b1dcdafu);
   EXPECT_EQ(random.Bits(), 0x6e789e6aa1b965f4u);

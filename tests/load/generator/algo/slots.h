@@ -7,12 +7,12 @@
 
 namespace slicefarm::load {
 
-/// How many requests may be in flight. Thread-safe.
+/// Limited number of requests in flight. Thread-safe.
 class Slots {
  public:
   explicit Slots(int limit) : limit_(limit) {}
 
-  /// False if all are taken.
+  /// Takes a slot. Returns false if all are taken.
   bool TryEnter() {
     const std::lock_guard lock(mutex_);
     if (taken_ == limit_) return false;
@@ -20,20 +20,22 @@ class Slots {
     return true;
   }
 
-  /// Waits for a free one.
+  /// Waits for a free slot and takes it.
   void Enter() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return taken_ < limit_; });
     ++taken_;
   }
 
+  /// Releases a slot.
   void Leave() {
-    // Notifies under the lock: who waits for the last one may then take this object away.
+    // Notifies under the lock: a thread that waits for the last slot may then destroy this object.
     const std::lock_guard lock(mutex_);
     --taken_;
     changed_.notify_all();
   }
 
+  /// Waits until all slots are free.
   void AwaitAllFree() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return taken_ == 0; });

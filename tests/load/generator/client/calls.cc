@@ -13,16 +13,16 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
 
-/// Calls `next` at that time.
+/// Calls `next` at this time.
 void At(system_clock::time_point time, std::function<void()> next) {
   auto* alarm = new grpc::Alarm;
   alarm->Set(time, [alarm, next = std::move(next)](bool) {
     next();
-    delete alarm;  // which keeps this function until it returns
+    delete alarm;  // the alarm owns this function until it returns
   });
 }
 
-/// One call with its attempts. Lives as long as one of them is under way or to come.
+/// Call with its attempts. It exists until the last attempt has ended.
 class PersistentCall : public std::enable_shared_from_this<PersistentCall> {
  public:
   PersistentCall(std::string_view step, const CallContext& context, Attempt attempt, Ended ended)

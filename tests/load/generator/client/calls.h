@@ -13,15 +13,15 @@
 #include "common/rpc/status_mapping.h"
 #include "tests/load/generator/algo/run_log.h"
 
-/// Calls that hold no thread while they are under way: what comes next is called from one of gRPC's
-/// own threads, and must not wait.
+/// Calls that occupy no thread while they are in progress. Their continuations run on gRPC's own
+/// threads and must not block.
 namespace slicefarm::load {
 
-/// What all calls of a request share.
+/// Values that all calls of a request share.
 struct CallContext {
   std::chrono::system_clock::time_point deadline;
-  bool retry = false;     ///< make a refused call again where the server says when
-  RunLog* log = nullptr;  ///< outlives the call
+  bool retry = false;     ///< true if a refused call is repeated at the time that the server names
+  RunLog* log = nullptr;  ///< must outlive the call
 };
 
 using Ended = std::function<void(absl::Status)>;
@@ -29,11 +29,12 @@ using Attempt = std::function<void(Ended)>;
 template <typename T>
 using Then = std::function<void(absl::StatusOr<T>)>;
 
-/// Makes the attempt; if `context.retry`, again after the time that a refusal names, while the
-/// deadline allows. Logs what it took under `step` if it went well.
+/// Makes the attempt. With `context.retry`, repeats it after the time that a refusal names, as long
+/// as the deadline allows. Logs the duration of a successful call under `step`.
 void MakeCall(std::string_view step, const CallContext& context, Attempt attempt, Ended ended);
 
-/// One attempt of a method with one request and one response. `start`: the stub's async method.
+/// Makes one attempt of a method with one request and one response. `start`: the stub's async
+/// method.
 template <typename Response, typename Request, typename Start>
 void StartUnary(const CallContext& context, const Request& request, const Start& start,
                 Then<Response> then) {
@@ -50,8 +51,9 @@ void StartUnary(const CallContext& context, const Request& request, const Start&
         [call = std::move(call), then = std::move(then)](const grpc::Status& status) mutable {
           auto outcome = status.ok() ? absl::StatusOr<Response>(std::move(call->response))
                                      : absl::StatusOr<Response>(rpc::FromGrpc(status));
-          // First, as it holds the channel: what comes next may end the others who do, and
-          // gRPC 1.51 aborts where the last one ends in one of its own threads.
+          // The call is destroyed first, because it holds the channel. The continuation may release
+          // all other references, and gRPC 1.51 aborts if the last one is released on one of its
+          // own threads.
           call.reset();
           then(std::move(outcome));
         });
@@ -61,13 +63,14 @@ void StartUnary(const CallContext& context, const Request& request, const Start&
 template <typename Response>
 class StreamReader final : public grpc::ClientReadReactor<Response> {
  public:
+  /// Functions that receive the events of a stream.
   struct Handler {
-    std::function<void()> opened;  ///< the server says that the stream stands
+    std::function<void()> opened;  ///< called when the server reports that the stream is open
     std::function<void(const Response&)> take;
     Ended ended;
   };
 
-  /// `start`: the stub's async method, with the request bound.
+  /// Starts the stream. `start`: the stub's async method, with the request bound.
   template <typename Start>
   static void Run(const CallContext& context, const Start& start, Handler handler) {
     auto* reader = new StreamReader(std::move(handler));
@@ -88,7 +91,7 @@ class StreamReader final : public grpc::ClientReadReactor<Response> {
   void OnDone(const grpc::Status& status) override {
     const Ended ended = std::move(handler_.ended);
     absl::Status outcome = rpc::FromGrpc(status);
-    delete this;  // first, as in StartUnary
+    delete this;  // first, for the reason in StartUnary
     ended(std::move(outcome));
   }
 

@@ -22,7 +22,7 @@
 
 namespace slicefarm::load {
 
-/// Takes a mesh in. Deletes itself.
+/// Receives a mesh. Deletes itself.
 class FakeUpload final : public grpc::ServerReadReactor<v1::UploadMeshRequest> {
  public:
   using Complete = std::function<void(const std::string& bytes)>;
@@ -49,7 +49,7 @@ class FakeUpload final : public grpc::ServerReadReactor<v1::UploadMeshRequest> {
   std::string bytes_;
 };
 
-/// Tells messages and ends. Deletes itself.
+/// Sends messages and ends. Deletes itself.
 template <typename Message>
 class FakeStream final : public grpc::ServerWriteReactor<Message> {
  public:
@@ -70,7 +70,7 @@ class FakeStream final : public grpc::ServerWriteReactor<Message> {
   size_t told_ = 0;
 };
 
-/// For tests: a coordinator as its clients see it, which can stand still and refuse.
+/// Fake coordinator for tests, as clients see it. It can stall and refuse calls.
 class FakeFarm : public v1::Meshes::CallbackService {
  public:
   static constexpr int kEvents = 4;
@@ -83,26 +83,28 @@ class FakeFarm : public v1::Meshes::CallbackService {
     server_ = builder.BuildAndStart();
   }
   ~FakeFarm() override {
-    GoOn();  // a server does not end before its calls
+    GoOn();  // a server cannot end before its calls
     server_->Shutdown(std::chrono::system_clock::now());
   }
 
+  /// Returns the address of the server.
   std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
 
-  /// GetJob answers so many calls, then none until `hold` more are there, and then all.
+  /// Lets GetJob answer `after` calls, then hold the next `hold` calls until all of them have
+  /// arrived. After that, GetJob answers all calls.
   void StandStill(int after, int hold) {
     const std::lock_guard lock(mutex_);
     gets_before_ = after;
     gets_to_hold_ = hold;
   }
 
-  // What the tests set before a run, and look at afterwards.
+  // Settings of a test before a run, and results that it checks afterwards:
   std::string gcode = std::string(200'000, 'g');
   std::string gcode_sha256 = Sha256Hex(gcode);
   v1::JobState end_state = v1::JOB_STATE_SUCCEEDED;
-  int refusals = 0;              ///< of CreateJob, before it takes any
-  std::string retry_after = "";  ///< milliseconds, told with a refusal; empty: not told
-  std::set<std::string> meshes;  ///< their digests
+  int refusals = 0;              ///< refusals of CreateJob before it accepts a job
+  std::string retry_after = "";  ///< milliseconds in a refusal; empty: none
+  std::set<std::string> meshes;  ///< digests of the meshes
   std::vector<v1::CreateJobRequest> created;
 
   grpc::ServerUnaryReactor* GetUpload(grpc::CallbackServerContext* context,

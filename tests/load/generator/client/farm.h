@@ -13,18 +13,19 @@
 
 namespace slicefarm::load {
 
-/// Connections to one coordinator, which calls take in turn. Thread-safe.
+/// Connections to one coordinator; calls use them in turn. Thread-safe.
 class Farm {
  public:
-  /// The one place where the generator opens channels. Each has a connection of its own, since a
-  /// server lets one have only so many calls open, and none repeats a call by itself: what fails
-  /// is to show. Errors: UNAVAILABLE if the server does not answer within `patience`.
-  /// Also those of rpc::Secured.
+  /// Opens the channels of the generator. Each has a connection of its own, because a server limits
+  /// the calls of one connection. No channel repeats a call by itself, so that failures are
+  /// visible. Errors: UNAVAILABLE if the server does not answer within `patience`; errors of
+  /// rpc::Secured.
   static absl::StatusOr<std::unique_ptr<Farm>> Connect(const std::string& server,
                                                        const rpc::ClientSecurity& security,
                                                        int connections,
                                                        std::chrono::milliseconds patience);
 
+  /// Returns the next connection.
   FarmCalls& Next() { return *calls_[next_++ % calls_.size()]; }
 
  private:

@@ -18,7 +18,7 @@ bool HasEnded(const v1::Job& job) {
          job.state() == v1::JOB_STATE_CANCELLED;
 }
 
-/// A unary call with its attempts.
+/// Makes a unary call with its attempts.
 template <typename Response, typename Request, typename Start>
 void Unary(std::string_view step, const CallContext& context, const Request& request, Start start,
            Then<Response> then) {
@@ -38,7 +38,7 @@ void Unary(std::string_view step, const CallContext& context, const Request& req
       });
 }
 
-/// Where a watch stands, over all its attempts.
+/// State of a watch over all its attempts.
 struct Watch {
   v1::WatchJobRequest request;
   v1::Job last;
@@ -50,7 +50,7 @@ void TakeEvent(const v1::JobEvent& event, Watch& watch, RunLog& log) {
   log.Add(Tally::kEvents);
   watch.request.set_after_sequence(event.sequence());
   watch.last = event.job();
-  if (event.time() < watch.begin) return;  // of the past
+  if (event.time() < watch.begin) return;  // the event is older than the watch
   const auto way = TimeUtil::GetCurrentTime() - event.time();
   log.StepTook("Event", TimeUtil::DurationToNanoseconds(way));
 }
@@ -79,7 +79,7 @@ void StartWatch(v1::Jobs::Stub& stub, const CallContext& context,
       std::move(handler));
 }
 
-/// Where a download stands, over all its attempts.
+/// State of a download over all its attempts.
 struct Fetch {
   v1::DownloadRequest request;
   Sha256 digest;

@@ -11,21 +11,23 @@
 
 namespace slicefarm::load {
 
-/// The coordinator's methods over one connection, none of which waits. `then` is called once for
-/// each, from one of gRPC's threads. Outlives its calls.
+/// Methods of the coordinator over one connection. They never block. Each method calls `then` once,
+/// from one of gRPC's threads. This object must outlive its calls.
 class FarmCalls {
  public:
   explicit FarmCalls(std::shared_ptr<grpc::Channel> channel);
 
-  /// Sends what the server lacks of the part.
+  /// Sends the bytes of the part that the server does not have.
   void Upload(const PartPtr& part, const CallContext& context, Ended then);
+  /// Creates a job.
   void CreateJob(const v1::CreateJobRequest& request, const CallContext& context,
                  Then<v1::Job> then);
+  /// Gets a job.
   void GetJob(const std::string& id, const CallContext& context, Then<v1::Job> then);
-  /// The job as it ended. A stream that ends before is UNAVAILABLE. Logs as "Event" how long the
-  /// events that happened meanwhile were under way: by the clocks of both sides.
+  /// Watches a job and returns it after its end. A stream that ends earlier is UNAVAILABLE. Logs
+  /// the delay of new events as "Event", by the clocks of both sides.
   void WatchJob(const std::string& id, const CallContext& context, Then<v1::Job> then);
-  /// Fetches the G-code and checks it against its digest: DATA_LOSS.
+  /// Downloads the G-code and checks it against its digest. Errors: DATA_LOSS if they differ.
   void Download(const v1::Job& job, const CallContext& context, Ended then);
 
  private:

@@ -7,8 +7,8 @@
 namespace slicefarm::load {
 namespace {
 
-/// Fewer than the calls that a coordinator lets one connection have open, 128: its connections are
-/// taken in turn, not by how full they are.
+/// Calls per connection. A coordinator allows 128 open calls on a connection. This number is
+/// smaller, because calls use the connections in turn and not by their load.
 constexpr int kCallsPerConnection = 64;
 
 constexpr double kMaxSeconds = 24 * 3600;
@@ -21,7 +21,7 @@ const std::map<std::string, ScenarioKind>& Scenarios() {
   return scenarios;
 }
 
-/// Names of processes, and `both`: of all.
+/// Returns the processes by name; `both` means all of them.
 const std::map<std::string, std::vector<Process>>& Processes() {
   static const std::map<std::string, std::vector<Process>> processes = [] {
     std::map<std::string, std::vector<Process>> names;

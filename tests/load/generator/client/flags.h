@@ -15,7 +15,7 @@ class App;
 
 namespace slicefarm::load {
 
-/// The command line.
+/// Options of the command line.
 struct LoadFlags {
   std::string server = "127.0.0.1:50050";
   rpc::ClientSecurity security;
@@ -29,18 +29,21 @@ struct LoadFlags {
   double seconds = 30;
   double deadline_s = 60;
   int in_flight = 512;
-  int connections = 0;  ///< 0: as many as are needed
+  int connections = 0;  ///< 0: the required number
   int watchers = 100;
-  uint64_t seed = 0;  ///< 0: another one each time
+  uint64_t seed = 0;  ///< 0: a new seed each time
   std::string json;   ///< empty: none
   std::string svg;
 
+  /// Returns the options of the scenario.
   ScenarioOptions scenario_options() const;
-  /// One for each rate, ascending; one for a closed loop.
+  /// Returns the options of the runs: one per rate, ascending; or one for a closed loop.
   std::vector<RunOptions> runs() const;
+  /// Returns the number of connections for the requests in flight.
   int needed_connections() const;
 };
 
+/// Adds the options to `app`.
 void AddLoadFlags(CLI::App& app, LoadFlags* flags);
 
 }  // namespace slicefarm::load

@@ -16,7 +16,7 @@ using testing::Pair;
 
 constexpr seconds kPatience{60};
 
-/// The generator beside a coordinator in the same process.
+/// Tests the generator with a fake coordinator in the same process.
 class LoadTest : public testing::Test {
  protected:
   RunRecord RunIt(const ScenarioOptions& scenario_options, const RunOptions& options,
@@ -39,7 +39,7 @@ class LoadTest : public testing::Test {
   }
 
   FakeFarm fake_;
-  std::function<void()> between_;  ///< preparation and run
+  std::function<void()> between_;  ///< called between the preparation and the run
   std::unique_ptr<Farm> farm_;
   absl::Status prepared_;
 };
@@ -54,9 +54,9 @@ std::vector<int64_t> Instants(const RunOptions& options) {
   return instants;
 }
 
-// The server answers 50 calls, stands still until 150 more have come, and goes on. A generator that
-// waited for answers would never bring 150 at once; one that did not count from the intended start
-// would show a few slow calls.
+// The server answers 50 calls, stalls until 150 more calls have come, and continues. A generator
+// that waited for answers would never have 150 calls in flight. A generator that measured from the
+// actual start would show only a few slow calls.
 TEST_F(LoadTest, AServerThatStallsShowsInAllArrivalsMeanwhile) {
   constexpr int kBefore = 50, kHeld = 150;
   const RunOptions options = Rate(500, 0.7);
@@ -70,7 +70,7 @@ TEST_F(LoadTest, AServerThatStallsShowsInAllArrivalsMeanwhile) {
   EXPECT_EQ(record.skipped, 0);
   std::sort(record.samples.begin(), record.samples.end(),
             [](const Sample& a, const Sample& b) { return a.intended_ns < b.intended_ns; });
-  // It went on when the 200th call was there, so not before that one was to start.
+  // The server continued after the 200th call, so not before the intended start of that call.
   const int64_t back_ns = instants[kBefore + kHeld - 1];
   int held = 0;
   for (size_t i = 0; i < instants.size(); ++i) {
@@ -78,7 +78,7 @@ TEST_F(LoadTest, AServerThatStallsShowsInAllArrivalsMeanwhile) {
     held += instants[i] <= back_ns && record.samples[i].latency_ns >= back_ns - instants[i];
   }
   EXPECT_GE(held, kHeld);
-  // Of the first 120, 70 were held: more than a sixth of all.
+  // 70 of the first 120 calls were held, which is more than a sixth of all.
   EXPECT_GE(record.latency.PercentileNs(83), back_ns - instants[119]);
 }
 
@@ -105,7 +105,7 @@ TEST_F(LoadTest, PrintUploadsCreatesWatchesAndDownloads) {
   EXPECT_GT(requests, 0);
   EXPECT_EQ(record.succeeded(), requests);
   EXPECT_EQ(record.arrivals, requests);
-  EXPECT_EQ(static_cast<int64_t>(fake_.meshes.size()), requests);  // each of its own part
+  EXPECT_EQ(static_cast<int64_t>(fake_.meshes.size()), requests);  // each request has its own part
   EXPECT_EQ(record.tally(Tally::kBytesSent), requests * (84 + 50 * 5000));
   EXPECT_EQ(record.tally(Tally::kBytesReceived),
             requests * static_cast<int64_t>(fake_.gcode.size()));

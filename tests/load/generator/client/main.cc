@@ -87,7 +87,7 @@ absl::Status PutOnLoad(const LoadFlags& flags) {
     reports.push_back(RunOnce(flags, run, *scenario));
     fmt::print("{}", TableRow(reports.back()));
     std::fflush(stdout);
-    // After each, so that what was measured is not lost with a run that is broken off.
+    // Writes the reports after each run, so that an interruption of a later run does not lose them.
     if (absl::Status status = WriteReports(flags, reports); !status.ok()) return status;
   }
   return absl::OkStatus();
@@ -116,7 +116,7 @@ int Main(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return slicefarm::load::Main(argc, argv);
-  } catch (const std::exception& error) {  // memory ran out, most likely
+  } catch (const std::exception& error) {  // probably out of memory
     fmt::print(stderr, "error: {}\n", error.what());
     return slicefarm::load::kFailed;
   }

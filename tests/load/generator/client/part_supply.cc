@@ -9,7 +9,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// A huge part takes 25 MB.
+/// Number of parts that are made ahead. A huge part has 25 MB.
 constexpr size_t kPartsAhead = 8;
 
 std::vector<PartSize> SizesOf(Mix mix) {

@@ -14,23 +14,25 @@
 
 namespace slicefarm::load {
 
-/// A mesh file and the name it goes by.
+/// Mesh file with its digest.
 struct Part {
   std::string bytes;
   std::string sha256;
 };
 using PartPtr = std::shared_ptr<const Part>;
 
+/// Returns a new part.
 PartPtr NewPart(PartSize size, uint64_t seed);
 
+/// Options of a PartSupply.
 struct PartSupplyOptions {
   Mix mix = Mix::kTiny;
-  bool same = false;  ///< of each size always the same part
+  bool same = false;  ///< true if all parts of a size are equal
   uint64_t seed = 0;
 };
 
-/// Makes parts ahead of their use in a thread of its own, so that a request does not start late
-/// because its part is large. For one caller at a time.
+/// Makes parts ahead of their use on a thread of its own, so that a request with a large part does
+/// not start late. Only one thread at a time may call it.
 class PartSupply {
  public:
   explicit PartSupply(const PartSupplyOptions& options);
@@ -38,10 +40,10 @@ class PartSupply {
   PartSupply(const PartSupply&) = delete;
   PartSupply& operator=(const PartSupply&) = delete;
 
-  /// The next part; waits if it is not made yet.
+  /// Returns the next part; waits until it is made.
   PartPtr Take();
 
-  /// If always the same parts are taken: one of each size. Else none.
+  /// Returns one part of each size if all parts of a size are equal; otherwise returns none.
   std::vector<PartPtr> SameParts() const;
 
  private:

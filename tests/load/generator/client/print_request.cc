@@ -8,7 +8,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// Why a job that ended has no result.
+/// Returns the error of an ended job; OK if it succeeded.
 absl::Status JobStatus(const v1::Job& job) {
   if (job.state() == v1::JOB_STATE_SUCCEEDED) return absl::OkStatus();
   if (job.state() == v1::JOB_STATE_CANCELLED) {
@@ -20,7 +20,7 @@ absl::Status JobStatus(const v1::Job& job) {
                    job.error().message());
 }
 
-/// Lives as long as one of its calls does.
+/// Request that lives until its last call has ended.
 class PrintRequest : public std::enable_shared_from_this<PrintRequest> {
  public:
   PrintRequest(Farm& farm, PrintOrder order, const CallContext& context, Done done)
@@ -41,7 +41,7 @@ class PrintRequest : public std::enable_shared_from_this<PrintRequest> {
  private:
   void Create() {
     const auto request = JobOf(order_.request_id, order_.part->sha256, order_.process);
-    order_.part.reset();  // megabytes, and the job may be long
+    order_.part.reset();  // frees megabytes, because the job may be long
     calls_.CreateJob(request, context_, [self = shared_from_this()](absl::StatusOr<v1::Job> job) {
       if (!job.ok()) return self->End(job.status(), "CreateJob");
       self->Watch(job->id());

@@ -9,23 +9,24 @@
 
 namespace slicefarm::load {
 
+/// Part to print, and the calls to make.
 struct PrintOrder {
   PartPtr part;
   std::string request_id;
   v1::Process process = v1::PROCESS_FDM;
-  int watchers = 1;      ///< streams that follow the job to its end
-  bool download = true;  ///< the G-code, at the end
+  int watchers = 1;      ///< number of streams that watch the job to its end
+  bool download = true;  ///< true if the G-code is downloaded at the end
 };
 
-/// A job of one object, without settings.
+/// Returns a request for a job of one object without settings.
 v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mesh_sha256,
                            v1::Process process);
 
-/// Upload, create, watch, download: each when the one before went well. A job that fails is an
-/// error of the request. `done` is told the first error.
+/// Uploads, creates, watches and downloads. Each call begins when the previous one has succeeded. A
+/// failed job is an error of the request. Calls `done` with the first error.
 void StartPrint(Farm& farm, PrintOrder order, const CallContext& context, Done done);
 
-/// An error of `step`.
+/// Returns the outcome of a request that ended with `status` in `step`.
 Outcome OutcomeOf(absl::Status status, std::string step);
 
 }  // namespace slicefarm::load

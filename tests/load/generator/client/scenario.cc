@@ -12,7 +12,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// Waits for something that ends with a call of `done`. For what comes before the run.
+/// Waits for an operation that ends with a call of `done`, during the preparation of a run.
 template <typename Start>
 absl::Status Await(const Start& start) {
   auto ended = std::make_shared<std::promise<absl::Status>>();
@@ -21,9 +21,9 @@ absl::Status Await(const Start& start) {
   return status.get();
 }
 
-/// What jobs have of their own.
+/// Values that differ between jobs.
 struct JobNote {
-  std::string request_id;  ///< that no other request of this run has
+  std::string request_id;  ///< unique among the requests of a run
   v1::Process process = EnumToProto<v1::Process>(kDefaultProcess);
 };
 
@@ -43,7 +43,7 @@ class Numbering {
   uint64_t next_ = 0;
 };
 
-/// kPrint and kWatch.
+/// Scenario of kPrint and kWatch.
 class PrintScenario final : public Scenario {
  public:
   PrintScenario(const ScenarioOptions& options, Farm& farm)
@@ -53,7 +53,7 @@ class PrintScenario final : public Scenario {
         numbers_(options),
         parts_(options.parts) {}
 
-  /// Parts that are always the same are printed once before, so that their results are there.
+  /// Prints the repeated parts once, so that their results exist.
   absl::Status Prepare(const CallContext& context) override {
     for (const PartPtr& part : parts_.SameParts()) {
       const JobNote note = numbers_.Next();
@@ -105,7 +105,7 @@ class SubmitScenario final : public Scenario {
   void Start(const CallContext& context, Done done) override {
     const JobNote note = numbers_.Next();
     v1::CreateJobRequest request = JobOf(note.request_id, part_->sha256, note.process);
-    // Of one mesh, and yet other work each time.
+    // Each job uses the same mesh but is different work.
     if (!same_) {
       request.mutable_spec()->mutable_objects(0)->mutable_placement()->add_scale(
           scales_.Uniform(1, 1.5));
@@ -128,7 +128,7 @@ class GetScenario final : public Scenario {
   GetScenario(const ScenarioOptions& options, Farm& farm)
       : farm_(farm), numbers_(options), options_(options) {}
 
-  /// Some jobs that have ended, so that nothing but the requests keeps the server busy.
+  /// Creates some jobs and waits for their ends, so that only the requests keep the server busy.
   absl::Status Prepare(const CallContext& context) override {
     constexpr uint64_t kJobs = 16;
     for (uint64_t i = 0; i < kJobs; ++i) {
@@ -154,7 +154,7 @@ class GetScenario final : public Scenario {
                  context, std::move(done));
     });
     if (!status.ok()) return status;
-    // The same request again brings the same job, and so its name.
+    // The same request again returns the same job, and so its id.
     return Await([&](const Done& done) {
       farm_.Next().CreateJob(JobOf(note.request_id, part->sha256, note.process), context,
                              [this, done](const absl::StatusOr<v1::Job>& job) {

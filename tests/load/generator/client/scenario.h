@@ -12,32 +12,35 @@
 
 namespace slicefarm::load {
 
+/// Kinds of requests.
 enum class ScenarioKind {
   kPrint,   ///< upload a part, create its job, watch it to its end, download the G-code
-  kSubmit,  ///< create a job of a mesh that is there: the durable acknowledgement alone
+  kSubmit,  ///< create a job of an existing mesh, which measures only the durable acknowledgement
   kGet,     ///< get a job
-  kWatch,   ///< upload a part, create its job, watch it to its end many times at once
+  kWatch,   ///< upload a part, create its job, watch it to its end with many streams at once
 };
 
+/// Options of a scenario.
 struct ScenarioOptions {
   ScenarioKind kind = ScenarioKind::kPrint;
   PartSupplyOptions parts = {};
-  int watchers = 1;                                    ///< of each job, for kWatch
-  std::vector<Process> processes = {kDefaultProcess};  ///< of the jobs, by turns
+  int watchers = 1;                                    ///< watchers of each job, for kWatch
+  std::vector<Process> processes = {kDefaultProcess};  ///< processes that the jobs use alternately
 };
 
-/// A kind of request. Outlives its requests.
+/// Kind of request. It must outlive its requests.
 class Scenario {
  public:
   virtual ~Scenario() = default;
 
-  /// Makes what the requests find there, and waits for it. Errors: those of the calls.
+  /// Creates the data that the requests need, and waits for it. Errors: errors of the calls.
   virtual absl::Status Prepare(const CallContext& context) = 0;
 
-  /// Starts a request; for one caller at a time. `done` is called once.
+  /// Starts a request. Only one thread at a time may call it. Calls `done` once.
   virtual void Start(const CallContext& context, Done done) = 0;
 };
 
+/// Returns the scenario of a kind.
 std::unique_ptr<Scenario> MakeScenario(const ScenarioOptions& options, Farm& farm);
 
 }  // namespace slicefarm::load

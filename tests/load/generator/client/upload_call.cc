@@ -9,7 +9,7 @@
 namespace slicefarm::load {
 namespace {
 
-/// Deletes itself.
+/// UploadMesh call. Deletes itself.
 class UploadCall final : public grpc::ClientWriteReactor<v1::UploadMeshRequest> {
  public:
   UploadCall(v1::Meshes::Stub& stub, PartPtr part, int64_t offset, const CallContext& context,
@@ -25,7 +25,7 @@ class UploadCall final : public grpc::ClientWriteReactor<v1::UploadMeshRequest> 
   }
 
   void OnWriteDone(bool ok) override {
-    if (!ok || next_ == size()) return;  // the call's end says why
+    if (!ok || next_ == size()) return;  // the status of the call gives the reason
     chunk_.Clear();
     WriteNext();
   }
@@ -37,7 +37,7 @@ class UploadCall final : public grpc::ClientWriteReactor<v1::UploadMeshRequest> 
                           "the server ended an upload before its end");
     }
     const Ended ended = std::move(ended_);
-    delete this;  // first, as in StartUnary
+    delete this;  // first, for the reason in StartUnary
     ended(std::move(outcome));
   }
 

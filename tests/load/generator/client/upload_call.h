@@ -8,8 +8,8 @@
 
 namespace slicefarm::load {
 
-/// One UploadMesh call with the part's bytes from `offset` on. Errors: the server's; UNAVAILABLE if
-/// it ended the call before the mesh was complete.
+/// Makes one UploadMesh call with the part's bytes from `offset` on. Errors: errors of the server;
+/// UNAVAILABLE if the server ended the call before the mesh was complete.
 void StartUpload(v1::Meshes::Stub& stub, const PartPtr& part, int64_t offset,
                  const CallContext& context, Ended ended);
 
