@@ -1,29 +1,29 @@
 #!/usr/bin/python3
-"""Prints one plate of a 3MF project on a farm: a client in a page, for who writes one of his own.
+"""Prints one plate of a 3MF project on a farm: a complete client in one page, as an example for other clients.
 
 usage: print_plate.py SERVER PROJECT.3mf PLATE OUT.gcode [PROFILE...]
 
-It needs grpcio, and stubs that any protoc makes (with grpcio-tools, or Debian's python3-grpcio, python3-protobuf and
+It needs grpcio and stubs made by protoc (with grpcio-tools, or Debian's python3-grpcio, python3-protobuf and
 protobuf-compiler-grpc):
     protoc -I proto --python_out=. --grpc_out=. --plugin=protoc-gen-grpc=$(which grpc_python_plugin) \
       proto/slicefarm/v1/{jobs,mesh,geometry,process}.proto proto/google/rpc/{status,error_details}.proto
 """
 import hashlib, pathlib, sys, time, uuid  # noqa: E401
 import google.protobuf, grpc  # noqa: E401
-google.__path__ = [*google.__path__, *(f"{folder}/google" for folder in sys.path)]  # where the stubs of google.rpc are
+google.__path__ = [*google.__path__, *(f"{folder}/google" for folder in sys.path)]  # also finds the stubs of google.rpc
 from google.rpc import error_details_pb2, status_pb2
 from slicefarm.v1 import jobs_pb2 as pb, jobs_pb2_grpc
 
 
 def reason_of(error):
-    """The machine-readable reason of a refused call, such as JOB_NOT_FOUND."""
+    """Returns the machine-readable reason of a refused call, such as JOB_NOT_FOUND."""
     info = error_details_pb2.ErrorInfo()
     packed = [value for key, value in error.trailing_metadata() or () if key == "grpc-status-details-bin"]
     return "".join(info.reason for value in packed for each in status_pb2.Status.FromString(value).details if each.Unpack(info))
 
 
 def persist(work, *arguments):
-    """A farm that is full, or starts again, ends nothing for two minutes; any other error says what is wrong and what to do."""
+    """Calls `work` again for two minutes if the farm is full or restarts. Any other error ends the program with its reason."""
     for seconds in (1, 2, 4, 8, 15, 30, 60, None):
         try:
             return work(*arguments)
@@ -34,7 +34,7 @@ def persist(work, *arguments):
 
 
 def upload(meshes, digest, data):
-    """Goes on where an earlier call ended; nothing is sent of what is there."""
+    """Uploads the mesh. Continues at the byte where an earlier upload ended; sends nothing if the mesh is complete."""
     there = meshes.GetUpload(pb.GetUploadRequest(sha256=digest), timeout=30)
     first = pb.UploadMeshRequest(sha256=digest, size=len(data), write_offset=there.committed_size)
     pieces = (pb.UploadMeshRequest(data=data[at:at + (1 << 20)]) for at in range(there.committed_size, len(data), 1 << 20))
