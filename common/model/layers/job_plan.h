@@ -70,7 +70,7 @@ struct LayerPlan {
   Point entry;  ///< point near which the layer starts, in plate coordinates
   /// True if the layer below ends near `entry` with the filament ready to print, and the section of
   /// the only copy begins there. False: the filament is retracted between the two layers.
-  /// `ends_ready`: the same for the boundary to the layer above, at the exit of the layer's last
+  /// `ends_ready`: corresponding value for the layer above, at the exit of the layer's last
   /// section.
   bool begins_ready = false;
   bool ends_ready = false;

@@ -228,9 +228,9 @@ struct OrderedLayer {
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< visits in the order of printing
   /// True if the filament begins the layer in the state in which the layer below ends: ready or
-  /// retracted. False: the filament begins retracted. `ends_ready`: the same for the boundary to
-  /// the layer above. If one of them is true, no block of the layer has two visits. The only
-  /// exception is a spiral turn that is the layer's only block: it has one visit per pass.
+  /// retracted. False: the filament begins retracted. `ends_ready`: corresponding value for the
+  /// layer above. If one of them is true, no block of the layer has two visits. The only exception
+  /// is a spiral turn that is the layer's only block: it has one visit per pass.
   bool begins_ready = false;
   bool ends_ready = false;
 

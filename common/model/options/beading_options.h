@@ -8,7 +8,7 @@ namespace slicefarm {
 
 /// Algorithm that makes the walls.
 enum class WallGenerator : uint8_t {
-  kArachne,  ///< as many walls as fit, with widths that fill the island
+  kArachne,  ///< largest number of walls that fits, with widths that fill the island
   kClassic,  ///< walls of constant width, with gap fill where no wall fits
 };
 
@@ -22,7 +22,7 @@ enum class OneWallOnTop : uint8_t {
 /// Walls that get a rough surface.
 enum class FuzzySkin : uint8_t {
   kNone,
-  kContours,  ///< `fuzzy_skin = external`: the outermost walls of outer rings, not those of holes
+  kContours,  ///< `fuzzy_skin = external`: the outermost walls of outer rings only
   kAllWalls,  ///< `fuzzy_skin = all`: the outermost walls of outer rings and of holes
 };
 

@@ -29,9 +29,9 @@ struct ProfilePiece {
 /// The shaft has no upper end.
 ///
 /// Angles are half angles at the tip of a cone, in degrees. The functions that make a cutter return
-/// SETTING_OUT_OF_RANGE for sizes that are not positive or not finite. They return the same error
-/// for a corner radius above the cutter's radius, for an angle of 90 degrees or more, and for sizes
-/// that do not give a convex profile.
+/// SETTING_OUT_OF_RANGE for sizes that are not positive or not finite. They also return this error
+/// for a corner radius above the cutter's radius, an angle of 90 degrees or more, and sizes without
+/// a convex profile.
 class Cutter {
  public:
   Cutter() : Cutter(*Ball(4)) {}  ///< Makes the default cutter, a ball of 4 mm.
