@@ -7,7 +7,7 @@ import tempfile
 import check_prose
 
 LONG = " ".join(["word"] * 31) + "."
-# path: (text, what must be found: "line: rule (detail)")
+# path: (text, the expected findings as "line: rule (detail)")
 TREE = {
     "a/headless.h": ("/// Of beads, by layer.\nint a;\n\n/// Bead widths, in nm.\nint b;\n", ["1: headless (Of)"]),
     "a/whether.h": ("// Whether a job waits.\nbool a;\n", ["1: headless (Whether)"]),
