@@ -7,7 +7,7 @@ import tempfile
 import check_prose
 
 LONG = " ".join(["word"] * 31) + "."
-# path: (text, expected findings: "line: rule (detail)")
+# path: (text, the expected findings as "line: rule (detail)")
 TREE = {
     "a/headless.h": ("/// Of beads, by layer.\nint a;\n\n/// Bead widths, in nm.\nint b;\n", ["1: headless (Of)"]),
     "a/whether.h": ("// Whether a job waits.\nbool a;\n", ["1: headless (Whether)"]),
@@ -19,7 +19,7 @@ TREE = {
     "a/list.cc": (f"// Steps:\n// - {' '.join(['word'] * 20)}\n// - {' '.join(['word'] * 20)}\n", []),
     "a/wire.proto": ("// Which job.\nmessage Job {}\n", ["1: headless (Which)"]),
     "a/script.py": (
-        '#!/usr/bin/env python3\n# Those of a run.\nparser.add_argument("--n", help=' + '"whose number")\n',
+        "#!/usr/bin/env python3\n# Those of a run.\nparser.add_argument('--n', help={})\n".format('"whose number"'),
         ["2: headless (Those)", "2: wh (Those)", "3: headless (whose)", "3: wh (whose)"],
     ),
     "a/script.sh": ("#!/bin/sh\n# Also runs.\ntrue\n", ["2: headless (Also)"]),

@@ -8,8 +8,8 @@
 
 namespace slicefarm::config {
 
-/// Number of keys in a profile that have an effect. A key's value is only considered for choices
-/// without full support. Keys of print hosts and of resin printing are not counted.
+/// Number of keys in a profile that have an effect. Values of keys are only evaluated for choices
+/// that are not fully supported. Keys of print hosts and of resin printing are not counted.
 struct Coverage {
   int32_t keys = 0;
   int32_t effect = 0;   ///< keys that have their full effect, or that only describe the profile

@@ -20,9 +20,10 @@ class Draft {
   struct Entry {
     std::optional<Value> value = {};  ///< value; none: `nil`
     std::string written = {};         ///< text that the user wrote, for errors
-    std::string all = {};             ///< list from which the value was taken
+    std::string all = {};             ///< whole text of the list from which `value` was taken
     bool given = false;               ///< true if the value was given and is not just the default
-    /// True if a person chose this setting; a profile lists settings without such a choice.
+    /// True if a person chose this setting. False for settings from a profile, which lists every
+    /// setting.
     bool requested = false;
   };
 

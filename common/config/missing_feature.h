@@ -10,11 +10,13 @@
 
 namespace slicefarm::config {
 
-/// Feature that a job requires and slicefarm lacks, where the lack would spoil the print or
-/// endanger the machine. The job is refused unless it allows the feature to be missing.
+/// Feature that a job requires and that slicefarm does not have. Without the feature the print
+/// would be spoiled or the machine endangered. The job is refused unless it allows the feature to
+/// be missing.
 struct MissingFeature {
   std::string feature;  ///< name of the feature, one of Allowances()
-  std::string text;     ///< message for people: the warning of a job that allows the lack
+  /// message for people; also the warning if the job allows the feature to be missing
+  std::string text;
   std::map<std::string, std::string> metadata = {};  ///< facts for the error, such as `objects`
 
   friend bool operator==(const MissingFeature&, const MissingFeature&) = default;
@@ -23,7 +25,7 @@ struct MissingFeature {
 /// Feature that may be missing if the job allows it (`--allow`, JobSpec.allow).
 struct Allowance {
   std::string_view name;
-  std::string_view doc;  ///< consequence of the allowance, for people
+  std::string_view doc;  ///< description for people: consequence of the missing feature
 };
 
 inline constexpr std::string_view kPaintedFilaments = "painted_filaments";
@@ -39,7 +41,7 @@ std::span<const Allowance> Allowances();
 absl::Status CheckAllowed(std::span<const std::string> allowed);
 
 /// Checks that all missing features are allowed. Errors: NOT_SUPPORTED for the first feature that
-/// is not allowed (metadata `feature`, `allow`, and the feature's own).
+/// is not allowed (metadata: `feature`, `allow`, and MissingFeature::metadata).
 absl::Status CheckMissing(std::span<const MissingFeature> missing,
                           std::span<const std::string> allowed);
 

@@ -38,14 +38,14 @@ struct ResolvedPlate {
 /// separate objects; equal objects become copies of one object.
 ///
 /// Errors:
-/// - the errors of Resolve, with the object's name in front;
+/// - any error of Resolve, with the object's name in front;
 /// - SETTING_MISPLACED for a kRequest key that is not allowed at its level (metadata `object`,
 ///   `setting`);
 /// - REQUEST_TOO_LARGE for more than limits::kMaxRegionSettings different sets of settings, or for
-///   sets that are too large (CheckResolvedBytes, before any set is resolved);
-/// - REQUEST_MALFORMED for invalid ranges;
+///   settings that are too large (CheckResolvedBytes, before any settings are resolved);
+/// - REQUEST_MALFORMED for invalid height ranges;
 /// - NOTHING_TO_PRINT if no copy is printable;
-/// - the error of `cancel`, which is checked before each set.
+/// - the error of `cancel`, which is checked before each set of settings is resolved.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
                                            std::span<const SceneObject> objects, Process process,
                                            const CancelToken& cancel = {});

@@ -17,13 +17,13 @@
 
 namespace slicefarm::config {
 
-/// Region rows of a plate during its resolution. The base class has one row for all regions, for a
-/// process without settings per region.
+/// Different rows of region settings of a plate, collected while the plate is resolved. The base
+/// class has one row for all regions, for a process without settings per region.
 class RegionRows {
  public:
   virtual ~RegionRows() = default;
 
-  /// Returns the number of the row for `settings`; equal rows share a number. Errors:
+  /// Returns the index of the row for `settings`; equal rows share an index. Errors:
   /// REQUEST_TOO_LARGE beyond limits::kMaxRegionSettings.
   virtual absl::StatusOr<int32_t> RowOf(const JobRows& /*settings*/) { return 0; }
 
@@ -34,7 +34,7 @@ class RegionRows {
   virtual void PutInto(JobSettings& /*plate*/) const {}
 };
 
-/// Arguments of ProcessSettings::Settle: a resolved set of settings, after all values are stored.
+/// Arguments of ProcessSettings::Settle: one resolved set of settings, after all values are stored.
 struct Settling {
   const Draft& draft;
   std::span<const Setting> given;
@@ -47,7 +47,7 @@ struct FileFormat {
   std::string_view suffix;  ///< suffix such as ".svg"
   std::string_view key;     ///< setting that selects the format
   std::string_view value;
-  /// True: a process that does not list the suffix cannot write a file with that name.
+  /// True: a file name with this suffix is an error for processes that do not list the suffix.
   bool alone = false;
   /// True: a file with the suffix gets this format unless settings select another one.
   bool chosen_by_name = true;
@@ -69,7 +69,8 @@ class ProcessSettings {
   virtual ~ProcessSettings() = default;
 
   // Functions for the settings table.
-  /// Returns rows of this process into which values are stored. The initial values do not matter.
+  /// Returns rows of this process into which values can be stored. The initial values do not
+  /// matter.
   virtual JobRows Standards() const = 0;
   /// Returns a plate with the job's rows and without objects.
   virtual ProcessValue PlateOf(const ProcessValue& job) const = 0;
@@ -92,7 +93,7 @@ class ProcessSettings {
   virtual absl::Status Derive(Draft& draft, ResolvedSettings& result) const = 0;
   /// Checks that the values are consistent with each other.
   virtual absl::Status Check(const Draft& draft) const = 0;
-  /// Sets options that depend on several settings.
+  /// Sets the options that depend on several settings.
   virtual absl::Status Settle(const Settling& /*settling*/) const { return absl::OkStatus(); }
   /// Checks the complete settings, including their text.
   virtual absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& /*result*/) const {
@@ -100,8 +101,9 @@ class ProcessSettings {
   }
 
   // Functions for a plate of objects, in the order of the calls. For their errors see ResolvePlate.
-  /// Removes settings that job and objects can only have in common, before any set is resolved.
-  /// Adds unfulfilled requests to `missing`.
+  /// Removes the settings of which a plate can have only one value (such as the extruder) from
+  /// `job` and `objects`, before the settings of any object are resolved. Adds requests that cannot
+  /// be fulfilled to `missing`.
   virtual absl::Status TakeTogether(std::vector<Setting>& /*job*/,
                                     std::vector<SceneObject>& /*objects*/,
                                     std::vector<MissingFeature>& /*missing*/) const {
@@ -114,14 +116,14 @@ class ProcessSettings {
     return {};
   }
   virtual std::unique_ptr<RegionRows> NewRows() const { return std::make_unique<RegionRows>(); }
-  /// Returns the requests of an object's parts and ranges that its settings disable, each as `what:
-  /// needs ...`.
+  /// Returns the requests of an object's parts and ranges that the object's settings disable, each
+  /// as `what: needs ...`.
   virtual std::vector<std::string> UnmetNeedsOf(const SceneObject& /*object*/,
                                                 const JobRows& /*settings*/) const {
     return {};
   }
-  /// Adds rows for the structures planned for an object, and stores their numbers in `object`, the
-  /// settings of the object.
+  /// Adds rows for the structures that planning adds to an object, and stores the indexes of the
+  /// rows in `object`, the settings of the object.
   virtual absl::Status AddRows(JobRows& /*object*/, RegionRows& /*rows*/) const {
     return absl::OkStatus();
   }
@@ -131,7 +133,7 @@ class ProcessSettings {
                         const JobRows& /*other*/) const {
     return true;
   }
-  /// Adds the options of one more object.
+  /// Appends the options of one object to the plate.
   virtual void AddObject(const JobRows& /*object*/, JobSettings& /*plate*/) const {}
   /// Stores the rows in the plate and sets the options of the plate as a whole. `job`: settings of
   /// the job.
@@ -148,7 +150,8 @@ class ProcessSettings {
   /// process. Returns an empty text if there is none.
   virtual std::string_view Example() const { return {}; }
   virtual ResultWords Words() const { return {}; }
-  /// Returns the cost of the material. Returns 0 if the farm's own value applies.
+  /// Returns the cost of the material per kg. Returns 0 if the settings have none and the farm's
+  /// own value applies.
   virtual double MaterialCostPerKg(const JobSettings& /*settings*/) const { return 0; }
 };
 

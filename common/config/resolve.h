@@ -28,11 +28,11 @@ struct ResolvedSettings {
   JobRows settings;
   Growth growth;
   /// Text of the settings by EffectiveText, including given settings that no stage uses
-  /// (told_settings.h). Resolve of its lines gives the same `settings` and the same text.
+  /// (told_settings.h). Resolve of these lines gives the same `settings` and the same text.
   std::string effective_text;
   /// Given settings without effect or without full effect, as `key = value: why`.
   std::vector<std::string> no_effect;
-  /// Number of entries of no_effect that do not matter to a print like this one.
+  /// Number of entries of no_effect that do not influence the print.
   int64_t beside_print = 0;
   /// Entries of no_effect that change the print, and other warnings.
   std::vector<std::string> warnings;
@@ -44,15 +44,17 @@ struct ResolvedSettings {
 /// that are not given have the default of settings_table.h.
 ///
 /// Errors:
-/// - REQUEST_TOO_LARGE beyond the limits, also for the settings that the G-code of layers names;
+/// - REQUEST_TOO_LARGE beyond the limits, also for the settings that the G-code of layers refers
+///   to;
 /// - SETTING_UNKNOWN for a kRequest key that neither slicefarm nor PrusaSlicer has (metadata
 ///   `setting` and, if there is a similar name, `suggestion`);
-/// - SETTING_OF_OTHER_PROCESS for a kRequest key of another process (metadata `setting`, `process`);
+/// - SETTING_OF_OTHER_PROCESS for a kRequest key of another process (metadata `setting`,
+///   `process`);
 /// - SETTING_MALFORMED;
-/// - SETTING_OUT_OF_RANGE (metadata `setting`, `value`, `min`, `max`), also for inconsistent
-///   settings.
+/// - SETTING_OUT_OF_RANGE (metadata `setting`, `value`, `min`, `max`), also for settings that are
+///   inconsistent with each other.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process);
-/// Resolves one of many sets that share long texts. `parsed` stores the parsed texts.
+/// Resolves one of many sets of settings that share long texts. `parsed` stores the parsed texts.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process,
                                          ParsedTexts& parsed);
 

@@ -12,8 +12,8 @@ namespace slicefarm::config {
 
 /// Size of settings after resolution, estimated from the length of their texts. Each object, part
 /// or range with settings of its own also has all settings of the job. Long texts of the job are
-/// shared by all of them, so only a fraction of their length counts: they are scanned but not
-/// parsed again.
+/// stored once for all of them. Only a fraction of the length of such a text counts, because it is
+/// scanned but not parsed again.
 class ResolvedBytes {
  public:
   /// Adds one more set of settings. Errors: REQUEST_TOO_LARGE if all sets together exceed
@@ -26,13 +26,13 @@ class ResolvedBytes {
 
 /// Returns the length of all keys and values.
 int64_t BytesOf(std::span<const Setting> settings);
-/// Returns the size that the job's settings add to each set.
+/// Returns the size that the job's settings add to each set of settings.
 int64_t BytesOfJob(std::span<const Setting> settings);
 
 /// Checks that the settings of all objects, parts and height ranges are small enough, before any
-/// set is resolved. Each different set counts once. Rows that modifiers make are not counted.
-/// Errors: the errors of ResolvedBytes::Add. Cost: O(n) for n bytes of settings, and one look-up
-/// for each part in each range.
+/// settings are resolved. Each different set of settings counts once. Rows that modifiers make are
+/// not counted. Errors: REQUEST_TOO_LARGE. Cost: O(n) for n bytes of settings, and one look-up for
+/// each part in each range.
 absl::Status CheckResolvedBytes(std::span<const Setting> job, std::span<const SceneObject> objects);
 
 }  // namespace slicefarm::config

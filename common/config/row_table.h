@@ -10,11 +10,11 @@
 
 namespace slicefarm::config {
 
-/// Table of different rows of settings. Equal rows share a number.
+/// Table of different rows of settings. Equal rows share an index.
 template <typename Row>
 class RowTable {
  public:
-  /// Returns the number of the row, which is added if it is new. Cost: O(rows). Errors:
+  /// Returns the index of the row, which is added if it is new. Cost: O(rows). Errors:
   /// REQUEST_TOO_LARGE beyond limits::kMaxRegionSettings.
   absl::StatusOr<int32_t> Add(const Row& row) {
     const auto found = std::ranges::find(rows_, row);

@@ -16,7 +16,7 @@ struct Need {
   std::string_view what;  ///< requirement for messages: "wipe = 1"
   bool (*met)(const JobRows&) = nullptr;
   bool (*met_by)(const Draft&) =
-      nullptr;  ///< replacement for `met`, for flags that are not options of a stage
+      nullptr;  ///< used instead of `met` for flags that are not options of a stage
   /// True if the defaults of the settings depend on other settings. Then a number in a profile does
   /// not count as a request.
   bool only_requested = false;

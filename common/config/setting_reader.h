@@ -35,10 +35,10 @@ class SettingReader {
   /// outlive the reader.
   SettingReader(Process process, size_t tool, ParsedTexts& parsed);
 
-  /// Reads a setting. Errors: the errors of Resolve for a single setting.
+  /// Reads a setting. Errors: any error of Resolve that concerns a single setting.
   absl::Status Read(const Setting& setting);
 
-  /// Skips a setting that a later one replaces, from any source.
+  /// Skips a setting that a later setting of any source replaces.
   void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
 
   /// Returns the settings that no stage uses.
@@ -69,7 +69,8 @@ class SettingReader {
   std::vector<std::string> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;
-  std::vector<std::string> last_notes_;  ///< notes for no_effect_ that do not matter to the print
+  /// notes that do not matter to the print; they follow no_effect_
+  std::vector<std::string> last_notes_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
   std::map<std::pair<Source, std::string>, std::string> last_;

@@ -10,8 +10,8 @@ namespace slicefarm::config {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Returns SETTING_OUT_OF_RANGE for a length, in mm, that is inconsistent with other settings.
-/// `rule`: "it must ..."; `min`, `max`: the bounds; 0 and kUnbounded mean no bound.
+/// Returns SETTING_OUT_OF_RANGE for setting `key`, a length in mm that is inconsistent with other
+/// settings. `rule`: text "it must ..."; `min`, `max`: the bounds; 0 and kUnbounded mean no bound.
 absl::Status Refuse(const Draft& draft, std::string_view key, std::string_view rule, double min,
                     double max);
 

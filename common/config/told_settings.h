@@ -21,9 +21,9 @@ void Tell(std::string_view key, std::string_view value, ToldSettings& told);
 /// such as `extrusion_width`.
 void TellDerived(const Draft& draft, ToldSettings& told);
 
-/// Returns the `key = value` lines of `text` with keys that occur in `code`, a G-code with
-/// placeholders. The result may contain more lines than necessary, because any word at any position
-/// counts.
+/// Returns the lines `key = value` of `text` with keys that occur in `code`, a G-code with
+/// placeholders. The result may contain more lines than necessary, because each word in `code`
+/// counts as a possible key.
 std::string LinesNamedIn(std::string_view code, std::string_view text);
 
 }  // namespace slicefarm::config

@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Name of a copy of an object.
+/// Name and number of a copy of an object.
 struct CopyName {
   std::string object_name;
   int32_t object = 0;
@@ -21,11 +21,11 @@ struct CopyName {
 /// State of the print at the start of a pass, as planned. The numbers include layers at the very
 /// top of an object that may turn out too thin for a bead.
 struct PassFacts {
-  /// Number of layers of the passes before; for the first pass: layers of the raft.
+  /// Number of layers of all earlier passes; for the first pass: number of layers of the raft.
   int32_t layers_before = 0;
-  /// The job's layer in which the objects of this pass begin; 0 without a raft.
+  /// Index of the job's layer in which the objects of this pass begin; 0 without a raft.
   int32_t first_layer = 0;
-  Coord top_before_nm = 0;  ///< height of the passes before
+  Coord top_before_nm = 0;  ///< height of the top of the earlier passes
 
   friend bool operator==(const PassFacts&, const PassFacts&) = default;
 };

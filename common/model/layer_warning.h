@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// Limitation of a stage's result in one layer, compared with the request.
+/// Shortcoming of a stage's result in one layer, compared with the request.
 struct LayerWarning {
   int32_t layer = 0;
   int32_t plain_islands = 0;  ///< number of islands with walls of constant width as a fallback

@@ -9,7 +9,8 @@ namespace slicefarm::limits {
 
 /// All limits on untrusted input are defined in this file. Errors quote them (`limit`, `got`).
 
-/// Limits of a mesh file and of all parts of a job. A mesh counts once for each part that uses it.
+/// Limits of a mesh file, and of all parts of a job together. A mesh counts once for each part that
+/// uses it.
 inline constexpr int64_t kMaxTriangles = 20'000'000;
 inline constexpr int64_t kMaxMeshBytes = 2'000'000'000;
 inline constexpr int64_t kMaxAsciiLineBytes = 1024;
@@ -46,7 +47,8 @@ inline constexpr int64_t kMaxLayers = 20'000;
 /// separate program.
 inline constexpr int64_t kMaxLayerPrograms = 200'000;
 inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
-/// Points of all layers and parts of a job, before simplification. Copies count once.
+/// Points of the outlines of all layers and parts of a job, before simplification. Copies count
+/// once.
 inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
 /// Size of a job's result, G-code or vectors, that a spool and a store accept.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
@@ -70,10 +72,10 @@ inline constexpr int64_t kMaxSurfacePoints = 2'000'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
-/// Message between stages; it contains one layer.
+/// Size of a message between stages; a message contains one layer.
 inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;
-/// Size of the values that the calls of a job share: of one value such as the settings, and of all
-/// shared values that a server keeps at a time for all jobs.
+/// Size of one value that the calls of a job share, such as the settings. Also the size of all
+/// shared values, of all jobs, that a server keeps at a time.
 inline constexpr int64_t kMaxSharedBytes = 1 << 30;
 inline constexpr int64_t kMaxKeptSharedBytes = 256 << 20;
 inline constexpr int64_t kSharedPieceBytes = 1 << 20;
@@ -81,20 +83,20 @@ inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
 inline constexpr int64_t kUploadChunkBytes = 64 << 10;  ///< upload chunk that our own programs send
 /// Upload chunk that other clients may send.
 inline constexpr int64_t kMaxUploadChunkBytes = 1 << 20;
-/// Size of one value, such as a start G-code.
+/// Size of the value of one setting, such as a start G-code.
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;
-/// Size of an expanded G-code template, or of a text within it. A layer with it stays far below the
-/// message limit.
+/// Size of an expanded G-code template, or of a text within it. A layer with such a text stays far
+/// below kMaxStageMessageBytes.
 inline constexpr int64_t kMaxExpandedBytes = 1 << 20;
 /// Size of a field of density, stress or materials. A field is a setting and fits in a job's spec.
 inline constexpr int64_t kMaxFieldBytes = 768 << 10;
 inline constexpr int64_t kMaxFieldValues = 200'000;  ///< nodes of a field's grid
 inline constexpr size_t kMaxMixedMaterials = 6;      ///< materials of one mixing extruder
-/// Layers on each side that a field by surface distance reads.
+/// Number of layers above and below a layer that a field by distance to the surface reads.
 inline constexpr int64_t kMaxFieldHaloLayers = 100;
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;  ///< length of an object's name or a request id
-/// Size of a job's spec, which is echoed in one message.
+/// Size of a job's spec, because the service returns the spec in one message.
 inline constexpr int64_t kMaxSpecBytes = 1 << 20;
 inline constexpr int64_t kMaxPlatesBytes = 64 * kMaxSpecBytes;  ///< size of all plates of one call
 inline constexpr int64_t kMaxLabels = 64;

@@ -34,10 +34,9 @@ std::string_view FeatureName(Feature feature);
 /// except that solid infill over bridges is reported as solid infill.
 std::string_view FeatureType(Feature feature);
 
-/// Bead to print: a line with a width at each point and the height of its layer. Along an edge the
-/// width changes linearly between the widths of the two points. Two equal consecutive points make a
-/// step of the width. INVARIANT: points.size() >= 2; widths_nm.size() is 1 (constant width) or
-/// points.size().
+/// Bead to print: a line with a width at each point and the height of its layer. Between two points
+/// the width changes linearly. Two equal consecutive points make a step of the width. INVARIANT:
+/// points.size() >= 2; widths_nm.size() is 1 (constant width) or points.size().
 struct Path {
   Feature feature = Feature::kPerimeter;
   int32_t settings = 0;  ///< index into the job's tables of region settings

@@ -17,7 +17,7 @@ struct PrintTimes {
   double custom_s = 0;                               ///< time of moves in custom G-code
   double dwell_s = 0;                                ///< time of G4 commands
   double heating_s = 0;  ///< waiting time for heaters, by the heating rates of the settings
-  // Numbers of actions of unknown duration; each counts as 0 s.
+  // Numbers of actions of unknown duration; each adds 0 s to the total.
   int64_t homings = 0;
   int64_t heat_waits = 0;  ///< number of waits for heaters without a heating rate
   int64_t tool_changes = 0;

@@ -30,7 +30,7 @@ inline constexpr ProcessInfo kProcesses[] = {
     {Process::kEngrave, "engrave", "A texture is engraved into a curved surface or built up on it"},
 };
 
-/// Process of jobs that name none.
+/// Process of a job that does not name one.
 inline constexpr Process kDefaultProcess = Process::kFdm;
 
 inline constexpr int kProcessCount = static_cast<int>(std::size(kProcesses));

@@ -22,8 +22,8 @@ class ProcessValue {
 
   Process process() const { return process_; }
 
-  /// Returns the value. REQUIRES: it was made from a T, or it is empty and T belongs to the default
-  /// process.
+  /// Returns the value. REQUIRES: the ProcessValue was made from a T, or it is empty and T belongs
+  /// to the default process.
   template <typename T>
   const T& As() const {
     static const T kStandard;

@@ -8,12 +8,13 @@ namespace slicefarm {
 
 /// Heights of a raft's layers and of the part on it.
 struct RaftHeights {
-  int32_t layers = 0;  ///< raft_layers: number of layers; 0: no raft
-  /// first_layer_height: height of the raft's first layer; the part has no such layer then
+  int32_t layers = 0;  ///< `raft_layers`: number of layers; 0: no raft
+  /// `first_layer_height`: height of the raft's first layer; with a raft, the part has no layer of
+  /// this height
   Coord first_nm = 200'000;
   /// Height of the other layers: the greater of layer_height and 3/4 of nozzle_diameter.
   Coord others_nm = 300'000;
-  /// raft_contact_distance: gap between the raft's top and the part
+  /// `raft_contact_distance`: gap between the raft's top and the part
   Coord contact_distance_nm = 100'000;
 
   Coord HeightOf(int32_t layer) const { return layer == 0 ? first_nm : others_nm; }

@@ -5,7 +5,7 @@
 
 namespace slicefarm {
 
-/// Origin of a setting. A profile is a whole file in which many keys may have no meaning here; a
+/// Origin of a setting. A profile is a whole file, and many of its keys may be unknown here. A
 /// request contains only keys that a person chose.
 enum class Source : uint8_t { kProfile, kRequest };
 

@@ -7,7 +7,7 @@
 namespace slicefarm {
 
 /// Turn of a spiral, the only bead of a section. It is a loop along which the nozzle rises from the
-/// top of the layer below to the top of its own layer.
+/// top of the layer below to the top of the loop's own layer.
 struct SpiralTurn {
   Point start;  ///< start and end of the loop
   /// End of the turn below, from which this turn continues; none: the first turn.

@@ -10,8 +10,8 @@ namespace slicefarm {
 enum class StackKind : uint8_t { kSkirt, kBrim, kRaft, kSupport, kPart };
 inline constexpr int kStackKindCount = 5;
 
-/// Object number of structures around several objects. It has one copy, at the plate's origin. This
-/// copy is printed first and has no label.
+/// Number of the object to which structures around several objects belong. It has one copy, at the
+/// plate's origin. This copy is printed first and has no label.
 inline constexpr int32_t kPlateObject = -1;
 
 /// Structure that is built in layers of its own: a part, or a structure that planning adds.
@@ -30,8 +30,8 @@ struct Stack {
   friend bool operator==(const Stack&, const Stack&) = default;
 };
 
-/// Stack of the finished paths with which layers begin. These paths have no sections, so that no
-/// code searches for a section.
+/// Stack of the finished paths with which layers begin, such as the skirt. It has no sections, and
+/// no code searches for them.
 inline constexpr Stack kSkirtStack(-1, kPlateObject, StackKind::kSkirt);
 
 }  // namespace slicefarm

@@ -12,8 +12,8 @@ namespace slicefarm {
 
 struct BeadingOptions;
 
-/// Wall options per row of the job's regions. All calls of a job share the table: it is sent and
-/// read once (common/wire/shared_wire.h).
+/// Wall options of all regions, indexed by Region::settings. All calls of a job share the table: it
+/// is sent and read once (common/wire/shared_wire.h).
 using BeadingTable = std::vector<BeadingOptions>;
 
 /// Stage that makes the walls. The results are in order, one per layer of the range.

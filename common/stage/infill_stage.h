@@ -14,7 +14,7 @@ namespace slicefarm {
 
 struct InfillOptions;
 
-/// Infill options per row of the job's regions. All calls of a job share the table.
+/// Infill options of all regions, indexed by Region::settings. All calls of a job share the table.
 using InfillTable = std::vector<InfillOptions>;
 
 /// Stage that fills the islands of each layer.

@@ -11,7 +11,7 @@ namespace slicefarm {
 
 struct StageCall;
 
-/// Account of the memory that a job uses in this process. Code that reads possibly large data
+/// Account of the memory that a job uses in this program. Code that reads possibly large data
 /// reports the size while it reads. Then a job is stopped before it uses the memory of other jobs.
 class JobMemory {
  public:
@@ -29,7 +29,7 @@ class JobMemory {
 /// were alone. OVERLOADED: the job has to free its memory for another job, and may be retried.
 bool IsOutOfMemory(const absl::Status& status);
 
-/// Metadata key that marks these errors.
+/// Metadata key that marks the memory errors of Hold.
 inline constexpr char kMemoryKind[] = "memory";
 
 /// Calls Hold of the call's memory account, if there is one.

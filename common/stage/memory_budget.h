@@ -17,7 +17,7 @@
 
 namespace slicefarm {
 
-/// Limit on the memory of all jobs of this process together.
+/// Limit on the memory of all jobs of this program together.
 ///
 /// A new job waits until its memory fits beside the memory of the running jobs. The order of
 /// waiting jobs: first the tenant that uses the least memory, then the highest priority, then the
@@ -25,14 +25,14 @@ namespace slicefarm {
 /// jobs have used as much as the whole budget.
 ///
 /// A running job may need more memory. If several such jobs do not fit, one of them waits, and the
-/// job that began last ends with OVERLOADED to free memory. Its need is remembered, so that it
-/// waits for as much memory before it begins again.
+/// job that began last ends with OVERLOADED to free memory. The budget remembers the memory that
+/// this job needed. When the job is tried again, it waits for this amount before it begins.
 ///
 /// Thread-safe; must outlive its shares.
 class MemoryBudget {
  public:
-  /// Memory of one job. The destructor returns the memory to the budget. A share is used by one
-  /// thread at a time.
+  /// Memory of one job. The destructor returns the memory to the budget. Only one thread may use a
+  /// share at a time.
   class Share final : public JobMemory {
    public:
     ~Share() override;
@@ -60,9 +60,9 @@ class MemoryBudget {
 
   explicit MemoryBudget(int64_t limit) : limit_(limit) {}
 
-  /// Waits for `bytes` of meshes and for the known further need of the job. `cancel` also applies
-  /// to the share. Errors: REQUEST_TOO_LARGE if the job does not fit even alone; the error of
-  /// `cancel`.
+  /// Waits until there is memory for `bytes` of meshes, and for the additional memory that an
+  /// earlier attempt of the job needed. `cancel` also applies to the share. Errors:
+  /// REQUEST_TOO_LARGE if the job does not fit even alone; the error of `cancel`.
   absl::StatusOr<std::unique_ptr<Share>> Take(const Claimant& who, const std::string& job,
                                               int64_t bytes, const CancelToken& cancel);
 

@@ -16,8 +16,8 @@ namespace slicefarm {
 class MillingStage {
  public:
   virtual ~MillingStage() = default;
-  /// Divides a job into steps. Errors: the reason why the part cannot be milled with these
-  /// settings.
+  /// Divides a job into steps. Errors: the part cannot be milled with these settings; the error
+  /// names the reason.
   virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
                                             const Shared<MillInput>& input) const = 0;
   /// Returns the results of the steps in the range. Errors: REQUEST_MALFORMED for a range outside

@@ -18,8 +18,8 @@ struct MotionOptions;
 class MotionStage {
  public:
   virtual ~MotionStage() = default;
-  /// Returns programs by layer, then pass. A layer has a program for each pass that prints
-  /// something in it, and at least one program.
+  /// Returns programs, sorted by layer, then by pass. A layer has a program for each pass that
+  /// prints something in it, and at least one program.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
                                                             const Shared<MotionJob>& job) const = 0;

@@ -16,24 +16,26 @@ class ObjectLayers {
   /// Makes the index. `layers` must outlive it.
   explicit ObjectLayers(std::span<const SlicedLayer> layers);
 
-  /// Returns the section of a stack in its own layer `layer`, or nullptr if the range does not
-  /// contain it. `stack`: id of the stack. Below and above a stack is air.
+  /// Returns the section of a stack in its own layer `layer`, or nullptr if the indexed layers do
+  /// not contain it. Callers treat layers below the first and above the last layer of a stack as
+  /// air. `stack`: id of the stack.
   const ObjectSection* Find(int32_t stack, int32_t layer) const;
 
  private:
   struct Sections {
-    int32_t first = 0;  ///< own layer of sections[0]
+    int32_t first = 0;  ///< number of sections[0] among the stack's own layers
     std::vector<const ObjectSection*> sections;
   };
   std::map<int32_t, Sections> stacks_;  ///< sections per stack id
 };
 
-/// Returns the smallest range of `layers` that has `halo` own layers below and above for each stack
-/// in `range`. `layers`: all layers of the job. Cost: O(sections in the range * log layers).
+/// Returns the smallest range of `layers` that contains, for each stack in `range`, `halo` more of
+/// the stack's own layers below and above. `layers`: all layers of the job. Cost: O(sections in the
+/// range * log layers).
 LayerRange WithHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo);
 
-/// Checks that each stack in the range has its `halo` layers below and above, if they exist.
-/// Errors: REQUEST_MALFORMED.
+/// Checks that `layers` contains, for each stack in the range, `halo` more of the stack's own
+/// layers below and above, if they exist. Errors: REQUEST_MALFORMED.
 absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo);
 
 /// Returns the number of points of all outlines. Cost: O(rings).

@@ -13,7 +13,7 @@
 
 namespace slicefarm {
 
-/// Position of a copy when a scene is distributed to several plates.
+/// Position of a copy when a scene is distributed over several plates.
 struct PlatePlace {
   int32_t plate = 0;
   Point middle;  ///< position on the plate of the middle of the object's bounding box
@@ -23,16 +23,16 @@ struct PlatePlace {
   friend bool operator==(const PlatePlace&, const PlatePlace&) = default;
 };
 
-/// Stage that distributes a scene to as many plates as necessary, before jobs are made from it. It
-/// is pure and thread-safe, like the stages of jobs.
+/// Stage that distributes a scene over as many plates as necessary, before jobs are made from it.
+/// It is pure and thread-safe, like the stages of jobs.
 class ArrangingStage {
  public:
   virtual ~ArrangingStage() = default;
 
-  /// Returns a position for each copy, by object. Copies with a position keep it, on plate 0. Each
-  /// other copy gets a position on some plate. A copy is turned only if this saves a plate. Errors:
-  /// the errors in Reason; OUT_OF_BUILD_VOLUME naming objects that are too large for an empty bed;
-  /// Cancelled.
+  /// Returns a position for each copy, sorted by object. Copies with a position keep it, on plate
+  /// 0. Each other copy gets a position on some plate. A copy is turned only if this saves a plate.
+  /// Errors: the errors in Reason; OUT_OF_BUILD_VOLUME with the objects that are too large for an
+  /// empty bed; Cancelled.
   virtual absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;
 };

@@ -11,16 +11,18 @@
 
 namespace slicefarm {
 
-/// Part of an object as input of slicing. Its settings are already rows of the job's tables.
+/// Part of an object as input of slicing. Its settings are indexes into the job's tables of region
+/// settings.
 struct PartInput {
   std::string name;
   MeshRef mesh;
   PartRole role = PartRole::kSolid;
   Transform to_object = Transform::Identity();
-  /// Rows of a solid part's regions: one for each of ObjectInput::ranges, then the row of all other
-  /// heights.
+  /// Region settings of a solid part: one index for each of ObjectInput::ranges, then the index for
+  /// all other heights.
   std::vector<int32_t> regions = {0};
-  /// Rows of regions inside a modifier, by the row of the region outside of it.
+  /// Effect of a modifier: for the index of the region settings outside of the modifier, the index
+  /// of the settings inside it.
   std::map<int32_t, int32_t> changes = {};
 
   bool operator==(const PartInput&) const = default;
@@ -57,7 +59,8 @@ struct ObjectInput {
   /// Transform that is applied after each part's to_object. Afterwards the object is lowered or
   /// raised onto the bed.
   Transform to_plate = Transform::Identity();
-  /// Depth of the object below the bed, in mm. The part of the object below the bed is not printed.
+  /// Depth to which the object is sunk into the bed, in mm. The part of the object below the bed is
+  /// not printed.
   double sunk_mm = 0;
 
   bool operator==(const ObjectInput&) const = default;

@@ -33,7 +33,8 @@ struct SlicedJob {
   std::vector<SlicedLayer> layers;
   std::vector<std::string> object_names;  ///< name of each object
   std::vector<PlacedCopy> copies;         ///< copies, ordered by object and then as in the input
-  std::vector<MeshReport> meshes;  ///< report of each part, by object; surfaces for seams have none
+  /// report of each part, sorted by object; seam enforcers and blockers that are surfaces have none
+  std::vector<MeshReport> meshes;
   std::vector<Thumbnail> thumbnails;
   std::vector<OrientationAdvice>
       orientations;  ///< advice for objects that would print better in another orientation
@@ -58,7 +59,7 @@ class SlicingStage {
 };
 
 /// Stage that reads meshes and puts them on the bed, for processes that work on the meshes
-/// themselves. Errors: the errors of slicing for these steps.
+/// themselves. Errors: as SlicingStage has for reading and placing meshes.
 class PlacingStage {
  public:
   virtual ~PlacingStage() = default;

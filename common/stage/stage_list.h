@@ -51,8 +51,8 @@ constexpr std::optional<Stage> FindStage(std::string_view name) {
   return std::nullopt;
 }
 
-/// Wall time of each stage in seconds, as measured by the caller. A stage that a process lacks has
-/// 0.
+/// Wall time of each stage in seconds, as measured by the caller; 0 for a stage that the process
+/// does not have.
 class StageTimes {
  public:
   double& operator[](Stage stage) { return seconds_[static_cast<size_t>(stage)]; }

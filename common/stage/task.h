@@ -31,7 +31,7 @@ struct TaskLabel {
 /// Returns the label of a task that makes a range of layers.
 TaskLabel LabelOf(LayerRange layers);
 
-/// Piece of a job's work that one call of a runner makes, completely or not at all. Code that
+/// Piece of a job's work that one call of a TaskRunner makes, completely or not at all. Code that
 /// distributes tasks only uses their process, weight and label. The payload has a type of the
 /// process (processes/<name>/task).
 class Task {
@@ -49,7 +49,7 @@ class Task {
         payload_(std::move(payload)) {}
 
   Process process() const { return process_; }
-  /// Amount that the finished task adds to the progress.
+  /// Returns the amount that the finished task adds to the progress.
   int32_t weight() const { return weight_; }
   const TaskLabel& label() const { return label_; }
 
@@ -81,14 +81,14 @@ class TaskResult {
   // REQUIRES, for all functions below: the result is not empty.
 
   const StageTimes& times() const { return made_->times(); }
-  /// Returns a fingerprint of the program. Two runs of a task with equal programs have equal
-  /// fingerprints, even if their times differ. It is valid only within this process. Cost:
-  /// O(bytes).
+  /// Returns a fingerprint of the program. If a task is made twice with equal programs, the
+  /// fingerprints are equal, even if the times differ. Fingerprints are valid only within this
+  /// process. Cost: O(bytes).
   size_t Print() const { return made_->Print(); }
   /// Returns the number of bytes that the result adds to the job's program.
   int64_t ProgramBytes() const { return made_->ProgramBytes(); }
 
-  /// Returns the result. REQUIRES: it was made from a Result.
+  /// Returns the result. REQUIRES: the TaskResult was made from a Result.
   template <class Result>
   Result& As() const {
     return static_cast<Of<Result>&>(*made_).result;

@@ -15,13 +15,13 @@ namespace slicefarm {
 class TextureStage {
  public:
   virtual ~TextureStage() = default;
-  /// Maps the surface into the plane. Calls with an equal value share one result.
+  /// Maps the surface into the plane. Calls with equal surfaces share one result.
   virtual absl::StatusOr<MappedSurface> Map(const StageCall& call,
                                             const Shared<SurfaceInput>& surface) const = 0;
   virtual absl::StatusOr<EngraveLayout> LayOut(const StageCall& call,
                                                const Shared<EngraveInput>& input) const = 0;
   /// Returns a layer for each number in the range, in the order of work. Errors: REQUEST_MALFORMED
-  /// for a range outside of the job.
+  /// for numbers that the job does not have.
   virtual absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall& call,
                                                              const Shared<EngraveInput>& input,
                                                              LayerRange range) const = 0;

@@ -14,9 +14,9 @@ namespace slicefarm::config {
 /// kinds of line ending are accepted. Settings from SuperSlicer are converted to PrusaSlicer's
 /// (super_settings.h).
 ///
-/// Errors: SETTING_MALFORMED naming the line; also for a config bundle (a file with sections), for
-/// a file without any setting and for a file that is not text. REQUEST_TOO_LARGE beyond the limits.
-/// Cost: O(n log n).
+/// Errors: SETTING_MALFORMED with the line; also for a config bundle (a file with sections), for a
+/// file without any setting and for a file that is not text. REQUEST_TOO_LARGE beyond the limits.
+/// Cost: O(n log n) for n lines.
 absl::StatusOr<std::vector<Setting>> ReadIni(std::string_view text);
 
 }  // namespace slicefarm::config

@@ -18,15 +18,16 @@ struct OrcaUnused {
 /// Converts settings of OrcaSlicer or Bambu Studio to PrusaSlicer's names and values. The result
 /// has each setting once, in the order of our table. The `source` of a setting is kept.
 ///
-/// The first item of a JSON list (`["220","230"]`) counts. Widths and accelerations in percent
-/// become numbers, because PrusaSlicer's percentages have another base; the base settings must be
-/// among `settings`. If there are temperatures for several beds, the temperature of `curr_bed_type`
-/// counts. Placeholders in G-code become PrusaSlicer's placeholders, or the value in `settings` if
-/// PrusaSlicer has none. Other placeholders stay and cause an error when the G-code is made.
+/// Of a JSON list (`["220","230"]`) only the first item is used. Widths and accelerations in
+/// percent become numbers, because PrusaSlicer's percentages have another base; the base settings
+/// must be among `settings`. If there are temperatures for several beds, the temperature of
+/// `curr_bed_type` is used. Placeholders in G-code become PrusaSlicer's placeholders, or the value
+/// in `settings` if PrusaSlicer has none. Other placeholders stay and cause an error when the
+/// G-code is made.
 ///
 /// `unused`: receives the settings without effect. `filament`: number of the printing filament,
-/// from 0. Placeholders get its values; a list without a value for it gives its first value. Cost:
-/// O(n log n).
+/// from 0. Placeholders get the values of this filament; a list without a value for it gives its
+/// first value. Cost: O(n log n) for n settings.
 std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused,
                               size_t filament = 0);
 

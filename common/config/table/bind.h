@@ -14,8 +14,8 @@
 
 namespace slicefarm::config {
 
-/// Row of type `Row` in a resolved set, and the scope of its settings. The base template is for a
-/// process's own settings without settings per object or region.
+/// Access to the row of type `Row` in JobRows, and the scope of the row's settings. The base
+/// template is for a process that has no settings per object or region.
 template <typename Row>
 struct RowOf {
   static constexpr Scope kScope = Scope::kJob;
@@ -58,7 +58,7 @@ enum class Scale { kSame, kPercent, kDegrees };
 
 namespace internal {
 
-/// Returns the factor by which a member's number is smaller than the setting's number.
+/// Returns the quotient of the setting's number and the member's number.
 constexpr double Divisor(Scale scale) {
   return scale == Scale::kPercent ? 100 : scale == Scale::kDegrees ? 180 / std::numbers::pi : 1;
 }
@@ -154,7 +154,7 @@ Field BindPath() {
 
 }  // namespace internal
 
-/// Returns the field of a row's member. The member's type determines the conversion of a value:
+/// Returns the field for a member of a row. The member's type determines how a value is converted:
 /// lengths are given in mm, enumerations by number. A path ends at a member or at an item of an
 /// array:
 ///       Bind<&RegionRow::infill, &InfillOptions::overlap_nm>()
@@ -169,8 +169,8 @@ Field Bind() {
   }
 }
 
-/// Returns the field of a value that needs a conversion of its own. `Set`: void(Row&, const
-/// Value&), `Get`: Value(const Row&), both without captures.
+/// Returns the field for a value that needs a special conversion. `Set`: void(Row&, const Value&),
+/// `Get`: Value(const Row&), both without captures.
 template <typename Row, typename Set, typename Get>
 Field Convert(Set, Get) {
   static_assert(std::is_empty_v<Set> && std::is_empty_v<Get>, "the lambdas must not capture");

@@ -30,7 +30,7 @@ constexpr std::string_view ScopeName(Scope scope) {
   return {};
 }
 
-/// Member of a resolved set to which a setting is stored.
+/// Member of JobRows in which a setting's value is stored.
 struct Field {
   void (*set)(JobRows&, const Value&) = nullptr;
   Value (*get)(const JobRows&) = nullptr;

@@ -8,8 +8,8 @@ namespace slicefarm::config {
 struct KnownKey {
   std::string_view key;
   std::string_view why;  ///< reason, such as "not supported yet"
-  /// Value with which the setting loses nothing and needs no report. `has_neutral` false: there is
-  /// no such value.
+  /// Value that requests nothing, so that nothing is reported for it. `has_neutral`: false if there
+  /// is no such value.
   std::string_view neutral = {};
   bool has_neutral = false;
   /// True if the setting concerns the print; false for profiles, hosts and other machines.
@@ -20,8 +20,8 @@ struct KnownKey {
   bool told = true;
   /// True if the setting concerns the use of several extruders; only one prints.
   bool of_several_extruders = false;
-  /// True if its lack spoils the print. A job is then refused unless it allows the lack
-  /// (missing_feature.h).
+  /// True if ignoring the setting spoils the print. A job with the setting is then refused unless
+  /// it allows the feature to be missing (missing_feature.h).
   bool spoils_print = false;
 };
 

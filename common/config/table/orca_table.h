@@ -10,14 +10,16 @@ namespace slicefarm::config {
 /// Conversion of a setting of OrcaSlicer to a setting of PrusaSlicer.
 struct OrcaRow {
   std::string_view from;  ///< name in OrcaSlicer and Bambu Studio
-  std::string_view to;  ///< name in PrusaSlicer; if two rows have the same name, the later row wins
+  std::string_view to;  ///< name in PrusaSlicer; if two rows have the same `to`, the later row wins
   OrcaValue value = OrcaValue::kSame;
   std::string_view detail = {};
 };
 
-/// Value of a choice. If PrusaSlicer has no such value, `to` is empty and nothing is set.
+/// Conversion of one value of a choice setting from OrcaSlicer to PrusaSlicer. If PrusaSlicer has
+/// no such value, `to` is empty and nothing is set.
 struct OrcaChoice {
-  /// Name OrcaRow::to, because one key of OrcaSlicer may decide two settings.
+  /// OrcaRow::to of the row to which the conversion applies. OrcaRow::from would not be unique: one
+  /// key of OrcaSlicer may decide two settings.
   std::string_view row;
   std::string_view from;
   std::string_view to;
@@ -36,8 +38,8 @@ struct OrcaStandard {
   std::string_view value;
 };
 
-/// Returns the names of all settings in OrcaSlicer. First are the names in rows of the settings
-/// table, then the settings without effect. The list is made once.
+/// Returns the conversions of all settings of OrcaSlicer. First are the names in rows of the
+/// settings table, then the settings without effect. The list is made once.
 std::span<const OrcaRow> OrcaRows();
 std::span<const OrcaChoice> OrcaChoices();
 std::span<const OrcaVariable> OrcaVariables();

@@ -60,7 +60,7 @@ struct Choice {
   std::string_view note = {};
 };
 
-/// Kind of list that a setting is in a config.ini. Only one item counts.
+/// Form of a setting's list in a config.ini. Only one item of the list is used.
 enum class List {
   kNone,
   kPerExtruder,  ///< list with one item per extruder
@@ -84,15 +84,15 @@ struct SettingSpec {
   std::string_view doc = {};
   std::vector<Choice> choices = {};
   std::string_view relative_to = {};
-  /// Base of the percentage in words, if the base is not a setting.
+  /// Base of the percentage in words, for a base that is not a setting.
   std::string_view percent_of = {};
   List list = List::kNone;
-  /// Member for the value; none: the value only acts through other settings (derive.h).
+  /// Member that stores the value; none: the value only acts through other settings (derive.h).
   Field field = {};
-  Field also = {};              ///< second member for the same value
+  Field also = {};              ///< second member that stores the same value
   std::string_view group = {};  ///< part of the table, such as "walls" or "infill"
   std::optional<Scope> own_scope =
-      {};  ///< scope, if the setting has no field or a scope different from its row's
+      {};  ///< scope, if the setting has no field, or if its scope is not the scope of the field
   std::vector<OrcaName> orca = {};  ///< names in OrcaSlicer; a later name wins
 
   Scope scope() const { return own_scope.value_or(field.scope); }

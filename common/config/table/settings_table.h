@@ -19,12 +19,13 @@ std::span<const SettingSpec> SettingsTable(Process process);
 /// processes. Called once for each process.
 std::vector<SettingSpec> SpecsOf(Process process);
 
-/// Returns the index in SettingsTable(process), or -1.
+/// Returns the index of the setting in SettingsTable(process), or -1 if there is none.
 int FindSetting(std::string_view key, Process process);
 
-/// Parses one value in the form of a config.ini; the first item if it is a list. Errors:
-/// SETTING_MALFORMED, SETTING_OUT_OF_RANGE with metadata `setting`, `value`, `min`, `max`. A
-/// percentage of another setting is checked later, when its absolute value is known (CheckRange).
+/// Parses one value in the form of a config.ini; if it is a list, its first item. Errors:
+/// SETTING_MALFORMED; SETTING_OUT_OF_RANGE with metadata `setting`, `value`, `min`, `max`. The
+/// range of a percentage of another setting is checked later, when its absolute value is known
+/// (CheckRange).
 absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text);
 
 /// Checks that the number is in the setting's range. `written`: text of the user. Errors:

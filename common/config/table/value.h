@@ -37,10 +37,10 @@ std::string PrintNumber(double number);
 std::string Unescape(std::string_view text);
 std::string Escape(std::string_view text);
 
-/// Returns item `index` of a list of texts, `PLA;PETG` or `"a; b";"c"`, without quotes and escapes.
-/// Returns the first item if `index` is past the end.
+/// Returns item `index` of a list of texts, such as `PLA;PETG` or `"a; b";"c"`, without quotes and
+/// escapes. Returns the first item if `index` is past the end.
 std::string TextOfList(std::string_view list, size_t index = 0);
-/// Returns a text in the form of an item of such a list, in quotes if necessary.
+/// Returns a text in the form of an item of a list (TextOfList), in quotes if necessary.
 std::string QuoteText(std::string_view text);
 
 /// Parses a bed shape in mm, such as `0x0,250x0,250x210,0x210`: a simple ring of at least three

@@ -16,8 +16,8 @@ enum class DensityLaw : uint8_t {
   kHeaviside,  ///< (tanh(b e) + tanh(b (v - e))) / (tanh(b e) + tanh(b (1 - e)))
 };
 
-/// Method that selects the filled cells if each cell is either empty or filled with the field's
-/// greatest density.
+/// Method that selects the filled cells if each cell of the infill is either empty or filled with
+/// the field's greatest density.
 enum class Dither : uint8_t {
   /// No dithering: line spacing follows the field; patterns with fixed spacing use blue noise.
   kNone,
@@ -39,7 +39,7 @@ struct DensityField {
   double steepness = 3;    ///< parameter p, q or b of the formula
   double threshold = 0.5;  ///< parameter e of the formula
   Dither dither = Dither::kNone;
-  double cell_mm = 2;  ///< side of a dither cell
+  double cell_mm = 2;  ///< side length of a dither cell
 
   double At(const PlaceMm& place_mm, double to_surface_mm) const;
   /// Returns the density of a layer if it is the same in the whole layer.
@@ -53,8 +53,8 @@ struct DensityField {
   friend bool operator==(const DensityField&, const DensityField&) = default;
 };
 
-/// Returns the density for one field value by the given formula. REQUIRES: value in [0, 1],
-/// steepness > 0.
+/// Returns the density for one field value by the formula `law`. `steepness`, `threshold`:
+/// parameters of the formula as in DensityField. REQUIRES: value in [0, 1], steepness > 0.
 double DensityOf(double value, DensityLaw law, double steepness, double threshold);
 
 }  // namespace slicefarm

@@ -6,7 +6,7 @@
 
 namespace slicefarm {
 
-/// position: x and y in the object's own frame, z above its bottom
+/// Position in mm: x and y in the object's own frame, z above the object's bottom.
 using PlaceMm = std::array<double, 3>;
 
 /// Values at the nodes of a regular grid, with x as the fastest index. Values between nodes are

@@ -8,9 +8,10 @@
 
 namespace slicefarm {
 
-/// Returns notes for the job's report if the infill cannot follow the field to within 5 % on
-/// average in cells of 5 mm. Either dithered cells are only filled or empty, or the field's low
-/// densities need lines too far apart for the pattern. `spacing_mm`: spacing of adjacent lines.
+/// Returns notes for the job's report if the infill's density in cells of 5 mm differs from the
+/// field by more than 5 % on average. There are two causes: dithered cells are either filled or
+/// empty, or the lines for the field's low densities are too far apart. `spacing_mm`: spacing of
+/// adjacent lines at density 1.
 std::vector<std::string> FieldNotes(const DensityField& field, FillPattern pattern,
                                     double spacing_mm);
 

@@ -11,13 +11,13 @@ namespace slicefarm {
 
 /// Totals of the infill of one kind: one region's settings, one feature, one pattern.
 struct FillUse {
-  int32_t settings = 0;  ///< row of the job's tables of region settings
+  int32_t settings = 0;  ///< index into the job's tables of region settings
   Feature feature = Feature::kInternalInfill;
-  /// Pattern; none: lines that follow stresses or support an overhang.
+  /// Pattern; nullopt: lines that follow stresses or support an overhang.
   std::optional<FillPattern> pattern;
   double area_mm2 = 0;     ///< filled area, summed over all layers
   double room_mm3 = 0;     ///< filled area times the height of its beads
-  double asked_mm3 = 0;    ///< plastic that the settings require in `room_mm3`
+  double asked_mm3 = 0;    ///< volume of plastic that the settings require within `room_mm3`
   double plastic_mm3 = 0;  ///< plastic of the beads, links included
   int64_t paths = 0;
   double length_mm = 0;
@@ -28,8 +28,8 @@ struct FillUse {
   friend bool operator==(const FillUse&, const FillUse&) = default;
 };
 
-/// Adds `copies` times a use to the entry of the same kind. `uses`: one entry per kind, sorted by
-/// settings, feature and pattern. Cost: O(uses).
+/// Adds `copies` times the totals of `use` to the entry of the same kind in `uses`. `uses` has one
+/// entry per kind, sorted by settings, feature and pattern. Cost: O(uses).
 void AddUse(const FillUse& use, int64_t copies, std::vector<FillUse>& uses);
 
 }  // namespace slicefarm

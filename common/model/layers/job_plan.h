@@ -42,8 +42,8 @@ struct SectionPlan {
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
 
-/// Returns the plan of the stack with the given id, or null if planning decided nothing for it.
-/// `plans`: by ascending stack.
+/// Returns the plan of the stack with the given id, or null if planning decided nothing for this
+/// stack. `plans`: sorted by stack id.
 inline const SectionPlan* FindPlan(int32_t stack, std::span<const SectionPlan> plans) {
   const auto found = std::ranges::lower_bound(plans, stack, {}, &SectionPlan::stack);
   return found != plans.end() && found->stack == stack ? &*found : nullptr;
@@ -53,7 +53,7 @@ inline const SectionPlan* FindPlan(int32_t stack, std::span<const SectionPlan> p
 /// coordinates.
 struct PlannedInfill {
   int32_t stack = 0;     ///< id of the stack
-  int32_t settings = 0;  ///< row of the job's tables of region settings
+  int32_t settings = 0;  ///< index into the job's tables of region settings
   FillPattern pattern = FillPattern::kGrid;
   /// Lines of a pattern that planning lays out; they may extend beyond the region.
   std::vector<Polyline> lines;
@@ -69,20 +69,21 @@ struct PlannedInfill {
 struct LayerPlan {
   Point entry;  ///< point near which the layer starts, in plate coordinates
   /// True if the layer below ends near `entry` with the filament ready to print, and the section of
-  /// the only copy begins there. `ends_ready` is the same condition at the exit of the layer's last
-  /// section. Otherwise the filament is retracted between the layers.
+  /// the only copy begins there. False: the filament is retracted between the two layers.
+  /// `ends_ready`: corresponding value for the layer above, at the exit of the layer's last
+  /// section.
   bool begins_ready = false;
   bool ends_ready = false;
-  std::vector<SectionPlan> sections;  ///< decisions by ascending stack
+  std::vector<SectionPlan> sections;  ///< one plan per stack, sorted by stack id
   std::vector<Path> paths;            ///< finished paths in plate coordinates, printed first
-  /// Decisions by ascending stack, then row; empty: no decisions.
+  /// One entry per stack and region settings, sorted by both. Empty: no decisions.
   std::vector<PlannedInfill> infill;
   Coord paths_height_nm = 0;  ///< height of the beads of `paths`; 0: the layer's height
 
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
 };
 
-/// Stack that planning adds.
+/// Stack that planning adds, such as a brim, raft or support.
 struct AddedStack {
   Stack stack;
   Coord lift_nm = 0;                    ///< height of the stack's bottom above the bed
@@ -94,14 +95,15 @@ struct AddedStack {
 /// Finished paths in plate coordinates with which the lowest layers of the print begin.
 struct Skirt {
   std::vector<Path> loops;
-  /// Number of layers from the lowest; layers of supports alone (OnlySupports) are not counted.
+  /// Number of layers with the skirt, counted from the lowest layer; layers of supports alone
+  /// (OnlySupports) are not counted.
   int32_t layers = 0;
 
   friend bool operator==(const Skirt&, const Skirt&) = default;
 };
 
-/// Quality of the planned seams. The step of a seam is its distance from the seam that it follows,
-/// on a ring in the layer below.
+/// Quality of the planned seams. A seam may follow a seam of a ring in the layer below; the
+/// distance between the two is called its step.
 struct SeamQuality {
   int64_t loops = 0;      ///< number of outlines with a planned seam
   int64_t followers = 0;  ///< number of seams that follow a seam in the layer below
@@ -110,7 +112,7 @@ struct SeamQuality {
   /// Number of loops that have a concave corner, or a convex corner of 30 degrees.
   int64_t with_corner = 0;
   int64_t on_corner = 0;    ///< number of loops in `with_corner` with the seam at such a corner
-  int64_t overhanging = 0;  ///< number of seams that overhang the edge of the layer below
+  int64_t overhanging = 0;  ///< number of seams on overhangs, outside of the layer below
 
   friend bool operator==(const SeamQuality&, const SeamQuality&) = default;
 };
@@ -120,7 +122,7 @@ struct JobPlan {
   std::vector<LayerPlan> layers;  ///< plans of the print's layers, without the paths of the skirt
   /// Height of each object's bottom above the bed; 0 for objects beyond the end of the list.
   std::vector<Coord> lifts_nm;
-  std::vector<AddedStack> stacks;  ///< added stacks by ascending id
+  std::vector<AddedStack> stacks;  ///< added stacks, sorted by id
   Skirt skirt;
   std::vector<Copy> copies;  ///< copies in the form of SlicedJob::copies
   SeamQuality seams;

@@ -66,7 +66,7 @@ struct ObjectSection {
   MultiPolygon whole;
   Coord z_nm = 0;           ///< height of the layer's top above the stack's own bottom
   std::vector<Mark> marks;  ///< marks for planning only; at most one per role
-  /// spiral_vase: true if the section has only one wall along its outline.
+  /// `spiral_vase`: true if the section has only one wall along its outline.
   bool hollow = false;
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
@@ -84,17 +84,17 @@ const MultiPolygon& MarkedIn(const ObjectSection& section, PartRole role);
 /// the section is empty.
 struct SlicedLayer {
   LayerFrame frame;
-  std::vector<ObjectSection> sections;  ///< sections by ascending stack
+  std::vector<ObjectSection> sections;  ///< sections, sorted by stack id
 
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };
 
-/// Returns true if only supports are printed in the layer. This happens between the layers of the
-/// parts.
+/// Returns true if only supports are printed in the layer. Such a layer has a height between two
+/// layers of the parts.
 bool OnlySupports(const SlicedLayer& layer);
 
-/// Area for the infill of one region. The edges of the infill's beads may reach its border. The
-/// overlap with the walls is not included: it is an option of the infill.
+/// Area for the infill of one region. The outer sides of the infill's beads may reach the area's
+/// boundary. The overlap with the walls is not included: it is an option of the infill.
 struct FillArea {
   Role role = Role::kPart;
   int32_t settings = 0;
@@ -179,7 +179,7 @@ struct Travel {
   friend bool operator==(const Travel&, const Travel&) = default;
 };
 
-/// Travel that leaves the last path of a block.
+/// Travel from the last path of a block to a point.
 struct Leave {
   Point to;
   Travel way;
@@ -195,11 +195,12 @@ struct PathBlock {
   Coord height_nm = 0;
   std::vector<Path> paths;
   /// Travel to each path. Empty: all travels are straight and visible. The travel to the first path
-  /// is used only if the block begins a layer that begins ready.
+  /// is only used if the block is the first of a layer with OrderedLayer::begins_ready.
   std::vector<Travel> travels = {};
-  std::optional<Leave> leave = {};  ///< exit at which the block may end a layer that ends ready
-  /// Area that the stack's layer below covers. It is set if motion needs it (LooksBelow) and below
-  /// turns of a spiral; otherwise it is empty.
+  /// travel to the exit, used if the block is the last of a layer with OrderedLayer::ends_ready
+  std::optional<Leave> leave = {};
+  /// Area that the stack's layer below covers. It is set if motion needs this area (LooksBelow),
+  /// and for turns of a spiral; otherwise it is empty.
   MultiPolygon below = {};
   MultiPolygon carried = {};  ///< SectionPlan::carried, set if motion needs `below`
   /// SectionPlan::spiral, the turn that the only path follows
@@ -215,7 +216,7 @@ struct BlockVisit {
   int32_t pass = 0;   ///< pass of the copy
   Point shift;        ///< displacement from the object's origin to the copy's position
   /// Intermediate points of the travel from the previous visit, on the plate. Empty: straight line.
-  /// The first visit of a pass does not use them.
+  /// They are ignored for the first visit of a pass.
   std::vector<Point> corners = {};
 
   friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
@@ -226,10 +227,10 @@ struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< visits in the order of printing
-  /// True if the layer continues from the layer below within a print; `ends_ready` is the
-  /// corresponding value for the layer above. Then the lower layer decides if the filament is ready
-  /// or retracted at the boundary; otherwise it is retracted. In such a layer no block has two
-  /// visits. The only exception is a spiral turn that is alone: it has one visit per pass.
+  /// True if the filament begins the layer in the state in which the layer below ends: ready or
+  /// retracted. False: the filament begins retracted. `ends_ready`: corresponding value for the
+  /// layer above. If one of them is true, no block of the layer has two visits. The only exception
+  /// is a spiral turn that is the layer's only block: it has one visit per pass.
   bool begins_ready = false;
   bool ends_ready = false;
 
@@ -280,8 +281,8 @@ struct EdgeMove {
   friend bool operator==(const EdgeMove&, const EdgeMove&) = default;
 };
 
-/// Moves of a layer that take a time that depends on the moves before and after the layer. Each
-/// list begins with the start position of its first move. A list is empty if nothing moves.
+/// Moves at both ends of a layer. Their duration depends on the moves of the neighbouring layers.
+/// Each list begins with the start position of its first move. A list is empty if nothing moves.
 struct LayerEdges {
   /// Moves at the start of the layer; x and y are unknown before the approach.
   std::vector<EdgeMove> head;
@@ -311,7 +312,8 @@ inline constexpr std::string_view kReady = "ready", kRetracted = "retracted";
 /// Values per MachineMode, as text. Empty: unknown.
 using ModeValues = std::array<std::string, kMachineModes>;
 
-/// Line of a layer's program that has no effect if the mode already has this value.
+/// Line of a layer's program that sets a mode. The line has no effect if the mode already has this
+/// value.
 struct ModeLine {
   int64_t at = 0;  ///< offset of its first byte in the G-code
   int64_t size = 0;
@@ -322,10 +324,10 @@ struct ModeLine {
 };
 
 /// G-code of one layer of one pass. It starts and ends in the canonical state: relative extrusion,
-/// absolute coordinates, filament retracted. If OrderedLayer begins or ends ready, the filament has
-/// the state in which the layer below ends. Then `mode_lines` contains the line that retracts the
-/// filament or makes it ready. Layers are joined by concatenation, without the mode lines that have
-/// no effect.
+/// absolute coordinates, filament retracted. If the OrderedLayer has `begins_ready`, the layer
+/// starts with the filament as the layer below leaves it. Then `mode_lines` contains the line that
+/// retracts the filament or makes it ready. Layers are joined by concatenation, without the mode
+/// lines that have no effect.
 struct LayerProgram {
   LayerFrame frame;
   int32_t pass = 0;  ///< number of the pass: see Copy::pass
@@ -334,20 +336,22 @@ struct LayerProgram {
   /// from any position.
   Point entry;
   Point exit;
-  /// Statistics; times are from rest to rest, without the approach to the entry.
+  /// Statistics. The times assume a standstill before and after the layer, and exclude the approach
+  /// to the entry.
   ProgramStats stats;
   LayerEdges edges;
   /// Ascending offsets in `gcode` for before_layer_gcode and layer_gcode, if these texts depend on
   /// previous layers (ProgramEnvelope::layer_code). Usually empty: `gcode` then already contains
   /// the texts.
   std::vector<int64_t> code_at;
-  std::vector<ModeLine> mode_lines = {};  ///< mode lines by ascending offset
-  /// Values of the modes at the end of the layer. An empty value: unchanged by the layer. None:
-  /// custom G-code in the layer may have changed any mode.
+  std::vector<ModeLine> mode_lines = {};  ///< mode lines, sorted by offset
+  /// Values of the modes at the end of the layer. An empty value: the layer does not change this
+  /// mode. nullopt: custom G-code in the layer may have changed any mode.
   std::optional<ModeValues> modes_at_end = {};
   /// True if the layer ends retracted, apart from effects of custom G-code.
   bool ends_retracted = true;
-  /// Convex hull of the beads on the plate, edges included. Only set for a layer on the bed.
+  /// Convex hull of the beads on the plate, including their widths. Only set for a layer on the
+  /// bed.
   Polygon footprint = {};
   /// Time in the machine's silent mode, if MotionOptions has silent limits.
   double silent_time_s = 0;

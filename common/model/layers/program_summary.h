@@ -14,14 +14,14 @@ namespace slicefarm {
 struct LayerSummary {
   LayerFrame frame;
   int32_t pass = 0;
-  Point entry;  ///< first and last point, as in LayerProgram
+  Point entry;  ///< first point of the layer, as in LayerProgram
   Point exit;
   double time_s = 0;
-  bool empty = false;  ///< true if the layer prints no beads; entry and exit are then undefined
+  bool empty = false;  ///< true if the layer prints no beads; `entry` and `exit` are then undefined
   LayerEdges edges;
   double filament_mm = 0;
-  Polygon footprint = {};    ///< footprint of LayerProgram
-  double silent_time_s = 0;  ///< silent time of LayerProgram
+  Polygon footprint = {};    ///< LayerProgram::footprint
+  double silent_time_s = 0;  ///< LayerProgram::silent_time_s
 
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };

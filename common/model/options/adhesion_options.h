@@ -10,8 +10,8 @@ namespace slicefarm {
 /// Options of skirt, brim and raft, which keep parts on the bed. Member comments begin with the
 /// name of the setting (the name in PrusaSlicer).
 
-/// Use of the skirt as a wall against draught: its height and the object from which its distance is
-/// measured.
+/// Use of the skirt as a wall against draughts. It decides the skirt's height and its distance from
+/// the parts.
 enum class DraftShield : uint8_t {
   kDisabled,  ///< skirt on the first layers, outside of the brims
   /// Skirt of the usual height, but close to the parts: brims are cut back where it runs.
@@ -23,11 +23,12 @@ enum class DraftShield : uint8_t {
 struct SkirtOptions {
   /// Number of skirt loops; 0 disables the skirt and overrides the other options.
   int32_t loops = 0;
-  Coord distance_nm = 6'000'000;  ///< skirt_distance: distance to the inner edge of the first line
-  Coord min_length_nm = 0;        ///< min_skirt_length: minimum length of filament on each layer
-  int32_t height_layers = 1;      ///< skirt_height: number of layers
+  /// `skirt_distance`: distance to the inner side of the first line
+  Coord distance_nm = 6'000'000;
+  Coord min_length_nm = 0;    ///< `min_skirt_length`: minimum length of filament on each layer
+  int32_t height_layers = 1;  ///< `skirt_height`: number of layers
   DraftShield draft_shield = DraftShield::kDisabled;  ///< setting draft_shield
-  Coord width_nm = 400'000;   ///< first_layer_extrusion_width: full width of a line
+  Coord width_nm = 400'000;   ///< `first_layer_extrusion_width`: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer
   /// Cross section of the filament; the default is a diameter of 1.75 mm.
   double filament_area_mm2 = 2.405282;
@@ -44,8 +45,8 @@ enum class BrimType : uint8_t {
   kEars,           ///< discs at sharp corners of the outer rings only
 };
 
-/// brim_type = auto_brim, from OrcaSlicer: the brim's width is computed from the object's shape and
-/// from these values.
+/// `brim_type = auto_brim`, from OrcaSlicer: the brim's width is computed from the object's shape
+/// and from these values.
 struct AutomaticBrim {
   bool on = false;
   /// Warping length of the material: a shorter length means more warping.
@@ -65,8 +66,8 @@ struct BrimOptions {
   /// Width of the brim's lines; pieces narrower than half a line are dropped.
   Coord line_width_nm = 400'000;
   double ear_max_angle_rad =
-      2.18166;  ///< brim_ears_max_angle: largest inner angle of a corner with an ear; 125 degrees
-  /// brim_ears_detection_length: tolerance to which the outline is simplified before corners are
+      2.18166;  ///< `brim_ears_max_angle`: largest inner angle of a corner with an ear; 125 degrees
+  /// `brim_ears_detection_length`: tolerance to which the outline is simplified before corners are
   /// detected
   Coord ear_detection_nm = 1'000'000;
 
@@ -83,11 +84,11 @@ constexpr RaftLayerKind RaftLayerKindOf(int32_t layer, int32_t layers) {
   return layer == 0 ? RaftLayerKind::kFirst : RaftLayerKind::kBase;
 }
 
-/// Lines of a raft's layers, from the settings. Rows of region settings for the raft are made from
-/// it.
+/// Lines of a raft's layers, from the settings. The region settings of the raft are made from these
+/// values.
 struct RaftLines {
   Coord width_nm = 400'000;          ///< setting support_material_extrusion_width
-  Coord spacing_nm = 2'500'000;      ///< support_material_spacing: gap between lines of the base
+  Coord spacing_nm = 2'500'000;      ///< `support_material_spacing`: gap between lines of the base
   double angle_rad = 0;              ///< setting support_material_angle
   double first_layer_density = 0.9;  ///< setting raft_first_layer_density
 

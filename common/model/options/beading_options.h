@@ -8,7 +8,7 @@ namespace slicefarm {
 
 /// Algorithm that makes the walls.
 enum class WallGenerator : uint8_t {
-  kArachne,  ///< the number of walls that fits, with widths that fill the island
+  kArachne,  ///< largest number of walls that fits, with widths that fill the island
   kClassic,  ///< walls of constant width, with gap fill where no wall fits
 };
 
@@ -22,11 +22,11 @@ enum class OneWallOnTop : uint8_t {
 /// Walls that get a rough surface.
 enum class FuzzySkin : uint8_t {
   kNone,
-  kContours,  ///< external: the outermost walls of outer rings
-  kAllWalls,  ///< all: the outermost walls of outer rings and of holes
+  kContours,  ///< `fuzzy_skin = external`: the outermost walls of outer rings only
+  kAllWalls,  ///< `fuzzy_skin = all`: the outermost walls of outer rings and of holes
 };
 
-/// Number of layers above and below on which the walls of kArachne depend.
+/// Number of layers above and below a layer on which its walls by kArachne depend.
 inline constexpr int32_t kBeadingHaloLayers = 2;
 
 /// Options for the walls of one region. Member comments begin with the name of the setting.
@@ -35,24 +35,24 @@ struct BeadingOptions {
   int32_t perimeters = 3;                             ///< setting perimeters
   bool one_on_bed = false;                            ///< setting only_one_perimeter_first_layer
   OneWallOnTop one_on_top = OneWallOnTop::kNowhere;   ///< setting top_one_perimeter_type
-  bool extra_perimeters = false;  ///< extra_perimeters: adds walls where a slope would have gaps
+  bool extra_perimeters = false;  ///< `extra_perimeters`: adds walls where a slope would have gaps
   FuzzySkin fuzzy = FuzzySkin::kNone;  ///< setting fuzzy_skin
-  /// fuzzy_skin_thickness: largest displacement of points, inwards and outwards
+  /// `fuzzy_skin_thickness`: largest displacement of points, inwards and outwards
   Coord fuzzy_thickness_nm = 300'000;
-  Coord fuzzy_point_distance_nm = 800'000;  ///< fuzzy_skin_point_dist: average distance of points
+  Coord fuzzy_point_distance_nm = 800'000;  ///< `fuzzy_skin_point_dist`: average distance of points
   Coord external_width_nm = 450'000;        ///< setting external_perimeter_extrusion_width
   Coord inner_width_nm = 450'000;           ///< setting perimeter_extrusion_width
-  /// first_layer_extrusion_width: width of all walls of layer 0
+  /// `first_layer_extrusion_width`: width of all walls of layer 0
   Coord first_layer_width_nm = 450'000;
   bool gap_fill = true;              ///< setting gap_fill_enabled
-  Coord min_gap_width_nm = 80'000;   ///< gap_fill_min_width: narrower gaps remain empty
+  Coord min_gap_width_nm = 80'000;   ///< `gap_fill_min_width`: narrower gaps remain empty
   Coord max_gap_width_nm = 800'000;  ///< width above which the infill fills a gap
-  bool thin_walls = true;  ///< thin_walls: used by kClassic; kArachne always prints thin walls
-  /// Shortest thin-wall bead of kClassic that is printed beside a wall. It removes the tips of
-  /// supports.
+  bool thin_walls = true;  ///< `thin_walls`: used by kClassic; kArachne always prints thin walls
+  /// Minimum length of thin-wall beads in islands that have walls, for kClassic. Shorter beads are
+  /// left out. Set for supports, to drop the beads in their tips.
   Coord least_tip_nm = 0;
   Coord transition_length_nm = 400'000;  ///< setting wall_transition_length
-  /// wall_transition_angle in radians
+  /// `wall_transition_angle` in radians
   double transition_angle = 10 * 3.14159265358979323846 / 180;
   Coord transition_deviation_nm = 100'000;  ///< setting wall_transition_filter_deviation
   int32_t distribution_count = 1;           ///< setting wall_distribution_count

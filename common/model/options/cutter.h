@@ -11,7 +11,7 @@ namespace slicefarm {
 
 struct GrownCutter;
 
-/// Piece of a cutter's outline between two heights above the tip: an arc or a straight line.
+/// Piece of a cutter's profile between two heights above the tip: an arc or a straight line.
 struct ProfilePiece {
   double from_mm = 0;
   double to_mm = std::numeric_limits<double>::infinity();
@@ -19,19 +19,19 @@ struct ProfilePiece {
   double corner_mm = 0;
   double flat_mm = 0;  ///< arc: distance of its centre from the axis
   double base_mm = 0;  ///< line: radius of the line when extended to the height of the tip
-  double slope = 0;    ///< line: growth of the radius per height; >= 0
+  double slope = 0;    ///< line: increase of the radius per height; >= 0
 
   friend bool operator==(const ProfilePiece&, const ProfilePiece&) = default;
 };
 
-/// Cutter that turns about a vertical axis, as a radius by the height above its tip. The radius
-/// never decreases, and its growth decreases with height: the cutter is convex. The shaft has no
-/// upper end.
+/// Cutter that turns about a vertical axis, described by its radius at each height above the tip.
+/// The radius never decreases, and it increases ever more slowly with height: the cutter is convex.
+/// The shaft has no upper end.
 ///
 /// Angles are half angles at the tip of a cone, in degrees. The functions that make a cutter return
-/// SETTING_OUT_OF_RANGE for sizes that are not positive or not finite. They return the same error
-/// for a corner above the radius, for an angle of 90 degrees or more, and for parts that do not
-/// form a convex outline.
+/// SETTING_OUT_OF_RANGE for sizes that are not positive or not finite. They also return this error
+/// for a corner radius above the cutter's radius, an angle of 90 degrees or more, and sizes without
+/// a convex profile.
 class Cutter {
  public:
   Cutter() : Cutter(*Ball(4)) {}  ///< Makes the default cutter, a ball of 4 mm.
@@ -50,8 +50,8 @@ class Cutter {
   static absl::StatusOr<Cutter> ConeCone(double tip_mm, double tip_angle_deg, double angle_deg,
                                          double diameter_mm);
 
-  /// Returns the cutter's text in the canonical form of ParseCutter. Returns an empty text for a
-  /// grown cutter.
+  /// Returns the cutter's text in the canonical form of ParseCutter. Returns an empty text for the
+  /// result of Grown.
   const std::string& name() const { return name_; }
   double radius_mm() const { return radius_mm_; }
   /// Returns the height from which the cutter is a cylinder.
@@ -62,12 +62,12 @@ class Cutter {
 
   /// Returns the radius at a height. REQUIRES: height_mm >= 0.
   double Width(double height_mm) const;
-  /// Returns the height at which a plane touches the cutter. The plane rises by `rise` over the
-  /// horizontal distance `run`; at this height Width has the slope run / rise. REQUIRES: both >= 0,
-  /// run > 0 if the cutter has an arc.
+  /// Returns the height above the tip at which an inclined plane touches the cutter. The plane
+  /// rises by `rise` over the horizontal distance `run`; at this height Width has the slope run /
+  /// rise. REQUIRES: both >= 0, run > 0 if the cutter has an arc.
   double TouchHeight(double rise, double run) const;
-  /// Returns the least height at which the radius is `distance_mm`. REQUIRES: 0 <= distance_mm <=
-  /// radius_mm().
+  /// Returns the smallest height at which the radius is `distance_mm`. REQUIRES: 0 <= distance_mm
+  /// <= radius_mm().
   double HeightAt(double distance_mm) const;
 
   /// Returns the cutter offset by `by_mm`: outwards, or inwards if `by_mm` is negative. A kink
@@ -86,10 +86,11 @@ class Cutter {
   double radius_mm_;
 };
 
-/// Cutter that represents another cutter with an offset.
+/// Result of Cutter::Grown: a cutter that is larger or smaller than the original cutter by an
+/// offset.
 struct GrownCutter {
   Cutter cutter;
-  /// Height of this tip above the original tip; negative if this cutter is larger.
+  /// Height of this cutter's tip above the original tip; negative if this cutter is larger.
   double tip_mm = 0;
 };
 

@@ -16,7 +16,8 @@ inline constexpr std::string_view kCutterForms =
 /// bull:DIAMETER:CORNER, cone:DIAMETER:ANGLE, ballcone:TIP:ANGLE:DIAMETER,
 /// bullcone:TIP:CORNER:ANGLE:DIAMETER, conecone:TIP:TIP_ANGLE:ANGLE:DIAMETER. TIP is the diameter
 /// at which the upper cone begins; for a ball or a bull nose it is the full diameter of that tip.
-/// Errors: SETTING_MALFORMED, and the errors of Cutter.
+/// Errors: SETTING_MALFORMED for a text in none of these forms; SETTING_OUT_OF_RANGE for sizes that
+/// Cutter does not accept.
 absl::StatusOr<Cutter> ParseCutter(std::string_view text);
 
 }  // namespace slicefarm

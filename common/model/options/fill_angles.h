@@ -11,7 +11,8 @@ namespace slicefarm {
 
 /// Infill angle of one layer.
 struct AngleStep {
-  bool relative = false;  ///< true: the angle is relative to the layer below; false: to the object
+  /// true: the angle is relative to the layer below; false: relative to the object
+  bool relative = false;
   double degrees = 0;
 
   friend bool operator==(const AngleStep&, const AngleStep&) = default;

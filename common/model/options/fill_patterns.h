@@ -43,8 +43,8 @@ enum class FillPattern : uint8_t {
 enum class SolidWay : uint8_t {
   kNone,    ///< no solid fill: the pattern is not allowed in top_fill_pattern and similar settings
   kLines,   ///< straight lines with a spacing fitted to the region
-  kCurves,  ///< lines that end at the region's edge
-  kAlongEdge,  ///< lines along the region's edge
+  kCurves,  ///< lines that end at the region's boundary
+  kAlongEdge,  ///< lines along the region's boundary
 };
 
 /// Description of a pattern. Settings, help, gallery, benchmarks and tests read this table. The

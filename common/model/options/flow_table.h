@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Share of its plastic that a line of the given length gets.
+/// Point of a flow table: a line with the given length gets this share of its plastic.
 struct FlowPoint {
   double length_mm = 0;
   double factor = 1;
@@ -16,8 +16,8 @@ struct FlowPoint {
   friend bool operator==(const FlowPoint&, const FlowPoint&) = default;
 };
 
-/// Points by ascending length, the first length being 0. The last factor is 1, so that longer lines
-/// get all of their plastic.
+/// Points, sorted by length; the first length is 0. The last factor is 1, so that longer lines get
+/// all of their plastic.
 using FlowTable = std::vector<FlowPoint>;
 
 /// Default table of OrcaSlicer.
@@ -37,7 +37,7 @@ inline constexpr double kMaxFlowFactor = 2;
 std::string PrintFlowTable(const FlowTable& table);
 
 /// Returns the factor for a length, interpolated linearly between the points. REQUIRES: a table
-/// that ParseFlowTable would accept. Cost: O(log points).
+/// that ParseFlowTable would accept. Cost: O(log n) for n points.
 double FlowAt(const FlowTable& table, double length_mm);
 
 }  // namespace slicefarm

@@ -10,10 +10,10 @@
 
 namespace slicefarm {
 
-/// infill_goal: criterion by which fill_pattern = auto chooses the pattern.
+/// `infill_goal`: criterion by which fill_pattern = auto chooses the pattern.
 enum class FillGoal : uint8_t { kStrength, kTime, kFlexibility };
 
-/// ironing_type: surfaces that are ironed.
+/// `ironing_type`: surfaces that are ironed.
 enum class IroningType : uint8_t {
   kTop,      ///< all top surfaces
   kTopmost,  ///< top surfaces of an object's last layer
@@ -24,17 +24,19 @@ enum class IroningType : uint8_t {
 struct IroningOptions {
   bool enabled = false;                  ///< setting ironing
   IroningType type = IroningType::kTop;  ///< setting ironing_type
-  double flow = 0.15;          ///< ironing_flowrate: share of the plastic that would fill the layer
-  Coord spacing_nm = 100'000;  ///< ironing_spacing: distance of the ironing lines
+  double flow = 0.15;  ///< `ironing_flowrate`: share of the plastic that would fill the layer
+  Coord spacing_nm = 100'000;  ///< `ironing_spacing`: distance of the ironing lines
 
   friend bool operator==(const IroningOptions&, const IroningOptions&) = default;
 };
 
-/// ensure_vertical_shell_thickness: slopes that have solid infill behind their walls.
+/// `ensure_vertical_shell_thickness`: sloped surfaces that get solid infill behind their walls.
 enum class ShellThickness : uint8_t {
-  kDisabled,  ///< no slopes: only areas under (over) a surface at least one bead wide are solid
-  kPartial,   ///< gentle slopes: their steps over the number of solid layers are three beads wide
-  kEnabled,   ///< all slopes
+  /// no slopes: only areas below or above an exposed surface at least one bead wide are solid
+  kDisabled,
+  /// gentle slopes: over the number of solid layers they recede by three bead widths or more
+  kPartial,
+  kEnabled,  ///< all slopes
 };
 
 /// Number of layers below that infill over bridges reads: a bridge in the layer below lies over a
@@ -43,20 +45,22 @@ inline constexpr int32_t kOverBridgeHaloLayers = 2;
 
 /// Options for the infill of one region. Member comments begin with the name of the setting.
 struct InfillOptions {
-  int32_t top_solid_layers = 5;                 ///< setting top_solid_layers
-  int32_t bottom_solid_layers = 5;              ///< setting bottom_solid_layers
-  SkinSpare top_spare = {}, bottom_spare = {};  ///< top and bottom layers that may be left out
-  double density = 0.2;                         ///< setting fill_density, in [0, 1]
-  FillPattern pattern = FillPattern::kGrid;     ///< setting fill_pattern
-  bool choose_pattern = false;  ///< fill_pattern = auto: planning chooses a pattern for each object
+  int32_t top_solid_layers = 5;     ///< setting top_solid_layers
+  int32_t bottom_solid_layers = 5;  ///< setting bottom_solid_layers
+  /// top and bottom solid layers that may be left out
+  SkinSpare top_spare = {}, bottom_spare = {};
+  double density = 0.2;                      ///< setting fill_density, in [0, 1]
+  FillPattern pattern = FillPattern::kGrid;  ///< setting fill_pattern
+  /// `fill_pattern = auto`: planning chooses a pattern for each object
+  bool choose_pattern = false;
   FillGoal goal = FillGoal::kStrength;  ///< setting infill_goal
-  /// solid_fill_pattern: pattern of solid infill inside the part
+  /// `solid_fill_pattern`: pattern of solid infill inside the part
   FillPattern solid_pattern = FillPattern::kRectilinear;
   FillPattern top_pattern = FillPattern::kMonotonic;     ///< setting top_fill_pattern
   FillPattern bottom_pattern = FillPattern::kMonotonic;  ///< setting bottom_fill_pattern
   /// Setting fill_angle; solid layers turn by 90 degrees from layer to layer.
   double angle_rad = 0.78539816339744831;
-  /// fill_angle_template, solid_fill_angle_template: canonical texts (fill_angles.h). Empty: no
+  /// `fill_angle_template`, `solid_fill_angle_template`: canonical texts (fill_angles.h). Empty: no
   /// template.
   SharedText angle_template = {};
   SharedText solid_angle_template = {};
@@ -64,35 +68,38 @@ struct InfillOptions {
   Coord solid_width_nm = 450'000;        ///< setting solid_infill_extrusion_width
   Coord top_width_nm = 450'000;          ///< setting top_infill_extrusion_width
   Coord first_layer_width_nm = 450'000;  ///< setting first_layer_extrusion_width
-  /// infill_overlap: length by which the ends of lines extend into the walls
+  /// `infill_overlap`: length by which the ends of lines extend into the walls
   Coord overlap_nm = 112'500;
   double solid_below_area_mm2 =
-      0;                        ///< solid_infill_below_area: smaller sparse regions become solid
-  Coord anchor_nm = 2'700'000;  ///< infill_anchor: anchor length at a line's end that is not linked
-  Coord anchor_max_nm = 50'000'000;  ///< infill_anchor_max: longest link; 0: no links
-  Coord smoothing_nm = 0;  ///< infill_smoothing: smoothing of the lines of medialaxis; 0: none
+      0;  ///< `solid_infill_below_area`: smaller sparse regions become solid
+  /// `infill_anchor`: anchor length at a line's end that is not linked
+  Coord anchor_nm = 2'700'000;
+  Coord anchor_max_nm = 50'000'000;  ///< `infill_anchor_max`: longest link; 0: no links
+  /// `infill_smoothing`: smoothing of the lines of pattern medialaxis; 0: no smoothing
+  Coord smoothing_nm = 0;
   /// Setting solid_infill_every_layers; 0: no additional solid layers.
   int32_t solid_every_layers = 0;
   /// Setting bridge_angle; 0: a direction is computed for each bridge.
   double bridge_angle_rad = 0;
-  double bridge_flow = 1;     ///< bridge_flow_ratio: factor on the plastic of bridges
-  double top_flow = 1;        ///< top_solid_infill_flow_ratio: factor on the plastic of top skins
-  bool thick_bridges = true;  ///< thick_bridges: bridges are round threads as wide as the nozzle
+  double bridge_flow = 1;     ///< `bridge_flow_ratio`: factor on the plastic of bridges
+  double top_flow = 1;        ///< `top_solid_infill_flow_ratio`: factor on the plastic of top skins
+  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
   Coord walls_nm = 0;         ///< total thickness of the walls around the infill
-  /// over_bridge_speed: solid infill over bridges is a separate feature
+  /// `over_bridge_speed`: solid infill over bridges is a separate feature
   bool over_bridges = false;
-  bool interface_shells = false;  ///< interface_shells: adds skins at the borders to other regions
-  Coord nozzle_nm = 400'000;      ///< setting nozzle_diameter
-  /// infill_every_layers: number of layers that one layer of sparse infill fills
+  /// `interface_shells`: adds skins at the boundaries to other regions
+  bool interface_shells = false;
+  Coord nozzle_nm = 400'000;  ///< setting nozzle_diameter
+  /// `infill_every_layers`: number of layers that one layer of sparse infill fills
   int32_t every_layers = 1;
   bool only_where_needed = false;                    ///< setting infill_only_where_needed
   ShellThickness shells = ShellThickness::kEnabled;  ///< setting ensure_vertical_shell_thickness
   bool overhang_lines = false;                       ///< setting extra_perimeters_on_overhangs
   IroningOptions ironing = {};
   bool small_area_flow = false;  ///< setting small_area_infill_flow_compensation
-  /// small_area_infill_flow_compensation_model: canonical text (flow_table.h).
+  /// `small_area_infill_flow_compensation_model`: canonical text (flow_table.h).
   SharedText small_area_flow_table = kSmallAreaFlowTable;
-  /// density_field, stress_field: canonical texts (fields/field_text.h). Empty: no field.
+  /// `density_field`, `stress_field`: canonical texts (fields/field_text.h). Empty: no field.
   SharedText density_field = {};
   SharedText stress_field = {};
   /// Number of layers above and below that density_field reads to compute the distance to the
@@ -102,8 +109,8 @@ struct InfillOptions {
   friend bool operator==(const InfillOptions&, const InfillOptions&) = default;
 };
 
-/// Returns true if skins over sparse infill are bridges: the gaps between its lines are at least
-/// two beads wide. Densities in fields are not evaluated; with a field the result is false.
+/// Returns true if skins over sparse infill are bridges: the gaps between the sparse lines are at
+/// least two beads wide. Densities in fields are not evaluated; with a field the result is false.
 inline bool BridgesSparse(const InfillOptions& options) {
   constexpr double kDensest = 1.0 / 3;
   return options.density <= kDensest && options.density_field.empty() &&

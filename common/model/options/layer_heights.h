@@ -12,11 +12,11 @@ namespace slicefarm {
 /// Options of layers that are as high as the object's shape allows.
 struct AdaptiveHeights {
   bool on = false;  ///< setting adaptive_layer_height
-  /// adaptive_layer_cusp: highest step, measured along the surface's normal
+  /// `adaptive_layer_cusp`: largest step between layers, measured along the surface's normal
   Coord cusp_nm = 100'000;
   Coord min_nm = 70'000;   ///< setting min_layer_height
   Coord max_nm = 300'000;  ///< setting max_layer_height, above 0
-  /// adaptive_layer_ratio: largest ratio of neighbouring layers, 1 or more
+  /// `adaptive_layer_ratio`: largest ratio of the heights of neighbouring layers, 1 or more
   double max_ratio = 1.5;
 
   friend bool operator==(const AdaptiveHeights&, const AdaptiveHeights&) = default;
@@ -24,7 +24,7 @@ struct AdaptiveHeights {
 
 inline constexpr double kMostHeightRatio = 100;
 
-/// Layer height at a height above the object's bottom.
+/// Height of the layers at one height above the object's bottom.
 struct LayerHeightAt {
   Coord z_nm = 0;
   Coord height_nm = 0;
@@ -34,10 +34,10 @@ struct LayerHeightAt {
 
 inline constexpr int kMaxLayerHeightPoints = 20'000;
 
-/// Parses a list of layer heights such as "0;0.2;5;0.1": alternately z and height, in mm, with z
-/// not falling. PrusaSlicer, OrcaSlicer and Bambu Studio write hand-drawn layer heights in this
-/// form. The list of an empty text is empty. Errors: InvalidArgument for any other text, for
-/// heights outside 0.01 to 5 mm, and for more than kMaxLayerHeightPoints.
+/// Parses a list of layer heights such as "0;0.2;5;0.1": alternately z and layer height, in mm. The
+/// values of z must not decrease. PrusaSlicer, OrcaSlicer and Bambu Studio write hand-drawn layer
+/// heights in this form. An empty text gives an empty list. Errors: InvalidArgument for any other
+/// text, for layer heights outside 0.01 to 5 mm, and for more than kMaxLayerHeightPoints.
 absl::StatusOr<std::vector<LayerHeightAt>> ParseLayerHeights(std::string_view text);
 
 /// Returns the heights in the form that ParseLayerHeights reads. Returns an empty text for an empty

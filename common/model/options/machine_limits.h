@@ -28,10 +28,10 @@ struct MachineLimits {
   double junction_deviation_mm = 0;
   double square_corner_velocity_mm_s = 5;  ///< setting square_corner_velocity (Klipper)
   double minimum_cruise_ratio = 0.5;       ///< setting minimum_cruise_ratio (Klipper)
-  double min_extruding_rate_mm_s = 0;      ///< machine_min_extruding_rate: lowest speed of beads
-  double min_travel_rate_mm_s = 0;         ///< machine_min_travel_rate: lowest speed of travels
-  double jerk_mm_s3 = 100'000;  ///< jerk_limit: maximum change of acceleration (own planner)
-  bool emit_to_gcode = false;   ///< machine_limits_usage = emit_to_gcode
+  double min_extruding_rate_mm_s = 0;      ///< `machine_min_extruding_rate`: lowest speed of beads
+  double min_travel_rate_mm_s = 0;         ///< `machine_min_travel_rate`: lowest speed of travels
+  double jerk_mm_s3 = 100'000;  ///< `jerk_limit`: maximum change of acceleration (own planner)
+  bool emit_to_gcode = false;   ///< `machine_limits_usage = emit_to_gcode`
 
   friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
 };

@@ -17,28 +17,28 @@
 
 namespace slicefarm {
 
-/// gcode_label_objects: form in which the G-code names the printed copy.
+/// `gcode_label_objects`: form in which the G-code names the printed copy.
 enum class ObjectLabels : uint8_t {
-  kNone,      ///< disabled: no labels
-  kComments,  ///< octoprint: comments
-  kFirmware,  ///< firmware: commands EXCLUDE_OBJECT_START or M486
+  kNone,      ///< `disabled`: no labels
+  kComments,  ///< `octoprint`: comments
+  kFirmware,  ///< `firmware`: commands EXCLUDE_OBJECT_START or M486
 };
 
-/// arc_fitting: form in which curves of many short moves are written.
+/// `arc_fitting`: form in which curves of many short moves are written.
 enum class ArcFitting : uint8_t {
-  kDisabled,    ///< disabled: single moves
-  kEmitCenter,  ///< emit_center: arcs, G2 and G3 with I and J
+  kDisabled,    ///< `disabled`: single moves
+  kEmitCenter,  ///< `emit_center`: arcs, G2 and G3 with I and J
 };
 
 /// Options for the text of the program and for its file.
 struct WritingOptions {
   bool relative_e = true;            ///< setting use_relative_e_distances
-  bool volumetric_e = false;         ///< use_volumetric_e: filament in mm3 instead of mm
-  bool firmware_retraction = false;  ///< use_firmware_retraction: retracts by G10 and G11
-  bool comments = false;             ///< gcode_comments: adds the purpose of each line as a comment
-  bool binary = false;               ///< setting binary_gcode
-  SharedText substitutions;          ///< setting gcode_substitutions, in the form of a config.ini
-  std::string file_name;             ///< output_filename_format: template of the file's name
+  bool volumetric_e = false;         ///< `use_volumetric_e`: filament in mm3 instead of mm
+  bool firmware_retraction = false;  ///< `use_firmware_retraction`: retracts by G10 and G11
+  bool comments = false;     ///< `gcode_comments`: adds the purpose of each line as a comment
+  bool binary = false;       ///< setting binary_gcode
+  SharedText substitutions;  ///< setting gcode_substitutions, in the form of a config.ini
+  std::string file_name;     ///< `output_filename_format`: template of the file's name
   /// Setting custom_gcode_per_print_z (height_code.h); empty: no codes.
   SharedText height_code;
   SharedText color_change_gcode;  ///< setting color_change_gcode
@@ -52,7 +52,7 @@ struct WritingOptions {
 struct MachineMotion {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< setting gcode_flavor
   MachineLimits limits;
-  /// silent_mode: limits of the machine's silent mode, for a second time estimate.
+  /// `silent_mode`: limits of the machine's silent mode, for a second time estimate.
   std::optional<MachineLimits> silent_limits;
 
   double travel_speed_mm_s = 130;            ///< setting travel_speed
@@ -60,13 +60,14 @@ struct MachineMotion {
   double travel_speed_z_mm_s = 0;            ///< setting travel_speed_z; 0: the machine's z limit
   /// Setting first_layer_speed; 0: first_layer_speed_ratio applies.
   double first_layer_speed_mm_s = 30;
-  /// first_layer_speed in percent, as a ratio to the feature's speed
+  /// Used if first_layer_speed is a percentage: share of the feature's speed; 1 means 100 %.
   double first_layer_speed_ratio = 1;
-  /// first_layer_infill_speed of solid infill; 0: first_layer_speed
+  /// `first_layer_infill_speed`: speed of solid infill in the first layer; 0: first_layer_speed
   double first_layer_infill_speed_mm_s = 0;
-  /// first_layer_speed_over_raft, for the layer on a raft; 0: over_raft_speed_ratio applies
+  /// `first_layer_speed_over_raft`, for the layer on a raft; 0: over_raft_speed_ratio applies
   double over_raft_speed_mm_s = 30;
-  /// first_layer_speed_over_raft in percent, as a ratio to the feature's speed
+  /// Used if first_layer_speed_over_raft is a percentage: share of the feature's speed; 1 means 100
+  /// %.
   double over_raft_speed_ratio = 1;
   double max_print_speed_mm_s = 80;  ///< setting max_print_speed
   /// max_volumetric_extrusion_rate_slope_positive and _negative: largest rise and fall of the flow
@@ -74,7 +75,7 @@ struct MachineMotion {
   double flow_rise_mm3_s2 = 0;
   double flow_fall_mm3_s2 = 0;
 
-  /// perimeter_acceleration, infill_acceleration, ...: acceleration per Feature. 0:
+  /// `perimeter_acceleration`, `infill_acceleration`, ...: acceleration per Feature. 0:
   /// default_acceleration.
   std::array<double, kFeatureCount> acceleration_mm_s2 = {};
   double default_acceleration_mm_s2 = 0;  ///< setting default_acceleration; 0: the firmware decides
@@ -85,25 +86,25 @@ struct MachineMotion {
   /// Setting travel_acceleration; 0: the machine's limit for travels.
   double travel_acceleration_mm_s2 = 0;
 
-  /// travel_short_distance_acceleration: acceleration of travels to outer walls that are too short
-  /// for a retraction. 0: the acceleration of all travels.
+  /// `travel_short_distance_acceleration`: acceleration of travels to outer walls that are too
+  /// short for a retraction. 0: the acceleration of all travels.
   double short_travel_acceleration_mm_s2 = 0;
-  double seam_gap_mm = 0;  ///< seam_gap_distance: length of the gap at the end of a closed path
+  double seam_gap_mm = 0;  ///< `seam_gap_distance`: length of the gap at the end of a closed path
 
   std::string printer_model;  ///< setting printer_model
 
-  /// activate_chamber_temp_control. If false, the chamber temperatures are only variables of
-  /// templates.
+  /// activate_chamber_temp_control. If false, no command sets the chamber temperatures: they are
+  /// only variables of templates.
   bool heats_chamber = true;
-  /// autoemit_temperature_commands: adds heating commands around start_gcode for heaters that it
-  /// does not heat.
+  /// `autoemit_temperature_commands`: adds heating commands around start_gcode for the heaters that
+  /// start_gcode does not heat.
   bool emit_temperatures = true;
 
   /// Setting nozzle_heating_rate, for times; 0: heating takes no time.
   double nozzle_heating_c_s = 0;
   double bed_heating_c_s = 0;  ///< setting bed_heating_rate
 
-  bool progress = false;   ///< remaining_times: writes M73 before each layer
+  bool progress = false;   ///< `remaining_times`: writes M73 before each layer
   double z_offset_mm = 0;  ///< setting z_offset
   /// Setting start_gcode.
   SharedText start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";
@@ -111,15 +112,16 @@ struct MachineMotion {
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
   SharedText before_layer_gcode;  ///< setting before_layer_gcode
   SharedText layer_gcode;         ///< setting layer_gcode, including time_lapse_gcode
-  /// Settings that before_layer_gcode and layer_gcode name, as `key = value` lines.
+  /// Settings that before_layer_gcode and layer_gcode refer to, as `key = value` lines.
   SharedText layer_settings;
   ObjectLabels labels = ObjectLabels::kNone;  ///< setting gcode_label_objects
   SharedText between_objects_gcode;           ///< setting between_objects_gcode
   Coord max_print_height_nm = 0;              ///< setting max_print_height; 0: unlimited
-  /// bed_shape without bed_exclude_area: travels stay within it. Empty: no area is excluded.
+  /// bed_shape without bed_exclude_area: area that travels do not leave. Empty: no area is
+  /// excluded.
   MultiPolygon room;
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< setting arc_fitting
-  /// gcode_resolution: tolerance to which paths are simplified; 0: no simplification
+  /// `gcode_resolution`: tolerance to which paths are simplified; 0: no simplification
   Coord resolution_nm = 12'500;
   SharedText material_field;  ///< canonical text of a field (fields/field_text.h); empty: no mixing
   WritingOptions writing;
@@ -144,7 +146,8 @@ struct MotionOptions : MachineMotion {
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };
 
-/// Returns true if walls or travels depend on the layer below them (PathBlock::below).
+/// Returns true if walls or travels depend on the area that the layer below covers
+/// (PathBlock::below).
 inline bool LooksBelow(const MotionOptions& options) {
   return options.tool().cooling.dynamic_fan ||
          (options.tool().retraction.ramping && options.tool().retraction.before_obstacles) ||

@@ -18,7 +18,7 @@ namespace slicefarm {
 struct ObjectPlanOptions {
   SeamPosition seam = SeamPosition::kAligned;  ///< setting seam_position
   BrimOptions brim = {};      ///< brim of the object; kNone for an object with a raft
-  int32_t brim_settings = 0;  ///< row of the job's tables of region settings
+  int32_t brim_settings = 0;  ///< index into the job's tables of region settings
   RaftOptions raft = {};
   std::vector<int32_t> raft_settings = {};  ///< row of region settings for each layer of the raft
   SupportOptions support = {};
@@ -32,10 +32,12 @@ struct ObjectPlanOptions {
 struct JobPlanOptions {
   SequencePlanOptions sequence;
   SkirtOptions skirt;
-  int32_t skirt_settings = 0;        ///< row of the job's tables of region settings
+  int32_t skirt_settings = 0;        ///< index into the job's tables of region settings
   bool objects_may_overlap = false;  ///< setting objects_may_overlap
-  bool avoid_curled = false;  ///< avoid_crossing_curled_overhangs: computes where overhangs curl up
-  /// bed_shape without bed_exclude_area: planning adds nothing outside of it. Empty: no limit.
+  /// `avoid_crossing_curled_overhangs`: computes where overhangs curl up
+  bool avoid_curled = false;
+  /// bed_shape without bed_exclude_area: area outside of which planning adds nothing. Empty: no
+  /// limit.
   MultiPolygon bed;
 
   friend bool operator==(const JobPlanOptions&, const JobPlanOptions&) = default;

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Number of overhang degrees: 0, 25, 50 and 75 % of a wall's width lie on the layer below.
+/// Number of overhang degrees: walls with 0, 25, 50 and 75 % of their width on the layer below.
 inline constexpr int kOverhangDegrees = 4;
 
 /// Loops of a region that get a scarf seam.
@@ -17,17 +17,17 @@ enum class ScarfPlacement : uint8_t {
   kEverywhere,
 };
 
-/// Options of a scarf seam: a loop begins low and thin, rises, and ends over its own beginning. The
-/// scarf replaces a butt joint, which would be visible.
+/// Options of a scarf seam: a loop begins low and thin, rises, and ends on top of its own
+/// beginning. The scarf replaces a butt joint, which would be visible.
 struct ScarfOptions {
   ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< setting scarf_seam_placement
-  bool only_on_smooth = true;  ///< scarf_seam_only_on_smooth: no scarf at corners
+  bool only_on_smooth = true;  ///< `scarf_seam_only_on_smooth`: no scarf at corners
   bool on_inner = false;       ///< setting scarf_seam_on_inner_perimeters
-  bool entire_loop = false;    ///< scarf_seam_entire_loop: the scarf is as long as the loop
-  /// scarf_seam_start_height: start height as a share of the layer height
+  bool entire_loop = false;    ///< `scarf_seam_entire_loop`: the scarf is as long as the loop
+  /// `scarf_seam_start_height`: start height as a share of the layer height
   double start_height_ratio = 0;
   double length_mm = 20;      ///< setting scarf_seam_length
-  double max_segment_mm = 1;  ///< scarf_seam_max_segment_length: longest step of the flow
+  double max_segment_mm = 1;  ///< `scarf_seam_max_segment_length`: longest segment with one flow
 
   friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
 };
@@ -36,7 +36,7 @@ struct ScarfOptions {
 struct RegionSpeeds {
   std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15,
                                                   60, 60, 60, 60, 15, 0};  ///< speed per Feature
-  /// small_perimeter_speed: speed of loops with a radius below 6.5 mm
+  /// `small_perimeter_speed`: speed of loops with a radius below 6.5 mm
   double small_perimeter_speed_mm_s = 15;
   bool dynamic_overhangs = false;  ///< setting enable_dynamic_overhang_speeds
   /// overhang_speed_0 to _3, per overhang degree.
@@ -45,7 +45,7 @@ struct RegionSpeeds {
   /// overhangs: walls without support below are bridges, with the speed, fan and flow of bridges.
   bool bridging_walls = false;
   double bridge_flow = 1;     ///< setting bridge_flow_ratio
-  bool thick_bridges = true;  ///< thick_bridges: bridges are round threads as wide as the nozzle
+  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
 
   friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;
 };

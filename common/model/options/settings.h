@@ -16,7 +16,7 @@ struct JobSettings {
   friend bool operator==(const JobSettings&, const JobSettings&) = default;
 };
 
-/// Resolved set of settings with one row of each scope.
+/// Resolved settings of one region: one row of each table in JobSettings.
 struct JobRows {
   JobSlicingOptions slicing;
   ObjectSlicingOptions object;

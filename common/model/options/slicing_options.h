@@ -17,7 +17,7 @@ namespace slicefarm {
 
 /// Treatment of a hole that begins above a wider recess (counterbore).
 enum class CounterboreBridging : uint8_t {
-  kNone,  ///< no bridging: the hole's edge is printed in the air
+  kNone,  ///< no bridging: the hole's walls are printed in the air
   /// Bridges beside the hole in one layer, bridges across them in the next, then the hole.
   kPartial,
   kSacrificial,  ///< one bridge that closes the recess and is drilled through later
@@ -26,29 +26,30 @@ enum class CounterboreBridging : uint8_t {
 /// Object settings for slicing.
 struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< setting layer_height
-  FillRule fill_rule = FillRule::kNonZero;  ///< slicing_mode: regular, even_odd, positive
-  bool close_holes = false;  ///< slicing_mode = close_holes: only outer rings are used
-  /// slice_closing_radius: closes cracks narrower than twice this value, but only in meshes that
+  FillRule fill_rule = FillRule::kNonZero;  ///< `slicing_mode`: regular, even_odd, positive
+  bool close_holes = false;  ///< `slicing_mode = close_holes`: only outer rings are used
+  /// `slice_closing_radius`: closes cracks narrower than twice this value, but only in meshes that
   /// are not closed.
   Coord closing_radius_nm = 49'000;
-  Coord xy_compensation_nm = 0;  ///< xy_size_compensation: grows the outlines and shrinks the holes
-  Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: additional growth of the holes
+  /// `xy_size_compensation`: grows the outlines and shrinks the holes
+  Coord xy_compensation_nm = 0;
+  Coord hole_compensation_nm = 0;  ///< `xy_hole_compensation`: additional growth of the holes
   /// True if the object is directly on the bed: its first layer has first_layer_height and gets the
   /// elephant foot compensation.
   bool on_bed = true;
-  Coord elephant_foot_nm = 0;  ///< elefant_foot_compensation: shrinks the first layer on the bed
-  /// Smallest width that the compensation leaves. PrusaSlicer uses width + spacing of the first
-  /// layer's outer wall.
+  Coord elephant_foot_nm = 0;  ///< `elefant_foot_compensation`: shrinks the first layer on the bed
+  /// Smallest width of a part that elephant_foot_nm leaves. PrusaSlicer uses width + spacing of the
+  /// first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
   /// Height of the object's bottom above the bed; it counts towards the build height.
   Coord lift_nm = 0;
-  /// spiral_vase: first layer that is hollow and keeps only its largest outline. 0: no hollow
+  /// `spiral_vase`: first layer that is hollow and keeps only its largest outline. 0: no hollow
   /// layers.
   int32_t hollow_from = 0;
   /// Setting counterbore_hole_bridging.
   CounterboreBridging counterbores = CounterboreBridging::kNone;
   AdaptiveHeights adaptive;
-  /// layer_height_profile: layer heights at ascending z, interpolated linearly. They replace
+  /// `layer_height_profile`: layer heights at ascending z, interpolated linearly. They replace
   /// layer_height, height ranges and `adaptive`. Empty: no profile.
   std::vector<LayerHeightAt> height_profile;
 
@@ -57,18 +58,20 @@ struct ObjectSlicingOptions {
 
 /// Job settings for slicing.
 struct JobSlicingOptions {
-  Coord first_layer_height_nm = 200'000;  ///< first_layer_height: height of the layer on the bed
-  /// open_loop_max_gap: outlines with a gap up to this length are closed. Outlines with a wider gap
-  /// are dropped and counted.
+  Coord first_layer_height_nm = 200'000;  ///< `first_layer_height`: height of the layer on the bed
+  /// `open_loop_max_gap`: outlines with a gap up to this length are closed. Outlines with a wider
+  /// gap are dropped and counted.
   Coord max_gap_nm = 2'000'000;
-  Coord resolution_nm = 5'000;  ///< outline_resolution: tolerance to which outlines are simplified
-  /// bed_shape; empty: no limit.
+  /// `outline_resolution`: tolerance to which outlines are simplified
+  Coord resolution_nm = 5'000;
+  /// `bed_shape`; empty: no limit.
   Polygon bed = {{0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};
-  std::vector<Polygon> excluded = {};  ///< bed_exclude_area: parts of the bed that must remain free
-  Coord max_print_height_nm = 0;       ///< setting max_print_height; 0: unlimited
+  /// `bed_exclude_area`: parts of the bed that must remain free
+  std::vector<Polygon> excluded = {};
+  Coord max_print_height_nm = 0;  ///< setting max_print_height; 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< setting thumbnails
-  Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: distance between arranged copies
-  /// Distance between arranged copies if it exceeds `part_distance_nm`. With complete_objects it is
+  Coord part_distance_nm = 6'000'000;  ///< `duplicate_distance`: distance between arranged copies
+  /// Used instead of `part_distance_nm` if greater. With complete_objects it is
   /// extruder_clearance_radius; with brims it leaves part_distance_nm between the brims.
   Coord clearance_radius_nm = 0;
 

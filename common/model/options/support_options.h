@@ -26,10 +26,10 @@ enum class InterfacePattern : uint8_t { kRectilinear, kConcentric };
 
 /// Branches of style kTree.
 struct TreeOptions {
-  /// support_tree_angle: largest angle from the vertical
+  /// `support_tree_angle`: largest angle from the vertical
   double angle_rad = 40 * std::numbers::pi / 180;
   double slow_angle_rad =
-      25 * std::numbers::pi / 180;       ///< support_tree_angle_slow: preferred largest angle
+      25 * std::numbers::pi / 180;       ///< `support_tree_angle_slow`: preferred largest angle
   Coord branch_diameter_nm = 2'000'000;  ///< setting support_tree_branch_diameter
   /// Setting support_tree_branch_diameter_angle.
   double diameter_angle_rad = 5 * std::numbers::pi / 180;
@@ -44,31 +44,32 @@ struct TreeOptions {
 /// Support options of one object.
 struct SupportOptions {
   bool on = false;  ///< setting support_material
-  /// support_material_auto: also supports overhangs by the threshold, not only enforced areas
+  /// `support_material_auto`: supports overhangs by the threshold; false: only enforced areas
   bool automatic = true;
   SupportStyle style = SupportStyle::kGrid;  ///< setting support_material_style
-  /// support_material_threshold: walls that rise less steeply are supported. 0: supports walls that
-  /// overhang by more than half of the outer wall's width.
+  /// `support_material_threshold`: walls that rise less steeply are supported. 0: supports walls
+  /// that overhang by more than half of the outer wall's width.
   double threshold_rad = 0;
-  /// support_material_enforce_layers: number of layers supported regardless of the threshold
+  /// `support_material_enforce_layers`: number of layers supported regardless of the threshold
   int32_t enforced_layers = 0;
-  bool bed_only = false;       ///< support_material_buildplate_only: no supports begin on the part
-  bool skip_bridges = true;    ///< setting dont_support_bridges
-  Coord top_gap_nm = 200'000;  ///< setting support_material_contact_distance
+  bool bed_only = false;     ///< `support_material_buildplate_only`: no supports begin on the part
+  bool skip_bridges = true;  ///< setting dont_support_bridges
+  Coord top_gap_nm = 200'000;           ///< setting support_material_contact_distance
   Coord bottom_gap_nm = 200'000;        ///< setting support_material_bottom_contact_distance
   Coord xy_gap_nm = 225'000;            ///< setting support_material_xy_spacing
   Coord closing_radius_nm = 2'000'000;  ///< setting support_material_closing_radius
   int32_t top_interface_layers = 3;     ///< setting support_material_interface_layers
   int32_t bottom_interface_layers = 3;  ///< setting support_material_bottom_interface_layers
-  /// support_material_spacing: gap between lines of the support's body
+  /// `support_material_spacing`: gap between lines of the support's body
   Coord spacing_nm = 2'500'000;
   /// Setting support_material_interface_spacing.
   Coord interface_spacing_nm = 0;
   SupportPattern pattern = SupportPattern::kRectilinear;  ///< setting support_material_pattern
-  InterfacePattern interface_pattern = InterfacePattern::kRectilinear;  ///< ..._interface_pattern
+  /// setting support_material_interface_pattern
+  InterfacePattern interface_pattern = InterfacePattern::kRectilinear;
   /// Setting support_material_angle.
   double angle_rad = 0;
-  bool sheath = true;  ///< support_material_with_sheath: adds a line around the support's body
+  bool sheath = true;  ///< `support_material_with_sheath`: adds a line around the support's body
   Coord width_nm = 400'000;               ///< setting support_material_extrusion_width
   Coord wall_width_nm = 450'000;          ///< width of the part's outer wall
   Coord walls_nm = 0;                     ///< total thickness of the part's walls
@@ -85,8 +86,8 @@ struct SupportOptions {
 enum class SupportRow : uint8_t {
   kFirstLayer,  ///< layer on the bed, for any kind of support above
   kBase,
-  kBranch,       ///< branch of one loop
-  kThickBranch,  ///< branch of two loops
+  kBranch,       ///< branch with a wall of one loop
+  kThickBranch,  ///< branch with a wall of two loops
   kInterface,
 };
 inline constexpr int kSupportRowCount = 5;

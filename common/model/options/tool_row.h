@@ -10,7 +10,7 @@
 
 namespace slicefarm {
 
-/// retract_lift_enforce: beads after which the nozzle is lifted for a travel.
+/// `retract_lift_enforce`: features after which the nozzle is lifted for a travel.
 enum class LiftAfter : uint8_t {
   kAll,
   kTop,           ///< beads of top surfaces and ironing
@@ -25,17 +25,19 @@ struct RetractionOptions {
   double speed_mm_s = 35;          ///< setting retract_speed
   double restart_speed_mm_s = 35;  ///< setting deretract_speed (0 in the settings: retract_speed)
   double restart_extra_mm = 0;     ///< setting retract_restart_extra
-  double min_travel_mm = 2;        ///< retract_before_travel: shorter travels do not retract
+  double min_travel_mm = 2;        ///< `retract_before_travel`: shorter travels do not retract
   double lift_mm = 0;              ///< setting retract_lift
-  double lift_above_mm = 0;        ///< retract_lift_above: no lift below this nozzle height
-  double lift_below_mm = 0;  ///< retract_lift_below: no lift above this nozzle height; 0: unlimited
+  double lift_above_mm = 0;        ///< `retract_lift_above`: no lift below this nozzle height
+  /// `retract_lift_below`: no lift above this nozzle height; 0: unlimited
+  double lift_below_mm = 0;
   LiftAfter lift_after = LiftAfter::kAll;  ///< setting retract_lift_enforce
-  bool ramping = false;           ///< travel_ramping_lift: the nozzle rises along the travel
-  double ramp_lift_mm = 0;        ///< travel_max_lift: replaces lift_mm
-  double ramp_slope_deg = 0;      ///< setting travel_slope; 0 and 90: vertical lift
-  bool before_obstacles = false;  ///< travel_lift_before_obstacle: steeper lift if edges are near
-  bool wipe = false;              ///< wipe: the nozzle continues along the path while retracting
-  /// retract_before_wipe: share of the length that is retracted before the wipe begins
+  bool ramping = false;       ///< `travel_ramping_lift`: the nozzle rises along the travel
+  double ramp_lift_mm = 0;    ///< `travel_max_lift`: replaces lift_mm
+  double ramp_slope_deg = 0;  ///< setting travel_slope; 0 and 90: vertical lift
+  /// `travel_lift_before_obstacle`: rises more steeply if the part's walls are near
+  bool before_obstacles = false;
+  bool wipe = false;  ///< wipe: the nozzle continues along the path while retracting
+  /// `retract_before_wipe`: share of the length that is retracted before the wipe begins
   double before_wipe = 0;
 
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
@@ -52,11 +54,12 @@ struct CoolingOptions {
   double fan_below_layer_time_s = 60;      ///< setting fan_below_layer_time
   double slowdown_below_layer_time_s = 5;  ///< setting slowdown_below_layer_time
   double min_print_speed_mm_s = 10;        ///< setting min_print_speed
-  /// cooling_slowdown_logic = consistent_surface: outer walls are slowed down last.
+  /// `cooling_slowdown_logic = consistent_surface`: outer walls are slowed down last.
   bool consistent_surface = false;
-  /// cooling_perimeter_transition_distance: length before outer walls, used with consistent_surface
+  /// `cooling_perimeter_transition_distance`, used with consistent_surface: inner beads that end at
+  /// most this length before an outer wall are slowed down like the wall
   double transition_mm = 10;
-  /// full_fan_speed_layer: layer up to which the fan speed rises; 0: no ramp
+  /// `full_fan_speed_layer`: layer up to which the fan speed rises; 0: no ramp
   int32_t full_fan_speed_layer = 0;
   bool dynamic_fan = false;  ///< setting enable_dynamic_fan_speeds
   /// overhang_fan_speed_0 to _3, per overhang degree.
@@ -74,7 +77,7 @@ struct ToolRow {
   Point offset;         ///< setting extruder_offset, subtracted from all positions in the G-code
   int32_t number = -1;  ///< number of the extruder from 0; -1: the machine has one tool
   double max_volumetric_speed_mm3_s = 0;  ///< setting filament_max_volumetric_speed; 0: unlimited
-  double pressure_advance = 0;            ///< pressure_advance in the firmware's unit; 0: not set
+  double pressure_advance = 0;            ///< `pressure_advance` in the firmware's unit; 0: not set
 
   double filament_diameter_mm = 1.75;    ///< setting filament_diameter
   double extrusion_multiplier = 1;       ///< setting extrusion_multiplier
@@ -89,9 +92,9 @@ struct ToolRow {
   int32_t bed_temperature_c = 0;              ///< setting bed_temperature
   int32_t first_layer_bed_temperature_c = 0;  ///< setting first_layer_bed_temperature
   int32_t chamber_temperature_c = 0;          ///< setting chamber_temperature
-  /// chamber_minimal_temperature: temperature that the print waits for
+  /// `chamber_minimal_temperature`: temperature that the print waits for
   int32_t chamber_least_c = 0;
-  /// start_filament_gcode: G-code after start_gcode, when all heaters are hot and the tool is
+  /// `start_filament_gcode`: G-code after start_gcode, when all heaters are hot and the tool is
   /// selected.
   SharedText start_filament_gcode;
 

@@ -42,10 +42,12 @@ struct IndexedMesh {
 struct MeshReport {
   std::string name;
   int64_t triangles = 0;
-  int64_t vertices = 0;            ///< number of vertices after welding equal positions of the file
-  int64_t bodies = 0;              ///< number of parts that share no edge
-  int64_t open_edges = 0;          ///< number of edges with one face, in the file
-  int64_t non_manifold_edges = 0;  ///< number of edges with more than two faces, in the file
+  int64_t vertices = 0;  ///< number of vertices after welding equal positions of the file
+  /// number of separate bodies: sets of faces that share no edge with each other
+  int64_t bodies = 0;
+  int64_t open_edges = 0;  ///< number of edges with only one face, as read from the file
+  /// number of edges with more than two faces, as read from the file
+  int64_t non_manifold_edges = 0;
   /// Number of faces oriented against most faces around them; slicing flips them.
   int64_t flipped_faces = 0;
   /// Number of faces without area, also after rounding to nanometres.
@@ -62,7 +64,7 @@ struct MeshReport {
   double dropped_length_mm = 0;    ///< length of the outlines that were not printed
   int64_t copies_off_bed = 0;      ///< number of copies beside the bed, which are left out
   int64_t overlapping_copies = 0;  ///< number of copies that overlap another copy
-  double cracks_closed_mm = 0;  ///< width up to which cracks were closed; 0: no search for cracks
+  double cracks_closed_mm = 0;  ///< largest width of closed cracks; 0: cracks were not searched for
 
   bool Closed() const { return open_edges == 0 && non_manifold_edges == 0; }
   friend bool operator==(const MeshReport&, const MeshReport&) = default;

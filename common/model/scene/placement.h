@@ -9,9 +9,9 @@
 
 namespace slicefarm {
 
-/// Placement of an object on the bed: units, then scale, then rotation about x, y, z in this order.
-/// Then the object drops onto z = 0. Each of `centers` is the position of the middle of one copy's
-/// bounding box.
+/// Placement of an object on the bed. The file's units are converted to mm; then the object is
+/// scaled and rotated about x, y, z in this order, and lowered onto z = 0. Each of `centers` is the
+/// position of the middle of one copy's bounding box.
 struct Placement {
   double unit_mm = 1.0;                     ///< mm per unit of the file
   std::array<double, 3> scale = {1, 1, 1};  ///< scale factors, above 0

@@ -50,11 +50,11 @@ struct HeightRange {
 struct Instance {
   Transform to_plate = Transform::Identity();
   bool printable = true;
-  /// True if x and y of to_plate are the copy's position. Otherwise the copy is arranged
+  /// True if to_plate contains the copy's position in x and y. False: the copy is arranged
   /// automatically.
   bool placed = true;
-  /// True if x and y of to_plate are the position of the middle of the object's bounding box.
-  /// Otherwise they are the position of the object's origin.
+  /// True if the position in to_plate is the position of the middle of the object's bounding box.
+  /// False: it is the position of the object's origin.
   bool by_middle = false;
 
   bool operator==(const Instance&) const = default;

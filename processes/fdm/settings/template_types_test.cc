@@ -43,6 +43,8 @@ TEST(TemplateTypes, AreTheKindsOfTheTable) {
     const auto type = macro::TypeOfSetting(spec.key);
     const auto expected = TypeOf(spec.kind);
     if (!type || !expected) continue;
+    // PrusaSlicer has whole degrees; ours may have a fraction.
+    if (spec.key == "support_material_threshold") continue;
     EXPECT_EQ(type->of, *expected) << spec.key;
     EXPECT_EQ(type->is_list, spec.list != List::kNone || spec.kind == Kind::kBedShape) << spec.key;
     ++compared;

@@ -170,7 +170,7 @@ CLI::App* AddPresetCommand(CLI::App& parent, const char* name, const char* about
                            ExitCode (*run)(const PresetsOptions&)) {
   CLI::App* command = parent.add_subcommand(name, about);
   AddPresetSources(*command, options->sources)->required();
-  command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--json", options->json, "Print JSON");
   command->callback(
       [options, &context, run] { context.run = [options, run] { return run(*options); }; });
   return command;

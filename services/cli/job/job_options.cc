@@ -38,8 +38,8 @@ void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
       app.add_option("--printer", options.printer,
-                     "Printer preset of --presets; its settings are below --config and --set, and "
-                     "above those of a project")
+                     "Printer preset of --presets; --config and --set override its settings, and it "
+                     "overrides the settings of a project")
           ->needs(sources)
           ->type_name("NAME");
   sources->needs(printer);

@@ -35,8 +35,9 @@ struct GivenModels {
 /// project are taken from the chosen plate. The settings of presets follow those of the project.
 ///
 /// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move placed
-/// objects of a project; MESH_TOO_LARGE; as for reading a project and config::JobOfProject and TakePresets. With
-/// --plates, a plate without anything to print is refused, and the remaining plates are returned.
+/// objects of a project; MESH_TOO_LARGE; errors of reading a project, of config::JobOfProject and of
+/// TakePresets. With --plates, a plate without anything to print is refused, and the remaining
+/// plates are returned.
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
 
 /// Distributes the copies of each plate over as many beds as needed, with --plates. `given`: the

@@ -13,13 +13,13 @@ struct SolidFill {
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
   int32_t layer = 0;  ///< layer number of the object
-  /// Distance by which lines are nearer than half a spacing to the region's edge. Beside walls, the
-  /// ends of straight lines also cover about two thirds of the remaining distance.
+  /// Distance by which lines are nearer to the region's boundary than half a spacing. Beside walls,
+  /// the ends of straight lines also cover about two thirds of the remaining distance.
   Coord overlap_nm = 0;
-  /// Walls are around the region, so that ends of lines may reach into them.
+  /// True if walls surround the region, so that ends of lines may reach into them.
   bool beside_walls = true;
-  /// True if straight lines end, and links run, on the region's edge: threads in the air are
-  /// supported by half of their width on the areas beside them.
+  /// True if ends of straight lines, and their links, are on the region's boundary. Lines in the
+  /// air then have half of their width supported by the areas beside the region.
   bool anchored = false;
 };
 
@@ -29,18 +29,19 @@ bool IsAligned(FillPattern pattern);
 /// Covers one connected region with beads side by side.
 ///
 /// For lines and loops, a whole number of beads fits across the region. The spacing is therefore up
-/// to 15 % less or 20 % more than the spacing of `width_nm`. The beads' width follows. The volume
-/// is the region's within 1.25 %, except for regions of a few lines. No straight line beside walls
-/// changes its section by more than 30 % from edge to edge, or is narrower than 0.6 spacings. The
-/// links between lines fill the area before the edge that the lines' ends leave empty: 0.15 of a
-/// line's plastic.
+/// to 15 % less or 20 % more than the spacing of `width_nm`, and the beads' width follows. The
+/// volume of the beads is the region's within 1.25 %, except for regions of a few lines. The
+/// section of a straight line beside walls changes by at most 30 % from end to end, and the line is
+/// never narrower than 0.6 spacings. The links between lines fill the area before the boundary that
+/// the lines' ends leave empty, with 0.15 of a line's plastic.
 ///
 /// Monotonic: each piece of line follows the pieces beside it on the previous line; the group keeps
 /// its order. Monotonic lines: in the same order, but each piece is a separate path. Other straight
 /// lines: any order. Loops, spirals and space-filling curves: as the sparse pattern, at full
-/// density. Curves end at the region's edge, and leave narrow parts there empty. Errors: as
-/// CutLines and MakePattern. Cost: O(n log n) for the inset, and the pattern's own cost. REQUIRES:
-/// the pattern is a pattern for solid fill.
+/// density. Curves end at the region's boundary, and leave narrow parts beside it empty. Errors:
+/// REQUEST_TOO_LARGE for too many lines (CutLines, MakePattern); SETTING_OUT_OF_RANGE
+/// (CheckRingSpacing). Cost: O(n log n) for the inset, n points, and the cost of the pattern.
+/// REQUIRES: the pattern is a pattern for solid fill.
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill);
 
 }  // namespace slicefarm::infill

@@ -10,9 +10,9 @@
 
 namespace slicefarm::infill {
 
-/// Least length, in widths, of a single path of a pattern with a density formula. A shorter path is
-/// not worth a travel: it is a dot in a corner, of at most 0.1 mm3, which supports neither wall nor
-/// line.
+/// Smallest length, in widths, of a single path of a pattern with a density formula. A shorter path
+/// is not worth a travel: it is a dot in a corner, of at most 0.1 mm3, which supports neither wall
+/// nor line.
 inline constexpr double kMinLoneWidths = 2.5;
 
 /// Parameters of FillSparse.
@@ -24,9 +24,9 @@ struct SparseFill {
   Coord z_nm = 0;     ///< height of the layer's middle above the object's bottom
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
-  /// Distance by which lines are nearer than half a spacing to the region's edge.
+  /// Distance by which lines are nearer to the region's boundary than half a spacing.
   Coord overlap_nm = 0;
-  Coord anchor_nm = 0;      ///< length by which a loose end turns along the edge
+  Coord anchor_nm = 0;  ///< length for which a path continues along the boundary at a loose end
   Coord anchor_max_nm = 0;  ///< longest link; 0: no links
   Coord smoothing_nm = 0;   ///< smoothing of medial-axis lines; 0: none
   std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out
@@ -34,19 +34,19 @@ struct SparseFill {
   const LayerField* field = nullptr;
 };
 
-/// Fills a region with a pattern of the given density: path length per area is exactly density /
-/// spacing, at two widths from the edge and deeper. Links and anchors along the edge join the lines
-/// to long paths and attach them to the walls (LinkedPaths). They are beads of the same width, in
-/// addition to this length. Patterns with lines along the edge begin at the edge. Parts so narrow
-/// that beads along both sides would overlap stay empty. Single paths shorter than two and a half
-/// widths are omitted for patterns with a density formula.
+/// Fills a region with a pattern of the given density. At two widths from the boundary and deeper,
+/// path length per area is exactly density / spacing. Links and anchors along the boundary join the
+/// lines into long paths and attach them to the walls (LinkedPaths). They are beads of the same
+/// width, in addition to this length. Patterns with lines along the boundary begin at the boundary.
+/// Parts so narrow that beads along both sides would overlap stay empty. Single paths shorter than
+/// two and a half widths are omitted for patterns with a density formula.
 ///
 /// With a field, the density is correct at each point, see PiecesOfField. Lines of a dithered field
 /// have up to 15 % more or less plastic, so that a layer has the total plastic that the field
 /// requests.
 ///
-/// Errors: as MakePattern. Cost: O(n log n) for the inset, and the cost of the pattern and of
-/// LinkedPaths.
+/// Errors: REQUEST_TOO_LARGE or SETTING_OUT_OF_RANGE, see MakePattern and CheckRingSpacing. Cost:
+/// O(n log n) for the inset, n points, and the cost of the pattern and of LinkedPaths.
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);
 
 }  // namespace slicefarm::infill

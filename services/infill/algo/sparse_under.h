@@ -10,32 +10,36 @@
 
 namespace slicefarm::infill {
 
-/// Region with sparse infill. All referenced objects must outlive this.
+/// Region with sparse infill. All referenced objects must outlive this struct.
 struct RegionView {
   const SectionView& section;
   const InfillOptions& options;
   const PlannedInfill* plan = nullptr;  ///< null: no plan
-  std::optional<int32_t> row = {};      ///< region of the skins; none: the whole object
+  /// Row of the region that decides the skins by its outlines; none: the whole object decides.
+  std::optional<int32_t> row = {};
 };
 
 /// Returns the distance between the lines of sparse infill in a layer of this height. Without
-/// infill, returns the value that skins above it use.
+/// sparse infill, returns the pitch that skins above assume: five spacings.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
 /// Sparse infill of the layer below a region, for the skins of all fill areas of the region. Not
 /// thread-safe.
 class SparseUnder {
  public:
-  /// REQUIRES: BridgesSparse. Cost: a comparison of some outlines.
+  /// REQUIRES: bridges over sparse infill are enabled (BridgesSparse). Cost: a comparison of some
+  /// outlines.
   explicit SparseUnder(const RegionView& region);
 
   /// Returns the sparse infill of the layer below within `fill_area`, without its lines: the area
-  /// without skins and walls, as computed from outlines. Returns nothing if it does not meet
-  /// `wanted`. Cost: that of SparsePart, and one offset of the layer for the first fill area.
+  /// without skins and walls, as computed from outlines. Returns an empty region if this area does
+  /// not meet `wanted`. Cost: the cost of SparsePart, and one offset of the layer for the first
+  /// fill area.
   SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
 
-  /// Returns the areas of the beads of sparse infill, for patterns with lines that follow from a
-  /// formula. Errors: see MakePattern. Cost: that of the pattern, and a union of the lines.
+  /// Returns the areas of the beads of sparse infill. The result is empty for patterns with lines
+  /// that do not follow from a formula. Errors: REQUEST_TOO_LARGE or SETTING_OUT_OF_RANGE, see
+  /// MakePattern. Cost: the cost of the pattern, and a union of the lines.
   absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
 
  private:

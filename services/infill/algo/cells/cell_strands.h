@@ -14,7 +14,8 @@ namespace slicefarm::infill {
 /// doubled edge, to the middle of another edge. The strands of a tile repeat with the tile.
 struct Strand {
   std::array<Vector2, 4> points;
-  /// Continuation at one end: the number and end of the next strand, and its offset in tiles.
+  /// Continuation at one end of a strand: the index of the next strand, which of its ends follows,
+  /// and its offset in tiles.
   struct Next {
     int32_t strand = 0;
     int32_t end = 0;
@@ -24,18 +25,18 @@ struct Strand {
   std::array<Next, 2> next;
 };
 
-/// Walk along all edges of a tile's cells without a travel. Three edges meet in each vertex, so
-/// that one of them has to be used twice. The perfect matching of least length selects one such
-/// edge for each vertex. The two lines of a doubled edge are side by side, like the lines between
-/// the rows of `honeycomb`. All strands of a tile form one curve: if the sides of a doubled edge
-/// belong to different curves, the two lines cross.
+/// Walk along all edges of a tile's cells without a travel. Three edges meet in each vertex, so one
+/// of them has to be used twice. These doubled edges are the perfect matching of the vertices with
+/// the smallest total length. The two lines of a doubled edge are side by side, like the lines
+/// between the rows of `honeycomb`. All strands of a tile form one curve: if the two lines of a
+/// doubled edge belong to different curves, they cross, which joins the curves.
 class StrandTile {
  public:
   /// Computes the walk. REQUIRES: three edges meet in each vertex, and the tile is connected.
   explicit StrandTile(VoronoiTile tile);
 
-  /// Returns the strands, with the two lines of a doubled edge `gap` apart, in tiles. Cost: O(n), n
-  /// vertices: 10 ns each.
+  /// Returns the strands. `gap`: distance between the two lines of a doubled edge, in sides of the
+  /// tile. Cost: O(n), n vertices: 10 ns each.
   std::vector<Strand> Strands(double gap) const;
 
   /// Returns the number of doubled edges with crossing lines.
@@ -44,7 +45,8 @@ class StrandTile {
   const std::vector<bool>& Doubled() const { return doubled_; }
 
  private:
-  /// One line of a doubled edge. Half-edge 2 e runs along edge e, half-edge 2 e + 1 against it.
+  /// One line of a doubled edge. Half-edge 2e has the direction of edge e, half-edge 2e + 1 the
+  /// opposite direction.
   struct Course {
     int32_t edge = 0;
     /// Half-edges at the two ends of the line: the first leaves the doubled edge's first vertex,

@@ -23,13 +23,13 @@ struct VoronoiTile {
   std::vector<TileEdge> edges;
 };
 
-/// Returns the Voronoi cells of `side` x `side` places in a tile. Each place starts at random in
+/// Returns the Voronoi cells of `side` x `side` points in a tile. Each point starts at random in
 /// its own square, and is moved `rounds` times to the centroid of its cell. The result is the same
 /// on each machine.
 ///
 /// Source: S. Lloyd, "Least Squares Quantization in PCM", 1982; Boost.Polygon's Voronoi diagram of
 /// points. REQUIRES: side >= 6, so that three cells meet in at most one vertex. Cost: O(rounds n
-/// log n), n places: 4 us for each place in each round.
+/// log n), n points: 4 us for each point in each round.
 VoronoiTile RelaxedCells(int side, int rounds);
 
 }  // namespace slicefarm::infill

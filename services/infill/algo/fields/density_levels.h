@@ -19,20 +19,22 @@ inline constexpr double kLevelStep = 0.70710678118654752;
 /// Lower limit of the levels. A point with a lower density is filled with the lowest level, or not
 /// at all.
 inline constexpr double kLeastLevel = 0.01;
-/// Height over which points between two levels change from one level to the other and back.
+/// Period of the height over which points between two levels change from one level to the other and
+/// back.
 inline constexpr double kLevelSwingMm = 4;
 
 /// Divides a region into parts with constant density, for patterns with lines that cannot be
-/// graded. The levels are the greatest density, and this density multiplied repeatedly by
+/// graded. The levels are the field's greatest density, and this density multiplied repeatedly by
 /// kLevelStep.
 ///
-/// A point between two levels is filled with one of them, by a threshold that all cells of a layer
-/// share. The threshold changes with the height. Each point therefore has either level for the
-/// share of the height that gives the density of the field: exactly over a period, and parts are
-/// not split up within a layer. Edges of parts are edges of cells of `cell_mm`. A cell has the
-/// field's value in its middle.
+/// A point between two levels is filled with one of them. A threshold, common to all cells of a
+/// layer, decides which one. The threshold changes with the height, so that over a period each
+/// level is used for the right share of the height. The mean density is then exactly the field's
+/// density, and parts are not split up within a layer. Boundaries of parts follow the edges of
+/// cells with the side `cell_mm`. A cell has the field's value in its middle.
 ///
-/// Errors: as FieldCellsOf. Cost: O(levels (n log n + cells)).
+/// Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells. Cost: O(levels (n log n + cells)), n
+/// points of the region.
 absl::StatusOr<std::vector<DensityPart>> LevelParts(const MultiPolygon& region,
                                                     const LayerField& field, double cell_mm);
 

@@ -15,10 +15,11 @@ namespace slicefarm::infill {
 /// cos 2t and sin 2t, which are equal for opposite directions.
 ///
 /// A node has no own direction if its stresses are nearly equal in all directions: (sxx - syy)^2 +
-/// 4 sxy^2 is below (kAlike times the greatest value of the field)^2. It gets the direction of its
-/// neighbours. A point is degenerate if the directions around it cancel each other, so that less
-/// than kLeastLength of them is left. Points at which tension and compression have equal magnitude
-/// are also degenerate, because the directions turn by a right angle there.
+/// 4 sxy^2 is below (kAlike times the greatest value of the field)^2. The node then gets the
+/// direction of its neighbours. A point is degenerate if the directions around it cancel each
+/// other, so that the length of their mean is below kLeastLength. Points at which tension and
+/// compression have equal magnitude are also degenerate, because the directions turn by a right
+/// angle there.
 class DirectionField {
  public:
   static constexpr double kAlike = 1e-3;

@@ -19,12 +19,13 @@ struct FieldCells {
   std::vector<char> touched;    ///< not 0 if the cell and the region overlap
 };
 
-/// Returns the cells that meet the region. Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells.
-/// Cost: O(n log n + cells).
+/// Returns the cells with the side `cell_mm` that meet the region. Errors: REQUEST_TOO_LARGE for
+/// more than kMaxFieldCells. Cost: O(n log n + cells), n points of the region.
 absl::StatusOr<FieldCells> FieldCellsOf(const MultiPolygon& region, const LayerField& field,
                                         double cell_mm);
 
-/// Returns the part of the region in the cells that are `on`. Cost: O(n log n + cells).
+/// Returns the part of the region in the cells that are `on`. Cost: O(n log n + cells), n points of
+/// the region.
 MultiPolygon PartInCells(const MultiPolygon& region, const FieldCells& cells, std::vector<char> on);
 
 }  // namespace slicefarm::infill

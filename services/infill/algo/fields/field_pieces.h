@@ -11,19 +11,21 @@
 
 namespace slicefarm::infill {
 
-/// Returns true if the field is followed in parts that are filled separately with one density each.
-/// These are dithered cells, or levels for patterns with lines that cannot be graded.
+/// Returns true if the field's density is produced by parts of the region, each filled with one
+/// constant density. The parts are dithered cells, or levels for patterns with lines that cannot be
+/// graded.
 bool IsInParts(FillPattern pattern, const LayerField& field);
 
-/// Returns the parts of a region with their densities. REQUIRES: IsInParts. Errors: the errors of
-/// LevelParts and DitheredRegion.
+/// Returns the parts of a region with their densities. REQUIRES: IsInParts. Errors:
+/// REQUEST_TOO_LARGE for more than kMaxFieldCells.
 absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region,
                                                       const LayerField& field);
 
 /// Fills a region with the density of a field. A field with directions gives streamlines. Other
 /// fields use the lines of `pattern`, graded (GradedPieces) or in parts. In parts, lines end at the
-/// edge of their part, and curves along the edge keep half a pitch from other parts. The pitch of
-/// `place` is ignored. Errors: the errors of PartsOfField, CutLines, Streamlines and MakePattern.
+/// boundary of their part, and curves along this boundary keep half a pitch from other parts. The
+/// pitch of `place` is ignored. Errors: REQUEST_TOO_LARGE for too many cells, lines or points;
+/// other errors of `pattern`, see its MakePattern.
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
                                                  const PatternPlace& place,
                                                  const LayerField& field);

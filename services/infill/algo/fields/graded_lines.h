@@ -13,7 +13,9 @@ namespace slicefarm::infill {
 /// Parameters of graded lines.
 struct GradedLines {
   double greatest = 1;  ///< density of the families with all their lines
-  double min_length_nm = 0;  ///< least length of a piece that begins or ends inside a line
+  /// Smallest length of a piece with an end at which only the density, not the region, stops the
+  /// line.
+  double min_length_nm = 0;
 };
 
 /// Returns pieces of families of parallel lines with the local density of the field.
@@ -30,8 +32,9 @@ absl::StatusOr<std::vector<Piece>> GradedPieces(const MultiPolygon& region,
                                                 std::span<const LineFamily> families,
                                                 const LayerField& field, const GradedLines& lines);
 
-/// Returns the share of lines with a rank below the rank of line `index`: in (0, 1), each binary
-/// fraction once before it is halved again.
+/// Returns the rank of line `index`, in (0, 1): element `index` of van der Corput's sequence 0,
+/// 1/2, 1/4, 3/4, 1/8, ..., plus half of the resolution 2^-32. The rank is also the share of lines
+/// with a lower rank.
 double RankOf(int64_t index);
 
 }  // namespace slicefarm::infill

@@ -13,7 +13,8 @@ struct StreamMemo;
 struct LayerField {
   const DensityField* density = nullptr;       ///< null: `plain_density` everywhere
   const DirectionField* directions = nullptr;  ///< null: the pattern has its own directions
-  const DistanceMap* to_surface = nullptr;     ///< distances, for densities that depend on them
+  /// Distances to the surface; only for densities that depend on them.
+  const DistanceMap* to_surface = nullptr;
   bool across = false;  ///< the layer follows the perpendicular family of directions
   StreamMemo* memo = nullptr;  ///< cached lines of fields that do not depend on the height
   double plain_density = 0;

@@ -17,11 +17,13 @@ struct InfillOptions;
 
 namespace slicefarm::infill {
 
-/// Fields of a row of settings.
+/// Fields of one row of the job's settings tables (one region).
 struct FieldsOfRow {
-  /// Belongs to the settings' text, which must outlive this; null: none.
+  /// Density field. It belongs to the text of the settings, which must outlive this struct; null:
+  /// none.
   const DensityField* density = nullptr;
-  /// Belongs to the settings' text, which must outlive this; null: none.
+  /// Direction field. It belongs to the text of the settings, which must outlive this struct; null:
+  /// none.
   const DirectionField* directions = nullptr;
   double plain_density = 0;
   int32_t every_layers = 1;
@@ -29,8 +31,8 @@ struct FieldsOfRow {
 };
 using FieldsOfRows = std::vector<FieldsOfRow>;
 
-/// Reads the fields of each row. Equal texts are read only once. Errors: SETTING_MALFORMED for a
-/// text that is not a field.
+/// Reads the fields of each row. If several rows have the same text, it is read only once. Errors:
+/// SETTING_MALFORMED for a text that is not a field.
 absl::StatusOr<FieldsOfRows> ParseFields(const std::vector<InfillOptions>& regions);
 
 /// Fields of a job's regions in a range of its layers.
@@ -40,10 +42,11 @@ class RegionFields {
   RegionFields(const FieldsOfRows& fields, std::span<const SlicedLayer> layers)
       : fields_(fields), memos_(fields.size()), layers_(layers) {}
 
-  /// Returns the fields of a row of settings for an object's own layer with its middle at `z_mm`,
-  /// or nothing if the row has no fields. Consecutive layers follow the two families of directions
-  /// alternately. Layers that are filled together count as one. The result is valid until the next
-  /// call. Errors: the errors of SurfaceDistances.
+  /// Returns the fields of a layer, with its middle at `z_mm`, or nothing if the row has no fields.
+  /// `row`: index of the settings; `own_layer`: layer number of the object. Consecutive layers
+  /// follow the two families of directions alternately. Layers that are filled together count as
+  /// one. The result is valid until the next call. Errors: REQUEST_TOO_LARGE (see
+  /// SurfaceDistances::Of).
   absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer,
                                                double z_mm);
 
@@ -52,7 +55,7 @@ class RegionFields {
   /// Cached lines, indexed by row and family, of fields that do not depend on the height.
   std::vector<std::array<StreamMemo, 2>> memos_;
   std::span<const SlicedLayer> layers_;
-  /// Indexed by row and object.
+  /// Distances to the surface; the key is row and object.
   std::map<std::pair<int32_t, int32_t>, SurfaceDistances> distances_;
   using MapOf = std::array<int32_t, 3>;  ///< key: row, object, own layer
   std::optional<MapOf> map_of_;

@@ -12,14 +12,14 @@
 
 namespace slicefarm::infill {
 
-/// Distances on cells of kDistanceCellMm, on the object's own grid.
+/// Distances to the surface in one layer, on cells of kDistanceCellMm, on the object's own grid.
 struct DistanceMap {
   int64_t first_x = 0, first_y = 0;  ///< index of the first cell
   int64_t width = 0, height = 0;
   std::vector<float> mm;  ///< distances in the middles of cells; x changes fastest
 
-  /// Returns the distance at a point: linear between the middles of cells, and the nearest value
-  /// outside of the grid.
+  /// Returns the distance at a point, interpolated linearly between the middles of cells. Outside
+  /// of the grid, returns the value at the nearest point of the grid.
   double At(double x_mm, double y_mm) const;
 };
 
@@ -30,9 +30,9 @@ inline constexpr double kDistanceCellMm = 0.5;
 /// the layers above and below, which count as slabs. Everything outside of the layers is air,
 /// including the bed.
 ///
-/// Accuracy: half a cell and half a layer. A distance is at most `reach_mm`. It does not depend on
-/// which further layers are available, as long as all layers within `reach_mm` are available. Cost:
-/// O(cells) for each layer once, and O(cells) for each pair of layers within reach.
+/// Accuracy: half a cell and half a layer. A distance is at most `reach_mm`. Layers farther away
+/// than `reach_mm` do not change the result, so they may be missing in `layers`. Cost: O(cells) for
+/// each layer once, and O(cells) for each pair of layers within reach.
 class SurfaceDistances {
  public:
   /// Keeps a reference: `layers` must outlive this object.

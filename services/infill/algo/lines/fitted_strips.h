@@ -17,20 +17,21 @@ struct StripPoint {
   friend bool operator==(const StripPoint&, const StripPoint&) = default;
 };
 
-/// Returns the point at `share` of the line from a to b, with an interpolated width.
+/// Returns the point at the fraction `share` of the line from a to b, with an interpolated width.
 StripPoint Between(const StripPoint& a, const StripPoint& b, double share);
 
-/// Strips of a region that solid lines fill. A strip normally reaches half a pitch to each side of
-/// its line. The line beside an edge at a flat angle to the lines is different: it fills the space
-/// up to the edge, less the strip of a link along the edge. Lines therefore leave no wedges between
-/// their ends, and overlap neither walls nor each other.
+/// Strips of a region that solid lines fill. A strip normally extends half a pitch to each side of
+/// its line. A line beside a part of the boundary at a small angle to the lines is different: its
+/// strip extends to the boundary, less the strip of a link along the boundary. Lines therefore
+/// leave no wedges between their ends, and overlap neither walls nor each other.
 class FittedStrips {
  public:
   /// Parameters of fitted strips.
   struct Options {
-    std::vector<bool> linked;  ///< true if a link runs from a crossing to the next one on its ring
-    double link_nm = 0;        ///< width of the links' strips
-    double reach_nm = 0;       ///< width outside of the region of `lines` that is filled too
+    /// Indexed by crossing: true if a link leads from it to the next crossing of its ring.
+    std::vector<bool> linked;
+    double link_nm = 0;   ///< width of the links' strips
+    double reach_nm = 0;  ///< distance outside of the region of `lines` that is filled too
   };
 
   /// Creates plain strips, all as wide as the pitch.
@@ -40,29 +41,30 @@ class FittedStrips {
   /// region, k pieces.
   FittedStrips(const ScanLines& lines, const Options& options);
 
-  /// Returns the strip of the piece that begins at `place` (ScanLines::order), up to its other end.
-  /// The result has at least two points.
+  /// Returns the centre line and the widths of the strip of one piece, from the crossing at index
+  /// `place` of ScanLines::order to the piece's other end. The result has at least two points.
   std::vector<StripPoint> From(int32_t place) const;
 
  private:
-  /// Extra width of a strip beyond half a pitch, at a position along it.
+  /// Width of a strip beyond half a pitch, at a position along it.
   struct Knot {
     double u = 0;
     double more_nm = 0;
   };
-  /// Extra width on one side of a piece beside a part of the edge. Elsewhere there is no extra
-  /// width.
+  /// Extra width on one side of a piece, along one part of the boundary beside it. Elsewhere there
+  /// is no extra width.
   struct Room {
-    int32_t side = 0;  ///< twice the index of the piece, plus one for the side above it
+    int32_t side = 0;  ///< 2 * index of the piece; + 1 for the side above the piece (greater v)
     std::vector<Knot> knots;
   };
-  /// Part of the edge that is flat from one of its points to another, with the piece beside it.
+  /// Part of the boundary at a small angle to the lines, with the piece beside it.
   struct FlatStretch {
     std::vector<Vector2> way;  ///< points with increasing u
     size_t first = 0, last = 0;
     int32_t line = 0, piece = 0;
     bool region_above = false;
-    double reach_nm = 0;  ///< reach perpendicular to the lines
+    /// Distance outside of the region that is filled, measured perpendicular to the lines.
+    double reach_nm = 0;
   };
 
   std::optional<FlatStretch> FlatFrom(int32_t from, double reach_nm) const;

@@ -7,7 +7,7 @@
 
 namespace slicefarm::infill {
 
-/// Extent of a region in a frame; empty (min > max) if the region is empty.
+/// Extent of a region along the axes of a frame (LineAxes). If the region is empty, min > max.
 struct FrameBox {
   double min_u = std::numeric_limits<double>::max();
   double max_u = std::numeric_limits<double>::lowest();

@@ -14,13 +14,14 @@ struct EdgePlace {
   int32_t edge = 0;
 };
 
-/// Part of one line of a pattern inside a region. Its ends are on the region's edge, where links
-/// can be attached, or are ends of the pattern's own line.
+/// Part of one line of a pattern inside a region. Each end is on the region's boundary, where links
+/// can be attached, or is an end of the pattern's own line.
 struct Piece {
   Polyline points;  ///< at least two points
   EdgePlace from{};
   EdgePlace to{};
-  /// The last point joins the first, which is not repeated; there are no ends.
+  /// True if the last point is joined to the first, which is not repeated; the piece then has no
+  /// ends.
   bool closed = false;
 };
 

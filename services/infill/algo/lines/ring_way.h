@@ -12,10 +12,10 @@ struct RingWay {
   int32_t from_edge = 0;
   int32_t to_edge = 0;
   bool forward = true;
-  bool around = false;  ///< if both edges are the same: pass the whole ring
+  bool around = false;  ///< only if both edges are the same: true if the path passes the whole ring
 };
 
-/// Calls visit for the corners that the path passes, in order.
+/// Calls visit(point) for the corners of the ring that the path passes, in the path's order.
 template <typename Visit>
 void ForEachCorner(const Polygon& ring, const RingWay& way, Visit visit) {
   const auto size = static_cast<int32_t>(ring.size());

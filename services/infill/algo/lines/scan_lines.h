@@ -20,12 +20,13 @@ struct LineFamily {
 /// Crossing of a scan line and a ring.
 struct Crossing {
   double u = 0;
-  int32_t line = 0;  ///< counted from the first line that meets the region
+  int32_t line = 0;  ///< index of the line, counted from the first line that meets the region
   int32_t ring = 0;
   int32_t edge = 0;      ///< index of the ring's edge: from its point `edge` to the next
   int32_t previous = 0;  ///< previous crossing along the ring
   int32_t next = 0;      ///< next crossing along the ring
-  /// Index in ScanLines::order; place ^ 1 is the other end of the same piece of line.
+  /// Index of this crossing in ScanLines::order. Index `place ^ 1` is the other end of the same
+  /// piece of line.
   int32_t place = 0;
 };
 
@@ -33,28 +34,28 @@ struct Crossing {
 struct ScanLines {
   LineAxes frame{0};
   std::vector<const Polygon*> rings;  ///< rings of the region, which must outlive this
-  double first_v = 0;                 ///< position of line 0
+  double first_v = 0;                 ///< v of line 0
   double pitch = 0;
   std::vector<Crossing> crossings;
   std::vector<int32_t>
-      order;  ///< crossings by line, then u: entries 2k and 2k + 1 are the ends of piece k
+      order;  ///< crossings sorted by line, then u: entries 2k and 2k + 1 are the ends of piece k
   std::vector<int32_t>
       line_begin;  ///< index in `order` of each line's first crossing; one more entry than lines
 
   int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
   double VOf(int32_t line) const { return first_v + pitch * line; }
-  /// Returns the position of a crossing.
+  /// Returns the crossing's position in the plane, rounded to nm.
   Point PlaceOf(const Crossing& crossing) const;
   /// Returns the length of one piece, in nm.
   double PieceLength(int32_t piece) const;
-  /// Returns the length of all pieces, in nm.
+  /// Returns the total length of all pieces, in nm.
   double TotalLength() const;
 };
 
-/// Cuts `region` into pieces of lines. REQUIRES: family.pitch_nm > 0. A line meets an edge by a
-/// half-open rule. Therefore every line meets every ring an even number of times, even if it passes
-/// through vertices.
+/// Cuts the lines of a family into pieces inside `region`. REQUIRES: family.pitch_nm > 0. A line
+/// meets an edge by a half-open rule. Therefore every line meets every ring an even number of
+/// times, even if the line passes through vertices.
 ///
 /// Precision: ends are rounded once to nm, and are within 1 nm of the boundary. Errors:
 /// InvalidArgument with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than

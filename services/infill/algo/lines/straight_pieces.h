@@ -9,8 +9,8 @@
 
 namespace slicefarm::infill {
 
-/// Returns the pieces of families of parallel lines inside a region, family by family. Errors and
-/// cost: as CutLines for each family.
+/// Returns the pieces of families of parallel lines inside a region, family by family. Errors:
+/// REQUEST_TOO_LARGE (see CutLines). Cost: the cost of CutLines for each family.
 absl::StatusOr<std::vector<Piece>> StraightPieces(const MultiPolygon& region,
                                                   std::span<const LineFamily> families);
 

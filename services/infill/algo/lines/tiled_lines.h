@@ -10,14 +10,15 @@
 
 namespace slicefarm::infill {
 
-/// Replaces smooth level lines by straight segments that are as long as `tolerance` allows, in the
-/// lines' own unit. Corners are a third of a chord's rise outside of the line, so that the length
-/// does not change. Both ends of an open line are treated in the same manner, because the line
-/// continues there.
+/// Replaces a smooth level line by straight segments that are as long as `tolerance` allows. The
+/// tolerance has the line's own unit. Corners are moved outwards by a third of the rise of their
+/// chords, so that the length of the line does not change. Both ends of an open line are treated in
+/// the same manner, because the line continues there.
 LevelLine WithLongSegments(const LevelLine& line, double tolerance);
 
-/// Returns the lines of all periods near a region. The frame is around the origin, and a period is
-/// `period_nm` long. Errors: as CheckLineCount.
+/// Returns the lines of all periods near a region. `lines` repeat with the period 1; a period is
+/// `period_nm` long, in a frame around the origin. Errors: REQUEST_TOO_LARGE for more lines than
+/// limits::kMaxLinesPerFill.
 absl::StatusOr<std::vector<Curve>> TiledLines(const MultiPolygon& region,
                                               std::span<const LevelLine> lines,
                                               const LineAxes& frame, double period_nm);

@@ -10,46 +10,49 @@
 
 namespace slicefarm::infill {
 
-/// Number that represents no end.
+/// Index that represents no end.
 inline constexpr int32_t kNoEnd = -1;
 
-/// Ends of pieces in their order along the edge of their region. Ends 2i and 2i + 1 belong to piece
-/// i, so that e ^ 1 is the other end of the same piece. An edge part (`Stretch` in names) is the
-/// part of a ring from one end forwards to the next end. It has the number of the end at which it
-/// begins.
+/// Ends of pieces in their order along the boundary of their region. Ends 2i and 2i + 1 belong to
+/// piece i, so that e ^ 1 is the other end of the same piece. An edge part (`Stretch` in names) is
+/// the part of a ring from one end forwards to the next end. Its index is the index of its first
+/// end.
 class EdgeEnds {
  public:
-  /// Sorts the ends; the whole edge is free. `region` and `pieces` must outlive this object. Cost:
-  /// O(n + k log k).
+  /// Sorts the ends. All edge parts are free. `region` and `pieces` must outlive this object. Cost:
+  /// O(n + k log k), n points of the region, k ends.
   EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces);
 
-  /// Sets the parts of each ring that are not free for beads of `width_nm`.
+  /// Sets which parts of each ring are not free for beads of `width_nm`. `taken`: one list per
+  /// ring.
   void SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm);
 
   int32_t size() const { return static_cast<int32_t>(ends_.size()); }
   int32_t PieceCount() const { return size() / 2; }
   const Piece& PieceAt(int32_t piece) const { return pieces_[static_cast<size_t>(piece)]; }
 
-  /// Returns the ends on the edge, ring by ring.
+  /// Returns the ends on the region's boundary, ring by ring.
   const std::vector<int32_t>& OnEdge() const { return order_; }
   bool IsOnEdge(int32_t end) const { return At(end).place.ring >= 0; }
-  /// Returns the next end along the ring, or the end itself if it is the only one. REQUIRES: on the
-  /// edge.
+  /// Returns the next end along the ring, or the end itself if it is the only one. REQUIRES:
+  /// IsOnEdge(end).
   int32_t Next(int32_t end) const { return At(end).next; }
   int32_t Previous(int32_t end) const { return At(end).previous; }
-  /// Returns the length of an edge part in nm. REQUIRES: on the edge.
+  /// Returns the length of the edge part that begins at `end`, in nm. REQUIRES: IsOnEdge(end).
   double StretchLength(int32_t end) const { return At(end).stretch_nm; }
-  /// Returns the length of a link along an edge part in nm, or infinity if another bead blocks it.
-  /// REQUIRES: on the edge.
+  /// Returns the length of a link along the edge part that begins at `end`, in nm, or infinity if
+  /// another bead blocks it. REQUIRES: IsOnEdge(end).
   double LinkLength(int32_t end) const {
     return At(end).room.links ? At(end).stretch_nm : std::numeric_limits<double>::infinity();
   }
-  /// Returns the free space for beads along an edge part. REQUIRES: on the edge.
+  /// Returns the free space for beads along the edge part that begins at `end`. REQUIRES:
+  /// IsOnEdge(end).
   const StretchRoom& RoomOf(int32_t end) const { return At(end).room; }
 
   /// Returns the position of an end.
   Point PlaceOf(int32_t end) const;
-  /// Returns the points of an edge part, including the positions of its two ends.
+  /// Returns the points of the edge part that begins at `end`, including the positions of its two
+  /// ends.
   Polyline StretchPoints(int32_t end) const;
 
  private:
@@ -59,7 +62,7 @@ class EdgeEnds {
     int32_t previous = kNoEnd;
     double along_nm = 0;  ///< distance along the ring from its first point
     double stretch_nm = 0;
-    StretchRoom room{};  ///< free space along the edge part
+    StretchRoom room{};  ///< free space along the edge part that begins here
   };
 
   const End& At(int32_t end) const { return ends_[static_cast<size_t>(end)]; }
@@ -67,7 +70,7 @@ class EdgeEnds {
 
   std::span<const Piece> pieces_;
   std::vector<const Polygon*> rings_;
-  /// Length of each ring up to each of its points, and of the whole ring.
+  /// Lengths along each ring: from its first point to each of its points, then of the whole ring.
   std::vector<std::vector<double>> corner_at_;
   std::vector<End> ends_;
   std::vector<int32_t> order_;

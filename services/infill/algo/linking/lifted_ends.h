@@ -7,17 +7,18 @@
 
 namespace slicefarm::infill {
 
-/// Pieces after LiftEnds, and the parts of the edge that are not free.
+/// Pieces after LiftEnds, and the parts of the boundary that are not free.
 struct LiftedPieces {
   std::vector<Piece> pieces;
-  std::vector<std::vector<TakenSpan>> taken;  ///< parts of the edge that are not free, per ring
+  /// Parts of the boundary that are not free, one list per ring.
+  std::vector<std::vector<TakenSpan>> taken;
 };
 
-/// Lifts pieces that meet the region's edge at a small angle: the part of a piece beside the edge
-/// is removed. From the point where the piece is a bead's distance from the edge, it runs straight
-/// to the edge. A later link or anchor along the edge therefore does not overlap the piece. At each
-/// end at most 0.4 of a piece is removed; other pieces do not change, and occupy the edge. Cost: as
-/// TakenEdge.
+/// Lifts pieces that meet the region's boundary at a small angle: the part of a piece beside the
+/// boundary is removed. From the point where the piece is a bead's distance from the boundary, the
+/// piece now leads straight to the boundary. A later link or anchor along the boundary therefore
+/// does not overlap the piece. At each end at most 0.4 of a piece is removed. All other pieces do
+/// not change, and the boundary beside them is not free. Cost: the cost of TakenEdge.
 LiftedPieces LiftEnds(const MultiPolygon& region, std::span<const Piece> pieces, Coord width_nm);
 
 }  // namespace slicefarm::infill

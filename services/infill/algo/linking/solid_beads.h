@@ -10,28 +10,29 @@ namespace slicefarm::infill {
 
 /// Beads of solid lines and of the links between them.
 ///
-/// Lines are as wide as their pitch, except where the region's edge runs at a flat angle to them
-/// (FittedStrips). A line ends so near to the edge that it fills its own strip. A link is therefore
-/// thin: it fills only the space that the ends of its two lines leave empty, and follows the edge
-/// of `lines`. No bead leaves the region: a fitted line that would leave it has plain ends, or is
-/// plain along its whole length.
+/// Lines are as wide as their pitch, except beside parts of the region's boundary at a small angle
+/// to the lines (FittedStrips). A line ends so near to the boundary that it fills its own strip up
+/// to there. A link is therefore thin: it fills only the space that the ends of its two lines leave
+/// empty, and follows the boundary of `lines`. No bead leaves the region: a fitted line that would
+/// leave it has plain ends, or is plain along its whole length.
 class SolidBeads {
  public:
   /// Parameters of solid beads.
   struct Options {
-    bool fitted = true;     ///< false: every line is as wide as the pitch
-    double reach_nm = 0;    ///< distance from the region's edge to the edge of `lines`
-    double link_share = 1;  ///< width of a link's strip, in pitches
+    bool fitted = true;  ///< false: every line is as wide as the pitch
+    /// Distance from the region's boundary to the boundary of the inset region that `lines` fill.
+    double reach_nm = 0;
+    double link_share = 1;  ///< width of a link's strip, as a share of the pitch
   };
 
-  /// Prepares the strips. `lines` belong to the region, inset by `reach_nm`. `lines`, and all data
-  /// that it refers to, must outlive this object. Cost: the cost of FittedStrips, and O(edges of
-  /// the region).
+  /// Prepares the strips. `lines` fill the region inset by `reach_nm`. `lines`, and all data that
+  /// it refers to, must outlive this object. Cost: the cost of FittedStrips, and O(edges of the
+  /// region).
   SolidBeads(const PolygonWithHoles& region, const ScanLines& lines,
              const std::vector<SerpentinePath>& paths, const Options& options);
 
   /// Returns the bead of a path from end to end. Where a line meets its link, two consecutive
-  /// points are equal: the width steps there. Cost: O(its points).
+  /// points have the same position: the width steps there. Cost: O(points of the bead).
   std::vector<StripPoint> BeadOf(const SerpentinePath& path) const;
 
  private:

@@ -4,9 +4,9 @@
 
 namespace slicefarm::infill {
 
-/// Loops along the region's edge: the first half a pitch inside, then one per pitch. Each loop
+/// Loops along the region's boundary: the first half a pitch inside, then one per pitch. Each loop
 /// represents a strip of half a pitch on either side. The length per area is therefore 1 / pitch,
-/// except for corners and the middle, where strips meet. The loops follow the region and do not
+/// except at corners and in the middle, where strips meet. The loops follow the region and do not
 /// depend on the origin.
 MakePattern Concentric;
 

@@ -14,8 +14,8 @@ MakePattern Triangles;
 /// Three directions like Triangles, with the third shifted by half a pitch: hexagons with triangles
 /// around them.
 MakePattern Stars;
-/// Section of the planes x, y, z = i d of cubes that stand on a corner: three directions, each of
-/// which shifts sideways by height / sqrt 2.
+/// Section of a stack of cubes that stand on a corner: the planes x, y, z = i d for all integers i.
+/// Lines have three directions; each family shifts sideways by height / sqrt 2.
 MakePattern Cubic;
 
 }  // namespace slicefarm::infill

@@ -5,7 +5,7 @@
 namespace slicefarm::infill {
 
 /// Hexagons of continuous rows. A row steps up and down between flat parts, which it shares with
-/// the neighbour rows; there two beads are side by side, a spacing apart. The hexagon's side s
+/// the neighbour rows: along them two beads are side by side, a spacing apart. The hexagon's side s
 /// follows from the length of a period: 2 s + 2 |slope| = 3 s * (sqrt 3 / 2) s / pitch. For beads
 /// without width this is s = 8 / (3 sqrt 3) pitch.
 MakePattern Honeycomb;

@@ -17,17 +17,18 @@ struct PatternPlace {
   double pitch_nm = 0;  ///< length of lines per area is 1 / pitch, over a period in z
   double angle_rad = 0;
   Coord spacing_nm = 0;  ///< spacing of beads side by side
-  /// Distance from the region's edge to the outermost line, in pitches, for patterns along the
-  /// edge. 0.5 if they have to fill the region; 0 if this line has to hold to the walls.
+  /// Distance from the region's boundary to the outermost line, in pitches, for patterns along the
+  /// boundary. 0.5 if the lines have to fill the region; 0 if the outermost line has to stick to
+  /// the walls.
   double first_line = 0.5;
   std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out
   Coord smoothing_nm = 0;                  ///< smoothing of lines that follow the region; 0: none
 };
 
 /// Function that returns the parts of a pattern inside a region. Every pattern has this form;
-/// registry.h names the patterns. Pieces may overlap only where the pattern's definition requires
-/// it (crossing lines). Errors: REQUEST_TOO_LARGE with `limit` and `got`, for more lines than
-/// limits::kMaxLinesPerFill.
+/// registry.h maps patterns to functions. Pieces may overlap only where the pattern's definition
+/// requires it (crossing lines). Errors: REQUEST_TOO_LARGE with `limit` and `got`, for more lines
+/// than limits::kMaxLinesPerFill.
 using MakePattern = absl::StatusOr<std::vector<Piece>>(const MultiPolygon& region,
                                                        const PatternPlace& place);
 

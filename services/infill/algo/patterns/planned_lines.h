@@ -5,7 +5,8 @@
 namespace slicefarm::infill {
 
 /// Parts inside the region of the lines that planning has laid out for the layer (adaptive and
-/// support cubic, lightning: services/planning/algo/infill). They have no other pitch or angle.
+/// support cubic, lightning: services/planning/algo/infill). Pitch and angle of the PatternPlace
+/// are ignored.
 MakePattern PlannedLines;
 
 }  // namespace slicefarm::infill

@@ -5,8 +5,9 @@
 
 namespace slicefarm::infill {
 
-/// Returns the function of a pattern. This is the only lookup, for sparse fill, solid fill, the
-/// gallery, benchmarks and the tests of all patterns. Each pattern is one file of this folder.
+/// Returns the function of a pattern. This is the only table of patterns; sparse fill, solid fill,
+/// the gallery, benchmarks and the tests of all patterns use it. Each pattern is one file of this
+/// folder.
 MakePattern* PatternOf(FillPattern pattern);
 
 }  // namespace slicefarm::infill

@@ -4,13 +4,13 @@
 
 namespace slicefarm::infill {
 
-/// Spirals around the object's origin with turns a pitch apart.
+/// Spirals around the object's origin. The loops of a spiral are a pitch apart.
 
-/// Spiral r = pitch * turns, in chords.
+/// Spiral r = pitch * number of loops, as straight segments.
 MakePattern Archimedean;
 
-/// Outline of two squares, turned by 45 degrees against each other, that grows with each turn. All
-/// sixteen edges of such a star have the same distance from its middle, so that turns are a pitch
+/// Outline of two squares, rotated by 45 degrees against each other, that grows with each loop. All
+/// sixteen edges of such a star have the same distance from its middle, so that loops are a pitch
 /// apart everywhere.
 MakePattern Octagram;
 

@@ -4,10 +4,11 @@
 
 namespace slicefarm::infill {
 
-/// One path through each connected part of a region, with the first line along its edge
-/// (space_filling/). The path returns to its start, so that an even number of lines crosses each
-/// section. The length per area is therefore only approximately 1 / pitch; it is exact where many
-/// lines are side by side. The path does not depend on the origin's angle or on the layer.
+/// One path through each connected part of a region, with the first line along its boundary
+/// (space_filling/). The path returns to its start, so that any straight cut through the part
+/// crosses an even number of lines. The length per area is therefore only approximately 1 / pitch;
+/// it is exact where many lines are side by side. The path does not depend on the origin's angle or
+/// on the layer.
 
 /// Connected Fermat spirals.
 MakePattern Fermat;

@@ -8,13 +8,13 @@
 namespace slicefarm::infill {
 
 /// Returns the share of a region that is under beads. Each bead has its local width in a layer of
-/// height `height_nm`, with round ends and turns. An area under two beads counts once.
+/// height `height_nm`, with round ends and corners. An area under two beads counts once.
 ///
-/// The share is measured along rows across the region, on which the starts and ends of beads and of
-/// the region are exact. Rows are 1/kRowsPerBead of `spacing_nm` apart, or there are kMostRows over
-/// the whole region. They are oblique to lines along the axes, so that no row follows a bead's
-/// edge. Precision: 0.001 for regions some beads wide. Cost: O(length of beads * rows + k log k), k
-/// crossings of rows and edges.
+/// The share is measured along rows (scan lines) across the region, on which the starts and ends of
+/// beads and of the region are exact. Rows are `spacing_nm` / kRowsPerBead apart, or farther if
+/// there would be more than kMostRows over the region. They are oblique to lines along the axes, so
+/// that no row follows a bead's edge. Precision: 0.001 for regions some beads wide. Cost: O(length
+/// of beads * rows + k log k), k crossings of rows and edges.
 double CoveredShare(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm,
                     Coord spacing_nm);
 /// Number of rows per spacing.

@@ -10,42 +10,46 @@ namespace slicefarm::infill {
 
 /// Quality figures of the paths that fill a region.
 struct FillQuality {
-  double got = 0;      ///< plastic / plastic of a full region; to be compared with the density
+  /// Plastic / plastic of a completely filled region; to be compared with the requested density.
+  double got = 0;
   double covered = 0;  ///< share of the region under beads (bead_cover.h)
   int64_t paths = 0;
   double length_mm = 0;
   double longest_mm = 0;
-  double travel_mm = 0;  ///< travel between paths, always to the nearest remaining end
-  /// Evenness of the directions, [0, 1]: the least divided by the greatest eigenvalue of the mean
-  /// of d d^T, d the direction. 1: the same length in all directions; 0: all lines are parallel.
+  /// Length of the travels between paths, each to the nearest end of the remaining paths.
+  double travel_mm = 0;
+  /// Evenness of the directions, [0, 1]: the smallest eigenvalue of the mean of d d^T, divided by
+  /// the largest; d is the direction. 1: the same length in all directions; 0: all lines are
+  /// parallel.
   double isotropy = 0;
-  /// Locality of the longest path: the greatest |p_i - p_j|^2 / |i - j| of points one spacing apart
-  /// along it, in spacings. Hilbert's curve is below 6, Peano's below 8. A path of more than
-  /// kMostLocalityPlaces points is sampled with this number of points. 0: no path.
+  /// Locality of the longest path: the greatest |p_i - p_j|^2 / |i - j|, in spacings. The points
+  /// p_i are one spacing apart along the path. Hilbert's curve is below 6, Peano's below 8. A path
+  /// of more than kMostLocalityPlaces points is sampled with this number of points. 0: no path.
   double locality = 0;
 };
 /// Largest number of points for the locality of a path.
 inline constexpr int kMostLocalityPlaces = 2'000;
 
-/// Returns the quality figures of paths. `spacing_nm`: spacing of beads side by side, which is the
-/// unit of locality. Cost: the cost of CoveredShare, O(paths^2) for travel, O(places^2) for
-/// locality.
+/// Returns the quality figures of paths in a layer of height `height_nm`. `spacing_nm`: spacing of
+/// beads side by side, which is the unit of locality. Cost: the cost of CoveredShare, O(paths^2)
+/// for travel, O(points^2) of the sampled path for locality.
 FillQuality QualityOf(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm,
                       Coord spacing_nm);
 
-/// Bounds of a property of the whole, from the property of the material and the density.
+/// Bounds of a material property of the infill as a whole.
 struct PropertyBounds {
   double least = 0;
   double most = 0;
 };
 
-/// Returns bounds of Young's modulus, as a share of the material's. Upper bound: walls under
-/// tension (Voigt), rho. Lower bound: walls that bend in an open cell (L. J. Gibson, M. F. Ashby,
-/// "Cellular solids"), rho^2.
+/// Returns bounds of Young's modulus of infill with the density rho, as a share of the material's
+/// modulus. Upper bound: walls under tension (Voigt), rho. Lower bound: walls that bend in an open
+/// cell (L. J. Gibson, M. F. Ashby, "Cellular solids"), rho^2.
 PropertyBounds StiffnessBounds(double density);
 
-/// Returns bounds of the conductivity of a material in air, in their unit. Upper bound: side by
-/// side; lower bound: one behind the other. REQUIRES: both conductivities are above 0.
+/// Returns bounds of the conductivity of infill: of a material with conductivity `material` in air
+/// with conductivity `air`, in their unit. Upper bound: material and air side by side; lower bound:
+/// one behind the other. REQUIRES: both conductivities are above 0.
 PropertyBounds ConductivityBounds(double density, double material, double air);
 
 }  // namespace slicefarm::infill

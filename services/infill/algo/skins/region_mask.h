@@ -7,21 +7,21 @@
 
 namespace slicefarm::infill {
 
-/// Coarse raster of a region: the squares of a grid that the region touches. It shows at low cost
-/// that an outline does not meet the region.
+/// Coarse raster of a region: the squares of a grid that the region touches. The raster proves at
+/// low cost that an outline does not meet the region.
 class RegionMask {
  public:
-  /// Builds the raster. Cost: O(n + squares along the boundary + squares / 64).
+  /// Builds the raster. Cost: O(n + squares along the boundary + squares / 64), n points.
   explicit RegionMask(const MultiPolygon& region);
 
-  /// Returns false only if no edge of `outlines` meets the region: each island is then either
-  /// covered by `outlines` or outside of them. Cost: O(n + squares along the edges near the
-  /// region).
+  /// Returns false only if no edge of `outlines` meets the region: each island of the region is
+  /// then either covered by `outlines` or outside of them. Cost: O(n + squares along the edges near
+  /// the region), n points of `outlines`.
   bool MayMeet(const MultiPolygon& outlines) const;
 
  private:
   /// Calls visit(row, first column, last column) for the squares that an edge passes, row by row,
-  /// until it returns true. Returns true if a call did so.
+  /// until a call returns true. Returns true if a call did so.
   template <typename Visit>
   bool ForEachSpan(Point a, Point b, Visit visit) const;
 
@@ -35,7 +35,7 @@ class RegionMask {
   double squares_per_nm_ = 0;
   int32_t rows_ = 0;
   int32_t columns_ = 0;
-  int32_t words_ = 0;  ///< number of words in a row
+  int32_t words_ = 0;  ///< number of words of bits in a row of squares
   std::vector<uint64_t> bits_;
 };
 

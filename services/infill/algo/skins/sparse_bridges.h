@@ -7,31 +7,34 @@
 
 namespace slicefarm::infill {
 
-/// Sparse infill of the layer below a fill area, as far as outlines define it.
+/// Sparse infill of the layer below a fill area, as far as the outlines of layers determine it.
 struct SparseBelow {
-  MultiPolygon region;  ///< area of the sparse infill within the fill area
-  MultiPolygon beads;   ///< area of its beads; empty: the lines' positions are unknown
-  double pitch_nm = 0;  ///< pitch of its lines
+  MultiPolygon region;  ///< part of the fill area that has sparse infill below it
+  MultiPolygon beads;   ///< area of the infill's beads; empty: the lines' positions are unknown
+  double pitch_nm = 0;  ///< pitch of the infill's lines
 };
 
 /// Bridges over sparse infill.
 struct SparseBridges {
   MultiPolygon regions;
-  MultiPolygon bearers;  ///< supports of their lines: the beads below, and the solid areas there
+  /// Supports of the bridges' lines: the beads below, and the solid areas around.
+  MultiPolygon bearers;
 };
 
-/// Returns the centres of all bridges over cells of this pitch that fit into a solid part. Most
-/// parts have none. Cost: one offset.
+/// Returns the points of `solid` around which it is wide enough for a bridge over infill of this
+/// pitch, with beads of `width_nm`. Most solid parts have none. Cost: one offset.
 MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
 
-/// Returns the parts of the skins over sparse infill that are wide enough to need bridges,
-/// independently of the lines below. Cost: one boolean operation, and a few more per part found.
+/// Returns the parts of `skins.solid` over sparse infill that need bridges: they are wider than the
+/// pitch plus one bead. The positions of the lines below do not matter. Cost: one boolean
+/// operation, and a few more per part found.
 MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins);
 
-/// Takes `bridged` (the result of UnheldParts) from the skins. A cell that it touches is bridged as
-/// a whole, up to one pitch away and onto the beads around it, so that lines end on beads. This
-/// area is taken from the sparse part of the skins. Invariant: the skins and the bridges together
-/// cover the area that the skins covered before. Cost: a few boolean operations.
+/// Removes `bridged` (the result of UnheldParts) from the skins and returns it as bridges. If the
+/// beads below are known, `bridged` first grows by at most one pitch: to whole cells between beads,
+/// and onto the beads around them, so that lines end on beads. The added area is removed from the
+/// solid and the sparse part of the skins. Invariant: the skins and the bridges together cover the
+/// area that the skins covered before. Cost: a few boolean operations.
 SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm,
                                 Skins& skins);
 

@@ -34,10 +34,10 @@ struct CellCover {
 
 /// Returns the cells of a grid through the origin of coordinates that are completely in a region.
 ///
-/// Cells are counted from a corner far to the lower left. For each k the origin is well inside of a
-/// square of `base`^k cells (`base` is 2 or 3). A small region near the origin is therefore in a
-/// small square. REQUIRES: cell_nm > 0; the region is within 10^8 cells of the origin. Cost: O(n +
-/// cells).
+/// Cells are counted from a corner far to the lower left. The corner is chosen so that, for each k,
+/// the origin is well inside of a square of `base`^k cells (`base` is 2 or 3). A small region near
+/// the origin is therefore in a small square. REQUIRES: cell_nm > 0; the region is within 10^8
+/// cells of the origin. Cost: O(n + cells), n points of the region.
 CellCover CoverOf(const MultiPolygon& region, Coord cell_nm, uint32_t base);
 
 /// Divides the cells into the largest squares that a repeated division of the grid by `base` per
@@ -45,9 +45,9 @@ CellCover CoverOf(const MultiPolygon& region, Coord cell_nm, uint32_t base);
 /// smallest first, then row by row. Cost: O(cells).
 std::vector<CellBlock> LargestBlocks(const CellCover& cover, uint32_t base);
 
-/// Returns the edge of all cells as rings with the cells to their left: outer rings are
-/// counter-clockwise. Where two cells touch only in a corner, the rings do not cross. Cost:
-/// O(cells).
+/// Returns the boundary of all cells that are inside, as rings with these cells to their left:
+/// outer rings are counter-clockwise. Where two cells touch only in a corner, the rings do not
+/// cross. Cost: O(cells).
 std::vector<Polygon> OutlineOf(const CellCover& cover);
 
 }  // namespace slicefarm::infill

@@ -10,19 +10,20 @@ namespace slicefarm::infill {
 /// Parameters of FermatFill.
 struct FermatOptions {
   Coord spacing_nm = 450'000;  ///< spacing of neighbouring lines
-  double first_line = 0.5;     ///< distance of the outermost line from the edge, in spacings
+  double first_line = 0.5;     ///< distance of the outermost line from the boundary, in spacings
 };
 
-/// Fills a region with connected Fermat spirals. Lines of constant depth below the edge are joined
-/// to spirals that lead inwards and outwards again. The spirals are joined to one path for each
-/// part of the region that is connected at the depth of the first line. The path starts and ends at
-/// the edge, a spacing apart.
+/// Fills a region with connected Fermat spirals. Lines at constant distances from the boundary are
+/// joined into spirals that lead inwards and outwards again. The spirals are joined into one path
+/// for each part of the region that is connected at the depth of the first line. The path starts
+/// and ends at the boundary; its ends are a spacing apart.
 ///
 /// Parts less than two lines wide get two lines with a smaller distance. Length times spacing is
 /// the region's area if the first line is half a spacing inside: see RingsFrom.
 ///
-/// Errors: the errors of CheckRingSpacing. Source: the idea is from Zhao et al., "Connected Fermat
-/// Spirals for Layered Fabrication", SIGGRAPH 2016; the method of joining is LinkRings.
+/// Errors: SETTING_OUT_OF_RANGE and REQUEST_TOO_LARGE, see CheckRingSpacing. Source: the idea is
+/// from Zhao et al., "Connected Fermat Spirals for Layered Fabrication", SIGGRAPH 2016; the method
+/// of joining is LinkRings.
 absl::StatusOr<std::vector<Polyline>> FermatFill(const PolygonWithHoles& region,
                                                  const FermatOptions& options);
 

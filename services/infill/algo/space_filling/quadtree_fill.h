@@ -10,19 +10,20 @@ namespace slicefarm::infill {
 /// Parameters of HilbertFill and PeanoFill.
 struct QuadtreeOptions {
   Coord spacing_nm = 450'000;  ///< spacing of neighbouring lines
-  double first_line = 0.5;     ///< distance of the outermost line from the edge, in spacings
+  double first_line = 0.5;     ///< distance of the outermost line from the boundary, in spacings
 };
 
-/// Fills a region with Hilbert curves. One curve runs around each leaf of a quadtree of the cells
-/// that are at least a line inside (Moore's closed form, four Hilbert curves in a ring). The cells
-/// are on a grid of two spacings per side through the origin of coordinates, so that copies and
-/// layers agree. The band along the edge is filled by lines of constant depth below the edge and
-/// around the cells. LinkRings joins all of them, leaves in the order of the curve, to one path for
-/// each part of the region that is connected half a spacing inside.
+/// Fills a region with Hilbert curves. The cells that are at least one line's distance inside the
+/// region form a quadtree. Each leaf of the tree is filled by a ring of four Hilbert curves
+/// (Moore's closed form). The cells have a side of two spacings, on a grid through the origin of
+/// coordinates, so that copies and layers agree. The band between the cells and the boundary is
+/// filled by lines at constant distances from both. LinkRings joins all curves and lines, leaves in
+/// the order of the curve, into one path for each part of the region that is connected half a
+/// spacing inside.
 ///
 /// Length times spacing is the region's area: exactly in the cells, see RingsFrom for the band.
 ///
-/// Errors: as FermatFill.
+/// Errors: SETTING_OUT_OF_RANGE and REQUEST_TOO_LARGE, see CheckRingSpacing.
 absl::StatusOr<std::vector<Polyline>> HilbertFill(const PolygonWithHoles& region,
                                                   const QuadtreeOptions& options);
 

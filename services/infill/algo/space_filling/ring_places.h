@@ -12,8 +12,8 @@
 
 namespace slicefarm::infill {
 
-/// Rings with positions on them, by arc length from their first point, and a search for positions
-/// near a point.
+/// Rings with positions on them, and a search for positions near a point. A position (`place` in
+/// names) is the arc length from the ring's first point, in nm.
 class RingPlaces {
  public:
   /// Position on a ring, with its distance from a given point.
@@ -33,7 +33,8 @@ class RingPlaces {
     int32_t index = 0;
   };
 
-  /// Indexes the rings, which must outlive this object. REQUIRES: each has at least three points.
+  /// Indexes the rings, which must outlive this object. `cell_nm`: side of the cells of the search
+  /// grid. REQUIRES: each ring has at least three points.
   RingPlaces(std::vector<const Polygon*> rings, double cell_nm);
 
   const Box& Extent() const { return extent_; }
@@ -45,11 +46,11 @@ class RingPlaces {
   /// Returns the point at a position of a ring.
   Point At(int32_t ring, double place) const;
 
-  /// Returns the nearest position of a ring, if it is within reach.
+  /// Returns the position on a ring that is nearest to p, if its distance is at most `reach`.
   std::optional<Near> Nearest(Point p, int32_t ring, double reach) const;
 
-  /// Finds the rings within reach for which wanted(ring) is true, with their distances, in any
-  /// order.
+  /// Finds the rings within `reach` of p for which wanted(ring) is true, with their distances, in
+  /// any order.
   template <typename Wanted>
   void NearRings(Point p, double reach, const Wanted& wanted, std::vector<NearRing>& found) const {
     found.clear();
@@ -68,17 +69,17 @@ class RingPlaces {
     for (NearRing& near : found) near.distance = std::sqrt(near.distance);
   }
 
-  /// Calls visit(edge) for edges near the segment ab, and for some others.
+  /// Calls visit(edge) for all edges near the segment ab, and also for some that are farther away.
   template <typename Visit>
   void ForEachEdgeNear(Point a, Point b, Visit visit) const {
     grid_.ForEachNear(a, b, 1, [&](int32_t segment) { visit(EdgeOf(segment)); });
   }
 
-  /// Returns the position on its ring of the point of an edge that is nearest to p.
+  /// Returns the ring position of the point on `edge` that is nearest to p.
   double PlaceOn(const Edge& edge, Point p) const;
 
-  /// Calls visit(point) for the ring's points strictly between two positions, forward from the
-  /// first.
+  /// Calls visit(point) for the ring's points strictly between the positions `from` and `from` +
+  /// `length`, forwards.
   template <typename Visit>
   void ForEachCornerBetween(int32_t ring, double from, double length, Visit visit) const {
     const double* const along = Along(ring);
@@ -98,7 +99,7 @@ class RingPlaces {
     double per_squared_length = 0;
     int32_t ring = 0;
 
-    /// Returns the position along the segment of its point nearest to p, from 0 to 1.
+    /// Returns the fraction of the segment, in [0, 1], at which its point nearest to p is.
     double Part(Point p) const {
       return std::clamp(Dot(p - from, way) * per_squared_length, 0.0, 1.0);
     }
@@ -115,9 +116,11 @@ class RingPlaces {
   Edge EdgeOf(int32_t segment) const;
 
   std::vector<const Polygon*> rings_;
-  std::vector<int32_t> first_;  ///< segment of each ring's first edge; one more entry than rings
+  /// Index in `segments_` of each ring's first edge; one more entry than rings.
+  std::vector<int32_t> first_;
   std::vector<Segment> segments_;
-  std::vector<double> along_;  ///< arc length at each point, and each ring's length after it
+  /// For each ring: the arc length at each of its points, then its whole length.
+  std::vector<double> along_;
   Box extent_;
   SegmentGrid grid_;
 };

@@ -9,8 +9,8 @@
 
 namespace slicefarm::infill {
 
-/// Segments in the square cells that they pass, to find segments near a point. Cells are `cell_nm`
-/// wide, or wider if the box would have more than four million cells.
+/// Index of segments by the square cells that they pass, to find segments near a point. Cells are
+/// `cell_nm` wide, or wider if the box would have more than four million cells.
 class SegmentGrid {
  public:
   /// Creates an empty grid. REQUIRES: cell_nm > 0; all segments are in `box`, which is not empty.
@@ -25,7 +25,7 @@ class SegmentGrid {
     first_.assign(static_cast<size_t>(columns_) * rows_, -1);
   }
 
-  /// Adds the segment ab with a number.
+  /// Adds the segment ab; `segment` is its number for ForEachNear.
   void Add(Point a, Point b, int32_t segment) {
     if (a.y > b.y) std::swap(a, b);
     const int32_t top = Row(static_cast<double>(b.y));
@@ -50,8 +50,8 @@ class SegmentGrid {
     }
   }
 
-  /// Calls visit(segment) for all segments that pass within `reach` of the box of a and b, for some
-  /// of them several times, and also for some other segments.
+  /// Calls visit(segment) for all segments that pass within `reach` of the box of a and b. Some
+  /// segments are visited several times, and some others are visited too.
   template <typename Visit>
   void ForEachNear(Point a, Point b, double reach, Visit visit) const {
     const auto [left, right] = std::minmax(a.x, b.x);

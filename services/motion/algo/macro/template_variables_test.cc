@@ -25,7 +25,7 @@ TEST(JobVariables, OptionsThenSettingsThenDefaults) {
   const TemplateVariables variables =
       JobVariables(options, "temperature = 999\nperimeters = 3\nbed_shape = 0x0,9x0,9x8\n");
   EXPECT_EQ(Filled("{temperature[0]} {first_layer_temperature[0]} {filament_type[0]} {perimeters} "
-                   "{print_bed_max[1]} {initial_filament_type} {spiral_vase}",
+                   "{print_bed_max[1]} {initial_filament_type} {wipe_tower}",
                    variables),
             "200 215 PETG 3 8 PETG false");
 }
