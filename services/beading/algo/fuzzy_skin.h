@@ -11,7 +11,7 @@ struct BeadingOptions;
 
 namespace slicefarm::beading {
 
-/// Position of a section in the job; the seed of its skin's random numbers.
+/// Object and layer of a section in the job; the seed of its skin's random numbers.
 struct SkinSeed {
   int32_t object = 0;
   int32_t layer = 0;
@@ -20,9 +20,9 @@ struct SkinSeed {
 /// Roughens the outermost walls selected by fuzzy_skin. Points are added at random distances of
 /// 0.75 to 1.25 times fuzzy_skin_point_dist. Each point is moved at right angles to the wall, by up
 /// to fuzzy_skin_thickness in either direction. The same walls and seed give the same skin. Cost:
-/// O(points + length / distance).
+/// O(points + length / fuzzy_skin_point_dist).
 ///
-/// Source: measured, PrusaSlicer 2.5 and 2.9; their skin differs from run to run.
+/// Source: measured, PrusaSlicer 2.5 and 2.9; their skin differs each time.
 void Roughen(const BeadingOptions& options, SkinSeed seed, std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

@@ -12,9 +12,9 @@ namespace slicefarm::beading {
 /// kBeadingHaloLayers layers above and below. Walls of kClassic depend on their own layer only.
 /// Stateless.
 ///
-/// Errors: Cancelled, polled once per section and gap. InvalidArgument with SETTING_OUT_OF_RANGE
-/// for widths not above their layer's height times 1 - pi/4 (no spacing is left). REQUEST_MALFORMED
-/// for a region with settings in no table, or with a tool other than 0.
+/// Errors: Cancelled (checked once per section and gap). InvalidArgument with SETTING_OUT_OF_RANGE
+/// for a wall width of at most (1 - pi/4) times the layer's height: the spacing would not be
+/// positive. REQUEST_MALFORMED for a region with settings in no table, or with a tool other than 0.
 std::unique_ptr<BeadingStage> MakeLocalBeading();
 
 }  // namespace slicefarm::beading

@@ -13,25 +13,26 @@ struct BeadingOptions;
 
 namespace slicefarm::beading {
 
-/// Section and the layers of its object around it.
+/// Section of a stack, and the outlines of the layers around it.
 struct SectionPlace {
   const ObjectSection& section;
   bool on_bed = false;                  ///< true: beads have the first layer's widths
-  const NeighbourOutlines& neighbours;  ///< outlines of its object
-  size_t index = 0;                     ///< index of its own layer in `neighbours`
+  const NeighbourOutlines& neighbours;  ///< outlines of the section's stack
+  size_t index = 0;                     ///< index of the section's layer in `neighbours`
 };
 
 /// Result of WallSection.
 struct SectionResult {
   WalledSection walled;
-  int32_t plain_islands = 0;  ///< number of islands with constant-width walls as a fallback
+  /// Number of islands for which constant-width walls replaced impossible variable ones.
+  int32_t plain_islands = 0;
 };
 
 /// Makes the walls of one section. Regions with the same role, tool and wall class share their
 /// walls, so walls continue where only the infill's settings change. The area left for the infill
 /// is then divided by region.
 ///
-/// `regions`: options by row of the job's tables. Errors: see local_beading_stage.h.
+/// `regions`: options, indexed by row of the job's tables. Errors: see local_beading_stage.h.
 absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
                                           std::span<const BeadingOptions> regions,
                                           const CancelToken& cancel);

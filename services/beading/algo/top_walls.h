@@ -11,20 +11,22 @@ namespace slicefarm::beading {
 
 /// Areas inside of an island's outermost wall.
 struct TopParts {
-  MultiPolygon top;      ///< visible from above: for the top infill, without inner walls
-  MultiPolygon covered;  ///< the rest, with inner walls around it
+  MultiPolygon top;  ///< part visible from above: it gets top infill, and no inner walls
+  MultiPolygon covered;  ///< other part, with inner walls around it
 };
 
-/// Divides `inside` by the coverage of the layer above. Areas over air stay covered, because their
-/// inner walls support them. The wall beside a top surface is under the outermost wall of the layer
-/// above, which hides it. Top surfaces narrower than half an inner wall stay covered. `below` may
-/// be null: the bed.
+/// Divides `inside` into the parts that `above`, the outlines of the layer above, covers or leaves
+/// visible. Areas over air count as covered, because inner walls have to support their infill. The
+/// wall beside a top surface is under the outermost wall of the layer above, which hides it. Top
+/// surfaces narrower than half an inner wall also count as covered. `below`: outlines of the layer
+/// below; null: the bed.
 ///
-/// Cost: O(n log n); only one difference if nothing is visible from above.
+/// Cost: O(n log n), n points; only one difference if nothing is visible from above.
 TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const MultiPolygon* below,
                    const WallPlan& plan);
 
-/// Changes walls made inside an outermost wall into inner walls of this wall.
+/// Increases the inset of each wall by one and makes it an inner wall, for walls that were made
+/// inside an outermost wall.
 void MakeInner(std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

@@ -7,10 +7,10 @@
 
 namespace slicefarm::beading {
 
-/// Stores in each closed wall of inset 0 the ring of `outline` that it follows: the nearest one to
-/// the wall's first point. A wall that is farther from all rings than its own width follows none;
-/// such walls are along the border of two regions. Rings are numbered by island, outer ring before
-/// holes. Cost: O(walls * points of the rings with a near box).
+/// Stores in each closed wall of inset 0 the index of the ring of `outline` that it follows: the
+/// ring nearest to the wall's first point. A wall that is farther from all rings than its own width
+/// gets no ring; such walls are along the boundary between two regions. Rings are numbered by
+/// island, outer ring before holes. Cost: O(walls * points of the rings with a near box).
 void NameRings(const MultiPolygon& outline, std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

@@ -19,22 +19,22 @@ struct BeadLine {
   int inset = 0;  ///< 0 for the outermost bead
   bool closed = false;
   bool is_middle = false;  ///< true for a bead along the axis
-  bool is_marker = false;  ///< true for a marker of width 0: the border of the infill's area
+  bool is_marker = false;  ///< true for a marker of width 0: the boundary of the infill's area
   std::vector<BeadPoint> points;
 };
 
 /// Options for TraceBeads.
 struct TracingOptions {
-  /// Smallest width of a middle bead; it is cut off where it becomes narrower.
+  /// Smallest width of a middle bead. A middle bead is cut off where it becomes narrower.
   double min_middle_width_nm = 100'000;
 };
 
 /// Returns the lines of all beads, in the order of rings and half-edges.
 ///
-/// Beads beside the medial axis are closed lines around its rings. Each line follows the boundary
-/// at its distance. Where there is too little space for it, it crosses the axis and returns on the
-/// other side. Beads along the axis are open lines or rings. Cost: O(n) plus the number of
-/// resulting points.
+/// Beads beside the medial axis are closed lines inside the rings of the outline. Each line keeps
+/// its distance from the boundary. Where the region is too narrow for this distance, the line
+/// crosses the axis and returns on the other side. Beads along the axis are open lines or rings.
+/// Cost: O(n) plus the number of resulting points, n edges.
 ///
 /// Source: Kuipers et al. 2020, section 3.5; here lines follow the rings, so they always close.
 std::vector<BeadLine> TraceBeads(const SkeletalGraph& graph, const std::vector<char>& central,

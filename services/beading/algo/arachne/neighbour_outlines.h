@@ -9,24 +9,25 @@
 
 namespace slicefarm::beading {
 
-/// Outlines of an object's layers around one of them. Adjacent layers use them to agree on
-/// borderline decisions. An index is made at its first use and kept for the next layer.
+/// Outlines of an object in consecutive layers. Adjacent layers use them to agree on borderline
+/// decisions. The index of an outline is built at its first use and kept for the next layers.
 class NeighbourOutlines {
  public:
   /// `layers` are consecutive; each outline must outlive this object.
   explicit NeighbourOutlines(std::vector<const MultiPolygon*> layers)
       : layers_(std::move(layers)), indexes_(layers_.size()) {}
 
-  /// Returns the outline of the layer `by` layers above layers[i], or below if negative. Returns
-  /// nullptr if this layer is not available.
+  /// Returns the outline of the layer that is `by` layers above layers[i] (below if negative).
+  /// Returns nullptr if this layer is not available.
   const MultiPolygon* At(size_t i, int by) const {
     const size_t at = i + static_cast<size_t>(by);  // a negative sum wraps to a huge index
     return at < layers_.size() ? layers_[at] : nullptr;
   }
 
-  /// Returns the mean distance of a position from the outlines of layers[i] and of the layers up to
-  /// `reach` away from it. `radius_nm` is the distance in layers[i]. Layers in which the distance
-  /// differs from it by more than `band_nm` have another shape there and are ignored.
+  /// Returns the mean distance of the position (x, y) from the outlines of layers[i] and of the
+  /// layers up to `reach` layers away. `radius_nm`: the distance in layers[i]. Layers are ignored
+  /// if their distance differs from `radius_nm` by more than `band_nm`: they have another shape at
+  /// this position.
   double MeanRadius(size_t i, size_t reach, double x, double y, double radius_nm,
                     double band_nm) const;
 

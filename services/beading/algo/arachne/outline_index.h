@@ -10,11 +10,11 @@ namespace slicefarm::beading {
 /// Index of outlines for distance queries.
 class OutlineIndex {
  public:
-  /// Cost: O(n), n edges.
+  /// Builds the index. Cost: O(n), n edges.
   explicit OutlineIndex(const MultiPolygon& outlines);
 
-  /// Returns how far the nearest outline is, in nm; infinity if there is none within `limit_nm`. Cost: that of
-  /// the edges in a square of the limit around the place.
+  /// Returns the distance in nm from the point (x, y) to the nearest outline; infinity if there is
+  /// none within `limit_nm`. Cost: O(edges in the square of side 2 `limit_nm` around the point).
   double DistanceFrom(double x, double y, double limit_nm) const;
 
  private:

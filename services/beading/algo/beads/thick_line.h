@@ -9,14 +9,15 @@ namespace slicefarm::beading {
 /// Line along the middle of a narrow region, with the region's width at each point. INVARIANT: the
 /// numbers of thicknesses and points are equal and at least two.
 struct ThickLine {
-  bool closed = false;  ///< the last point is connected to the first one, which is not repeated
+  /// True if the last point is connected to the first one, which is not repeated.
+  bool closed = false;
   std::vector<Point> points;
   std::vector<Coord> thickness_nm;
 
   friend bool operator==(const ThickLine&, const ThickLine&) = default;
 };
 
-/// Returns the length in nm, with the closing edge.
+/// Returns the length in nm, including the closing edge of a closed line.
 double Length(const ThickLine& line);
 
 /// Returns the area in nm^2 of the trapezoids along the line.
@@ -32,8 +33,8 @@ void ExtendEnd(ThickLine& line, double length_nm);
 /// Reverses the direction of the line.
 void Reverse(ThickLine& line);
 
-/// Removes points that a straight line with linearly changing thickness passes within the
-/// tolerance, in position and in thickness. Cost: usually O(n log n).
+/// Removes points at which a straight line with linearly changing thickness deviates by at most the
+/// tolerance, in position and in thickness. Cost: usually O(n log n), n points.
 ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm);
 
 }  // namespace slicefarm::beading

@@ -16,11 +16,12 @@ struct WallPlan {
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
   bool gap_fill = false;  ///< true to search for gaps between walls
-  /// If true, places too thin for two of the outermost walls get one bead. If false, they get a
-  /// loop that overlaps itself, as in PrusaSlicer, if one wall fits. Otherwise they would not be
-  /// printed at all.
+  /// If true, parts too thin for two outermost walls get one bead. If false, they get a loop that
+  /// overlaps itself, as in PrusaSlicer, if one wall fits. Otherwise they would not be printed at
+  /// all.
   bool thin_walls = false;
-  /// Smallest length of beads for thin walls beside a wall; shorter ones are omitted.
+  /// Smallest length of a bead for a thin part, if the island also has walls; shorter beads are
+  /// omitted.
   Coord least_tip_nm = 0;
 
   /// Returns the plan of walls with these widths.
@@ -32,35 +33,37 @@ struct WallPlan {
 struct Gap {
   PolygonWithHoles region;
   bool along_outline =
-      false;  ///< true if it borders on the island's outline: its bead stays inside
+      /// True if the gap borders on the island's outline: its bead then stays inside the outline.
+      false;
 };
 
 /// Result of MakeConstantWalls.
 struct IslandWalls {
   std::vector<MultiPolygon> centre_lines;  ///< rings of walls per inset, outermost first
   std::vector<Gap> gaps;
-  MultiPolygon fill_area;  ///< area that the infill's rectangles may cover
+  MultiPolygon fill_area;  ///< area that the rectangles of infill beads may cover
 };
 
-/// Insets an island wall by wall. A wall is laid only where two opposite ones fit side by side. For
-/// the outermost walls this applies only if WallPlan::thin_walls is set. Uncovered areas between
-/// walls, or beside the outline, are returned as gaps. The rest inside the last wall is the fill
-/// area.
+/// Insets an island wall by wall. A wall is laid only where two opposite walls fit side by side.
+/// For the outermost walls this applies only if WallPlan::thin_walls is set. Uncovered areas
+/// between walls, or beside the outline, are returned as gaps. The remaining area inside the last
+/// wall is the fill area.
 ///
 /// Invariant: rectangles of the walls, gaps and fill area tile the island. Exceptions are corners
 /// (miters), loops that overlap themselves, and the stripe of (width - spacing) / 2 along the
-/// outline. Cost: without gaps O(n) per wall; otherwise a few polygon sweeps per wall.
+/// outline. Cost: without gaps O(n) per wall, n points; otherwise a few polygon sweeps per wall.
 IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& plan);
 
-/// Parts of a connected area that are narrower than some width.
+/// Parts of a connected area that are narrower than a given width.
 struct NarrowParts {
   MultiPolygon parts;
   bool are_all = false;  ///< true if the whole area is narrow
 };
 
-/// Returns the narrow parts of `area`. Invariant: the parts and the area that discs of `width_nm`
-/// reach within `area` tile it, except for 5 um along their common edges. Cost: O(n) if it is wide
-/// everywhere; otherwise a few polygon sweeps.
+/// Returns the parts of `area` that are narrower than `width_nm`. Invariant: these parts, and the
+/// area that discs of diameter `width_nm` reach within `area`, tile `area`, except for 5 um along
+/// their common edges. Cost: O(n), n points, if `area` is wide everywhere; otherwise a few polygon
+/// sweeps.
 NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm);
 
 }  // namespace slicefarm::beading

@@ -16,12 +16,12 @@ struct GapFillOptions {
   Coord layer_height_nm = 200'000;
 };
 
-/// Smallest area of a bead in a gap that nothing else fills. A smaller bead, a dot 0.16 mm wide,
+/// Smallest area of a bead in a gap that infill does not fill. A smaller bead, a dot 0.16 mm wide,
 /// fills nothing visible.
 inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
-/// Smallest area of a bead in a gap that the infill reaches too: 0.4 mm3 in a layer of 0.2 mm, or
-/// 4.9 mm of a bead 0.45 mm wide. docs/algorithms/walls.md describes the smaller gaps,
-/// docs/figures/beading.md their effect.
+/// Smallest area of a bead in a gap that infill also reaches: 0.4 mm3 in a layer of 0.2 mm, or 4.9
+/// mm of a bead 0.45 mm wide. services/beading/README.md describes the smaller gaps and their
+/// total.
 inline constexpr double kLeastNeckNm2 = 2 * kNmPerMm * kNmPerMm;
 
 /// Returns beads of variable width along the middle of each gap (see MedialAxis). Between walls,
@@ -34,10 +34,10 @@ absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
                                            const GapFillOptions& options,
                                            const CancelToken& cancel);
 
-/// Fills the parts of a fill area that are narrower than `max_width_nm` and removes them from it.
-/// These are necks between wider parts, ends, and areas that are narrow everywhere. A neck or an
-/// end stays with the infill unless its bead covers kLeastNeckNm2, because the infill's own lines
-/// continue into it.
+/// Fills the parts of a fill area that are narrower than `max_width_nm` and removes them from the
+/// area. These are necks between wider parts, ends, and areas that are narrow everywhere. A neck or
+/// an end is left to the infill unless its bead covers kLeastNeckNm2, because the infill's own
+/// lines continue into it.
 absl::StatusOr<std::vector<Path>> FillNarrowParts(const GapFillOptions& options,
                                                   const CancelToken& cancel,
                                                   MultiPolygon& fill_area);

@@ -15,13 +15,13 @@ struct MedialAxisOptions {
 
 /// Returns the middle lines of a narrow region: the part of its medial axis along which two sides
 /// face each other. Branches into blunt corners are left out, because the width changes there
-/// faster than a bead can. Ends are extended towards the tips. If three lines meet, the straightest
-/// two form one line, and the third one stops at its side.
+/// faster than a bead can. Ends are extended towards the region's tips. If three lines meet, the
+/// straightest pair forms one line, and the third line stops at its side.
 ///
 /// Every circle around a point of a line, with its thickness as diameter, is within the region, to
-/// within the tolerance. Regions for which the Voronoi diagram cannot be trusted give no lines
-/// (self-crossing by rounding, or wider than 2.1 m). A diagram is checked vertex by vertex before
-/// it is used.
+/// within the tolerance. If the Voronoi diagram of a region cannot be trusted (self-crossing by
+/// rounding, or wider than 2.1 m), the result is empty. A diagram is checked vertex by vertex
+/// before it is used.
 ///
 /// Cost: O(n log n) for n points: a few us each. Source: Voronoi diagram of segments by
 /// Boost.Polygon (Sweepline, Fortune). "Facing" is defined as in T. Kuipers et al., "A Framework

@@ -6,8 +6,8 @@
 
 namespace slicefarm::beading {
 
-/// Returns beads side by side from both sides of `thickness_nm` towards the middle. The rest is
-/// left over between the two halves.
+/// Returns beads side by side from both sides of `thickness_nm` towards the middle. The remaining
+/// thickness is left over between the two halves.
 ///
 /// `half_widths_nm`: widths of one half, outermost first. If the count is odd, the last one is the
 /// whole middle bead. The result is exactly symmetric. A left-over of one nm is the remainder of an

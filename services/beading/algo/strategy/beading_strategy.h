@@ -7,7 +7,7 @@
 namespace slicefarm::beading {
 
 /// Layout of beads side by side across some thickness, from one side to the other. A bead of width
-/// 0 is a marker: the border between the walls and the infill's area.
+/// 0 is a marker: the boundary between the walls and the infill's area.
 struct Beading {
   Coord thickness_nm = 0;
   std::vector<Coord> widths_nm;
@@ -20,13 +20,13 @@ struct Beading {
   friend bool operator==(const Beading&, const Beading&) = default;
 };
 
-/// Decides for each thickness how many beads lie side by side, and their widths and positions.
+/// Decides for each thickness how many beads are side by side, and their widths and positions.
 ///
 /// Properties of every strategy (strategy_checks_test.h):
 /// - Compute: widths and left-over sum up exactly to the thickness. Widths and positions are
 ///   symmetric. For a fixed count, each width is continuous and non-decreasing in the thickness.
-/// - OptimalCount is non-decreasing. TransitionThickness(n) is the smallest thickness at which it
-///   exceeds n.
+/// - OptimalCount is non-decreasing. TransitionThickness(n) is the smallest thickness for which
+///   OptimalCount exceeds n.
 ///
 /// Strategies are decorators: each one changes the results of its parent (strategy_factory.h).
 ///
@@ -37,9 +37,9 @@ class BeadingStrategy {
  public:
   virtual ~BeadingStrategy() = default;
 
-  /// Returns the beads for a thickness. Every count is allowed, also one that is not optimal there:
-  /// between two counts, beads change from one layout to the next. REQUIRES: thickness_nm >= 0,
-  /// count >= 0. Cost: O(count).
+  /// Returns the beads for a thickness. Every count is allowed, also one that is not optimal for
+  /// the thickness: between two counts, beads change from one layout to the next. REQUIRES:
+  /// thickness_nm >= 0, count >= 0. Cost: O(count).
   virtual Beading Compute(Coord thickness_nm, int count) const = 0;
 
   /// Returns the best number of beads for a thickness.
@@ -52,23 +52,24 @@ class BeadingStrategy {
   /// none.
   virtual Coord TransitionThickness(int lower_count) const = 0;
 
-  /// Returns the length along the skeleton over which beads change from `lower_count` to one more.
+  /// Returns the length along the skeleton over which beads change from `lower_count` to
+  /// `lower_count` + 1.
   virtual Coord TransitionLength(int lower_count) const = 0;
 
-  /// Returns the relative position of the transition thickness in this length: 0 at the side of the
-  /// lower count, 1 at the side of the higher count.
+  /// Returns the position of the transition thickness, as a fraction of the transition length: 0 at
+  /// the end with the lower count, 1 at the end with the higher count.
   virtual double TransitionAnchor(int lower_count) const = 0;
 
   /// Returns the thicknesses, in ascending order, at which Compute has a kink or a step for a fixed
-  /// count. The skeleton gets a node there.
+  /// count. The skeleton gets a node at each of these thicknesses.
   virtual std::vector<Coord> Kinks() const = 0;
 };
 
 /// Thickness that no part reaches; it means that there is no transition.
 inline constexpr Coord kUnreachableNm = Coord{9'000} * kNmPerMm;
 
-/// Returns the largest number of walls, both sides together. If there is space for more beads, the
-/// infill gets it.
+/// Returns the largest number of walls, both sides together. The space inside these walls is left
+/// to the infill.
 inline int MostWalls(const BeadingStrategy& strategy) {
   return strategy.OptimalCount(kUnreachableNm - 1) - 1;
 }

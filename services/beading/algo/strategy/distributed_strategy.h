@@ -7,9 +7,9 @@ namespace slicefarm::beading {
 /// Options of DistributedStrategy.
 struct DistributedOptions {
   Coord optimal_width_nm = 400'000;
-  /// Smallest width of a bead, as long as the count is the optimal one.
+  /// Smallest width of a bead, if the count is the optimal one for the thickness.
   Coord min_width_nm = 340'000;
-  Coord max_width_nm = 800'000;  ///< largest width of a bead in all cases
+  Coord max_width_nm = 800'000;  ///< largest width of a bead, for any count
   /// Growth of the middle bead before it is split, as a fraction of a width.
   double split_threshold = 0.7;
   /// Free space in the middle before a bead is added, as a fraction of a width.
@@ -30,7 +30,7 @@ struct DistributedOptions {
 /// - the middle bead has the largest width, the remaining beads follow by their weights;
 /// - all beads have the largest width.
 ///
-/// Beyond the last one, the rest is left over in the middle. So no bead becomes negative or wider
+/// Beyond the last one, the excess is left over in the middle. So no bead becomes negative or wider
 /// than allowed. (Upstream has a negative middle bead for a few thick beads, and no upper limit.)
 class DistributedStrategy : public BeadingStrategy {
  public:

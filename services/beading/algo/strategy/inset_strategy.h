@@ -28,8 +28,8 @@ class InsetStrategy : public BeadingStrategy {
   std::vector<Coord> Kinks() const override { return parent_->Kinks(); }
 
  protected:
-  /// Returns the parent's beads with some of them moved, at most to the middle: the beads from
-  /// `first` to before `last` of the first half, and their mirror images.
+  /// Returns the parent's beads with some of them moved, at most to the middle: in the first half,
+  /// the beads from index `first` to before `last`, and their mirror images.
   Beading Moved(Coord thickness_nm, int count, int first, int last) const;
 
  private:

@@ -6,9 +6,10 @@
 
 namespace slicefarm::beading {
 
-/// Limits the number of beads to `max_count`, half of them on either side. The area between them is
-/// the infill's, and markers (beads of width 0) are its border. A count of max_count + 1 means a
-/// thickness at which beads have their optimal widths and something is left over between them.
+/// Limits the number of beads to `max_count`, half of them on either side. The area between the two
+/// halves is left to the infill. Markers (beads of width 0) are the boundary of this area. A count
+/// of max_count + 1 represents a thickness at which beads have their optimal widths and something
+/// is left over between them.
 ///
 /// REQUIRES: max_count is even.
 class LimitedStrategy : public BeadingStrategy {

@@ -9,11 +9,11 @@ namespace slicefarm::beading {
 /// Options of WideningStrategy.
 struct WideningOptions {
   Coord min_feature_nm = 100'000;  ///< smallest thickness that gets a bead
-  /// Smallest width of a single bead; it extends beyond both sides of thinner places.
+  /// Smallest width of a single bead. In thinner parts it extends beyond both sides.
   Coord min_width_nm = 340'000;
 };
 
-/// Prints places that are thinner than the smallest bead, with a bead of the smallest width.
+/// Prints parts that are thinner than the smallest bead, with one bead of the smallest width.
 class WideningStrategy : public BeadingStrategy {
  public:
   WideningStrategy(const WideningOptions& options, std::unique_ptr<const BeadingStrategy> parent)
