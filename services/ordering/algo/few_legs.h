@@ -8,15 +8,17 @@
 
 namespace slicefarm::ordering {
 
-/// Largest number of legs for which testing all orders takes no longer than improving one order.
+/// Largest number of legs for which BestOrder takes no longer than the improvement of one order by
+/// TourSearch.
 inline constexpr size_t kFewLegs = 6;
 
 /// Cost of a travel.
 using TravelCost = std::function<int64_t(Point from, Point to)>;
 
-/// Returns the order and directions with the least cost. If several are equal, the numbers of the
-/// legs decide, compared from the end. Cost: O(2^n n^2). REQUIRES: at most kFewLegs legs. Source:
-/// M. Held, R. M. Karp, "A Dynamic Programming Approach to Sequencing Problems", J. SIAM 10 (1962).
+/// Returns the order and directions with the lowest cost. If several orders have this cost, the
+/// indices of their legs decide, compared from the end. Cost: O(2^n n^2), n legs. REQUIRES: at most
+/// kFewLegs legs. Source: M. Held, R. M. Karp, "A Dynamic Programming Approach to Sequencing
+/// Problems", J. SIAM 10 (1962).
 std::vector<Visit> BestOrder(const Journey& journey, std::span<const Leg> legs,
                              const TravelCost& cost);
 

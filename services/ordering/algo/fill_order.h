@@ -13,8 +13,8 @@ struct FillBlock {
   std::vector<Path*> paths;  ///< paths of the block, at least one
 };
 
-/// Prints the blocks in an order with little travel, ending near `next` if it is given. The paths
-/// are moved from. Deterministic: the result does not depend on the order of `blocks`.
+/// Prints the blocks to `route` in an order with little travel, ending near `next` if it is given.
+/// The paths are moved from. Deterministic: the result does not depend on the order of `blocks`.
 void PrintFills(std::vector<FillBlock> blocks, std::optional<Point> next, Route& route,
                 WorkBudget& budget);
 

@@ -13,9 +13,9 @@ struct OrderingOptions;
 namespace slicefarm::ordering {
 
 /// Returns a layer in the order of printing:
-///   1 each section's paths, once for all its copies (section_order.h)
-///   2 stacks around several objects are first: the plan's finished paths, as high as the layer,
-///     then the plate's stacks
+///   1 the paths of each section, once for all its copies (section_order.h)
+///   2 stacks around several objects are first: finished paths of the plan that are as high as the
+///     layer, then the plate's stacks
 ///   3 the copies, pass by pass, by travel from plan.entry; all stacks of a copy follow each other,
 ///     sorted by kind
 /// `copies`: the copies of the whole job. The result does not depend on the order of sections,

@@ -11,9 +11,10 @@
 namespace slicefarm::ordering {
 
 /// Graph that turns a journey along legs into a closed tour. The two ends of a leg are two nodes
-/// with a fixed edge between them. A leg without length is one node. The journey's end, or a node
-/// at no distance from all others, has a fixed edge to the journey's start. A leg that may not be
-/// reversed has its start before its end.
+/// with a fixed edge between them. A leg without length is one node. A fixed edge joins the
+/// journey's end to its start. If the journey has no fixed end, an extra node with distance 0 to
+/// all others takes its place. For a leg that may not be reversed, a rule puts its start before its
+/// end.
 class LegGraph {
  public:
   /// Builds the nodes, costs and rules.
@@ -38,7 +39,7 @@ class LegGraph {
   void AddRules(const Journey& journey, std::span<const Leg> legs);
 
   std::vector<Ends> ends_;      ///< end nodes of each leg, indexed by leg
-  /// leg of each node, and whether the node is the leg's end; indexed by node
+  /// Leg of each node, and true if the node is the leg's end; indexed by node.
   std::vector<Visit> entered_;
   Costs costs_;
   TourRules rules_;

@@ -12,17 +12,18 @@ namespace slicefarm::ordering {
 LoopPlace NearestVertex(std::span<const Point> loop, Point to);
 
 /// Returns the start of a loop with this seam: a corner near the seam, because corners hide seams
-/// best. Without such a corner, returns the nearest point, which may be inside an edge. A vertex
-/// would not do: the vertices of round walls move from layer to layer, and the seam would move with
-/// them. REQUIRES: loop is not empty.
+/// best. Without such a corner, returns the point of the loop nearest to the seam, which may be
+/// inside an edge. A vertex is not suitable: the vertices of round walls move from layer to layer,
+/// and the start would move with them. REQUIRES: loop is not empty.
 LoopPlace NearestToSeam(std::span<const Point> loop, Point seam);
 
 /// Returns the point `by_nm` further along the loop in the direction of printing. The distance may
 /// be longer than the loop. REQUIRES: `from` is on the loop; by_nm >= 0.
 LoopPlace Further(std::span<const Point> loop, LoopPlace from, double by_nm);
 
-/// Rotates a closed path so that it starts and ends at `place`. A place inside an edge becomes a
-/// new point with an interpolated width. Length, direction and beads do not change.
+/// Rotates the points of a closed path so that it starts and ends at `place`. If `place` is inside
+/// an edge, it becomes a new point with an interpolated width. Length, direction and beads do not
+/// change.
 void StartAt(LoopPlace place, Path& loop);
 
 }  // namespace slicefarm::ordering

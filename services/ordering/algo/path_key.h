@@ -7,11 +7,12 @@
 
 namespace slicefarm::ordering {
 
-/// Returns the least point of a path. It does not depend on the start of a loop.
+/// Returns the smallest point of a path in the order of points. The result does not depend on the
+/// start of a loop.
 Point LeastPoint(const Path& path);
 
 /// Returns indices into `paths`, sorted by the properties of the paths. Later steps therefore do
-/// not depend on the order of their input. Cost: O(points + n log n).
+/// not depend on the order of `paths`. Cost: O(points + n log n), n paths.
 std::vector<size_t> OrderByGeometry(std::span<Path* const> paths);
 
 /// Returns the paths in the order of OrderByGeometry.

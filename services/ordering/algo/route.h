@@ -18,7 +18,7 @@ void Reverse(Path& path);
 struct RouteEdges {
   const Barrier* for_order = nullptr;
   const Barrier* for_links = nullptr;
-  bool whole_loops = false;  ///< links take no plastic from inner loops
+  bool whole_loops = false;  ///< true if links do not shorten inner loops
 };
 
 /// Paths printed so far, and the position of the nozzle after them.
@@ -28,7 +28,7 @@ class Route {
   explicit Route(Point entry, Coord height_nm = 0) : at_(entry), height_nm_(height_nm) {}
 
   Point at() const { return at_; }
-  /// Returns the journey from the nozzle's position to `next`.
+  /// Returns the journey from the nozzle's position to `next`; without `next`, it may end anywhere.
   Journey To(std::optional<Point> next = {}) const { return {at_, next, edges_.for_order}; }
   /// Begins an island. The next path is not linked to earlier paths. `edges` must outlive the
   /// printing of the island's paths.
@@ -48,7 +48,7 @@ class Route {
   Point at_;
   Coord height_nm_;
   RouteEdges edges_;
-  bool is_linkable_ = false;  ///< the last path belongs to this island
+  bool is_linkable_ = false;  ///< true if the last path belongs to this island
   bool last_is_loop_ = false;
   std::vector<Path> paths_;
 };

@@ -10,8 +10,8 @@ struct OrderingOptions;
 
 namespace slicefarm::ordering {
 
-/// Returns the paths of one section in the order and direction of printing. The section's
-/// neighbours have no influence.
+/// Returns the paths of one section in the order and direction of printing. Other sections have no
+/// influence.
 ///   1 Islands by travel from plan.entry, towards plan.exit if there is one.
 ///   2 In each island the walls, contour by contour (wall_order.h), then fills and gap fill in one
 ///     order (fill_order.h). With infill_first: fills, walls, gap fill.
@@ -21,7 +21,8 @@ namespace slicefarm::ordering {
 ///
 /// Each path is returned once with its beads. Only its direction and, if closed, its start change.
 /// The result does not depend on the order of islands and paths in `section`, except in groups that
-/// keep their order. REQUIRES: all paths are well-formed, and their settings have a row.
+/// keep their order. REQUIRES: all paths are well-formed, and their settings have a row in the
+/// tables.
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                        const OrderingOptions& options, WorkBudget& budget);
 

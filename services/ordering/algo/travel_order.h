@@ -26,7 +26,7 @@ struct Precedence {
   uint32_t next = 0;
 };
 
-/// Start of the nozzle, and its target after all legs. Without `to`, the journey may end anywhere.
+/// Positions of the nozzle before and after all legs. Without `to`, the journey may end anywhere.
 struct Journey {
   Point from;
   std::optional<Point> to;
@@ -34,11 +34,11 @@ struct Journey {
   std::span<const Precedence> precedence = {};  ///< rules without cycles
 };
 
-/// Cost of a crossing, in nm of travel. A retraction takes about as long as 7 mm of travel, and
-/// leaves a mark.
+/// Cost of a travel's crossing of the barrier, in nm of travel. A retraction takes about as long as
+/// 7 mm of travel, and leaves a mark.
 inline constexpr int64_t kCrossingNm = 10 * kNmPerMm;
 
-/// A leg in an order, and its direction.
+/// A leg in an order, and true if it is printed in reverse direction.
 struct Visit {
   uint32_t leg = 0;
   bool reversed = false;
@@ -54,7 +54,7 @@ struct Visit {
 ///
 /// The journey is a path with a fixed start and, if requested, a fixed end. Shapes: each leg once.
 /// A leg that is not reversible is never reversed, and the precedence is kept. Deterministic. Cost:
-/// O(n log n) and the moves tried, each O(1) to judge and O(n) to make.
+/// O(n log n), n legs, and the moves tried, each O(1) to judge and O(n) to make.
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget);
 

@@ -13,7 +13,9 @@ namespace slicefarm::ordering {
 enum class InsetOrder {
   kInnerFirst,
   kOuterFirst,
-  kInnerOuterInner,  ///< first the innermost to the third, then the outermost, then the second
+  /// First the walls from the innermost to the third from outside, then the outermost, then the
+  /// second.
+  kInnerOuterInner,
   /// The island's outer contour from outside inwards, then the contours of its holes from inside
   /// the material towards the hole. So the outermost line of a brim is printed first, and the lines
   /// that touch the part are printed last.
@@ -23,11 +25,11 @@ enum class InsetOrder {
 /// Rules for printing the walls of an island.
 struct WallRules {
   InsetOrder order = InsetOrder::kInnerFirst;
-  /// Starts of a contour's loops, indexed by the ring that its outermost wall follows. The loops of
-  /// a contour without a ring start near the nozzle, and so do all loops if this is empty.
+  /// Seams of contours, indexed by the ring that the contour's outermost wall follows. The loops of
+  /// a contour without a ring in `seams` start near the nozzle.
   std::span<const Point> seams;
-  /// True to start each inner loop of a contour with a seam further along, by the distance between
-  /// the loop and the seam.
+  /// True to start each inner loop of a contour with a seam not at the seam but further along the
+  /// loop, by the distance between loop and seam.
   bool stagger = false;
 };
 

@@ -9,19 +9,19 @@
 
 namespace slicefarm::ordering {
 
-/// Returns the box as a region.
+/// Returns the area of the box as a region.
 MultiPolygon RegionOf(const Box& box);
 
-/// Search for short travel paths inside a region that keep away from the region's edge. It uses a
-/// visibility graph.
+/// Search for short travel paths inside a region that keep away from the region's boundary. The
+/// search uses a visibility graph.
 ///
-/// The nozzle keeps away from the edge by more than the clearance: it stays between lanes, which
-/// are insets of the edge with few points. Only a start or end point that is closer to the edge is
-/// left or reached in a straight line. The nodes of the graph are the corners of the lanes at which
-/// a path can bend. Two nodes are linked if they see each other and a tight string could run along
-/// the line between them. A line of sight is computed when it is first needed, and is then cached.
-/// Source: T. Lozano-Perez, M. A. Wesley, "An Algorithm for Planning Collision-Free Paths among
-/// Polyhedral Obstacles", CACM 22 (1979).
+/// The nozzle keeps away from the boundary by more than the clearance: it stays between lanes,
+/// which are insets of the boundary with few points. Only a start or end point that is closer to
+/// the boundary is left or reached in a straight line. The nodes of the graph are the corners of
+/// the lanes at which a path can bend. Two nodes are linked if they see each other and a tight
+/// string could follow the line between them. A line of sight is computed when it is first needed,
+/// and is then cached. Source: T. Lozano-Perez, M. A. Wesley, "An Algorithm for Planning
+/// Collision-Free Paths among Polyhedral Obstacles", CACM 22 (1979).
 class ClearWays {
  public:
   /// Builds the lanes of the region. REQUIRES: clearance_nm > 0.
@@ -30,14 +30,14 @@ class ClearWays {
   /// Returns true if the line ab stays in the region and keeps the clearance except near its ends.
   bool IsClear(Point a, Point b) const;
 
-  /// Returns the corners of a short path from a to b. Returns nothing if no path is as short as
-  /// `longest_nm`, or if the budget (in lines of sight) is spent. If a and b are between the lanes,
-  /// the path is the shortest one between the lanes, to within some micrometres. REQUIRES: a and b
-  /// are in the region or beside it.
+  /// Returns the corners of a short path from a to b. Returns nothing if the path would be longer
+  /// than `longest_nm`, or if the budget (in lines of sight) is spent. If a and b are between the
+  /// lanes, the path is the shortest one between the lanes, to within some micrometres. REQUIRES: a
+  /// and b are in the region or beside it.
   std::optional<std::vector<Point>> Find(Point a, Point b, double longest_nm, WorkBudget& budget);
 
-  /// Returns the point between the lanes that is nearest to p, a point on the edge. Returns nothing
-  /// if this point is far away.
+  /// Returns the point nearest to p that keeps the clearance. p is on the region's boundary.
+  /// Returns nothing if that point is 4 clearances away or more.
   std::optional<Point> FromEdge(Point p) const;
 
  private:
@@ -52,10 +52,12 @@ class ClearWays {
   class Search;
 
   void AddNodes(const Polygon& ring);
-  /// Returns the point nearest to p between the lanes, or nothing if this point is far away.
+  /// Returns the point nearest to p between the lanes, or nothing if this point is 4 clearances
+  /// away or more.
   std::optional<Point> Indoors(Point p) const;
-  /// Returns a point slightly inside the nearest point on a lane for which `will_do` is true, so
-  /// that a string can run from there along the lane. Returns nothing if the point is far away.
+  /// Returns a point slightly beyond the nearest point on a lane for which `will_do` is true, so
+  /// that a string can lead from there along the lane. Returns nothing if the point is 4 clearances
+  /// away or more.
   template <typename WillDo>
   std::optional<Point> OnLane(Point p, WillDo will_do) const;
   bool Sees(Point a, Point b) const { return !border_.Meets(a, b); }
@@ -67,7 +69,7 @@ class ClearWays {
   EdgeStrips lane_;
   std::vector<Polygon> lanes_;
   std::vector<Node> nodes_;
-  /// links of each node, indexed by node; computed on first use
+  /// Links of each node, indexed by node; computed at first use.
   std::vector<std::optional<std::vector<Link>>> links_;
 };
 

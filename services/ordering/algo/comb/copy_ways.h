@@ -6,9 +6,9 @@
 
 namespace slicefarm::ordering {
 
-/// Leads the travels between a layer's visits around curled areas on the copies that they leave,
-/// reach and pass. `sights`: number of lines of sight that may be computed. Cost: O(visits^2)
-/// boxes.
+/// Leads a layer's travels between visits (copies of a block) around curled areas of three kinds of
+/// copies: the ones that the travel leaves, reaches or passes. `sights`: number of lines of sight
+/// that may be computed. Cost: O(visits^2) comparisons of boxes.
 void KeepOffCurled(const LayerPlan& plan, WorkBudget& sights, OrderedLayer& layer);
 
 }  // namespace slicefarm::ordering

@@ -18,7 +18,7 @@ namespace slicefarm::ordering {
 /// which is the bounding box of beads.
 class CurledWays {
  public:
-  /// Takes the curled areas and the box that contains all travel paths.
+  /// Stores the curled areas, and the box `room` that contains all travel paths.
   CurledWays(MultiPolygon curled, const Box& room);
 
   /// Returns true if the path `from`, corners, `to` crosses a curled area.
@@ -28,11 +28,12 @@ class CurledWays {
   /// path exists or the budget (in lines of sight) is spent. Cost: the cost of ClearWays::Find.
   std::optional<std::vector<Point>> Around(Point from, Point to, WorkBudget& budget);
 
-  /// Replaces the corners of a path that crosses a curled area by the result of Around, if there is
-  /// one.
+  /// If the path over `corners` crosses a curled area, replaces the corners by the result of
+  /// Around; if there is no result, the corners stay.
   void KeepOff(Point from, Point to, WorkBudget& budget, std::vector<Point>& corners);
 
-  /// Returns the corners of a path like Around does, but within `region`.
+  /// Returns the corners of a path within `region` that crosses no curled area and is at most
+  /// `longest_nm` long. Returns nothing if no such path exists or the budget is spent.
   std::optional<std::vector<Point>> Within(ClearWays& region, Point from, Point to,
                                            double longest_nm, WorkBudget& budget) const;
 

@@ -15,15 +15,16 @@ namespace slicefarm::ordering {
 ///
 /// Each strip lists the edges that reach into it, sorted by their left ends. A strip is as high as
 /// an average edge, so that all strips together have at most about three entries per edge. Cost:
-/// O(n log n) to build. A query visits the strips of the segment, and in each strip the edges left
-/// of the segment's right end there.
+/// O(n log n) to build, n edges. A query visits the strips of the segment, and in each strip the
+/// edges left of the segment's right end there.
 class EdgeStrips {
  public:
   static constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max();
 
-  /// Adds the edges of a ring. Add all rings and lines, then call Build, then query.
+  /// Adds the edges of a ring, with the rank `order` for Crosses. Add all rings and lines, then
+  /// call Build, then query.
   void AddRing(std::span<const Point> ring, uint32_t order = 0);
-  /// Adds the edges of an open line.
+  /// Adds the edges of an open line, with the rank `order` for Crosses.
   void AddLine(std::span<const Point> line, uint32_t order = 0);
   /// Sorts the added edges into strips.
   void Build();
@@ -55,7 +56,8 @@ class EdgeStrips {
   bool AnyNear(Point a, Point b, Hit hit) const;
 
   std::vector<Edge> edges_;  ///< edges in the order of adding; after Build, grouped by strip
-  std::vector<size_t> begins_;  ///< index of each strip's first edge, and the end of the last strip
+  /// Index in `edges_` of each strip's first edge; one more entry than strips.
+  std::vector<size_t> begins_;
   Box box_;
   Coord height_ = 1;  ///< height of a strip, in nm
 };

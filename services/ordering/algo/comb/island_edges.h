@@ -23,7 +23,7 @@ Coord OuterWallRadius(std::span<const Path> paths);
 /// Obstacles for travels within an island: the outline and the centre lines of the outer walls.
 class IslandEdges : public Barrier {
  public:
-  /// Takes the outline and the outer walls of the island.
+  /// Collects the outline and the outer walls of the island.
   explicit IslandEdges(const FilledIsland& island);
 
   /// Returns true if ab leaves the island or crosses an outer wall. REQUIRES: a is in the island.
@@ -31,14 +31,15 @@ class IslandEdges : public Barrier {
     return outline_.Meets(a, b) || walls_.Crosses(a, b);
   }
   /// Returns true if a travel over these points, except near its ends, is closer than `near_nm` to
-  /// the centre line of an outer wall. The default is a distance at which the travel might cross
-  /// the printed wall: motion moves simplified paths by some micrometres. Cost: O(log walls) per
-  /// point.
+  /// the centre line of an outer wall. At the default distance the travel might cross the printed
+  /// wall, because the motion service moves simplified paths by some micrometres. Cost: O(log
+  /// walls) per point.
   bool Grazes(std::span<const Point> way, Coord near_nm = 30'000) const;
   bool Grazes(Point a, Point b) const { return Grazes(std::array{a, b}); }
   /// Returns true if p is inside the outline. REQUIRES: p is not on the outline.
   bool Surrounds(Point p) const { return outline_.Surrounds(p); }
-  /// Returns true if there is no outline. Without an outline the other results mean nothing.
+  /// Returns true if there is no outline. Without an outline, Parts, Grazes and Surrounds mean
+  /// nothing.
   bool empty() const { return outline_.empty(); }
 
  private:

@@ -14,15 +14,16 @@ struct TravelOptions;
 
 namespace slicefarm::ordering {
 
-/// Seams where layers meet without a retraction: the one where an island's paths continue from the
-/// layer below, and the one where the layer above continues from these paths.
+/// Seams at which the nozzle goes to the next layer without a retraction. `below`: the seam where
+/// an island's paths continue from the layer below. `above`: the seam where the layer above
+/// continues from these paths.
 struct Meetings {
   std::optional<Point> below;
   std::optional<Point> above;
 };
 
-/// One travel to each path. The first travel is straight and not hidden unless it comes from the
-/// layer below.
+/// Travels to each path of an island. The first travel is straight and not hidden unless it comes
+/// from the layer below.
 struct IslandWays {
   std::vector<Travel> travels;
   std::optional<Leave> leave;  ///< travel to the layer above
@@ -35,13 +36,16 @@ struct IslandWays {
 /// gap. To other beads the options set the limit. A travel that crosses a wall makes a detour
 /// inside the island if this adds at most 20 mm: a retraction takes about as much time. With
 /// avoid_crossing, each travel that is too close to the walls makes a detour if a permitted one
-/// exists. Layers meet at the start of the first inner wall that starts at the seam, because the
-/// outer wall above may be on either side of the one below. Without such a wall they meet at the
-/// point nearest to the seam that keeps away from the walls. Neither layer has the other layer's
-/// walls. So no travel to the layer above is hidden, and a travel from the layer below is hidden
-/// only if it continues at the seam. `budget`: number of lines of sight. `curled`: a travel that
-/// crosses a curled area makes a detour, within the island if possible; null means that there is no
-/// curled area.
+/// exists.
+///
+/// The change of layers is at the start of the first inner wall that starts at the seam. An outer
+/// wall is not suitable, because the outer wall above may be on either side of it. Without such an
+/// inner wall, the change is at the point nearest to the seam that keeps away from the walls. The
+/// walls of the other layer are unknown in either layer. So no travel to the layer above is hidden,
+/// and a travel from the layer below is hidden only if it continues at the seam.
+///
+/// `budget`: number of lines of sight. `curled`: a travel that crosses a curled area makes a
+/// detour, within the island if possible; null means that there is no curled area.
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                         std::span<const Path> paths, const Meetings& meetings,
                         const TravelOptions& options, WorkBudget& budget,

@@ -15,9 +15,9 @@ namespace slicefarm::ordering {
 /// Travels from island to island of a section. They are not hidden.
 ///
 /// With avoid_crossing, a travel from one outer wall to another makes a detour outside of all
-/// islands if a permitted detour exists. It does so if it crosses a third outer wall, or crosses
-/// its own two walls away from its ends. A travel from or to a path inside an island has to cross
-/// the island's wall in any case, so that it makes no detour.
+/// islands if a permitted detour exists. The detour is made if the travel crosses a third outer
+/// wall, or crosses its own two walls away from its ends. A travel from or to a path inside an
+/// island makes no detour, because it has to cross the island's wall anyway.
 class OutsideTravels {
  public:
   /// Keeps references: `options` and the outlines of `section` must outlive this object.
@@ -31,7 +31,8 @@ class OutsideTravels {
 
   const FilledSection& section_;
   const TravelOptions& options_;
-  Coord wall_radius_nm_ = 0;  ///< 0: detours are not searched
+  /// Distance from outlines to the outer walls' centre lines; 0: no detours are searched.
+  Coord wall_radius_nm_ = 0;
   EdgeStrips walls_;
   std::optional<ClearWays> ways_;  ///< built on first use
 };

@@ -8,14 +8,15 @@
 
 namespace slicefarm::ordering {
 
-/// Range of tour positions, from..to, that has been reversed in memory.
+/// Range of tour positions, `from` to `to` inclusive (it may pass the end of the array), that is
+/// reversed in memory.
 struct Turn {
   int32_t from;
   int32_t to;
 };
 
 /// Closed tour stored in an array. A query for a neighbour or a position is O(1), the reversal of a
-/// section is O(n). The direction of the tour in memory has no meaning.
+/// section is O(n), n nodes. The direction of the tour in memory has no meaning.
 class ArrayTour {
  public:
   /// Stores the nodes of `tour` in their order.
@@ -38,10 +39,10 @@ class ArrayTour {
     return At(position > 0 ? position - 1 : size() - 1);
   }
 
-  /// Reverses either the section from a forward to b or the rest of the tour, whichever is shorter.
-  /// Both give the same closed tour.
+  /// Reverses either the section from node a forward to node b or the remaining section, whichever
+  /// is shorter. Both give the same closed tour. Returns the reversed positions.
   Turn TurnRound(int32_t a, int32_t b);
-  /// Reverses the positions of `turn`. A second call restores the tour.
+  /// Reverses the section at the positions of `turn`. A second call restores the tour.
   void TurnRound(Turn turn);
 
   /// Returns the number of positions that `turn` reverses in a tour of `size` nodes.

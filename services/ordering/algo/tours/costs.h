@@ -9,7 +9,7 @@
 
 namespace slicefarm::ordering {
 
-/// Rounding of lengths between places to whole units. The first three are TSPLIB's EUC_2D, CEIL_2D
+/// Rounding of lengths between points to whole units. The first three are TSPLIB's EUC_2D, CEIL_2D
 /// and ATT. kTable reads lengths from a table.
 enum class Metric : uint8_t { kNearest, kUp, kAtt, kTable };
 
@@ -17,9 +17,9 @@ enum class Metric : uint8_t { kNearest, kUp, kAtt, kTable };
 /// lengths are therefore exact.
 class Costs {
  public:
-  /// Returns the lengths between places. REQUIRES: metric is not kTable.
+  /// Returns the costs for points in the plane (`places`). REQUIRES: metric is not kTable.
   static Costs OfPlaces(std::vector<Vector2> places, Metric metric);
-  /// Returns the lengths of a table. `lengths`: size * size values, row by row, symmetric.
+  /// Returns the costs given by a table. `lengths`: size * size values, row by row, symmetric.
   static Costs OfTable(int32_t size, std::vector<int32_t> lengths);
 
   /// Adds a node at distance 0 from every node and returns its number. An open path ends at this
@@ -55,7 +55,7 @@ class Costs {
   std::vector<int32_t> table_;
 };
 
-/// Returns the length of the closed tour.
+/// Returns the length of the closed tour: from the last node also back to the first.
 int64_t TourLength(const Costs& costs, const std::vector<int32_t>& tour);
 
 }  // namespace slicefarm::ordering

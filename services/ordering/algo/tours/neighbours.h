@@ -14,13 +14,14 @@ struct Neighbour {
   int64_t length;
 };
 
-/// Near nodes of each node, nearest first. The `nowhere` node is a neighbour of every node and has
-/// no neighbours itself.
+/// Near nodes of each node, nearest first. The node of Costs::AddNowhere is a neighbour of every
+/// node and has no neighbours itself.
 class Neighbours {
  public:
-  /// Finds up to `count` neighbours of each node, not counting nowhere. For places it also finds up
-  /// to `per_quadrant` neighbours in each of the four quadrants, because the nearest places of a
-  /// cluster are all in the same cluster. Cost: O(n log n) for places, O(n^2) for a table.
+  /// Finds up to `count` neighbours of each node, not counting nowhere. If nodes are points, it
+  /// also finds up to `per_quadrant` neighbours in each of the four quadrants, because the nearest
+  /// points of a cluster are all in the same cluster. Cost: O(n log n) for n points, O(n^2) for a
+  /// table.
   Neighbours(const Costs& costs, size_t count, size_t per_quadrant);
 
   /// Returns the neighbours of a node, nearest first.
@@ -31,7 +32,7 @@ class Neighbours {
 
  private:
   std::vector<Neighbour> all_;
-  /// first index of each node in `all_`, and the end of the last node
+  /// Index in `all_` of each node's first neighbour; one more entry than nodes.
   std::vector<uint32_t> begin_;
 };
 

@@ -11,32 +11,32 @@
 
 namespace slicefarm::ordering {
 
-/// k-d tree over numbered places that supports removal. Results depend only on the places and their
-/// numbers, even if distances are equal. Cost: O(n log^2 n) to build; O(log n) to remove; usually
-/// O(log n) per query, even for equal places.
+/// k-d tree over numbered points that supports removal. Results depend only on the points and their
+/// numbers, even if distances are equal. Cost: O(n log^2 n) to build, n points; O(log n) to remove;
+/// usually O(log n) per query, even if many points coincide.
 class PlaceTree {
  public:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-  /// Builds the tree. A place's number is its index in `places`.
+  /// Builds the tree. A point's number is its index in `places`.
   explicit PlaceTree(std::span<const Vector2> places);
 
-  /// Removes a place. REQUIRES: `number` is in the tree.
+  /// Removes a point. REQUIRES: `number` is in the tree.
   void Remove(uint32_t number);
-  /// Adds a removed place again. REQUIRES: `number` was removed.
+  /// Adds a removed point again. REQUIRES: `number` was removed.
   void Restore(uint32_t number);
 
-  /// Returns the nearest place in the tree, or kNone if the tree is empty.
+  /// Returns the number of the nearest point in the tree, or kNone if the tree is empty.
   uint32_t Nearest(Vector2 to) const;
 
-  /// Side of a place in x and in y on which other places are.
+  /// Quadrant of the plane around a point.
   struct Quadrant {
     bool right;
     bool above;
   };
 
-  /// Writes up to `count` places in the tree, nearest first, without `except`, to `found`. If a
-  /// quadrant is given, only places in this quadrant are written.
+  /// Writes the numbers of up to `count` points in the tree, nearest first, without `except`, to
+  /// `found`. If a quadrant around `to` is given, only points in this quadrant are written.
   void NearestFew(Vector2 to, uint32_t except, size_t count, std::vector<uint32_t>& found,
                   std::optional<Quadrant> quadrant = {}) const;
 
@@ -45,7 +45,7 @@ class PlaceTree {
     double x;
     double y;
     uint32_t number;
-    uint32_t alive;  ///< number of places in the subtree that are not removed
+    uint32_t alive;  ///< number of points in the subtree that are not removed
     bool removed;
     bool split_x;
   };
@@ -69,8 +69,8 @@ class PlaceTree {
       if (node.removed || node.number == except) return false;
       return !quadrant || ((node.x >= x) == quadrant->right && (node.y >= y) == quadrant->above);
     }
-    /// Returns true if the lower (or else the upper) side of the node contains no place in the
-    /// quadrant.
+    /// Returns true if one side of the node contains no point in the quadrant: the lower side if
+    /// `lower`, else the upper side.
     bool Skips(const Node& node, bool lower) const {
       if (!quadrant) return false;
       const double split = node.split_x ? node.x : node.y;
@@ -85,8 +85,8 @@ class PlaceTree {
   void SearchNearest(size_t first, size_t last, double x, double y, Candidate& best) const;
   void SearchFew(size_t first, size_t last, FewQuery& query) const;
 
-  std::vector<Node> nodes_;         ///< the root of [first, last) is its middle
-  std::vector<uint32_t> position_;  ///< index in nodes_, by place number
+  std::vector<Node> nodes_;         ///< the root of each subtree [first, last) is its middle entry
+  std::vector<uint32_t> position_;  ///< index in nodes_, indexed by the point's number
 };
 
 }  // namespace slicefarm::ordering

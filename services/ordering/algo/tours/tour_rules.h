@@ -10,7 +10,7 @@ namespace slicefarm::ordering {
 /// Nodes in the order of visiting. The tour returns from the last node to the first.
 using Tour = std::vector<int32_t>;
 
-/// Two nodes: an edge, or an order of visiting.
+/// Two nodes: an edge, or the rule that a is visited before b.
 struct NodePair {
   int32_t a = 0;
   int32_t b = 0;
@@ -22,11 +22,11 @@ struct NodePair {
 struct TourRules {
   /// Edges that every tour must contain: open chains, or one ring of all nodes.
   std::vector<NodePair> fixed;
-  /// Orders: a is visited before b between `first` and `last`. A leg that may not be reversed is a
-  /// fixed edge plus the rule that its start is before its end.
+  /// Order rules: a is visited before b on the path from `first` to `last`. A leg that may not be
+  /// reversed is a fixed edge plus the rule that its start is before its end.
   std::vector<NodePair> before;
-  /// First node of the order for `before`. If `before` has an entry, {last, first} must be a fixed
-  /// edge.
+  /// First node of the path that `before` refers to. If `before` has an entry, {last, first} must
+  /// be a fixed edge.
   int32_t first = 0;
   int32_t last = 0;
 };
@@ -51,12 +51,13 @@ class FixedEdges {
   std::vector<std::array<int32_t, 2>> mates_;
 };
 
-/// Returns the tour with nodes moved so that it contains all fixed edges. A chain is inserted as a
-/// whole at the position of its first visited node. It begins with the chain end nearer to that
-/// node.
+/// Returns the tour with nodes moved so that it contains all fixed edges. A chain of fixed edges is
+/// inserted as a whole at the position of its first visited node. It begins with the chain end
+/// nearer to that node.
 Tour WithFixedEdges(const Tour& tour, const FixedEdges& fixed);
 
-/// Returns true if the tour visits each node of 0 .. size - 1 once and keeps the rules. Cost: O(n).
+/// Returns true if the tour visits each node of 0 .. size - 1 once and keeps the rules. Cost: O(n),
+/// n nodes and rules.
 bool Keeps(const Tour& tour, int32_t size, const TourRules& rules);
 
 }  // namespace slicefarm::ordering

@@ -18,39 +18,40 @@ namespace slicefarm::ordering {
 class Surcharge {
  public:
   virtual ~Surcharge() = default;
-  /// Returns the extra cost of the edge ab, at least 0. REQUIRES: symmetric.
+  /// Returns the extra cost of the edge ab, at least 0. REQUIRES: Of(a, b) == Of(b, a).
   virtual int64_t Of(int32_t a, int32_t b) const = 0;
 };
 
-/// Kinds of moves that a search tries. Each depth includes the moves of the previous ones.
+/// Kinds of moves that a search tries. Each value includes the moves of the previous values.
 enum class SearchDepth : uint8_t {
   kNone,
   kTwoOptAndOrOpt,  ///< reversals of a section, shifts of up to three nodes
   kThreeOpt,        ///< in addition shifts and reversals of any length
-  /// In addition chains of these moves. The first links may bring no gain (Lin-Kernighan).
+  /// In addition chains of such moves. The first moves of a chain may bring no gain
+  /// (Lin-Kernighan).
   kChains,
 };
 
 /// Local search that shortens a closed tour and keeps its rules.
 ///
 /// A move removes two or three edges and joins the sections between them in another order. The
-/// search tries only moves that place a node next to one of its near neighbours, and that gain from
-/// the first edge. A node without a gaining move is not tried again until one of its edges has
-/// changed. When no move gains any more, two short adjacent sections are exchanged, and the search
-/// restarts around them. An exchange that does not shorten the tour is undone.
+/// search tries only moves that place a node next to one of its near neighbours and that have a
+/// gain from the first edge on. A node without a gaining move is not tried again until one of its
+/// edges has changed. When no move gains any more, two short adjacent sections are exchanged, and
+/// the search restarts around them. An exchange that does not shorten the tour is undone.
 ///
-/// Deterministic for a seed. Cost: O(1) to judge a move, O(n) to make one, O(rules.before) to test
-/// whether it is permitted. Sources: S. Lin, B. W. Kernighan, "An Effective Heuristic Algorithm for
-/// the Traveling-Salesman Problem", Operations Research 21 (1973); J. L. Bentley, "Fast Algorithms
-/// for Geometric Traveling Salesman Problems", ORSA J. Computing 4 (1992): neighbour lists,
-/// don't-look bits; D. S. Johnson, L. A. McGeoch, "The Traveling Salesman Problem: a Case Study in
-/// Local Optimization" (1997): iterated search with local double bridges; K. Helsgaun, "An
-/// Effective Implementation of the Lin-Kernighan Traveling Salesman Heuristic", EJOR 126 (2000):
-/// chains of links that are 3-opt moves.
+/// Deterministic for a seed. Cost: O(1) to judge a move, O(n) to make one (n nodes),
+/// O(rules.before) to test whether it is permitted. Sources: S. Lin, B. W. Kernighan, "An Effective
+/// Heuristic Algorithm for the Traveling-Salesman Problem", Operations Research 21 (1973); J. L.
+/// Bentley, "Fast Algorithms for Geometric Traveling Salesman Problems", ORSA J. Computing 4
+/// (1992): neighbour lists, don't-look bits; D. S. Johnson, L. A. McGeoch, "The Traveling Salesman
+/// Problem: a Case Study in Local Optimization" (1997): iterated search with local double bridges;
+/// K. Helsgaun, "An Effective Implementation of the Lin-Kernighan Traveling Salesman Heuristic",
+/// EJOR 126 (2000): chains of links that are 3-opt moves.
 class TourSearch {
  public:
-  /// Prepares a search. `costs`, `neighbours` and `rules` must outlive it. REQUIRES: the tour keeps
-  /// the rules.
+  /// Prepares a search from `tour`. `costs`, `neighbours` and `rules` must outlive the search.
+  /// REQUIRES: the tour keeps the rules.
   TourSearch(const Costs& costs, const Neighbours& neighbours, const TourRules& rules, Tour tour,
              SearchDepth depth, uint32_t seed);
 
@@ -58,11 +59,12 @@ class TourSearch {
   /// awake at the beginning.
   void Improve(WorkBudget& budget);
 
-  /// Exchanges sections and improves the tour around them, `exchanges` times or until the budget is
-  /// spent. REQUIRES: no node is awake.
+  /// Exchanges two sections and improves the tour around them, `exchanges` times or until the
+  /// budget is spent. REQUIRES: no node is awake.
   void Iterate(int64_t exchanges, WorkBudget& budget);
 
-  /// Adds `surcharge` to the cost of edges from now on; null removes it. It must outlive its use.
+  /// Adds `surcharge` to the cost of edges from now on; null removes the surcharge. The surcharge
+  /// must outlive its use.
   void Charge(const Surcharge* surcharge) { surcharge_ = surcharge; }
   /// Marks a node as awake, so that Improve tries moves from it.
   void Wake(int32_t node);
@@ -71,10 +73,10 @@ class TourSearch {
   int64_t gained() const { return gained_; }  ///< cost saved since the beginning
 
  private:
-  /// Rearrangement of the first two of three sections of the path that starts at `first`.
+  /// New order and directions of the first two sections of a path; the third section stays.
   enum class Join : uint8_t { kTurnFirst, kSwapTurned, kSwapTurningFirst, kSwap, kTurnBoth };
-  /// Move on the path that begins at `first` and visits all nodes, forward or backward in memory.
-  /// Its sections are 0 .. cut1 and cut1 + 1 .. cut2.
+  /// Move on the path from `first` that visits all nodes, forward or backward in memory. Its
+  /// sections have the path indices 0 .. cut1, cut1 + 1 .. cut2, and all further ones.
   struct Move {
     int64_t gain = 0;
     int64_t open_gain = 0;  ///< gain without the edge that closes the tour
@@ -128,7 +130,8 @@ class TourSearch {
   bool Allowed(const Way& way, const Move& move) const;
   /// Makes the move and returns the new path that continues from the node before `way.first`.
   Way Make(const Way& way, const Move& move, WorkBudget& budget);
-  /// Reverses the section from index `from` to index `to` of the path.
+  /// Reverses the nodes from index `from` to index `to` of `way`. Returns the new path. Does
+  /// nothing if from >= to.
   Way Turned(const Way& way, int32_t from, int32_t to, WorkBudget& budget);
   void Undo(size_t turns);
 

@@ -15,7 +15,8 @@ struct SpanningTree {
   int64_t length = 0;
 };
 
-/// Returns the shortest tree that joins all nodes. No tour is shorter than this tree. Cost: O(n^2).
+/// Returns the shortest tree that joins all nodes. No tour is shorter than this tree. Cost: O(n^2),
+/// n nodes.
 SpanningTree MinimumSpanningTree(const Costs& costs);
 
 /// Limits of the search for a lower bound.
@@ -28,8 +29,8 @@ struct BoundOptions {
 /// 1-trees, under penalties that change each node's degree towards two. A 1-tree is a tree over all
 /// nodes except the first, plus the two shortest edges of the first node. Every tour is a 1-tree.
 /// Penalties and sums are whole numbers, so that the bound is exact to the last unit. Cost: O(n^2)
-/// per iteration. Source: M. Held, R. M. Karp, "The Traveling-Salesman Problem and Minimum Spanning
-/// Trees: Part II", Mathematical Programming 1 (1971).
+/// per iteration, n nodes. Source: M. Held, R. M. Karp, "The Traveling-Salesman Problem and Minimum
+/// Spanning Trees: Part II", Mathematical Programming 1 (1971).
 int64_t OneTreeBound(const Costs& costs, std::span<const NodePair> fixed,
                      const BoundOptions& options);
 
