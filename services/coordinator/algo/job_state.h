@@ -8,10 +8,11 @@ namespace slicefarm::coordinator {
 /// State of a job. A job ends exactly once: no transition leaves SUCCEEDED, FAILED or CANCELLED.
 ///
 ///   QUEUED -> RUNNING -> SUCCEEDED | FAILED | CANCELLED;
-///   QUEUED -> CANCELLED                    cancelled before it began;
-///   QUEUED -> SUCCEEDED                    found in the cache;
-///   QUEUED -> FAILED                       its input cannot be read;
-///   RUNNING -> QUEUED                      its coordinator stops and hands it back.
+///   QUEUED -> CANCELLED                    the job is cancelled before it begins;
+///   QUEUED -> SUCCEEDED                    the result is in the cache;
+///   QUEUED -> FAILED                       the job's input cannot be read;
+///   RUNNING -> QUEUED                      the run has failed and is repeated, or the coordinator
+///                                          stops.
 enum class JobState { kQueued, kRunning, kSucceeded, kFailed, kCancelled };
 
 /// Returns true if no transition leaves the state.

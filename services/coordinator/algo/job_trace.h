@@ -10,10 +10,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Largest number of spans of one job over all its runs; some hundreds of KiB.
+/// Largest number of spans of one job over all its runs. So many spans take some hundreds of KiB.
 inline constexpr size_t kMaxJobSpans = 4096;
 
-/// Spans of all finished runs of a job: each has a name, a begin and an end.
+/// Spans of all finished runs of a job.
 struct JobTrace {
   std::vector<Span> spans;
   /// Number of spans that were dropped, because a job may have at most kMaxJobSpans.
@@ -32,12 +32,12 @@ std::string ToJson(const JobTrace& trace);
 absl::StatusOr<JobTrace> JobTraceFromJson(const std::string& json);
 
 /// Returns the trace in Chrome's trace event format, for Perfetto (https://ui.perfetto.dev) and
-/// chrome://tracing. The job's own spans are in one row, nested. Each other track becomes a
-/// process, with as many rows as it had spans at once. Spans of the same name on other tracks are
-/// attempts at the same work: each gets its attempt number, and `copy` if another attempt ran when
-/// it began.
+/// chrome://tracing. The job's own spans are nested in one row. Each other track of the trace
+/// becomes a process of the format, with as many rows as there are simultaneous spans. Spans of the
+/// same name on these tracks are attempts at the same work: each span gets its attempt number. It
+/// also gets `copy` if another attempt was running when it began.
 ///
-/// `waits`: the times that the job was in the queue. `about`: additional facts about the job.
+/// `waits`: periods in which the job was in the queue. `about`: additional facts about the job.
 /// Source: "Trace Event Format", Google.
 std::string ChromeTrace(const JobTrace& trace, const std::vector<Span>& waits,
                         const std::map<std::string, std::string>& about);

@@ -11,9 +11,9 @@
 
 namespace slicefarm::coordinator {
 
-/// Position and size of a layer in a program.
+/// Layer of a program: position in the file, height and number of moves.
 struct LayerPlace {
-  /// Byte offset of the layer's first byte; in binary G-code, of the block with that byte.
+  /// Byte offset of the layer's first byte. In binary G-code: offset of the block with this byte.
   int64_t offset = 0;
   double z_mm = 0;
   double height_mm = 0;
@@ -55,13 +55,14 @@ std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<
 /// G-code.
 std::optional<std::string> LargestThumbnail(std::string_view beginning);
 
-/// Returns `layers_s` of a report's `times`; empty if the report has none.
+/// Returns the time of each layer from the key `times`.`layers_s` of a report; empty if the report
+/// has none.
 std::vector<double> LayerTimesOf(const std::string& report);
 
 /// Returns the file name of a program: the name in its report, or else the job's id with ".gcode".
 std::string ProgramName(const std::string& report, const std::string& job_id);
 
-/// Returns the media type for the ending of a file's name.
+/// Returns the media type for the extension of a file name.
 std::string_view MediaTypeOf(std::string_view file_name);
 
 }  // namespace slicefarm::coordinator

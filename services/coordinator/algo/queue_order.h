@@ -7,7 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Job that a coordinator holds. It occupies a slot there until it ends.
+/// Held job: a job that a coordinator has claimed and whose lease has not expired. It occupies a
+/// slot of this coordinator until it ends.
 struct HeldPlace {
   std::string tenant;
   std::string owner;  ///< name of the coordinator
@@ -17,7 +18,7 @@ struct HeldPlace {
   friend bool operator==(const HeldPlace&, const HeldPlace&) = default;
 };
 
-/// Job that no coordinator holds.
+/// Open job that no coordinator holds.
 struct WaitingJob {
   int64_t number = 0;  ///< number of the job's record
   bool interactive = false;
@@ -36,8 +37,10 @@ struct TenantQueue {
 
 /// Open jobs of a farm at one time.
 struct QueueSnapshot {
-  std::vector<HeldPlace> held = {};  ///< held jobs in the order of their begin
-  /// Action digests of the held work for which other jobs wait.
+  /// held jobs in the order in which they began; jobs that have not begun are last
+  std::vector<HeldPlace> held = {};
+  /// Action digests of the held jobs, except jobs that are to be cancelled. A waiting job with one
+  /// of these digests waits for the held job.
   std::set<std::string> held_work = {};
   std::vector<TenantQueue> tenants = {};  ///< tenants with waiting jobs, sorted by name
   std::vector<int64_t> runs_us = {};      ///< run times of the latest jobs
@@ -54,16 +57,16 @@ struct ExpectedRun {
   friend bool operator==(const ExpectedRun&, const ExpectedRun&) = default;
 };
 
-/// Returns the mean time of the latest runs in microseconds; 0 if there are too few.
+/// Returns the mean duration of the latest runs in microseconds; 0 if there are too few.
 int64_t MeanRunUs(const QueueSnapshot& queue);
 
-/// Returns the waiting jobs in the order in which JobStore::Claim will begin them. The tenant with
-/// the fewest held jobs comes first, then the one that has waited longest for its turn. Each
+/// Returns the waiting jobs in the order in which JobStore::Claim will give them. The tenant with
+/// the fewest held jobs comes first, then the tenant that has waited longest for its turn. Each
 /// coordinator reserves one slot for interactive jobs.
 ///
-/// Each run is assumed to last as long as the mean of the latest runs, so the times are estimates.
-/// Without a mean, only the order is meaningful. A job that has run longer than the mean is assumed
-/// to run for the same time again. Cost: O(jobs * log(tenants)).
+/// The times are estimates: each run is assumed to last as long as the mean of the latest runs. A
+/// job that has run longer than the mean is assumed to run for the same time again. Without a mean,
+/// only the order is meaningful. Cost: O(jobs * log(tenants)).
 std::vector<ExpectedRun> ExpectedRuns(const QueueSnapshot& queue, int64_t now_us);
 
 }  // namespace slicefarm::coordinator

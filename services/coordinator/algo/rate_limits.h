@@ -7,18 +7,20 @@
 
 namespace slicefarm::coordinator {
 
-/// Rate limits by name, each a token bucket. On average a name gets `per_second` units; after a
-/// pause, it gets two seconds' worth at once. Thread-safe.
+/// Rate limits by name, each a token bucket. On average a name gets `per_second` units per second;
+/// after a pause, it gets the units of two seconds at once. Thread-safe.
 class RateLimits {
  public:
-  /// Takes `count` units at once if any are left. Units beyond the content of the bucket are paid
-  /// back before the next Take. Returns 0, or, if none are left, the time until one is, in us.
-  /// REQUIRES: per_second >= 1, count >= 1.
+  /// Takes `count` units if the bucket is not empty, and returns 0. `count` may exceed the content
+  /// of the bucket; the next Take must then wait for the difference. If the bucket is empty, takes
+  /// nothing and returns the time in us until it has content. REQUIRES: per_second >= 1, count >=
+  /// 1.
   int64_t Take(const std::string& name, int64_t per_second, int64_t count, int64_t now_us);
 
  private:
   struct Bucket {
-    int64_t left_us = 0;  ///< units left, as the time in which they accumulate
+    /// content of the bucket, as the time in us in which it accumulates; may be negative
+    int64_t left_us = 0;
     int64_t at_us = 0;
   };
 

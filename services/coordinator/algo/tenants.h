@@ -27,7 +27,8 @@ std::optional<Scope> ScopeFromName(std::string_view name);
 
 using Scopes = std::set<Scope>;
 
-/// Stored form of a token. A reader of it cannot use the token.
+/// Stored form of a token. It does not contain the token itself, so a person who reads it cannot
+/// log in.
 struct Token {
   std::string sha256;  ///< SHA-256 of the token's text
   Scopes scopes;
@@ -36,7 +37,7 @@ struct Token {
 
 /// Tokens and limits of a tenant.
 struct Tenant {
-  /// Two at most, so that a new token can be distributed before the old one expires.
+  /// At most two tokens, so that a new token can be distributed before the old one expires.
   std::vector<Token> tokens;
   /// Scopes of a client with a certificate and no token.
   Scopes certificate_scopes = {Scope::kSubmit, Scope::kRead};
@@ -46,7 +47,7 @@ struct Tenant {
   int64_t max_calls_per_second = 0;    ///< average limit of calls (rate_limits.h); 0: no limit
   /// Average limit of created jobs (rate_limits.h); 0: no limit.
   int64_t max_jobs_per_second = 0;
-  /// Profile of jobs that name no printer; if empty, jobs must name one.
+  /// Profile of jobs that name no printer; if empty, each job must name one.
   std::string default_profile = {};
 };
 
@@ -66,12 +67,12 @@ using Tenants = std::map<std::string, Tenant, std::less<>>;
 ///       "max_jobs_per_second": 10,
 ///       "default_profile": "mk4s"}}}
 ///
-/// Only "sha256" and "scopes" are required. Errors: REQUEST_MALFORMED with the position in the
-/// file. Unknown or duplicate keys and a token of two tenants are errors, too.
+/// Only "sha256" and "scopes" of a token are required. Errors: REQUEST_MALFORMED with the position
+/// in the file, also for unknown or duplicate keys and for a token that two tenants have.
 absl::StatusOr<Tenants> ParseTenants(std::string_view json);
 
 /// Returns true if the name has 1 to 63 of a-z, 0-9, '-' and '_' and begins with a letter or a
-/// digit. Such a name may become part of a path and of a certificate's URI.
+/// digit. A name of this form may be part of a path and of a certificate's URI.
 bool IsTenantName(std::string_view name);
 
 /// Authenticated client with its permissions and limits.
@@ -89,13 +90,13 @@ struct Caller {
   bool may(Scope scope) const { return scopes.contains(scope); }
 };
 
-/// Returns the caller with this token; nullopt if no tenant has it or if it has expired. Takes the
-/// same time for all tokens of the same length.
+/// Returns the caller with this token; nullopt if no tenant has the token or if the token has
+/// expired. Takes the same time for all tokens of the same length.
 std::optional<Caller> CallerWithToken(const Tenants& tenants, std::string_view token,
                                       int64_t now_us);
 
-/// Returns the caller that has shown a certificate of this tenant; nullopt if there is no such
-/// tenant.
+/// Returns the caller that has presented a certificate of this tenant; nullopt if the tenant does
+/// not exist.
 std::optional<Caller> CallerWithCertificate(const Tenants& tenants, std::string_view tenant);
 
 }  // namespace slicefarm::coordinator

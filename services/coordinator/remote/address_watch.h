@@ -18,8 +18,9 @@ namespace slicefarm::coordinator {
 using Resolve = std::function<absl::StatusOr<std::vector<std::string>>(const std::string& name)>;
 
 /// Resolves a name with the system's resolver. Returns all IPv4 addresses of the host; if it has
-/// none, its IPv6 addresses. So a host with both kinds counts as one host. Errors: InvalidArgument
-/// if the name is not host:port; Unavailable if the host cannot be resolved at the moment.
+/// none, its IPv6 addresses. So a host with addresses of both kinds counts as one host. Errors:
+/// InvalidArgument if the name is not host:port; Unavailable if the host cannot be resolved at the
+/// moment.
 absl::StatusOr<std::vector<std::string>> ResolveByDns(const std::string& name);
 
 /// Splits a list of addresses: "a:1,b:2" -> {"a:1", "b:2"}. Ignores empty parts.
@@ -32,12 +33,13 @@ struct AddressWatchOptions {
   Resolve resolve = ResolveByDns;
 };
 
-/// Resolves names again at regular intervals, because the replicas behind them change. If a name
-/// cannot be resolved, its last addresses remain. Thread-safe.
+/// Resolves names again at regular intervals, because the replicas behind a name change. If a name
+/// cannot be resolved, it keeps its last addresses. Thread-safe.
 class AddressWatch {
  public:
-  /// Calls `changed` with each new set of addresses, sorted, beginning with the first lookup. The
-  /// calls run on the watch's own thread.
+  /// Starts the lookups of `names` (host:port). Calls `changed` with the sorted addresses of all
+  /// names whenever they have changed, beginning with the first lookup. The calls run on the
+  /// watch's own thread.
   AddressWatch(std::vector<std::string> names,
                std::function<void(const std::vector<std::string>&)> changed,
                AddressWatchOptions options = {});

@@ -16,12 +16,13 @@
 
 namespace slicefarm::coordinator {
 
-/// Time limits of a remote stage's calls.
+/// Time limits of the calls of a remote stage.
 struct RemoteOptions {
-  /// Deadline of one try for very little work. A replica without an answer by then counts as
-  /// unreachable. A broken connection reveals a dead machine or process earlier.
+  /// Deadline of one try for very little work. A replica that has not answered by then counts as
+  /// unreachable. The death of a machine or process is noticed earlier, because it breaks the
+  /// connection.
   std::chrono::milliseconds deadline{300'000};
-  /// Number of outline points for which the deadline grows by another `deadline`.
+  /// Number of outline points for which the deadline increases by `deadline`.
   int64_t points_a_deadline = 15'000'000;
 
   /// Returns the deadline of one try for work with `points` outline points.
@@ -31,26 +32,27 @@ struct RemoteOptions {
   }
 };
 
-/// Returns the error for an answer that cannot be read or does not fit the call. The code is
-/// Internal, because the input is not at fault. Errors of this process remain unchanged: out of
-/// memory, or cancelled.
+/// Returns the error for an answer that cannot be read or does not fit the call. Its code is
+/// Internal, because the input is not at fault. `why` is returned unchanged if it is an error of
+/// this process: out of memory, or cancelled.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
-/// Returns `status` of a call. Returns LostCall if the call ended at its deadline or with its
-/// connection, and BUILD_MISMATCH if the server does not have the method. Neither error concerns
-/// the input. An older build may lack a method of this build; then no call can report the build.
+/// Returns the outcome of a call that ended with `status`: LostCall if the call ended at its
+/// deadline or with its connection; BUILD_MISMATCH if the server does not have the method; else
+/// `status`. LostCall and BUILD_MISMATCH do not concern the input. A server without the method is
+/// an older build, but it can only report that the method is missing.
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
                        absl::Status status);
 
-/// Method of a stub that prepares a call with a stream of requests and a stream of responses.
+/// Method of a gRPC stub that prepares a call with a stream of requests and a stream of responses.
 template <typename Stub, typename Request, typename Response>
 using Prepare = std::unique_ptr<grpc::ClientAsyncReaderWriter<Request, Response>> (Stub::*)(
     grpc::ClientContext*, grpc::CompletionQueue*);
 
 /// Makes a call with streams in both directions on one of `replicas`. `write(stream)` sends the
-/// request. `read(stream)` takes the answer and first drops the results of an earlier try.
-/// `prepare`: the stub's PrepareAsync method. `deadline`: the deadline of one try. Returns the
-/// server's own status if the server sent one.
+/// request. `read(stream)` receives the answer; it must first drop the results of an earlier try.
+/// `prepare`: the stub's PrepareAsync method. `deadline`: the deadline of one try. `stage`: name of
+/// the stage in errors and spans. Returns the server's own status if the server sent one.
 template <typename Stub, typename Request, typename Response, typename Write, typename Read>
 absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,
                         const StageCall& call, std::string_view stage,
@@ -66,15 +68,16 @@ absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadl
     stream.WritesDone();
     const absl::Status answer = read(stream);
     if (!answer.ok() && stream.alive()) return stream.Abandon(BadAnswer(stage, answer));
-    // If the answer was cut off, it may not fit. In this case the status of the call gives the
+    // An answer that was cut off may be incomplete. In this case the status of the call is the
     // reason.
     const absl::Status outcome = OutcomeOf(stage, deadline, stream.Finish());
     return answer.ok() || !outcome.ok() ? outcome : BadAnswer(stage, answer);
   });
 }
 
-/// Makes a call as StreamOver does, but takes answers while it writes the request. `begin()` drops
-/// the results of an earlier try. `take(response)` takes one answer.
+/// Makes a call as StreamOver does, but receives answers while it still writes the request.
+/// `begin()` is called before each try and drops the results of an earlier try. `take(response)`
+/// receives one answer.
 template <typename Stub, typename Request, typename Response, typename Begin, typename Write,
           typename Take>
 absl::Status DuplexOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,

@@ -8,13 +8,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Reader of project files. The files may come from untrusted clients.
+/// Reader of project files (3MF). The files may come from untrusted clients.
 class ProjectReader {
  public:
   virtual ~ProjectReader() = default;
 
   /// Returns all printable plates of a project, each with its job spec. Errors: REQUEST_MALFORMED
-  /// if the file is no project; errors of reading a project; Unavailable; Cancelled.
+  /// if the file is no project; other errors of the slicing service's ReadProject; Unavailable;
+  /// Cancelled.
   virtual absl::StatusOr<v1::ReadProjectResponse> Read(const StageCall& call,
                                                        MeshFile file) const = 0;
 };

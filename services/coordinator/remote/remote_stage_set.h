@@ -11,7 +11,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Clients of the stages that have services.
+/// Clients of the stages that run as services.
 class RemoteStageSet {
  public:
   /// Creates the client of a stage. A slicing service is also the placing service. `replicas` must

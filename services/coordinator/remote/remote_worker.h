@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Task runner that calls slicefarm.v1.Worker. Supports the processes that the worker reported.
-/// Errors as in stage_client.h.
+/// TaskRunner that calls slicefarm.v1.Worker. Supports the processes that the worker has reported.
+/// Errors: see StageClient.
 class RemoteWorker : public TaskRunner {
  public:
   /// Sends the calls to `replicas`, which must outlive the worker.

@@ -13,20 +13,21 @@
 
 namespace slicefarm::coordinator {
 
-/// Set of replicas that get the calls of a remote stage. Thread-safe.
+/// Replicas of a service that get the calls of a remote stage. Thread-safe.
 class ReplicaSource {
  public:
-  /// One try of a call. It may be made again on another channel.
+  /// Function that makes one try of a call over a channel. It may be called again with another
+  /// channel.
   using Attempt = std::function<absl::Status(const std::shared_ptr<grpc::Channel>& channel)>;
 
   virtual ~ReplicaSource() = default;
 
-  /// Makes the call on a replica. Tries other replicas as long as the error concerns only the
-  /// replica.
+  /// Makes the call on a replica. Tries another replica if the error concerns only the replica
+  /// (IsReplicasFault).
   virtual absl::Status Call(const CancelToken& cancel, const Attempt& attempt) = 0;
 };
 
-/// Single server without alternatives. The caller itself handles a failure of the server.
+/// Single server without alternatives. If the server fails, the caller gets the error.
 class SingleReplica : public ReplicaSource {
  public:
   explicit SingleReplica(std::shared_ptr<grpc::Channel> channel) : channel_(std::move(channel)) {}
@@ -40,19 +41,19 @@ class SingleReplica : public ReplicaSource {
   const std::shared_ptr<grpc::Channel> channel_;  // gRPC's own handle
 };
 
-/// Returns true if the error concerns only this server: it cannot take the call, or refuses this
-/// client. Another server may take the call.
+/// Returns true if another server may take the call: this server cannot take the call, or refuses
+/// this client.
 bool IsReplicasFault(const absl::Status& status);
 
-/// Returns the error of a call that was in progress when its server was lost. `what` was lost:
-/// "connection" or "answer". Callers that see the error twice may suspect that the servers die of
-/// the call.
+/// Returns the error of a call that was in progress when its server was lost. `what`: "connection"
+/// or "answer", which was lost. `how`: description of the event. If the same call gets this error
+/// twice, it may have killed the servers.
 absl::Status LostCall(std::string_view stage, std::string_view what, std::string_view how);
 /// Returns true if the status is a LostCall error.
 bool WasLost(const absl::Status& status);
 
-/// Returns true if the server runs but takes no more calls for now. Returns false if this process
-/// is out of memory.
+/// Returns true if the server is alive but refuses calls for now (OVERLOADED). Returns false if
+/// this process is out of memory, which has the same status code.
 bool IsOverloaded(const absl::Status& status);
 
 /// Waits for the time that an overloaded server requested. Returns early with Cancelled if `cancel`

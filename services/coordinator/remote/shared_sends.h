@@ -19,16 +19,18 @@
 
 namespace slicefarm::coordinator {
 
-/// Sends shared values to servers that do not have them. If a server answers SHARED_MISSING, one of
-/// the calls that need the value sends it. Then the call is repeated. No client tracks the values
-/// of a server, so a server may restart or forget values at any time. Thread-safe.
+/// Sends shared values to servers that do not have them. A call contains only the digests of its
+/// values. If a server answers SHARED_MISSING, one of the calls that need the value sends it; then
+/// each call is repeated. The client does not record which server has which values, so a server may
+/// restart or forget values at any time. Thread-safe.
 class SharedSends {
  public:
   /// Creates an object without sends in progress. `deadline`: time limit for sending one value.
   explicit SharedSends(std::chrono::milliseconds deadline) : deadline_(deadline) {}
 
-  /// Makes a call over `channel` with `attempt`; the call refers to `parts`. Errors: errors of the
-  /// attempt; errors of the sending; OVERLOADED if the server forgets values before it uses them.
+  /// Makes a call over `channel` with `attempt`. `parts`: shared values to which the call refers.
+  /// Errors: errors of `attempt`; errors of sending a value; OVERLOADED if the server forgets the
+  /// values again before the call uses them.
   absl::Status Call(const std::shared_ptr<grpc::Channel>& channel, const StageCall& call,
                     const SharedParts& parts, const std::function<absl::Status()>& attempt);
 
@@ -46,8 +48,8 @@ class SharedSends {
   std::set<Sending> sending_;
 };
 
-/// Replicas for calls that refer to `parts`. Sends each replica the parts that it does not have.
-/// All arguments must outlive this object.
+/// ReplicaSource for calls that refer to the shared values `parts`. Sends each replica the values
+/// that it does not have. All arguments must outlive this object.
 class SharingReplicas : public ReplicaSource {
  public:
   SharingReplicas(ReplicaSource& replicas, SharedSends& sends, const StageCall& call,

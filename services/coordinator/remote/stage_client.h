@@ -21,7 +21,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Converts an answer and stores it: in a vector with one model per message, or as the only model.
+/// Converts a response to a model and stores it. The result is a vector with one model per message,
+/// or a single model.
 struct TakeModel {
   template <typename Response, typename Model>
   absl::Status operator()(Response& response, std::vector<Model>& models) const {
@@ -44,9 +45,9 @@ struct WriteNoMore {
 };
 
 /// Calls the services of one stage. Each call runs on one of `replicas`, which must outlive the
-/// client. A call has a deadline, and its cancellation reaches the algorithm on the server. Errors:
-/// errors of the stage; Unavailable, DeadlineExceeded, Cancelled; Internal for an answer that does
-/// not fit the call. Thread-safe.
+/// client. A call has a deadline, and its cancellation also ends the computation on the server.
+/// Errors: errors of the stage; Unavailable, DeadlineExceeded, Cancelled; Internal for an answer
+/// that does not fit the call. Thread-safe.
 class StageClient {
  public:
   /// Creates a client. `stage`: name of the stage in messages and spans.
@@ -57,7 +58,8 @@ class StageClient {
   const RemoteOptions& options() const { return options_; }
 
   /// Calls a method with streams in both directions. `write(stream)` sends the request.
-  /// `take(response, result)` adds an answer to the result. Each try begins with an empty result.
+  /// `take(response, result)` adds one response to the result. Each try begins with an empty
+  /// result.
   template <typename Result, typename Stub, typename Request, typename Response, typename Write,
             typename Take = TakeModel>
   absl::StatusOr<Result> Ask(const StageCall& call, std::chrono::milliseconds deadline,
@@ -66,8 +68,8 @@ class StageClient {
     return AskOver<Result>(replicas_, call, deadline, prepare, write, take);
   }
 
-  /// Calls a method that begins with `start` and refers to `job` by its digest. Each server gets
-  /// the job only once. `write(stream)` sends the messages after the start.
+  /// Calls a method whose first message is `start`. This message refers to `job` by its digest, so
+  /// each server gets the job only once. `write(stream)` sends the messages after the first.
   template <typename Result, typename Job, typename Start, typename Stub, typename Request,
             typename Response, typename Write = WriteNoMore, typename Take = TakeModel>
   absl::StatusOr<Result> AskAbout(const Shared<Job>& job, Start start,
@@ -105,7 +107,8 @@ class StageClient {
     return model;
   }
 
-  /// Returns the result if `check` accepts it.
+  /// Returns the result if `check` accepts it. Errors: errors of the call; Internal (BadAnswer) if
+  /// `check` returns an error.
   template <typename Result, typename Check>
   absl::StatusOr<Result> Fitting(absl::StatusOr<Result> result, const Check& check) const {
     if (!result.ok()) return result;
@@ -113,14 +116,16 @@ class StageClient {
     return result;
   }
 
-  /// Returns the results if there is exactly one for each layer of the range.
+  /// Returns the results if there is exactly one for each layer of the range. Errors: as in
+  /// Fitting.
   template <typename Layers>
   absl::StatusOr<Layers> ForRange(LayerRange range, absl::StatusOr<Layers> layers) const {
     return Fitting(std::move(layers),
                    [range](const Layers& found) { return CheckLayersOfRange(found, range); });
   }
 
-  /// Returns the only answer of a call.
+  /// Returns the model of a call with one answer. Errors: errors of the call; Internal (BadAnswer)
+  /// if there was no answer.
   template <typename Model>
   absl::StatusOr<Model> OnlyOne(absl::StatusOr<std::optional<Model>> model) const {
     if (!model.ok()) return model.status();

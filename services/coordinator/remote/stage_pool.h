@@ -19,20 +19,21 @@ namespace slicefarm::coordinator {
 /// Options of a StagePool.
 struct StagePoolOptions {
   int tries = 3;  ///< tries of one call, on different replicas if there are several
-  /// Tries of one call that may be lost with their replica. Such replicas may have died of the
-  /// call.
+  /// Largest number of tries of one call that end with the loss of their replica. The call may be
+  /// the reason that these replicas died.
   int lost_tries = 2;
   /// Time for which a failed replica is avoided while another replica is reachable.
   std::chrono::milliseconds rest{1'000};
-  /// Longest wait of a call for a reachable replica. It is longer than the restart of a replica.
+  /// Longest time that a call waits for a reachable replica. It is longer than the restart of a
+  /// replica takes.
   std::chrono::milliseconds connect_patience{15'000};
   AddressWatchOptions watch = {};
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
 /// Pool of the replicas of one stage. It has one channel to each address of the names; the
-/// addresses may change at any time. A call goes to the reachable replica with the fewest calls in
-/// flight. Thread-safe.
+/// addresses of a name may change at any time. A call goes to the reachable replica with the fewest
+/// calls in flight. Thread-safe.
 class StagePool : public ReplicaSource {
  public:
   /// Creates a pool. `stage`: name of the stage in messages. `names`: host:port; each name may have
@@ -41,15 +42,17 @@ class StagePool : public ReplicaSource {
             const StagePoolOptions& options = {});
   ~StagePool() override;
 
-  /// Makes a call on a replica. Errors: errors of the attempt; Unavailable if no replica was
-  /// reachable in time.
+  /// Makes a call on a replica. Errors: errors of `attempt`; Unavailable if no replica was
+  /// reachable within `connect_patience`.
   absl::Status Call(const CancelToken& cancel, const Attempt& attempt) override;
 
-  /// Waits until a replica is reachable, for at most the given time. Returns true if one is.
+  /// Waits until a replica is reachable, for at most `patience`. Returns true if a replica is
+  /// reachable.
   bool AwaitReady(std::chrono::milliseconds patience);
 
-  /// Requests the build of each reachable replica. Returns false if all replicas that answer are of
-  /// another build or about to stop. Takes one second if a replica does not answer.
+  /// Requests the build of each reachable replica. Returns false if at least one replica answers,
+  /// and each one that answers is of another build or about to stop. Takes one second if a replica
+  /// does not answer.
   bool OfThisBuild();
 
   /// Returns the current addresses, reachable or not.

@@ -24,18 +24,19 @@ struct WorkerPoolOptions {
   RemoteOptions remote = {};
   AddressWatchOptions watch = {};
   std::chrono::milliseconds greet_every{5'000};
-  /// Longest wait for the answer to a greeting.
+  /// Longest wait for a worker's answer to a request for its info.
   std::chrono::milliseconds greeting_patience{10'000};
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
-/// Pool of the workers behind some names. A worker joins the runners when it has reported its build
-/// and its slots. It leaves when its address disappears or when it has not answered for a while. A
-/// shorter interruption of some seconds is allowed (Runner::await_ready). Workers of another build
-/// do not join.
+/// Pool of the workers whose addresses some names have. A worker joins the runners when it has
+/// reported its build and its slots. It leaves when its address disappears or when it has not
+/// answered for a while. Interruptions of some seconds are allowed (Runner::await_ready). Workers
+/// of another build do not join.
 ///
 /// The pool requests the info of all workers at regular intervals, because a restarted worker may
-/// have other slots or another build. A range that a worker refuses also reveals another build.
+/// have other slots or another build. BUILD_MISMATCH as the answer to a range also shows that a
+/// worker is of another build.
 class WorkerPool {
  public:
   /// Adds the workers to `runners`, which must outlive the pool. `names`: host:port; each name may

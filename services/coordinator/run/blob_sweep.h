@@ -12,19 +12,19 @@ namespace slicefarm::coordinator {
 struct SweepOptions {
   /// Time after which ended jobs are removed; 0: never.
   double keep_jobs_s = 0;
-  /// Idle time after which blobs without a referring job are removed. It must exceed the time from
-  /// an upload to its job, and from a result to its record.
+  /// Idle time after which a blob is removed if no job refers to it. It must exceed the time
+  /// between an upload and the creation of its job, and between a result and the job's record.
   double keep_blobs_s = 24 * 3600;
-  /// Time for which a store must be in use before anything is removed.
+  /// Time for which a store must have been in use before anything is removed from it.
   double settle_s = 24 * 3600;
-  /// Time after which damaged blobs are removed. Until then a person can inspect them.
+  /// Time after which damaged blobs are removed. Before, a person can inspect them.
   double keep_damaged_s = 7 * 24 * 3600;
 };
 
 /// Returns true if the store has been in use for SweepOptions::settle_s, and records the current
-/// use. The sweep ignores a store for that long if it is new, was restored, or was out of use for
-/// more than a day. Such a store may have the wrong database, and the unknown blobs may belong to
-/// the right one. Errors: errors of the store.
+/// use. A store must wait for that long if it is new, was restored, or was out of use for more than
+/// a day. The coordinator may be connected to the wrong database then, and blobs that this database
+/// does not contain may belong to the right one. Errors: see JobStore.
 absl::StatusOr<bool> IsSettled(JobStore& jobs, const SweepOptions& options, int64_t now_us);
 
 /// Counts of removed jobs, blobs and bytes.
@@ -35,9 +35,10 @@ struct Swept {
 };
 
 /// Removes unused data: jobs that ended long ago, blobs that are neither input nor result of a job,
-/// and abandoned uploads. Safe beside other coordinators, which may use a blob at any moment. A
-/// coordinator uses a blob before it refers to it, and the use protects the blob. A failure to
-/// remove one item does not stop the rest. Errors: the first error of the stores; CANCELLED.
+/// and abandoned uploads. Other coordinators may use a blob at any moment: they mark it as used
+/// (BlobStore::Keep) before they refer to it, and the sweep spares blobs that were used recently.
+/// If one item cannot be removed, the sweep continues. Errors: the first error of `jobs` or
+/// `blobs`; CANCELLED.
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us, const CancelToken& cancel = {});
 

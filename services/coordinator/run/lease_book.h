@@ -11,17 +11,17 @@
 
 namespace slicefarm::coordinator {
 
-/// Leases that one coordinator holds. Decides the effect of the store's answers, or of missing
-/// answers, on the runs. A pure state machine; its outputs are the RunWishes of the runs. Times are
+/// Leases of one coordinator. Decides the effect of the store's answers, or of missing answers, on
+/// the runs. A pure state machine; its outputs are the RunWishes of the runs. Times are
 /// microseconds on the coordinator's clock. Not thread-safe.
 class LeaseBook {
  public:
   explicit LeaseBook(int64_t lease_us) : lease_us_(lease_us) {}
 
-  /// Returns the end of a lease that is claimed or renewed now.
+  /// Returns the end of a lease that is claimed or renewed at `now_us`.
   int64_t UntilUs(int64_t now_us) const { return now_us + lease_us_; }
 
-  /// Adds a run with its lease. `claimed_us`: the time before the claim was sent.
+  /// Adds a run with its lease. `claimed_us`: a time before the claim was sent to the store.
   void Add(const Lease& lease, int64_t claimed_us, std::shared_ptr<RunWishes> wishes);
 
   /// Removes the lease of a run that has ended.
@@ -31,8 +31,9 @@ class LeaseBook {
   /// Its lease must expire, so that the job can be claimed again.
   std::vector<Lease> ToRenew() const;
 
-  /// Applies the store's answer to the renewal of `asked` until `until_us`. A run loses its job if
-  /// its lease is not in `held`. A run is cancelled if its job's end was requested.
+  /// Applies the store's answer to a renewal. `asked`: leases that were to be renewed until
+  /// `until_us`; `held`: those that the store has renewed. A run whose lease is not in `held` loses
+  /// its job. A run is cancelled if a client has requested the end of its job.
   void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
 
   /// Ends all runs with less than a fifth of their lease left, because the store has not answered
@@ -51,7 +52,8 @@ class LeaseBook {
   };
 
   int64_t lease_us_;
-  /// Leases are the keys, because a job that was given up may be claimed again while its run ends.
+  /// Runs by lease. A job may have two leases here: it was given up and claimed again before the
+  /// first run ended.
   std::map<Lease, Held> held_;
 };
 

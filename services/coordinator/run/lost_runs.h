@@ -8,7 +8,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Number of lost runs after which a job is a suspect: its coordinators may die of it.
+/// Number of lost runs after which a job is a suspect: it may kill its coordinators.
 inline constexpr int32_t kSuspectRuns = 3;
 
 /// Number of lost runs after which a job is considered to kill its coordinators.
@@ -17,29 +17,32 @@ inline constexpr int32_t kMaxLostRuns = 10;
 /// Number of deadly runs after which a job is considered to kill its workers or stages.
 inline constexpr int32_t kMaxDeadlyRuns = 3;
 
-/// Decides when a job with failed runs may begin its next run. A lost run began but did not end. A
-/// deadly run ended because services died during the run. Pure.
+/// Decides when a job with failed runs may begin its next run. A run is lost if it began but never
+/// ended, because its coordinator died. A run is deadly if it ended because services died during
+/// the run. Pure.
 ///
 /// Runs are lost because the job kills its coordinators, or because something else kills them. The
-/// second cause does not depend on the job. It shows in the coordinators' calm time: the time that
-/// a coordinator has lived without losing a lease. A suspect runs only on coordinators that have
-/// been calm for long enough. Each loss doubles the required time.
+/// second cause does not depend on the job, and shows in the coordinators' calm time: the time for
+/// which a coordinator has run without losing a lease. A job with several lost runs (a suspect)
+/// runs only on coordinators that have been calm for long enough. Each further lost run doubles the
+/// required time.
 ///
-/// - If coordinators are killed all the time, none is calm. The suspects wait, which costs time but
-///   no run.
-/// - If coordinators live until the job runs, each of its runs counts. The last run is soon
-///   reached.
+/// - If coordinators are killed all the time, none is calm. The suspects wait, and no further run
+///   is lost.
+/// - If a coordinator is calm until the job runs and then dies, the run counts as lost. Soon
+///   kMaxLostRuns is reached.
 ///
-/// Services die of the same causes, so the same rule applies after a deadly run: a calm coordinator
-/// indicates a calm farm.
+/// Services die of the same causes. So the next run after a deadly run also requires a calm
+/// coordinator, which shows that the farm is calm.
 class LostRuns {
  public:
   LostRuns() = default;
 
-  /// Creates the state of a claimed job. `calm_us`: time that its coordinator has been calm.
+  /// Creates the state of a claimed job. `calm_us`: calm time of the coordinator that has claimed
+  /// it.
   LostRuns(const JobRecord& job, int64_t calm_us);
 
-  /// Returns OK if a run may begin. Errors: JOB_POISONED.
+  /// Returns OK if a run may begin now. Errors: JOB_POISONED.
   absl::Status MayBegin() const;
 
   /// Returns true if the job is considered to kill coordinators. If false, the job may run again
@@ -52,8 +55,8 @@ class LostRuns {
   /// is then considered to kill services.
   std::optional<int64_t> RestAfterDeadlyRunUs() const;
 
-  /// Returns the number of lost runs that a run writes together with `state`. RUNNING counts as one
-  /// more, because the run may never write again.
+  /// Returns the number of lost runs to write together with the new `state`. With RUNNING it is one
+  /// more, because this run is lost if it never writes again.
   int32_t After(JobState state) const;
 
  private:

@@ -4,14 +4,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Limits the progress reports of a run to five per second and a hundred per job.
+/// Limits the progress reports of a run: at most five per second, and at most a hundred per job.
 class ProgressGate {
  public:
   /// Returns true if this progress is to be reported now. `now_s` may come from any clock that does
   /// not run backwards.
   bool Passes(const PipelineProgress& progress, double now_s);
 
-  /// Returns the last progress that passed.
+  /// Returns the last progress that was to be reported.
   const PipelineProgress& told() const { return told_; }
 
  private:

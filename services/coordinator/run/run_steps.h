@@ -15,9 +15,9 @@ namespace slicefarm::coordinator {
 ///        each of them, when it fails -> kConclude -> kOver.
 ///
 /// A run that has lost its job takes no further step, because all steps except kCompute write to
-/// the store. A run with a requested end does not begin its job. So a cancelled job does not end
-/// with a cached result. A job that LostRuns does not allow does not begin either. In both cases
-/// Conclusion decides the job's next state.
+/// the store. A run that must end before its job has begun goes to kConclude, so a cancelled job
+/// does not end with a cached result. A run that LostRuns does not allow goes from kBegin to
+/// kConclude. In kConclude, the job's next state is decided (run_conclusion.h).
 class RunSteps {
  public:
   /// Steps of a run.
@@ -36,8 +36,8 @@ class RunSteps {
   /// Returns the next step.
   Step Next(const RunWishes& wishes, int64_t now_us);
 
-  /// Records the outcome of a step: true if the job has ended as SUCCEEDED, false if the next step
-  /// follows, or an error.
+  /// Records the outcome of the last step: true if the job has ended as SUCCEEDED, false if the
+  /// next step follows, or an error.
   void Took(const absl::StatusOr<bool>& succeeded);
 
   /// Returns the reason that the job did not succeed; OK as long as nothing has failed.

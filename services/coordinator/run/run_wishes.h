@@ -8,8 +8,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Requests to end a run, set from any thread. A request except the deadline is never withdrawn.
-/// Times are microseconds on the coordinator's clock.
+/// Requests to end a run. Any thread may set them. No request except the deadline is ever
+/// withdrawn. Times are microseconds on the coordinator's clock.
 class RunWishes {
  public:
   explicit RunWishes(int64_t deadline_us = kNoDeadlineUs) : deadline_us_(deadline_us) {}
@@ -20,7 +20,8 @@ class RunWishes {
   /// Sets the deadline of the job.
   void EndBy(int64_t deadline_us) { deadline_us_ = deadline_us; }
 
-  /// Takes the store's answer to a write of the run. Aborted means that the job was claimed again.
+  /// Evaluates the store's answer to a write of the run: Aborted means that the job was claimed
+  /// again or has ended.
   void Heard(const absl::Status& written) {
     if (absl::IsAborted(written)) Lose();
   }
@@ -33,7 +34,7 @@ class RunWishes {
   bool lost() const { return lost_; }
   /// Returns true if the deadline has passed.
   bool Overdue(int64_t now_us) const { return now_us >= deadline_us_; }
-  /// Returns true if the run must end for any of these reasons.
+  /// Returns true if any of these four reasons requires the end of the run.
   bool GivenUp(int64_t now_us) const {
     return cancelled_ || handed_back_ || lost_ || Overdue(now_us);
   }

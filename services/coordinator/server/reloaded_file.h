@@ -17,8 +17,8 @@
 
 namespace slicefarm::coordinator {
 
-/// File of settings that is read again when it changes. If the new content is invalid, the old
-/// content stays in use; the log gets an error and the gauge slicefarm_NAME_file_usable becomes 0.
+/// Settings file that is read again when it changes. If the new content is invalid, the old content
+/// stays in use; the log gets an error, and the gauge slicefarm_NAME_file_usable becomes 0.
 /// Thread-safe.
 template <typename Content>
 class ReloadedFile {
@@ -26,7 +26,7 @@ class ReloadedFile {
   using Parse = std::function<absl::StatusOr<Content>(const std::string& text)>;
 
   /// Opens the file and reads its content. `name`: kind of content, for the log and the gauge. The
-  /// registry must outlive the file. Errors: errors of rpc::ReadTextFile and `parse`.
+  /// registry must outlive the file. Errors: see rpc::ReadTextFile; errors of `parse`.
   static absl::StatusOr<std::unique_ptr<ReloadedFile>> Open(
       const std::string& path, const std::string& name, Parse parse, prometheus::Registry& registry,
       rpc::JsonLog log, std::chrono::milliseconds every = std::chrono::seconds(1)) {

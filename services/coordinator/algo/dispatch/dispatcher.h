@@ -27,16 +27,15 @@ struct DispatcherOptions {
   int64_t most_program_bytes = limits::kMaxProgramBytes;
 };
 
-/// Runs the ranges of any number of jobs on the runners that have joined, in the order that FanOut
-/// decides. Each slot has one thread. A slot gets the next range when it has finished one, so a
-/// fast runner gets more ranges.
+/// Runs the ranges of any number of jobs on the runners that have joined. FanOut decides the order
+/// of the ranges. Each slot of a runner has one thread, which takes the next range when it has
+/// finished one. So a fast runner gets more ranges. A runner gets only tasks of the processes that
+/// it supports.
 ///
-/// A runner gets only tasks of the processes that it supports.
-///
-/// Errors: the stage's error if the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
+/// Errors of Execute: the stage's error if the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
 /// RANGE_POISONED with the label of a task that failed too often; REQUEST_TOO_LARGE if the results
-/// have more bytes than a program may have; CANCELLED. BUILD_MISMATCH is the runner's fault and
-/// does not count as a try of the range. If no runner supports the process, Execute waits until one
+/// have more than `most_program_bytes`; CANCELLED. BUILD_MISMATCH is the runner's fault and does
+/// not count as a try of the range. If no runner supports the process, Execute waits until one
 /// joins. Thread-safe. REQUIRES: no Execute is running at destruction.
 class Dispatcher : public TaskExecutor, public RunnerSet {
  public:
@@ -79,10 +78,10 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   std::condition_variable work_;     ///< notified when a slot may have work or must end
   std::condition_variable changed_;  ///< notified when a job may have progressed or ended
   FanOut fan_out_;
-  /// Jobs that run; each one is on the stack of its Execute call.
+  /// Running jobs. Each Job object is on the stack of its Execute call.
   std::map<FanOut::JobId, Job*> jobs_;
   std::map<RunnerId, std::unique_ptr<Member>> members_;
-  /// Members that left but may still have running threads.
+  /// Runners that left but may still have running threads.
   std::vector<std::unique_ptr<Member>> left_;
   RunnerId next_runner_ = 1;
   bool stopping_ = false;

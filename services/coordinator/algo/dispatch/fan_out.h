@@ -28,17 +28,19 @@ struct DispatchCounts {
 /// pure state machine for any number of jobs and runners. It has one RangeScheduler per job.
 ///
 /// Tenants share the runners evenly: a free slot goes to the tenant with the fewest ranges in
-/// flight; among equal tenants, to the one that has waited longest. Within a tenant, the jobs of
-/// the highest priority come first. Among equal priorities, the job with the fewest ranges in
-/// flight comes first, then the one that has waited longest.
+/// flight; if several tenants have the same number, to the one that has waited longest. Within a
+/// tenant, the jobs of the highest priority come first. Among jobs of the same priority, the job
+/// with the fewest ranges in flight comes first, then the one that has waited longest.
 ///
-/// A slow range gets a second copy only when nothing is queued. Second copies are at most
-/// `hedge_share` of all ranges: when everything is slow, more copies would make it slower.
+/// A slow range gets a second copy on another runner only when nothing is queued. Second copies are
+/// at most `hedge_share` of all ranges, because more of them would slow down a busy farm further.
 ///
-/// A range that runners refuse (INTERNAL) gets fewer tries than a range that runners are too busy
-/// for. A range that a runner died of (UNAVAILABLE that no server sent) is tried alone on an idle
-/// runner. Of all jobs, only one such range runs at a time. If a runner's slots are never all free,
-/// it is kept free for the range after SchedulerOptions::elsewhere_after_s. Not thread-safe.
+/// The error of a failed range decides about its next tries. INTERNAL: the runner refused the
+/// range, which gets fewer tries than after other errors (such as a busy runner). UNAVAILABLE that
+/// no server sent: the runner probably died of the range, which is then suspect and is tried alone
+/// on an idle runner. Of all jobs, only one suspect range runs at a time. If it has waited for
+/// SchedulerOptions::elsewhere_after_s and no runner is idle, one runner gets no other ranges until
+/// it is idle. Not thread-safe.
 class FanOut {
  public:
   using JobId = int64_t;
@@ -69,20 +71,20 @@ class FanOut {
   void Remove(JobId job);
 
   /// Returns the next range for a free slot of the runner; nullopt if there is none. `can`: the
-  /// processes that the runner supports. REQUIRES: the runner can be reached.
+  /// processes that the runner supports, also in the next functions. REQUIRES: the runner can be
+  /// reached.
   std::optional<Grant> Take(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
   /// Returns true if Take would grant a queued or suspect range, or if a suspect range waits for
-  /// this runner to be reachable again. Slots call this function again after a while if there are
-  /// suspect ranges, and whenever a call returns.
+  /// this runner to be reachable again. Each slot without work calls this function again whenever a
+  /// call returns, and from time to time if there are suspect ranges.
   bool MayTake(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
-  /// Records that the call of a grant has ended, with any result. Allowed also if the job was
-  /// removed.
+  /// Records that the call of a grant has ended, no matter how. The job may have been removed.
   void Returned(const Grant& grant) { loads_.End({grant.job, grant.ticket}); }
 
-  /// Records a result of the granted range. Returns whether it is the range's first result, and the
-  /// copies to cancel.
+  /// Records a result of the granted range. The return value contains whether this is the range's
+  /// first result, and the copies to cancel.
   RangeScheduler::Accepted Succeeded(const Grant& grant, double now_s);
   /// Records a failed try of the granted range and returns the effect on the job.
   Verdict Failed(const Grant& grant, const absl::Status& error);
@@ -95,7 +97,7 @@ class FanOut {
 
   /// Returns true if all ranges of the job are done.
   bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
-  /// Returns true if a job of these processes has a queued range.
+  /// Returns true if a job of one of the processes `can` has a queued range.
   bool AnyQueued(ProcessSet can = ProcessSet::All()) const;
   /// Returns true if any job has a suspect range.
   bool AnySuspects() const;
@@ -126,12 +128,13 @@ class FanOut {
   JobId next_job_ = 1;
   int64_t next_turn_ = 1;
   double hedges_left_;
-  /// Counts of removed jobs; `done` and `poisoned` count the ranges of all jobs.
+  /// Counts of ranges. `requeued` and `hedged` contain only removed jobs, because the schedulers of
+  /// the other jobs have their own counts.
   DispatchCounts counts_;
 };
 
-/// Returns the pause of a slot after `failures` failed calls in a row. Each failure doubles the
-/// pause.
+/// Returns the pause of a slot after `failures` failed calls in a row: `min`, doubled by each
+/// further failure, up to `max`.
 std::chrono::milliseconds RestAfter(int failures, std::chrono::milliseconds min,
                                     std::chrono::milliseconds max);
 

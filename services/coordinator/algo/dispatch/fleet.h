@@ -25,9 +25,9 @@ struct RunnerAtWork {
   std::vector<TaskAtWork> tasks;
 };
 
-/// Wraps the runners of another set and records each of their calls. Reports which tasks each
-/// runner has at the moment. Writes the time and the outcome of each task to the span log of the
-/// job. Each call gets a span of its own in the job's trace. Thread-safe.
+/// Wraps the runners of another set and records each of their calls, so that the current tasks of
+/// each runner are known. Writes the time and the outcome of each task to the span log of the job.
+/// Each call gets a span of its own in the job's trace. Thread-safe.
 class Fleet : public RunnerSet {
  public:
   /// Adds all runners to `runners`, which must outlive this object.

@@ -13,20 +13,24 @@ namespace slicefarm::coordinator {
 
 /// Limits for failing and slow ranges.
 struct SchedulerOptions {
-  /// Failed tries of a range after which the job fails, together with `poison_runners`.
+  /// Failed tries of a range after which the job fails, if they were on `poison_runners` runners.
   int poison_tries = 3;
-  /// Different runners that must have failed the range for `poison_tries` to apply.
+  /// `poison_tries` applies only if the range has failed on at least this many different runners.
   int poison_runners = 2;
   int refused_tries = 3;  ///< refusals of a range after which the job fails
-  /// Failed tries of a range after which the job fails, on any number of runners.
+  /// Failed tries of a range after which the job fails, even if all of them were on one runner.
   int max_tries = 10;
-  /// Time that a suspect range waits for the runner that died of it, in seconds.
+  /// Time that a suspect range waits for the runner that died of it, in seconds. After this time,
+  /// any runner may get the range.
   double elsewhere_after_s = 2;
-  double hedge_after_s = 1;  ///< shortest running time of a slow range, in seconds
-  /// Shortest running time of a slow range, as a multiple of the slowest finished range.
+  /// Shortest running time of a slow range, in seconds. `hedge_after_ratio` applies as well.
+  double hedge_after_s = 1;
+  /// Smallest running time of a slow range, as a multiple of the time of the slowest finished
+  /// range.
   double hedge_after_ratio = 2;
-  double hedge_share = 0.05;  ///< second copies per finished range
-  double hedge_burst = 16;    ///< second copies beyond `hedge_share` that may be started at once
+  double hedge_share = 0.05;  ///< number of second copies allowed per finished range
+  /// largest number of allowed copies that may accumulate; also the number at the start
+  double hedge_burst = 16;
 };
 
 /// Decides which range of one job runs next. A pure state machine without threads and without a
@@ -36,8 +40,9 @@ struct SchedulerOptions {
 ///   a runner where it has not failed.
 /// - When the queue is empty, an idle runner gets a second copy of a slow range that another runner
 ///   has. The first result counts.
-/// - A range that a runner died of is suspect. It waits beside the queue for an idle runner. All
-///   ranges that ran on that runner at the time are suspect until they are done.
+/// - A range is suspect if its runner died while it ran, until the range is done. This concerns all
+///   ranges that ran on that runner at the time. A suspect range waits apart from the queue for an
+///   idle runner.
 /// - A range that keeps failing ends the job, by the poison rule of SchedulerOptions.
 ///
 /// INVARIANT: a range is queued, or suspect and waiting, or running in one or two copies, or done.
@@ -66,10 +71,10 @@ class RangeScheduler {
   /// failed.
   std::optional<Grant> Next(RunnerId runner, double now_s);
 
-  /// Returns the first suspect range that `runner` may get; nullopt if there is none. The range
-  /// goes first to the runner that died of it. After the next failure it goes to runners that have
-  /// not had it alone. After `elsewhere_after_s` of waiting it goes to any runner. REQUIRES: the
-  /// runner is idle and gets no other range meanwhile.
+  /// Returns the first suspect range that `runner` may get; nullopt if there is none. A suspect
+  /// range goes first to the runner that died of it. If that try fails too, the range goes to
+  /// runners that have not had it alone. After `elsewhere_after_s` of waiting it goes to any
+  /// runner. REQUIRES: the runner is idle and gets no other range meanwhile.
   std::optional<Grant> NextSuspect(RunnerId runner, double now_s);
 
   /// Records that the runner can be reached.
@@ -81,16 +86,17 @@ class RangeScheduler {
   /// Returns true if NextSuspect would grant a range.
   bool MayTakeSuspect(RunnerId runner, double now_s);
 
-  /// Returns a second copy of the slow range that has run longest on another runner. Returns
-  /// nullopt if there is none. Skips ranges that have failed too often. REQUIRES: Queued() == 0.
+  /// Starts a second copy of a slow range on `runner`: of the range that has run longest on another
+  /// runner. Returns nullopt if there is none. Skips ranges that have failed too often. REQUIRES:
+  /// Queued() == 0.
   std::optional<Grant> Hedge(RunnerId runner, double now_s);
 
   /// Records a result. Late results from runners that left count as well, because a range's result
   /// does not depend on the runner.
   Accepted Succeeded(Ticket ticket, double now_s);
 
-  /// Records a failed copy. The range returns to the queue, unless another copy runs or the range
-  /// is done.
+  /// Records a failed copy. The range returns to the queue, unless it is done or another copy of it
+  /// runs.
   void Failed(Ticket ticket);
 
   /// Records a failed copy as Failed does, and counts it as a refusal: the runner is alive and
@@ -101,8 +107,8 @@ class RangeScheduler {
   /// connection died.
   void Died(Ticket ticket);
 
-  /// Returns the range of a copy to the queue without counting a try. The reason does not concern
-  /// the range; for example, the runner drains.
+  /// Returns the range of a copy to the queue without counting a try, because the range is not the
+  /// reason for the end of the call. For example, the runner drains.
   void Abandoned(Ticket ticket);
 
   /// Returns all ranges of the runner to the queue. Their results may still arrive.
@@ -136,8 +142,9 @@ class RangeScheduler {
     std::optional<double> waits_since_s = {};
     std::set<RunnerId> failed_on = {};
     std::set<RunnerId> alone_on = {};  ///< runners that had the range alone, as a suspect
-    /// Runner that died of the range last and has not been seen since. While it is away, no other
-    /// runner gets the range, so that it does not die as well.
+    /// Runner that last died of the range and has not been reachable since. No other runner gets
+    /// the range before it is reachable again or `elsewhere_after_s` is over, so that the other
+    /// runner does not die as well.
     std::optional<RunnerId> away = {};
   };
   struct Copy {

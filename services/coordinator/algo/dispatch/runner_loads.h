@@ -9,9 +9,9 @@
 
 namespace slicefarm::coordinator {
 
-/// Calls that run on each runner. A task that a runner died of runs alone on its runner, so that no
-/// other task dies with it. Only one such task runs at a time, so that the remaining runners
-/// continue. Not thread-safe.
+/// Calls that are in progress on each runner. A task that a runner died of runs alone on its
+/// runner, so that no other task dies with it. Only one such task runs at a time, so that the other
+/// runners continue. Not thread-safe.
 class RunnerLoads {
  public:
   using Call = std::pair<int64_t, int64_t>;  ///< job and ticket

@@ -10,11 +10,11 @@
 
 namespace slicefarm::coordinator {
 
-/// Executor of tasks: a remote worker, a chain of remote stages, or this process. Has the processes
-/// that it supports and the number of tasks that it runs at once.
+/// Executor of tasks: a remote worker, a chain of remote stages, or this process.
 struct Runner {
   std::string name = {};  ///< address, for logs and errors
-  /// Shared, because a call may outlive the runner's membership.
+  /// Executes the tasks and reports the supported processes. Shared, because a call may outlive the
+  /// runner's membership.
   std::shared_ptr<const TaskRunner> tasks;
   int slots = 1;  ///< number of calls that may be in flight at once
   /// Waits until the runner can be reached, for at most the given time. Returns true at once if it
@@ -33,8 +33,8 @@ class RunnerSet {
   /// Adds a runner and returns its id.
   virtual RunnerId Join(Runner runner) = 0;
 
-  /// Removes the runner. It gets no more ranges, and other runners get its current ranges as well.
-  /// Results that it still delivers are accepted.
+  /// Removes the runner. It gets no more ranges, and its unfinished ranges are given to other
+  /// runners. Results that it still delivers are accepted.
   virtual void Leave(RunnerId id) = 0;
 };
 

@@ -17,11 +17,11 @@ class TaskExecutor {
   /// Takes the result of a task. An error from it ends the job with that error.
   using TakeResult = std::function<absl::Status(size_t task, TaskResult result)>;
 
-  /// Makes `tasks`, which all have the same process. Calls `take` once per task as soon as its
-  /// result exists, from any thread and several at a time. Calls `weight_done` with the total
-  /// weight of the finished tasks, from any thread but one call at a time. Neither function is
-  /// called after the return. Errors: the error of the first task that cannot be made; errors of
-  /// `take`; CANCELLED.
+  /// Runs `tasks`, which all have the same process. Calls `take` once per task as soon as its
+  /// result exists, from any thread, several calls at a time. Calls `weight_done` with the total
+  /// weight of the finished tasks, from any thread, one call at a time. Neither function is called
+  /// after the return. Errors: the error of the first task that finally fails; errors of `take`;
+  /// CANCELLED.
   virtual absl::Status Execute(const StageCall& call, std::span<const Task> tasks,
                                const TakeResult& take,
                                const std::function<void(int32_t)>& weight_done) = 0;

@@ -6,7 +6,8 @@ namespace slicefarm::coordinator {
 
 /// Prices of a farm, in units of `currency`.
 struct Rates {
-  /// Empty if no rates are set; the `filament_cost` of a profile has no currency.
+  /// Currency code. Empty if no rates are set, because the `filament_cost` of a profile has no
+  /// currency.
   std::string currency = {};
   double setup = 0;             ///< price per job
   double machine_per_hour = 0;  ///< price per hour of printing

@@ -11,14 +11,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Progress of a job, in weights of tasks. For processes that make layers, the weight is the number
-/// of layers.
+/// Progress of a job, in weights of its tasks (JobProcess). If the process makes layers, the weight
+/// of a task is its number of layers.
 struct PipelineProgress {
   int32_t total = 0;  ///< 0 until the job is planned
   int32_t done = 0;
 };
 
-/// Returns the error PROCESS_UNAVAILABLE: this program makes no jobs of the process.
+/// Returns the error PROCESS_UNAVAILABLE: this program does not support jobs of the process.
 absl::Status ProcessUnavailable(Process process);
 
 /// Makes a program for the machine from meshes. The job's process plans the job, the executor runs
@@ -26,11 +26,12 @@ absl::Status ProcessUnavailable(Process process);
 /// same pipeline; only the stages and the executor differ.
 class JobPipeline {
  public:
-  /// Takes at most one process of each kind. The executor must outlive the pipeline.
+  /// Creates a pipeline. `processes`: at most one of each kind. `executor` must outlive the
+  /// pipeline.
   JobPipeline(std::vector<std::unique_ptr<JobProcess>> processes, TaskExecutor& executor)
       : processes_(std::move(processes)), executor_(executor) {}
 
-  /// Returns the process of that kind; null if this pipeline makes no such jobs.
+  /// Returns the process of this kind; null if the pipeline does not support it.
   const JobProcess* Find(Process process) const;
   /// Returns the executor that runs the tasks.
   TaskExecutor& executor() const { return executor_; }
@@ -42,8 +43,8 @@ class JobPipeline {
     return all;
   }
 
-  /// Makes the job's program. Calls `progress` from any thread, one call at a time. Errors: errors
-  /// of the process and of the executor; PROCESS_UNAVAILABLE if the pipeline does not have the
+  /// Makes the job's program. Calls `progress` from any thread, one call at a time. Errors: see
+  /// JobProcess and TaskExecutor::Execute; PROCESS_UNAVAILABLE if the pipeline does not support the
   /// job's process.
   absl::StatusOr<JobOutput> Run(const StageCall& call, JobInput input,
                                 const std::function<void(PipelineProgress)>& progress) const;

@@ -27,12 +27,12 @@ struct JobInput {
   std::vector<std::string> warnings = {};
 };
 
-/// Part of a report that only one process has.
+/// Part of a report that exists only for one process.
 class OwnReport {
  public:
   virtual ~OwnReport() = default;
 
-  /// Adds its keys to the report.
+  /// Adds the keys of this part to the report.
   virtual void AddTo(nlohmann::ordered_json& json) const = 0;
 };
 
@@ -50,11 +50,11 @@ struct JobReport {
   std::vector<std::string> notes;     ///< choices of the planning stage, with their reasons
 };
 
-/// Estimated time, filament and layers of a job that has not been made.
+/// Estimated time, filament and layers of a job whose program has not been made.
 struct JobEstimate {
   double print_time_s = 0;
   FilamentUse filament;
-  /// Number of layers, if it differs from the number of sliced layers.
+  /// Number of layers, if the program has another number than the sliced meshes.
   std::optional<int32_t> layers = {};
   std::vector<MeshReport> meshes = {};     ///< reports of the meshes, if nothing was sliced
   std::vector<std::string> warnings = {};  ///< warnings about the plan
@@ -62,12 +62,13 @@ struct JobEstimate {
 
 /// Result of a job.
 struct JobOutput {
-  /// Program for the machine: G-code, or a file of the settings' output_format.
+  /// Program for the machine: G-code, or a file in the format of the setting `output_format`.
   SpooledText program;
   JobReport report;
 };
 
-/// Job after its first stages and before its tasks. Owns the data that the tasks point to.
+/// Job between the stages that need the whole job and the tasks. Owns the data to which the tasks
+/// point.
 class PlannedJob {
  public:
   virtual ~PlannedJob() = default;
@@ -84,14 +85,14 @@ class PlannedJob {
   /// time. Writes long results to a spool. Errors: DISK_FULL, STORE_FAILED.
   virtual absl::Status Take(size_t task, TaskResult result) = 0;
 
-  /// Joins the tasks' results in the order of the tasks. Called once, after all results were taken.
-  /// Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; errors of the stages that process
-  /// the whole job.
+  /// Joins the results of all tasks in the order of the tasks. Called once, after all results were
+  /// taken. Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; errors of the stages that
+  /// process the whole job.
   virtual absl::StatusOr<JobOutput> Assemble(const StageCall& call) = 0;
 };
 
-/// Cuts the jobs of one process into tasks (docs/design.md, section 4). There is one class per
-/// process. Pipeline, dispatcher, cache, watch and cancel are shared by all processes.
+/// Cuts the jobs of one process into tasks: DESIGN section 1, "A process". Each process has one
+/// derived class. All processes share the pipeline, dispatcher, cache, watches and cancellation.
 class JobProcess {
  public:
   virtual ~JobProcess() = default;
@@ -103,8 +104,8 @@ class JobProcess {
   virtual absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                            JobInput input) const = 0;
 
-  /// Returns true if Estimate needs the outlines of all layers. If false, the caller does not
-  /// slice: Estimate gets the job with its meshes.
+  /// Returns true if Estimate needs the outlines of all layers. If false, the caller does not slice
+  /// the meshes: `sliced` has no layers, and Estimate uses the meshes of `input`.
   virtual bool EstimatesByOutlines() const { return true; }
 
   /// Estimates time, filament and layers of the job from its outlines. Makes a few tasks for the

@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Returns warnings about the defects of a mesh for its owner, one plain sentence each. Empty for a
-/// closed mesh without defects.
+/// Returns warnings about the defects of a mesh, one sentence each, for the owner of the mesh.
+/// Empty for a closed mesh without defects.
 std::vector<std::string> MeshWarnings(const MeshReport& mesh);
 
 }  // namespace slicefarm::coordinator

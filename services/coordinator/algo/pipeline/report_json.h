@@ -7,7 +7,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Facts about a job that only the entry point has, for the report.
+/// Facts about a job that the pipeline does not have and the caller adds to the report.
 struct ReportContext {
   /// Keys of settings that were given but had no effect.
   std::vector<std::string> settings_without_effect = {};
@@ -15,9 +15,10 @@ struct ReportContext {
   std::string build_id = {};
 };
 
-/// Returns the report as JSON: `meshes`, `layers`, `print_time_s` and `print_time`, the process's
-/// own part (OwnReport), `stage_times_s`, `warnings`, `settings_without_effect`. Replaces bytes of
-/// names that are no UTF-8. The names of keys contain their units.
+/// Returns the report as JSON. Keys: `meshes`, `layers`, `object_height_mm`, `print_time_s`,
+/// `print_time`, the keys of OwnReport, `stage_times_s`, `warnings`, `notes`,
+/// `settings_without_effect`, `settings_digest`, `build_id`. Replaces bytes of names that are no
+/// UTF-8.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
 }  // namespace slicefarm::coordinator

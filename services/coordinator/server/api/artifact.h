@@ -8,7 +8,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Returns the name of the blob that stores an artifact of the job. Errors: JOB_NOT_FINISHED;
+/// Returns the digest of the blob that stores an artifact of the job. Errors: JOB_NOT_FINISHED;
 /// BLOB_NOT_FOUND for the G-code of a quote; REQUEST_MALFORMED for an artifact that is not stored.
 absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact);
 

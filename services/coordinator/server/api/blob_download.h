@@ -16,12 +16,13 @@ namespace slicefarm::coordinator {
 /// or a negative `limit`.
 absl::Status CheckPart(const BlobReader& blob, int64_t offset, int64_t limit);
 
-/// Sends bytes in chunks of 64 KiB. Returns false if the client left.
+/// Sends bytes in chunks of 64 KiB. Calls `moved` for each chunk. Returns false if the client left.
 bool SendBytes(std::string_view bytes, const Transfers::Moved& moved,
                grpc::ServerWriter<v1::DownloadResponse>& stream);
 
 /// Sends a blob from `offset` on, at most `limit` bytes (0: all), in chunks of 64 KiB. Stops when
-/// the client leaves. REQUIRES: CheckPart. Errors: errors of reading.
+/// the client leaves. REQUIRES: CheckPart accepts `offset` and `limit`. Errors: see
+/// BlobReader::Read.
 absl::Status SendBlob(BlobReader& blob, int64_t offset, int64_t limit,
                       const Transfers::Moved& moved,
                       grpc::ServerWriter<v1::DownloadResponse>& stream);

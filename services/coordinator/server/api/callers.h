@@ -13,8 +13,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Function that returns the current tenants. If empty, there is a single tenant without a name,
-/// and every caller belongs to it.
+/// Function that returns the current tenants. If the function is empty, there is a single tenant
+/// without a name, to which every caller belongs.
 using TenantsNow = std::function<std::shared_ptr<const Tenants>()>;
 
 /// Largest number of calls in progress, including uploads and downloads. Tenants share them by the
@@ -28,7 +28,8 @@ struct PlacedCaller : Caller {
   TenantPlaces::Place place;
 };
 
-/// Marks that identify a caller in a log. A mark is empty if the caller did not send it.
+/// Marks that identify a caller in a log. A mark is empty if the caller did not send the data for
+/// it.
 struct CallerMarks {
   std::string tenant;       ///< tenant, if the caller is known
   std::string token;        ///< first 12 digits of the token's SHA-256
@@ -36,7 +37,7 @@ struct CallerMarks {
   std::string address;
 };
 
-/// Authenticates callers. Each method of the public services does this first. gRPC's
+/// Authenticates callers. Each method of the public services calls Find first. gRPC's
 /// AuthMetadataProcessor is not used, because it exists only with TLS and its errors have no
 /// details. Thread-safe.
 class Callers {
@@ -44,11 +45,11 @@ class Callers {
   Callers(TenantsNow tenants, const CallLimits& limits, std::function<int64_t()> now_us)
       : tenants_(std::move(tenants)), now_us_(std::move(now_us)), places_(limits.calls) {}
 
-  /// Returns the caller with a slot for the call. Identifies it by its token, or else by its
-  /// certificate. If it sends both, they must belong to the same tenant. The caller has at least
-  /// one of the scopes. Errors: UNAUTHENTICATED; PERMISSION_DENIED, with metadata `scope` if a
-  /// scope is missing; OVERLOADED if too many calls of its tenant are in progress, or, with
-  /// metadata `rate`, if its tenant makes too many calls per second.
+  /// Returns the caller with a slot for the call. The caller is identified by its token, or without
+  /// a token by its certificate. If it sends both, they must belong to the same tenant. The caller
+  /// must have at least one of the scopes `one_of`. Errors: UNAUTHENTICATED; PERMISSION_DENIED,
+  /// with metadata `scope` if a scope is missing; OVERLOADED if too many calls of its tenant are in
+  /// progress, or, with metadata `rate`, if its tenant makes too many calls per second.
   absl::StatusOr<PlacedCaller> Find(const grpc::ServerContextBase& context,
                                     const Scopes& one_of) const;
 

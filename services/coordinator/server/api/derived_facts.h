@@ -13,8 +13,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Cache of the sizes and digests of texts that are derived from results. A large program is read
-/// for them only once, for any number of requests. Thread-safe.
+/// Cache of the sizes and digests of texts that are derived from results. With this cache, a large
+/// program is read for them only once, for any number of requests. Thread-safe.
 class DerivedFacts {
  public:
   /// Size and digest of a text.
@@ -24,9 +24,9 @@ class DerivedFacts {
   };
   using Make = std::function<absl::StatusOr<std::string>()>;
 
-  /// Returns the fact of the text that `make` returns. `key` is the unique name of the text. If
-  /// another call makes the same text, waits for that call; if that call fails, makes the text
-  /// itself. Errors: errors of `make`, of which NotFound is cached like a fact; CANCELLED if
+  /// Returns the size and digest of the text that `make` returns. `key`: unique name of the text.
+  /// If another call is already making the same text, waits for that call; if it fails, calls
+  /// `make` itself. Errors: errors of `make`, of which NotFound is cached too; CANCELLED if
   /// `cancel` is cancelled meanwhile.
   absl::StatusOr<Fact> Of(const std::string& key, const CancelToken& cancel, const Make& make);
 

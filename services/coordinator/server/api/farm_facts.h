@@ -12,17 +12,18 @@
 
 namespace slicefarm::coordinator {
 
-/// Returns the tenant that a request names, if the caller may access it. Returns the caller's own
-/// tenant if the request names none. Errors: PERMISSION_DENIED.
+/// Returns the tenant to which a request applies. `asked`: the request names `tenant`; else it is
+/// the caller's own tenant. Errors: PERMISSION_DENIED if another tenant is named and the caller is
+/// no administrator.
 absl::StatusOr<std::string> TenantAskedFor(const Caller& caller, bool asked,
                                            const std::string& tenant);
 
-/// Returns the data that the farm stores for a tenant: numbers of jobs, and bytes. Cost: reads the
-/// lists of its jobs and blobs. Errors: errors of the stores.
+/// Returns the amount of data that the farm stores for a tenant: numbers of jobs, and bytes. Cost:
+/// reads the lists of its jobs and blobs. Errors: see JobStore and BlobStore.
 absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, BlobStores& blobs);
 
-/// Marks an open job as waiting if no connected worker supports its process. Its expected end is
-/// removed, because it is unknown in this case.
+/// Marks an open job as waiting if no connected worker supports its process. Removes its expected
+/// end, because the end is unknown then.
 void TellWaiting(const TaskExecutor& executor, v1::Job& job);
 
 /// Converts the description of a setting.

@@ -11,21 +11,21 @@
 
 namespace slicefarm::coordinator {
 
-/// Tenants with a queue that was full a moment ago. Their meshes are refused, because their jobs
-/// would be refused as well. Without this check, at twice the load that a farm can handle, half of
-/// the farm's work was to receive such meshes. Thread-safe.
+/// Tenants whose queue of jobs was full a moment ago. Their meshes are refused, because their jobs
+/// would be refused as well. Without this check, a farm with twice the load that it can handle
+/// spent half of its work on receiving such meshes. Thread-safe.
 class FullQueues {
  public:
   /// Creates an empty set. `now_us`: a clock that never runs backwards.
   explicit FullQueues(std::function<int64_t()> now_us) : now_us_(std::move(now_us)) {}
 
-  /// Records the outcome of creating a job of the tenant. `max_open`: the largest number of open
-  /// jobs of the tenant.
+  /// Records the outcome `created` of an attempt to create a job of the tenant. `max_open`: the
+  /// largest number of open jobs of the tenant.
   void Note(const std::string& tenant, const absl::Status& created, int64_t max_open);
 
   /// Returns the last refusal of the tenant; OK if its queue was not full. A refusal is valid for
-  /// at most one second, and ends when a job is accepted again. The time is shorter if the queue is
-  /// so short that it might be empty by then.
+  /// at most one second, and ends when a job is accepted again. If the queue is so short that it
+  /// might be empty before, the refusal is valid for a shorter time.
   absl::Status Check(const std::string& tenant);
 
  private:

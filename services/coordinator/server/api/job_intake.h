@@ -26,18 +26,20 @@ struct Submission {
   int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< limit of the tenant, like the next two
   int64_t max_kept_jobs = INT64_MAX;
   int64_t max_kept_bytes = INT64_MAX;
-  std::string request_id;   ///< already checked
-  std::string spec_digest;  ///< digest of the request as received; equal for equal requests
-  std::string spec;         ///< request in the form that is stored
+  std::string request_id;  ///< already checked
+  /// digest of the request as received; two requests with equal content have equal digests
+  std::string spec_digest;
+  std::string spec;  ///< request in the form that is stored
   JobRequest request;
   std::map<std::string, std::string> labels;
   Priority priority = Priority::kNormal;
   int64_t deadline_us = kNoDeadlineUs;
   std::string webhook_url = {};
-  TraceContext trace = {};  ///< trace context of the call; if empty, the job gets its own
+  /// trace context of the call; if empty, the job begins a trace of its own
+  TraceContext trace = {};
 };
 
-/// Entry point that creates jobs from requests. Everything behind it was checked here.
+/// Creates jobs from requests and makes all checks of them. No later code checks a request again.
 class JobIntake {
  public:
   JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, TenantBudgets& budgets,
@@ -55,18 +57,19 @@ class JobIntake {
         now_us_(std::move(now_us)),
         processes_(processes) {}
 
-  /// Creates a job. Returns when the job is on disk. Errors: errors of ResolveJob, including the
-  /// error of `cancel`; errors of DiskGuard, TenantBudgets and JobStore::Create; BLOB_NOT_FOUND
-  /// (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not uploaded;
-  /// PROCESS_UNAVAILABLE (FailedPrecondition) for a process that this farm does not support.
+  /// Creates a job. Returns when the job is on disk. Errors: see ResolveJob, DiskGuard,
+  /// TenantBudgets and JobStore::Create; the error of `cancel`; BLOB_NOT_FOUND (FailedPrecondition,
+  /// metadata `sha256`) for a mesh that the tenant has not uploaded; PROCESS_UNAVAILABLE
+  /// (FailedPrecondition) for a process that this farm does not support.
   absl::StatusOr<Created> Create(Submission submission, const CancelToken& cancel = {});
 
   /// Creates all jobs or none. Errors: the first error, as in Create.
   absl::StatusOr<std::vector<Created>> CreateAll(std::vector<Submission> submissions,
                                                  const CancelToken& cancel = {});
 
-  /// Returns the jobs that an earlier call with these request ids created. Deleted jobs are
-  /// missing. Errors: REQUEST_ID_REUSED.
+  /// Returns the jobs that an earlier call with these request ids created. `spec_digest`: digest of
+  /// the present call. Deleted jobs are missing. Errors: REQUEST_ID_REUSED if the earlier call had
+  /// another digest.
   absl::StatusOr<std::vector<JobRecord>> FindAll(const std::string& tenant,
                                                  const std::vector<std::string>& request_ids,
                                                  const std::string& spec_digest) {
@@ -81,7 +84,7 @@ class JobIntake {
   const std::string& build_id() const { return build_id_; }
 
  private:
-  static constexpr int kWritesAtOnce = 8;  ///< number of connections that a store has for callers
+  static constexpr int kWritesAtOnce = 8;  ///< number of store connections for callers
 
   absl::StatusOr<Created> EarlierOr(const Submission& submission, const absl::Status& refusal);
   absl::StatusOr<NewJob> NewJobOf(Submission submission, const CancelToken& cancel);
@@ -97,7 +100,7 @@ class JobIntake {
   const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
   const ProcessSet processes_;
-  /// Turns of callers that write to the store. So no caller waits for all writes of another tenant.
+  /// Slots for writing to the store, so that no caller waits for all writes of another tenant.
   TenantTurns turns_{kWritesAtOnce};
 };
 

@@ -19,9 +19,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Largest number of watches at once. Each uses some memory, but threads only when an event occurs.
+/// Largest number of watches at once. Each watch uses some memory, and a thread only while it
+/// processes an event.
 struct WatchOptions {
-  int calls = 10'000;  ///< shared by the rule of TenantPlaces
+  int calls = 10'000;  ///< number of slots, which tenants share by the rule of TenantPlaces
 };
 
 /// Caller that watches, with its slot among the watchers.
@@ -32,7 +33,8 @@ struct Watcher {
 
 /// Objects that watches use. All of them must outlive the watches.
 struct JobWatches {
-  /// Raw method, so that an unreadable request gets an error of this service with a reason.
+  /// Raw method: this class parses the request itself, so that an unreadable request gets an error
+  /// with a reason of this service.
   using Service = v1::Jobs::WithRawMethod_WatchJob<v1::Jobs::Service>;
 
   Service& service;
@@ -43,13 +45,14 @@ struct JobWatches {
   std::function<absl::StatusOr<Watcher>(const grpc::ServerContext& context)> admit;
 };
 
-/// One WatchJob call. Sends the job's events from the store, then the events that the feed
-/// announces, and between them the progress of the run. Ends after the terminal event. Occupies no
-/// thread while nothing happens, so that a thousand clients may watch. All functions except Wake
-/// and Found run on the queue's thread and never block. Deletes itself.
+/// One WatchJob call. First sends the job's events from the store, then each new event when the
+/// feed announces it, and between them the progress of the run. Ends after the job's last event.
+/// Occupies no thread while nothing happens, so that a thousand clients may watch. All functions
+/// except Wake and Found run on the queue's thread and never block. Deletes itself.
 class JobWatch {
  public:
-  /// Waits for the next call. When the call comes, a new object waits for the call after it.
+  /// Waits for the next WatchJob call. When it comes, a new object begins to wait for the following
+  /// call.
   static void Await(const JobWatches& watches) { new JobWatch(watches); }
 
  private:
@@ -88,25 +91,26 @@ class JobWatch {
   rpc::QueueTag ended_tag_ = [this](bool) { Release(); };
   rpc::QueueTag left_tag_ = [this](bool) { Left(); };
   std::atomic<int> tags_ = 1;         ///< number of tags that the queue still has to call
-  std::atomic<bool> waking_ = false;  ///< true if woken_tag_ is one of them
+  std::atomic<bool> waking_ = false;  ///< true if the queue still has to call woken_tag_
   std::atomic<bool> news_ = false;    ///< true if the store has new events
-  grpc::Alarm alarm_;                 ///< moves news of the feed to the queue's thread
-  grpc::Alarm found_alarm_;           ///< moves the result of a read to the queue's thread
+  grpc::Alarm alarm_;  ///< calls woken_tag_ on the queue's thread after a notification of the feed
+  grpc::Alarm found_alarm_;  ///< calls found_tag_ on the queue's thread after a read
 
-  int64_t ticket_ = 0;      ///< ticket of the feed
+  int64_t ticket_ = 0;      ///< ticket of the listener at the feed
   int64_t read_to_ = 0;     ///< sequence of the last event that was read
   bool opened_ = false;     ///< true if the client was notified that the watch is open
-  bool terminal_ = false;   ///< true if the event at read_to_ was the job's last
-  bool wants_more_ = true;  ///< true if there may be events that the last read did not contain
+  bool terminal_ = false;   ///< true if the event `read_to_` is the job's last
+  bool wants_more_ = true;  ///< true if the store may have events after `read_to_`
   bool moved_ = false;      ///< true if the run may have progressed
   bool reading_ = false;    ///< true while a read is in progress
   bool busy_ = false;       ///< true while a message is being sent
   bool left_ = false;       ///< true if the call is over
-  /// Result of the last read, shared by all watchers of the job.
+  /// Result of the last read that Found has received and Take has not processed. All watchers of
+  /// the job share it.
   WatchReads::Result found_ = nullptr;
-  std::shared_ptr<const JobSteps> steps_;  ///< events that are being sent
-  size_t sent_ = 0;                        ///< number of these events that were sent
-  std::shared_ptr<const JobSteps> last_;   ///< result of the last read
+  std::shared_ptr<const JobSteps> steps_;  ///< result of a read whose events are being sent
+  size_t sent_ = 0;                        ///< number of events of `steps_` that were sent
+  std::shared_ptr<const JobSteps> last_;   ///< last result of a read that was processed
   std::optional<JobProgress> told_;        ///< progress that was sent last
 };
 

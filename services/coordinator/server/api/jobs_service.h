@@ -54,7 +54,8 @@ struct JobsBackend {
   rpc::JsonLog log;
 };
 
-/// Implements slicefarm.v1.Jobs. To a caller, a job of another tenant does not exist.
+/// Implements slicefarm.v1.Jobs. If a caller names a job of another tenant, the answer is the same
+/// as for a job that does not exist.
 class JobsService final : public JobWatches::Service, public rpc::QueuedMethods {
  public:
   JobsService(JobsBackend backend, const TransferOptions& transfers, const WatchOptions& watches)
@@ -111,17 +112,17 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
   void ServeFrom(grpc::ServerCompletionQueue& queue) override;  // WatchJob
 
-  /// Ends all reads for watches. The feed must have ended the watches before. REQUIRES: called
-  /// before the server stops.
+  /// Ends all reads for watches. REQUIRES: the feed has ended the watches; the server still runs.
   void EndWatches() { watch_reads_.Stop(); }
 
  private:
-  static constexpr int kPreflightCalls = 24;  ///< running and waiting preflights
+  static constexpr int kPreflightCalls = 24;  ///< largest number of preflights that run or wait
   static constexpr int kPreflightSlots = 4;
   /// Time limit of a preflight. Longer work must be submitted as a job.
   static constexpr std::chrono::minutes kLongestPreflight{10};
   static constexpr int kLists = 32;
-  /// Readers of watches; each uses one of the store's connections, of which there are 8 at most.
+  /// Number of threads that read events for watches. Each one uses one of the at most 8 connections
+  /// of the store.
   static constexpr int kWatchReaders = 2;
 
   enum class Of { kTenant, kAllForAdmins };

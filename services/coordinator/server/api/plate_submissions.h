@@ -25,36 +25,36 @@ struct PlatesBackend {
 /// that are common to all plates.
 absl::Status CheckPlates(const v1::CreatePlatesRequest& request);
 
-/// Returns the request ids of all plates that a call with this request_id may have created. No
-/// client's own id can be among them.
+/// Returns the request ids of all plates that a call with this request_id may have created. Clients
+/// cannot send ids of this form.
 std::vector<std::string> PlateRequestIds(const std::string& request_id);
 
-/// Keeps only the part of a plate's spec that differs between plates: its request and bed, and the
-/// names and numbers of copies of its objects.
+/// Removes the parts of a spec that are the same on all plates of a request. Keeps the plate's
+/// request and bed, and the names and numbers of copies of its objects.
 void KeepWhatIsOnThePlate(v1::JobSpec& spec);
 
-/// Returns a digest of the specs. It is equal for equal specs in the same order.
+/// Returns a digest of the specs of the call. It is equal for equal specs in the same order.
 std::string SpecDigest(const v1::CreatePlatesRequest& request);
 
-/// One of the jobs that a call creates.
+/// Job of a CreatePlates call: one bed of a request.
 struct Plate {
-  int request = 0;  ///< index of the request
+  int request = 0;  ///< index of the request in the call
   Submission submission;
 };
 
-/// Requests of a call, arranged on beds one after another. Their total size is limited
-/// (limits::kMaxBatchJobs, limits::kMaxPlatesBytes) before a submission is copied for each bed.
+/// Requests of a CreatePlates call, each arranged on one or more beds. The number of plates and the
+/// size of their specs are limited (limits::kMaxBatchJobs, limits::kMaxPlatesBytes); this is
+/// checked before a submission is copied for each bed.
 class PlateRequests {
  public:
   explicit PlateRequests(std::string request_id) : request_id_(std::move(request_id)) {}
 
-  /// Arranges the copies of the next request on beds. Errors: errors of JobIntake::Check,
-  /// BlobStores and ArrangingStage; REQUEST_TOO_LARGE if a call would create too many plates or too
-  /// many bytes.
+  /// Arranges the copies of the next request on beds. Errors: see JobIntake::Check, BlobStores and
+  /// ArrangingStage; REQUEST_TOO_LARGE if the call would create too many plates or too many bytes.
   absl::Status Add(const StageCall& call, Submission submission, const PlatesBackend& backend);
 
-  /// Returns a submission for each bed. All its copies have positions, and it has a request_id of
-  /// its own. Errors: errors of reading the specs.
+  /// Returns a submission for each bed, with a request_id of its own and with the positions of all
+  /// copies. Errors: errors of FromProto (jobs_wire.h) for the spec of a plate.
   absl::StatusOr<std::vector<Plate>> Plates() &&;
 
  private:

@@ -13,7 +13,7 @@ namespace slicefarm::coordinator {
 /// Reference to a profile: `NAME` or `NAME@REVISION`.
 struct ProfileRef {
   std::string name;
-  int64_t revision = 0;  ///< 0: the newest
+  int64_t revision = 0;  ///< revision; 0: the newest
 
   friend bool operator==(const ProfileRef&, const ProfileRef&) = default;
 };
@@ -25,14 +25,15 @@ absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text);
 /// Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 absl::Status CheckProfileName(const std::string& name);
 
-/// Returns the spec with the settings of its profiles before its own settings. Its profile
-/// references get revision numbers. So later changes of the profiles do not change the spec.
-/// Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition); errors of the store.
+/// Returns the spec with the settings of its profiles inserted before its own settings. References
+/// to profiles get revision numbers, so that later changes of the profiles do not change the spec.
+/// Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition); see ProfileStore.
 absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
                                          ProfileStore& profiles);
 
 /// Applies WithProfiles. If the job then names no printer and is not generic (JobSpec.generic),
-/// inserts `default_profile` as its first profile. An empty `default_profile` has no effect.
+/// inserts `default_profile` as its first profile; an empty `default_profile` has no effect.
+/// Errors: as in WithProfiles.
 absl::StatusOr<v1::JobSpec> WithMachine(const v1::JobSpec& spec, const std::string& tenant,
                                         const std::string& default_profile, ProfileStore& profiles);
 

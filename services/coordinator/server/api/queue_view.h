@@ -14,16 +14,16 @@ namespace slicefarm::coordinator {
 
 /// Positions of waiting jobs in the farm's queue, and expected ends of jobs. Thread-safe.
 ///
-/// One snapshot of the queue serves all calls for 20 times as long as it took. So snapshots use at
-/// most a twentieth of a core, for any number of calls and any length of the queue.
+/// A snapshot of the queue is used again for 20 times as long as it took to read it. So snapshots
+/// use at most a twentieth of a core, for any number of calls and any length of the queue.
 class QueueView {
  public:
   /// Creates a view of the queue in `jobs`, which must outlive it.
   QueueView(JobStore& jobs, std::function<int64_t()> now_us);
 
-  /// Adds the position and the expected end to an answer about this job. Adds nothing if they are
-  /// unknown: for jobs that wait for their next attempt or for the same work. Also adds nothing
-  /// while the store does not answer within half a second.
+  /// Adds the position in the queue and the expected end of `job` to `answer`. Adds nothing if they
+  /// are unknown: for a job that waits for its next attempt or for another job with the same work,
+  /// and if the store does not answer within half a second.
   void Tell(const JobRecord& job, v1::Job& answer);
 
  private:

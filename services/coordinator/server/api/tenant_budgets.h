@@ -13,10 +13,11 @@
 
 namespace slicefarm::coordinator {
 
-/// Limits of a tenant's stored data: the number of its jobs, including ended ones, and the bytes of
-/// its blobs. The stores count the data every few seconds; in between, this process adds its own
-/// new data. So several coordinators may together exceed a limit by the data that they accept in
-/// between. Results count but are never refused, because an accepted job must end. Thread-safe.
+/// Limits of a tenant's stored data: the number of its jobs, including ended jobs, and the bytes of
+/// its blobs. The data in the stores is counted every few seconds. Until the next count, this
+/// process adds the new data that it accepts itself. So several coordinators may together exceed a
+/// limit by the data that they accept between two counts. Results count but are never refused,
+/// because an accepted job must end. Thread-safe.
 class TenantBudgets {
  public:
   /// Creates the limits. `now_us`: a clock that never runs backwards. The stores must outlive this
@@ -24,10 +25,11 @@ class TenantBudgets {
   TenantBudgets(JobStore& jobs, BlobStores& blobs, std::function<int64_t()> now_us)
       : jobs_(jobs), blobs_(blobs), now_us_(std::move(now_us)) {}
 
-  /// Checks that the tenant may store `more` more jobs. Errors: DISK_LOW, with `budget`, `limit`,
-  /// `got` and the time after which to retry; errors of the stores.
+  /// Checks that the tenant may store `more` further jobs. `most`: limit of the tenant. Errors:
+  /// DISK_LOW, with `budget`, `limit`, `got` and the time after which to retry; see JobStore.
   absl::Status CheckJobs(const std::string& tenant, int64_t most, int64_t more);
-  /// Checks that the tenant may store `more` more bytes. Errors: as in CheckJobs.
+  /// Checks that the tenant may store `more` further bytes. Errors: as in CheckJobs, and of
+  /// BlobStore.
   absl::Status CheckBytes(const std::string& tenant, int64_t most, int64_t more);
 
  private:

@@ -26,14 +26,14 @@ using TakeBytes = std::function<bool(std::string_view)>;
 
 /// Writes a tar archive: `jobs/ID.json`, `blobs/SHA256` (meshes and results of the jobs, and
 /// complete uploads), `profiles/NUMBER-REVISION.json`, and `not-readable.txt` with the names of
-/// damaged blobs. Data that is added or deleted meanwhile may be missing. Cost: reads all data;
-/// holds one piece at a time. Errors: errors of the stores; CANCELLED.
+/// damaged blobs. Data that is added or deleted meanwhile may be missing. Cost: reads all data; one
+/// piece at a time is in memory. Errors: see JobStore, BlobStore and ProfileStore; CANCELLED.
 absl::Status ExportTenant(const std::string& tenant, const TenantData& data, int64_t now_us,
                           const CancelToken& cancel, const TakeBytes& take);
 
 /// Erases a tenant. Cancels its open jobs (calls `cancelled` for each), waits for their ends, and
-/// removes all data. Blobs that are results of other tenants' jobs stay. Errors: errors of the
-/// stores; CANCELLED, after which a second call continues.
+/// removes all data. Blobs that are results of other tenants' jobs stay. Errors: see JobStore,
+/// BlobStore and ProfileStore; CANCELLED. After an error, a second call continues.
 absl::StatusOr<v1::EraseTenantResponse> EraseTenant(
     const std::string& tenant, const TenantData& data, const std::function<int64_t()>& now_us,
     const CancelToken& cancel, const std::function<void(const std::string& job)>& cancelled);

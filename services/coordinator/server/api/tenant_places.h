@@ -11,10 +11,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Slots that calls of all tenants share. A tenant may have at most as many slots as are free. So
-/// one tenant can take half of them, and two tenants a third each. One slot always remains for a
-/// tenant without any. This is the dynamic threshold method of A. Choudhury and E. Hahne, 1998.
-/// Calls never wait for a slot. Thread-safe; must outlive its slots.
+/// Slots that calls of all tenants share. A tenant with n calls gets another slot only if more than
+/// n slots are free. So one tenant can take half of all slots, two tenants a third each, and one
+/// slot always remains for a tenant without any. This is the dynamic threshold method of A.
+/// Choudhury and E. Hahne, 1998. Calls never wait for a slot. Thread-safe; must outlive its slots.
 class TenantPlaces {
  public:
   /// Slot of one call. The destructor releases it.
@@ -35,8 +35,8 @@ class TenantPlaces {
   /// Creates `all` slots. REQUIRES: all >= 1.
   explicit TenantPlaces(int all) : all_(all) {}
 
-  /// Takes a slot. The tenant "" of a farm without tenants may take all. Errors: OVERLOADED, with
-  /// the time after which to retry.
+  /// Takes a slot. The tenant "" of a farm without tenants may take all slots. Errors: OVERLOADED,
+  /// with the time after which to retry.
   absl::StatusOr<Place> Enter(const std::string& tenant);
 
  private:

@@ -13,10 +13,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Slots for work that takes long; calls wait for a slot. A tenant may work in at most as many
-/// slots as are free, so that other tenants find one. Of the waiting calls, the tenant with the
-/// least work in progress comes first; among its calls, the earliest. Thread-safe; must outlive its
-/// turns.
+/// Slots for work that takes long; calls wait for a slot. A tenant with n slots gets another one
+/// only if more than n slots are free, so that other tenants find one. Of the waiting calls, those
+/// of the tenant with the fewest slots come first; among them, the earliest. Thread-safe; must
+/// outlive its slots.
 class TenantTurns {
  public:
   /// Slot of one call. The destructor releases it.
@@ -36,8 +36,8 @@ class TenantTurns {
   /// Creates `slots` slots. REQUIRES: slots >= 1.
   explicit TenantTurns(int slots) : free_(slots) {}
 
-  /// Waits for a slot. The tenant "" of a farm without tenants may use all. Errors: the error of
-  /// `cancel`.
+  /// Waits for a slot. The tenant "" of a farm without tenants may use all slots. Errors: the error
+  /// of `cancel`.
   absl::StatusOr<Turn> Enter(const std::string& tenant, const CancelToken& cancel);
 
  private:
@@ -51,8 +51,9 @@ class TenantTurns {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   int free_;
-  std::map<std::string, int> at_work_;  ///< number of calls at work, for tenants that have any
-  Waiting waiting_;                     ///< tenants of the waiting calls, in the order of the calls
+  /// number of slots in use, by tenant; only tenants with at least one
+  std::map<std::string, int> at_work_;
+  Waiting waiting_;  ///< tenants of the waiting calls, in the order of the calls
 };
 
 }  // namespace slicefarm::coordinator

@@ -16,8 +16,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Largest number of watches of all jobs. Each watch occupies a thread, which is acceptable because
-/// few clients watch all jobs.
+/// Largest number of WatchJobs calls. Each one occupies a thread, which is acceptable because few
+/// clients watch all jobs of a tenant.
 inline constexpr int kTenantWatches = 32;
 
 /// One WatchJobs call. Sends the events of a tenant's jobs when the feed announces them, until the
@@ -32,8 +32,8 @@ class TenantWatch {
   TenantWatch(const TenantWatch&) = delete;
   TenantWatch& operator=(const TenantWatch&) = delete;
 
-  /// Sends events until an error occurs. Errors: errors of the store; CoordinatorStops; Cancelled
-  /// when the client has left.
+  /// Sends events until an error occurs. Errors: see JobStore::EventsOf; CoordinatorStops;
+  /// Cancelled when the client has left.
   absl::Status Run(TenantEvents events, const grpc::ServerContext& context, Writer& writer);
 
  private:

@@ -12,14 +12,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Largest number of uploads (and of downloads) at once, shared by the rule of TenantPlaces, and
-/// the slowest allowed transfer.
+/// Limits of transfers: largest number of simultaneous uploads (and of downloads), which tenants
+/// share by the rule of TenantPlaces, and slowest allowed transfer.
 struct TransferOptions {
   int slots = 64;
   rpc::StreamTimes times = {};
 };
 
-/// Limits calls that occupy a server thread for as long as their client likes. Limits their number
+/// Limits calls that occupy a server thread for as long as their client takes. Limits their number,
 /// and ends calls without progress. Thread-safe.
 class Transfers {
  public:

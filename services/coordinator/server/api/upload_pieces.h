@@ -12,12 +12,12 @@
 
 namespace slicefarm::coordinator {
 
-/// Upload that is stored in pieces of kBlobPieceBytes, for any chunk size of the client. The first
-/// chunk is stored at once, so that the upload exists from its beginning. Holds less than a piece
-/// and a chunk in memory.
+/// Upload that is stored in pieces of kBlobPieceBytes, no matter in which chunks the client sends
+/// it. The first chunk is stored at once, so that the upload exists from its beginning. Has at most
+/// a piece and a chunk in memory.
 class UploadPieces {
  public:
-  /// Function that stores bytes that begin at `offset`.
+  /// Function that stores bytes of the upload, which begin at `offset`, and returns its new status.
   using Keep = std::function<absl::StatusOr<BlobStatus>(int64_t offset, std::string_view bytes)>;
 
   /// Begins or continues an upload at `offset`.
@@ -29,7 +29,7 @@ class UploadPieces {
   /// Returns the status after the last store of bytes.
   const BlobStatus& status() const { return status_; }
 
-  /// Adds the next chunk. Errors: errors of Keep.
+  /// Adds the next chunk. Errors: errors of `keep`.
   absl::Status Add(std::string_view chunk);
 
   /// Stores the remaining bytes. Also used after a broken call.

@@ -18,10 +18,10 @@ namespace slicefarm::coordinator {
 
 /// Job with some of its events.
 struct JobSteps {
-  JobRecord job;                       ///< without its spec
-  std::vector<JobEventRecord> events;  ///< read before the job, which may be newer
+  JobRecord job;  ///< read after the events, so it may be newer; without its spec
+  std::vector<JobEventRecord> events;  ///< events in sequence
 
-  /// Returns true if no event comes after `sequence`.
+  /// Returns true if the job has ended and has no event after `sequence`.
   bool EndsAt(int64_t sequence) const {
     return IsTerminal(job.state) && sequence >= job.last_sequence;
   }
@@ -31,8 +31,8 @@ struct JobSteps {
 /// its restart, can be called.
 absl::Status CoordinatorStops();
 
-/// Reads events for watchers, on threads of its own. All watchers that need the same events of a
-/// job share one read. Tenants take turns. Thread-safe.
+/// Reads events for watchers, on its own threads. All watchers that need the same events of a job
+/// share one read. Tenants take turns. Thread-safe.
 class WatchReads {
  public:
   using Result = absl::StatusOr<std::shared_ptr<const JobSteps>>;
@@ -47,13 +47,13 @@ class WatchReads {
 
   static constexpr int32_t kEventsAtOnce = 100;
 
-  /// Reads at most kEventsAtOnce events of the job after `sequence`. The result is not older than
-  /// this call. Errors: errors of JobStore::Events; JOB_NOT_FOUND also for another tenant's job
-  /// that cannot be read; CoordinatorStops.
+  /// Reads at most kEventsAtOnce events of the job after `sequence`, and passes the result to
+  /// `done`. The result is not older than this call. Errors: see JobStore::Events; JOB_NOT_FOUND
+  /// also for a job of another tenant whose record cannot be read; CoordinatorStops.
   void Read(const std::string& tenant, const std::string& job_id, int64_t sequence, Done done);
 
-  /// Ends the reads. After the return, all earlier requests have their answers, and new requests
-  /// get CoordinatorStops at once.
+  /// Ends the reads. After the return, all earlier requests have received a result, and new
+  /// requests get CoordinatorStops at once.
   void Stop();
 
  private:
@@ -65,7 +65,7 @@ class WatchReads {
   };
   struct Tenant {
     std::deque<Wanted> queue;
-    std::map<Wanted, std::vector<Done>> waiting;  ///< callers that wait for the reads in `queue`
+    std::map<Wanted, std::vector<Done>> waiting;  ///< callers that wait for each read in `queue`
   };
 
   void Run();

@@ -13,8 +13,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Notifies listeners of a job about new events and new progress. Listeners read the events from
-/// the store. The progress of a run is stored only here.
+/// Notifies listeners of a job that there are new events or new progress. Listeners read the events
+/// themselves from the store. The progress of a run is stored only in the feed.
 class JobFeed {
  public:
   /// Kind of a notification.
@@ -22,13 +22,14 @@ class JobFeed {
   using Listener = std::function<void(News news)>;
 
   /// Adds a listener for a job and returns its ticket. `listener` is called from any thread, one
-  /// call at a time. It must be quick, and may call only closed() of the feed.
+  /// call at a time. It must be quick, and the only function of the feed that it may call is
+  /// closed().
   int64_t Listen(const std::string& job_id, Listener listener);
 
   /// Adds a listener for new events of all jobs, without their progress.
   int64_t ListenToAll(Listener listener) { return Listen("", std::move(listener)); }
 
-  /// Removes a listener. After the return it is not called any more.
+  /// Removes the listener with this ticket. After the return, the listener is not called any more.
   void Forget(int64_t ticket);
 
   /// Notifies the listeners of the job about new events.
@@ -46,8 +47,8 @@ class JobFeed {
   std::map<std::string, JobProgress> Running() const;
   /// Returns the latest progress of a job; nullopt if it is unknown.
   std::optional<JobProgress> ProgressOf(const std::string& job_id) const;
-  /// Adds the current progress to a RUNNING record. Ignores the progress of a run under another
-  /// claim.
+  /// Adds the current progress to a RUNNING record. Ignores progress of another run, whose epoch
+  /// differs.
   void AddProgress(JobRecord& job) const;
   /// Notifies all listeners, because any job may have new events.
   void AllChanged();

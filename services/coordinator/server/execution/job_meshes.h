@@ -10,14 +10,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Reserves memory for the files of a job. Waits until enough memory is free. Errors: errors of
+/// Reserves memory for the mesh files of a job. Waits until enough memory is free. Errors: see
 /// BlobStore::Status and MemoryBudget::Take.
 absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> RoomForMeshes(const StageCall& call,
                                                                    const ResolvedJob& job,
                                                                    BlobStore& blobs,
                                                                    MemoryBudget& memory);
 
-/// Returns the files of a job and its objects. Errors: errors of BlobStore::Get.
+/// Returns the mesh files of a job and its objects. Errors: see BlobStore::Get.
 absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs);
 
 }  // namespace slicefarm::coordinator

@@ -19,12 +19,13 @@ struct RunOutput {
   JobResult result;  ///< without digests, size and cost
 };
 
-/// Selects whether tenants reuse each other's results for the same work. Sharing is visible to
-/// tenants: an immediate result reveals that another tenant has sliced this mesh before.
+/// Selects whether a tenant gets results that were computed for another tenant's equal work.
+/// Tenants can notice this: an immediate result reveals that another tenant has sliced this mesh
+/// before.
 enum class ResultSharing { kOff, kOn };
 
 /// Returns the tenant under which a job's results are stored and searched. With sharing, this is
-/// the empty name for all tenants.
+/// the empty name for every tenant.
 inline std::string ResultTenant(ResultSharing sharing, const std::string& tenant) {
   return sharing == ResultSharing::kOn ? "" : tenant;
 }
@@ -36,13 +37,14 @@ class JobResults {
   JobResults(JobStore& jobs, BlobStores& blobs, Rates rates)
       : jobs_(jobs), blobs_(blobs), rates_(std::move(rates)) {}
 
-  /// Stores the artifacts as blobs of the tenant. Returns the update that ends the job as
-  /// SUCCEEDED; the caller must write it. Errors: errors of the blob store.
+  /// Stores the artifacts as blobs of the tenant `result_tenant`. Returns the update that ends the
+  /// job as SUCCEEDED; the caller must write it. Errors: see BlobStore.
   absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, const RunOutput& output,
                                  const std::string& result_tenant);
 
-  /// Ends the job with the stored result of the same work, with the cost by the current rates.
-  /// Returns nullopt if there is no such result or its blobs are missing.
+  /// Ends the job with the stored result of the same work. The cost is computed by the current
+  /// rates. Returns nullopt if there is no stored result or if its blobs are missing. Errors: see
+  /// JobStore.
   absl::StatusOr<std::optional<JobRecord>> SucceedFromCache(const Lease& lease,
                                                             const ResolvedJob& job, int64_t now_us);
 

@@ -39,20 +39,20 @@ struct RunEnvironment {
   rpc::JsonLog log;
   /// Receives the stage times of each job that was computed.
   std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
-  /// Returns true if the stages that all jobs need are of this build. After a run has met another
-  /// build, it is called before each claim.
+  /// Returns true if the stages that every job needs are of this build. After a run has met a stage
+  /// of another build, this function is called before each claim.
   std::function<bool()> stages_fit = [] { return true; };
-  /// Returns true if there is space for the result of a run. It is called before each claim.
+  /// Returns true if the stores have space for the result of a run. Called before each claim.
   std::function<bool()> room = [] { return true; };
 };
 
-/// Run of one claimed job, from the claim to its end. Takes the steps of RunSteps. The job ends as
-/// SUCCEEDED, FAILED or CANCELLED, or returns to QUEUED, as Conclusion decides. If the end cannot
-/// be written, the lease expires and the job is claimed again. A run that has lost its lease writes
-/// nothing more.
+/// Run of one claimed job, from the claim to its end. Takes the steps of RunSteps. At the end, the
+/// job is SUCCEEDED, FAILED or CANCELLED, or returns to QUEUED (run_conclusion.h). If the end
+/// cannot be written, the lease expires and the job is claimed again. A run that has lost its lease
+/// writes nothing more.
 class JobRun {
  public:
-  /// Creates the run of a claimed job. `calm_us`: calm time of its coordinator, as in LostRuns.
+  /// Creates the run of a claimed job. `calm_us`: calm time of this coordinator (LostRuns).
   JobRun(RunEnvironment& environment, JobRecord job, int64_t calm_us);
 
   /// Takes all steps of the run. Returns when the run is over.

@@ -17,8 +17,9 @@ namespace slicefarm::coordinator {
 /// Options of a JobRunner.
 struct JobRunnerOptions {
   std::string owner;  ///< name of this coordinator; the same name after a restart
-  int jobs = 2;       ///< jobs at the same time
-  /// Additional jobs at the same time, each of a tenant without a running job.
+  int jobs = 2;       ///< number of jobs that run at the same time
+  /// Number of further jobs that may run at the same time (guests). Each belongs to a tenant that
+  /// has no running job.
   int guests = 12;
   /// Time without a renewal after which a coordinator loses its jobs.
   std::chrono::milliseconds lease{10'000};
@@ -27,10 +28,10 @@ struct JobRunnerOptions {
   std::chrono::milliseconds poll{1'000};
 };
 
-/// Claims and runs jobs, a limited number at a time, and renews their leases. A tenant without a
-/// running job does not wait for other tenants' jobs to end: its job runs as a guest and shares the
-/// workers. Ends jobs that wait beyond their deadlines. A job with the same work as a running job
-/// stays QUEUED until that job has ended, so that it occupies no thread.
+/// Claims jobs, runs a limited number of them at a time, and renews their leases. A tenant without
+/// a running job does not wait until other tenants' jobs end: its job runs as a guest and shares
+/// the workers. Ends jobs that still wait at their deadlines. A job with the same work as a running
+/// job stays QUEUED until that job has ended, so that it occupies no thread.
 class JobRunner {
  public:
   JobRunner(RunEnvironment environment, JobRunnerOptions options);
@@ -72,9 +73,10 @@ class JobRunner {
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
-  /// A run met another build, and no later check found the stages to fit.
+  /// True if a run met a stage of another build, and no later check found all stages to be of this
+  /// build.
   std::atomic<bool> met_other_build_ = false;
-  /// The store is nearly full, and the log contains a warning.
+  /// True if the store is nearly full. The log then contains a warning.
   std::atomic<bool> without_room_ = false;
   /// Held during a claim, because concurrent claims would wait for each other in the store.
   std::mutex claim_mutex_;
@@ -82,13 +84,13 @@ class JobRunner {
   std::condition_variable wake_;
   LeaseBook leases_;           ///< leases of the running jobs
   int64_t calm_since_us_ = 0;  ///< start of this process, or time of the last lost lease
-  bool unanswered_ = false;    ///< the last renewal failed or has no answer yet
+  bool unanswered_ = false;    ///< true if the last renewal failed or has no answer yet
   int at_work_ = 0;            ///< threads that claim or run a job
   int at_any_ = 0;             ///< running jobs in slots of kind kAny
   bool draining_ = false;
   bool stopping_ = false;
   int64_t wakes_ = 0;
-  int64_t guests_asked_ = -1;  ///< value of wakes_ at the last query of a guest
+  int64_t guests_asked_ = -1;  ///< value of wakes_ when a guest's thread last searched for a job
   std::vector<std::thread> threads_;
 };
 

@@ -15,14 +15,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Cache of the last resolved jobs. So a job that is claimed again, or a thousand jobs with the
-/// same work, are resolved only once. The number of jobs is limited. Jobs with large tables of
-/// settings are not cached. Thread-safe.
+/// Cache of the last resolved jobs. So a job that is claimed again is not resolved again, and a
+/// thousand jobs with the same spec are resolved only once. The number of entries is limited. Jobs
+/// with large tables of settings are not cached. Thread-safe.
 class ResolvedJobs {
  public:
   explicit ResolvedJobs(std::string build_id) : build_id_(std::move(build_id)) {}
 
-  /// Returns the resolved job (ResolveJob) for a spec in the form of JobRecord. Errors: errors of
+  /// Returns the resolved job (ResolveJob) for `spec`, the bytes of JobRecord.spec. Errors: see
   /// ReadSpec and ResolveJob.
   absl::StatusOr<std::shared_ptr<const ResolvedJob>> Of(const std::string& spec,
                                                         std::string_view result_tenant,

@@ -17,7 +17,7 @@ namespace slicefarm::coordinator {
 class StagePools {
  public:
   /// Creates the pools. `names`: addresses by stage; a stage without addresses gets no pool.
-  /// `options`: pool options by the stage's name.
+  /// `options`: returns the pool options for the name of a stage.
   StagePools(const std::map<Stage, std::vector<std::string>>& names,
              const std::function<StagePoolOptions(const std::string& stage)>& options,
              const rpc::JsonLog& log);
@@ -29,9 +29,9 @@ class StagePools {
   /// Returns true if the replicas of these stages are of this build. Ignores stages without a pool.
   bool AreOfThisBuild(const std::vector<Stage>& stages);
 
-  /// Returns runners for each process with all its task stages. Each process gets two runners with
-  /// `slots` tasks in total, at least one each. There are two, because the rules of FanOut for
-  /// second copies and failures need more than one runner. A runner is reachable if all its stages
+  /// Returns runners for each process whose task stages all have pools. Each process gets two
+  /// runners with `slots` tasks in total, at least one each. There are two, because FanOut needs a
+  /// second runner for second copies and after failures. A runner is reachable if all its stages
   /// are. This object must outlive the runners' calls.
   std::vector<Runner> AsRunners(int slots);
 

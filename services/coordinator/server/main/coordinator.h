@@ -26,7 +26,8 @@ namespace slicefarm::coordinator {
 struct CoordinatorOptions {
   StoreOptions stores;
   /// Directory for the programs of running jobs until they are assembled. If empty, a directory
-  /// beside the state, or the system's directory for temporary files.
+  /// beside the state is used, or the system's directory for temporary files if there is no state
+  /// directory.
   std::string spool_dir = {};
   JobRunnerOptions runner;
   Rates rates = {};
@@ -35,12 +36,13 @@ struct CoordinatorOptions {
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
   int64_t memory_bytes = DefaultMemoryBudget();  ///< memory that all jobs together may use
-  int64_t min_free_bytes = 0;                    ///< limit of the disk with stores.state_dir
-  /// Limit of the database stores.postgres; 0: no limit.
+  /// free bytes of the disk with stores.state_dir below which new data is refused; 0: no check
+  int64_t min_free_bytes = 0;
+  /// Largest size of the database stores.postgres; 0: no limit.
   int64_t max_database_bytes = 0;
   std::string build_id;
-  /// Returns true if the stages that all jobs need are of this build. It is called after a run has
-  /// met another build.
+  /// Returns true if the stages that every job needs are of this build. Called after a run has met
+  /// a stage of another build.
   std::function<bool()> stages_fit = [] { return true; };
   TransferOptions transfers = {};
   WatchOptions watches = {};
@@ -48,14 +50,14 @@ struct CoordinatorOptions {
   Maintenance::Options maintenance = {};
   TenantsNow tenants = {};  ///< empty: one tenant without a name
   ResultSharing sharing = ResultSharing::kOff;
-  /// Must outlive the coordinator; null: no metrics are exported.
+  /// Registry of the metrics; null: no metrics are exported. Must outlive the coordinator.
   prometheus::Registry* metrics = nullptr;
 };
 
-/// Stages that the coordinator calls itself, at least slicing; the tasks of jobs use other stages.
-/// They must outlive the coordinator.
+/// Stages that the coordinator calls itself, at least slicing. The executor calls the stages of
+/// tasks. They must outlive the coordinator.
 struct JobStages {
-  Stages stages;  ///< the coordinator supports the processes with all their stages
+  Stages stages;  ///< the coordinator supports each process whose stages are all given
   const ArrangingStage& arranging;
   const ProjectReader& projects;
 };
@@ -72,7 +74,7 @@ class Coordinator {
                                                            const rpc::JsonLog& log);
   ~Coordinator();
 
-  /// Begins to run jobs, first the jobs of its previous process.
+  /// Begins to run jobs, first those that the previous process of this coordinator has left.
   absl::Status Start();
 
   /// Stops claiming jobs, and waits until the running jobs have ended, for at most `patience`.

@@ -21,11 +21,11 @@ struct CoordinatorFlags {
   StoreOptions stores;  ///< without the bucket, which is in `s3`
   S3Flags s3;
   std::string spool_dir;  ///< if empty, the default of CoordinatorOptions::spool_dir applies
-  /// Addresses of stages that are services; Check verifies the required ones.
+  /// Addresses by stage, for stages that are services. Check reports missing addresses.
   std::map<Stage, std::string> stages;
-  /// Workers that run all stages of layers; if empty, these stages are services.
+  /// Addresses of workers that run all stages of layers. If empty, these stages are services.
   std::string workers;
-  int split_slots = 8;  ///< ranges in flight over the split stages
+  int split_slots = 8;  ///< number of ranges in flight at the separate services of the layer stages
   JobRunnerOptions runner;
   std::string rates_file;
   std::string default_profile;
@@ -50,8 +50,8 @@ struct CoordinatorFlags {
   JobRunnerOptions runner_options() const;
   /// Returns the options of the maintenance.
   Maintenance::Options maintenance() const;
-  /// Returns the time that running jobs may continue after SIGTERM. The rest of --drain is
-  /// sufficient to return them to the queue and to end calls.
+  /// Returns the time that running jobs may continue after SIGTERM. It is shorter than --drain, so
+  /// that time remains to return the jobs to the queue and to end calls.
   std::chrono::milliseconds drain_of_jobs() const;
 };
 

@@ -15,7 +15,7 @@ struct S3Flags {
   bool bucket_in_host = false;
   std::string region = "us-east-1";
   std::string ca_file;
-  std::string credentials_file;  ///< empty: the credentials are in the environment
+  std::string credentials_file;  ///< file of the credentials; empty: they are in the environment
 };
 
 /// Adds the options to `app`.
@@ -28,8 +28,9 @@ absl::StatusOr<S3Credentials> ParseS3Credentials(const std::string& text);
 /// Reads credentials from the file. Errors: InvalidArgument, also if the file cannot be read.
 absl::StatusOr<S3Credentials> ReadS3Credentials(const std::string& path);
 
-/// Returns the credentials AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY and, if it is set,
-/// AWS_SESSION_TOKEN. Errors: InvalidArgument.
+/// Returns the credentials from the environment variables AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY
+/// and, if it is set, AWS_SESSION_TOKEN. Errors: InvalidArgument if one of the first two is not
+/// set.
 absl::StatusOr<S3Credentials> S3CredentialsOfEnvironment();
 
 /// Creates a client of the bucket. Errors: InvalidArgument.

@@ -35,10 +35,11 @@ struct ResolvedJob {
   JobRequest request;
   config::ResolvedPlate plate;
   std::string settings_digest;  ///< digest of the effective settings
-  /// Digest of all data that determines the result, including build and tenant.
+  /// Digest of all data that determines the result, including build and tenant. Jobs with equal
+  /// digests have equal results.
   std::string action_digest;
-  /// Actions with results that also serve this job; its own is the last. For example, the result of
-  /// a print also serves a quote.
+  /// Action digests whose results also serve this job, ending with its own. For example, the result
+  /// of a print also serves a quote.
   std::vector<std::string> serving_actions;
 };
 
@@ -51,14 +52,14 @@ absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
 /// REQUEST_TOO_LARGE.
 absl::Status CheckRequestId(const std::string& request_id);
 
-/// Checks that the request may become a job. Errors: REQUEST_MALFORMED for a feature name in
-/// `allowed` that does not exist; PRINTER_MISSING if the settings name no machine and the job is
-/// not generic; NOT_SUPPORTED for a missing feature that is not allowed. Existing jobs are not
-/// checked again.
+/// Checks that the request may become a job. Existing jobs are not checked again. Errors:
+/// REQUEST_MALFORMED for a feature name in `allowed` that does not exist; PRINTER_MISSING if the
+/// settings name no machine and the job is not generic; NOT_SUPPORTED for a missing feature that is
+/// not allowed.
 absl::Status CheckAcceptable(const ResolvedJob& job);
 
 /// Checks the request (CheckRequest) and resolves its plate. `result_tenant`: tenant under which
-/// the results are searched and stored (job_results.h). Errors: errors of CheckRequest and
+/// the results are searched and stored (job_results.h). Errors: see CheckRequest and
 /// config::ResolvePlate.
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
                                        std::string_view result_tenant,

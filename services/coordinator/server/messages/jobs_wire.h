@@ -15,12 +15,13 @@ namespace slicefarm::coordinator {
 constexpr int32_t kDefaultPageSize = 50;  ///< page size of lists, if a request gives none
 
 /// Conversions between jobs.proto and the coordinator's types. Errors: REQUEST_MALFORMED with the
-/// field; errors of common/wire/support/mesh_wire.h.
+/// name of the field; for meshes, see common/wire/support/mesh_wire.h.
 
 /// Converts the spec of a job.
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
 
-/// Removes all settings and all notes without effect. With them, lists of jobs would be too long.
+/// Removes all settings and the list of settings without effect. With them, lists of jobs would be
+/// too long.
 void ClearSettings(v1::JobSpec& spec);
 
 /// Converts a priority; unspecified means normal.
@@ -45,16 +46,18 @@ v1::Preflight ToProto(const Preflight& preflight, const Cost& cost);
 /// Converts a request for a page of a list. The page token contains the last job of the previous
 /// page and is opaque to clients.
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request);
-/// Converts a page of a list: as many jobs as fit into a message, without their settings.
+/// Converts the jobs that a list query found to one page: as many jobs as fit into a message,
+/// without their settings.
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query);
 
-/// Converts the changes of a job. Errors: also for a mask without fields, or with a field that
-/// cannot be changed.
+/// Converts the changes of a job. Errors: also REQUEST_MALFORMED for a mask without fields or with
+/// a field that cannot be changed.
 absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request);
 
 /// Converts a job with its spec.
 v1::Job ToProto(const JobRecord& job);
-/// Converts an event. The job has the state of the event, without its spec.
+/// Converts an event. `job`: record of the event's job, which may be newer. The job in the answer
+/// has the state of the event and no spec.
 v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
 
 /// Returns the time from which events are watched. Errors: also for an invalid cursor.

@@ -11,16 +11,16 @@
 
 namespace slicefarm::coordinator {
 
-/// Events of a tenant's jobs in sequence, each exactly once. An event may be committed after events
-/// with later times, by another coordinator or after a wait for the store. So recent times are read
-/// again and again. Not thread-safe.
+/// Events of a tenant's jobs in sequence, each exactly once. An event may appear in the store after
+/// events with later times: another coordinator has committed them earlier, or its own commit had
+/// to wait. So the recent period is read again and again. Not thread-safe.
 class TenantEvents {
  public:
-  /// Longest delay between the time of an event and its commit. Later commits are missed. It
-  /// exceeds the longest write plus the difference of the clocks.
+  /// Longest allowed delay between the time of an event and its commit. Events that are committed
+  /// later are missed. The delay exceeds the longest write plus the difference of the clocks.
   static constexpr int64_t kLateUs = 60'000'000;
-  /// Time before the last event that each call reads again. The full range of kLateUs is read again
-  /// every kLookBackEveryUs.
+  /// Period before the last event that each call reads again. Every kLookBackEveryUs, a call reads
+  /// the whole period kLateUs again.
   static constexpr int64_t kSoonUs = 2'000'000;
   static constexpr int64_t kLookBackEveryUs = 5'000'000;
 
@@ -28,15 +28,16 @@ class TenantEvents {
   TenantEvents(JobStore& jobs, std::string tenant, int64_t from_us)
       : jobs_(jobs), tenant_(std::move(tenant)), from_us_(from_us), last_us_(from_us) {}
 
-  /// Returns a page of the events that were not returned yet. more() reports whether there is
-  /// another page. Errors: errors of the store, after which the next call continues at the same
-  /// position.
+  /// Returns the next page of events that were not returned yet. more() reports whether there is
+  /// another page. Errors: see JobStore::EventsOf; after an error, the next call continues at the
+  /// same position.
   absl::StatusOr<std::vector<TenantEvent>> Next(int64_t now_us);
   /// Returns true if Next can return another page at once.
   bool more() const { return page_.has_value(); }
 
-  /// Returns the start position for a client that has received all events so far. It is a little
-  /// earlier than the last event, because of late events.
+  /// Returns the cursor from which a client that has received all events so far can continue. It is
+  /// a little earlier than the last event, because earlier events may still appear. The client then
+  /// gets some events twice.
   std::string cursor() const;
 
  private:
@@ -46,7 +47,8 @@ class TenantEvents {
   int64_t last_us_;                 ///< time of the last event that was returned
   int64_t looked_back_us_ = 0;      ///< time of the last full read of the range with late events
   std::optional<EventPlace> page_;  ///< position where an incomplete read continues
-  std::set<EventPlace> told_;       ///< events that may be found again
+  /// returned events in the period that is read again; they are not returned twice
+  std::set<EventPlace> told_;
 };
 
 /// Returns the time of a cursor; nullopt if the cursor is invalid.

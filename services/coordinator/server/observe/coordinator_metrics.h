@@ -47,9 +47,9 @@ class CoordinatorMetrics : public prometheus::Collectable {
     const Fleet& fleet;
     std::string state_dir;  ///< empty if there is none
     std::function<absl::StatusOr<DatabaseFill>()> database_fill =
-        nullptr;                               ///< null if there is no shared database
-    int64_t max_database_bytes = 0;            ///< 0: no limit
-    double keep_jobs_s = 0;                    ///< 0: forever
+        nullptr;                     ///< measures the shared database; null if there is none
+    int64_t max_database_bytes = 0;  ///< 0: no limit
+    double keep_jobs_s = 0;          ///< 0: forever
     std::chrono::milliseconds patience{1000};  ///< longest wait for the store
   };
 
@@ -75,7 +75,8 @@ class CoordinatorMetrics : public prometheus::Collectable {
 
   const Sources sources_;
   JobCounts counts_;
-  mutable PatientLook<StoreFacts> store_;  ///< thread-safe in itself
+  /// last facts that were read from the store; thread-safe in itself
+  mutable PatientLook<StoreFacts> store_;
 };
 
 /// Returns "bulk", "normal" or "interactive".

@@ -18,8 +18,8 @@ class JobCounts {
   /// Counts the jobs in `jobs`, which must outlive this object.
   explicit JobCounts(JobStore& jobs) : jobs_(jobs) {}
 
-  /// Returns the counts by state. `open`: the open jobs, from JobStore::CountOpen. Errors: errors
-  /// of the store.
+  /// Returns the number of jobs by state. `open`: current counts of the open jobs, from
+  /// JobStore::CountOpen. Errors: see JobStore.
   absl::StatusOr<std::map<JobState, int64_t>> With(const std::vector<OpenJobs>& open);
 
  private:

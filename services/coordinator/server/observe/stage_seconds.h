@@ -10,8 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Metric slicefarm_stage_seconds{stage}: time of each stage for a job, summed over its tasks, as
-/// seen by the caller of the stage.
+/// Metric slicefarm_stage_seconds{stage}: time of each stage for a job, summed over the job's
+/// tasks. The caller of the stage measures it.
 class StageSeconds {
  public:
   /// Registers the metric in `registry`, which must outlive this object.

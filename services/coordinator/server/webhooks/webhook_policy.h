@@ -11,9 +11,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Allowed URLs of a tenant's webhooks, and the secrets that sign them.
+/// Allowed URLs of a tenant's webhooks, and the secrets with which their messages are signed.
 struct WebhookRules {
-  /// URLs; a webhook may use the same scheme, host and port, and paths below.
+  /// URL prefixes. A webhook must have the scheme, host and port of one of them, and its path or a
+  /// path below.
   std::vector<std::string> allow;
   /// Secrets of the HMACs: one, or the new and the old one during a replacement.
   std::vector<std::string> secrets;
@@ -29,7 +30,7 @@ class WebhookPolicy {
   static absl::StatusOr<WebhookPolicy> Parse(std::string_view json);
 
   /// Checks that the tenant's webhooks may use the URL. Errors: REQUEST_TOO_LARGE; WEBHOOK_REFUSED
-  /// if it is no URL or not in the tenant's list.
+  /// if it is no URL or if the tenant's list does not allow it.
   absl::Status Check(const std::string& tenant, const std::string& url) const;
 
   /// Returns the rules of a tenant; null if it has none.

@@ -20,9 +20,9 @@
 
 namespace slicefarm::coordinator {
 
-/// Sends the due webhooks of the outbox, each at least once. If the receiver does not answer with
-/// 2xx, the sender retries for about a day, with increasing pauses. It has threads of its own, and
-/// the receivers of one tenant use at most half of them.
+/// Sends the due webhooks of the outbox (WebhookStore), each at least once. If the receiver does
+/// not answer with 2xx, the sender retries for about a day, with increasing pauses. It has threads
+/// of its own, of which the receivers of one tenant use at most half.
 class WebhookSender {
  public:
   /// Options of a WebhookSender.

@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Checks that a blob's name is a digest. Errors: REQUEST_MALFORMED. This error and the following
-/// ones are shared by all kinds of stores.
+/// Checks that a blob's name is a digest. Errors: REQUEST_MALFORMED. All kinds of blob stores
+/// return this error and the errors below.
 absl::Status CheckBlobName(const std::string& digest);
 /// Returns the error BLOB_NOT_FOUND.
 absl::Status BlobNotFound(const std::string& digest);

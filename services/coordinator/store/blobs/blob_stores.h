@@ -11,8 +11,9 @@
 namespace slicefarm::coordinator {
 
 /// Blob stores of all tenants, one store per tenant. If two tenants have the same bytes, they are
-/// stored twice. So no tenant learns about another tenant's data by an answer, by its time, or by
-/// how long a blob stays. And no tenant can damage or finish another tenant's upload. Thread-safe.
+/// stored twice. Otherwise a tenant could learn about another tenant's data from an answer, from
+/// the time that the answer takes, or from how long a blob stays; and it could damage or finish
+/// another tenant's upload. Thread-safe.
 class BlobStores {
  public:
   virtual ~BlobStores() = default;

@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Set of the blobs that this process has checked against their names. So each blob is hashed only
-/// once, not at every Open. The size is limited: when the set is full, it is cleared. Thread-safe.
+/// Set of the blobs whose content this process has checked against their names. So a blob is hashed
+/// only once, not at every Open. When the set is full, it is cleared. Thread-safe.
 class CheckedBlobs {
  public:
   /// Properties of a file that change if the blob is written again.
@@ -19,7 +19,7 @@ class CheckedBlobs {
     friend bool operator==(const Print&, const Print&) = default;
   };
 
-  /// Returns true if the blob was checked with this print.
+  /// Returns true if the blob was checked when it had this print.
   bool Holds(const std::string& digest, const Print& print) const;
   /// Adds a blob that was checked.
   void Add(const std::string& digest, const Print& print);

@@ -8,10 +8,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Opens a blob that is read once from beginning to end. The content is checked against its name
-/// during the reads, whereas BlobStore::Open first reads the whole blob. If the blob is damaged,
-/// the read that reaches its end returns BLOB_DIGEST_MISMATCH (DATA_LOSS) and puts the blob aside.
-/// Reads in any other order return unchecked bytes. Errors: errors of BlobStore::OpenUnchecked.
+/// Opens a blob that is read once from beginning to end. The reads check the content against the
+/// blob's name, whereas BlobStore::Open first reads the whole blob. If the blob is damaged, the
+/// read of its last bytes returns BLOB_DIGEST_MISMATCH (DATA_LOSS) and puts the blob aside. If the
+/// reads are not in order, their bytes are unchecked. Errors: see BlobStore::OpenUnchecked.
 absl::StatusOr<std::unique_ptr<BlobReader>> OpenToStream(std::shared_ptr<BlobStore> store,
                                                          const std::string& digest);
 

@@ -16,8 +16,9 @@ namespace slicefarm::coordinator {
 
 /// Blob store in a local directory:
 ///
-///   blobs/ab/abcd...   complete blobs: written elsewhere, fsynced, renamed, folder fsynced;
-///   uploads/abcd...    uploads so far;
+///   blobs/ab/abcd...   complete blobs; written elsewhere, fsynced and renamed, then the folder is
+///                      fsynced;
+///   uploads/abcd...    incomplete uploads;
 ///   tmp/               files that Put is writing; emptied at the start;
 ///   corrupt/abcd...    blobs with changed bytes, moved so that a new upload can use the name.
 class DirectoryBlobStore : public BlobStore {
@@ -60,27 +61,27 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status Adopt(const std::string& file, const std::string& digest, int64_t size);
 
   const std::string root_;
-  /// Locks of blobs. Only one thread at a time writes a blob, also during the hashing and the
-  /// fsync.
+  /// Locks by digest. Only one thread at a time writes a blob, hashes it or calls fsync for it.
   NameLocks writers_;
-  /// Locks that protect the steps between a check of a file and its rename, touch or removal. So a
-  /// blob that Keep marks as used is not deleted. Taken after a writer's lock.
+  /// Locks by digest for short steps: from the check of a file to its rename, touch or removal. So
+  /// a blob that Keep marks as used is not deleted at the same time. Taken after the lock in
+  /// `writers_`.
   std::array<std::mutex, 16> names_;
   std::atomic<int64_t> next_tmp_ = 0;
   CheckedBlobs checked_;
-  /// Total size of the store, from the writes and removals since the last listing of all files.
-  /// Below 0: there was no listing yet. ForEach corrects the value, in case two concurrent calls
-  /// have miscounted.
+  /// Total size of the store, updated by each write and removal since the last listing of all
+  /// files. Below 0: there was no listing yet. ForEach corrects the value, because concurrent calls
+  /// may have counted wrongly.
   std::atomic<int64_t> kept_bytes_ = kUncounted;
 
-  NameLocks folders_;  ///< locks for putting a folder's names on disk
+  NameLocks folders_;  ///< locks by folder, for the fsync of a folder of blobs
   std::mutex doubts_mutex_;
-  /// Folders of blobs with all their names on disk. At the start the set is empty, because the
-  /// previous process may have ended between a rename and its fsync. A failed fsync removes the
-  /// folder.
+  /// Folders of blobs whose file names are all on disk. At the start the set is empty, because the
+  /// previous process may have ended between a rename and the fsync of its folder. After a failed
+  /// fsync, the folder is removed from the set.
   std::set<std::string> settled_;
-  /// Uploads that this process alone has written and has not yet tried to fsync. All other uploads
-  /// need PosixFile::SyncAnew.
+  /// Uploads that only this process has written and for which it has not called fsync yet. All
+  /// other uploads need PosixFile::SyncAnew.
   std::set<std::string> written_here_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Locks by name. Holding a lock for long does not block other names. Thread-safe; must outlive its
-/// held locks.
+/// One lock per name. A lock that is held for long does not block other names. Thread-safe; must
+/// outlive its held locks.
 class NameLocks {
  public:
   /// Held lock. The destructor releases it.

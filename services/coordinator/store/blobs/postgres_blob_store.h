@@ -9,9 +9,9 @@
 
 namespace slicefarm::coordinator {
 
-/// Blobs of a tenant in the tables `blobs` and `blob_pieces` of `deploy/postgres`, which several
-/// coordinators share. Damaged blobs have the name `corrupt/DIGEST`. If the database is killed, the
-/// last bytes of an upload may be lost, but a complete blob is on disk.
+/// Blobs of a tenant in the tables `blobs` and `blob_pieces` of `deploy/postgres`. Several
+/// coordinators may share them. Damaged blobs have the name `corrupt/DIGEST`. If the database is
+/// killed, the last bytes of an upload may be lost, but a complete blob is on disk.
 class PostgresBlobStore : public BlobStore {
  public:
   explicit PostgresBlobStore(std::shared_ptr<SqlDatabase> database, std::string tenant = "")

@@ -8,8 +8,8 @@
 
 namespace slicefarm::coordinator {
 
-/// File descriptor with the calls that durable files need. Handles short writes and EINTR. Errors:
-/// DISK_FULL (no space, quota) or STORE_FAILED, with the path.
+/// File descriptor with the calls that durable files need. Handles short writes and EINTR. Errors
+/// of all functions of this file: DISK_FULL (no space, quota) or STORE_FAILED, with the path.
 class PosixFile {
  public:
   /// Opens a file for reading. Errors: also NotFound.
@@ -42,21 +42,21 @@ class PosixFile {
   std::string path_;
 };
 
-/// Creates a directory and its parents, so that they survive a power cut. An existing directory
-/// survives it afterwards as well.
+/// Creates a directory and its parents, and syncs them, so that they survive a power cut. Also
+/// syncs a directory that already exists.
 absl::Status MakeDirectory(const std::string& path);
 
 /// Returns the directory that contains a file; "." for a name without a directory.
 std::string ParentOf(const std::string& path);
 
-/// Calls fsync for a directory; afterwards its names are on disk.
+/// Calls fsync for a directory; afterwards the names in it are on disk.
 absl::Status SyncDirectory(const std::string& path);
 
-/// Renames a file. A power cut may undo it, until SyncDirectory is called for the directory of
-/// `to`.
+/// Renames a file. A power cut may undo the renaming until SyncDirectory was called for the
+/// directory of `to`.
 absl::Status RenameFile(const std::string& from, const std::string& to);
 
-/// Sets the file's time of writing to now. Returns OK if the file does not exist.
+/// Sets the file's modification time to now. Returns OK if the file does not exist.
 absl::Status TouchFile(const std::string& path);
 
 /// Removes a file. Returns OK if it does not exist.

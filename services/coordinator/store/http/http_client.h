@@ -15,7 +15,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Body of a request. It is read in parts as needed, and again if it must be sent again.
+/// Body of a request. The client reads it in parts as needed, and again if the request is sent
+/// again.
 struct BodySource {
   using Read = std::function<absl::StatusOr<std::string>(int64_t offset, int64_t limit)>;
 
@@ -23,7 +24,7 @@ struct BodySource {
   Read read;  ///< returns up to `limit` bytes from `offset` on; fewer only at the end
 };
 
-/// Signature of a request for Amazon's S3 API: AWS Signature Version 4 over all headers of the
+/// Keys for signing a request for Amazon's S3 API: AWS Signature Version 4 over all headers of the
 /// request, including `x-amz-content-sha256`.
 struct AwsSignature {
   std::string region;
@@ -38,7 +39,7 @@ struct HttpRequest {
   std::vector<std::string> headers = {};  ///< headers as "Name: value"
   const BodySource* body = nullptr;       ///< body of PUT and POST
   int64_t most_bytes = 64 << 10;          ///< largest body of the answer; a longer body is cut off
-  /// Checked once per second, and whenever bytes are transferred.
+  /// Cancels the request. Checked once per second, and whenever bytes are transferred.
   CancelToken cancel = {};
   std::optional<AwsSignature> signature = {};
 };
@@ -63,8 +64,8 @@ struct HttpClientOptions {
   bool (*may_reach)(const sockaddr& address) = nullptr;
 };
 
-/// HTTP client that reuses connections; it has as many as there are requests at a time. Follows no
-/// redirect and uses no proxy. Thread-safe.
+/// HTTP client that reuses its connections. Each concurrent request has its own connection. Follows
+/// no redirect and uses no proxy. Thread-safe.
 class HttpClient {
  public:
   explicit HttpClient(HttpClientOptions options) : options_(std::move(options)) {}
@@ -72,9 +73,9 @@ class HttpClient {
   HttpClient(const HttpClient&) = delete;
   HttpClient& operator=(const HttpClient&) = delete;
 
-  /// Makes a request and returns its answer. Errors: errors of the body; CANCELLED;
-  /// PermissionDenied for an address that is not allowed; Unavailable with the cause if there was
-  /// no complete answer.
+  /// Makes a request and returns its answer, with any HTTP status. Errors: errors of the body;
+  /// CANCELLED; PermissionDenied for an address that is not allowed; Unavailable with the cause if
+  /// there was no complete answer.
   absl::StatusOr<HttpAnswer> Do(const HttpRequest& request);
 
  private:

@@ -136,7 +136,7 @@ class JobStoreCalls : public JobStore {
   }
 };
 
-/// JobStore that passes each call to another store. Base class of stores that change some of the
+/// JobStore that passes each call to another store. Base class of stores that override some of the
 /// calls.
 class ForwardingJobStore : public JobStoreCalls<ForwardingJobStore> {
  public:

@@ -12,7 +12,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Step of a job, as a notice between coordinators that share a store.
+/// Notice of a new state of a job. Coordinators that share a store send it to each other.
 struct JobChange {
   std::string job_id;
   JobState state = JobState::kQueued;
@@ -36,16 +36,16 @@ struct JobProgress {
   friend bool operator==(const JobProgress&, const JobProgress&) = default;
 };
 
-/// Progress of all jobs that a coordinator runs. No store contains it.
+/// Progress of all jobs that a coordinator runs. It is sent to other coordinators but not stored.
 struct ProgressReport {
   std::string owner;
-  /// Progress by job id; only kMostReported of them are sent.
+  /// progress by job id; at most kMostReported jobs are sent
   std::map<std::string, JobProgress> jobs;
 
   friend bool operator==(const ProgressReport&, const ProgressReport&) = default;
 };
 
-/// Largest number of jobs that fit into a notice of PostgreSQL.
+/// Largest number of jobs whose progress fits into a notice of PostgreSQL.
 inline constexpr size_t kMostReported = 80;
 
 /// Returns the text of a notice. REQUIRES: the owner and the ids have no white space.
@@ -60,7 +60,7 @@ class JobChanges {
   /// Functions that receive the notices. They are called on one thread, which never writes to the
   /// store.
   struct Listener {
-    /// Receives a change. nullopt: some changes may have been missed, so any job may have changed.
+    /// Receives a change. nullopt: some notices may have been missed, so any job may have changed.
     std::function<void(const std::optional<JobChange>& change)> changed;
     std::function<void(ProgressReport report)> progressed = [](const ProgressReport&) {};
   };

@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Arguments of JobStore::Claim. This file implements it in SQL.
+/// Arguments of JobStore::Claim. The functions of this file implement Claim in SQL.
 struct ClaimRequest {
   std::string owner;
   int64_t now_us = 0;
@@ -24,7 +24,7 @@ struct Candidate {
   std::string action_digest;
 };
 
-/// Next job to claim, and the tenants in turn.
+/// Next job to claim, and the tenants with claimable jobs.
 struct Queue {
   Candidate first;
   /// Tenants in the order of their turns, beginning with the tenant of `first`.
@@ -40,24 +40,25 @@ struct Claimed {
   absl::Status read;  ///< DATA_LOSS if the row is damaged; `job` then has the readable fields
 };
 
-/// Result of one try to claim a job. If both members are unset, another coordinator was faster and
-/// there may be more jobs.
+/// Result of one try to claim a job. If `claimed` is empty and `nothing_left` is false, another
+/// coordinator was faster, and there may be more jobs.
 struct ClaimTry {
   std::optional<Claimed> claimed = {};
   bool nothing_left = false;
 };
 
-/// Claims the first job of the queue. Runs in a transaction of its own: a transaction that locked
-/// several works could deadlock with others.
+/// Claims the first job of the queue. Runs in its own transaction, because transactions that lock
+/// the work of several jobs could deadlock with each other.
 absl::StatusOr<ClaimTry> TakeFirst(SqlConnection& db, const Queue& queue,
                                    const ClaimRequest& request);
-/// Claims the first job that the tenants of the queue have now. Skips jobs that another transaction
-/// is writing. Runs in a transaction of its own, as TakeFirst.
+/// Claims the first job that the tenants of the queue have now, in case the first job of the queue
+/// is not free any more. Skips jobs that another transaction is writing. Runs in its own
+/// transaction, like TakeFirst.
 absl::StatusOr<ClaimTry> TakeNext(SqlConnection& db, const Queue& queue,
                                   const ClaimRequest& request);
 
-/// Returns true if another held job has the same work and is not to be cancelled. REQUIRES: a
-/// transaction; until its end, no other claim takes such a job.
+/// Returns true if another held job than `but_job` has this digest and is not to be cancelled.
+/// REQUIRES: a transaction; until its end, no other claim takes a job with this digest.
 absl::StatusOr<bool> OthersHold(SqlConnection& db, const std::string& action_digest,
                                 const std::string& but_job, int64_t now_us);
 
@@ -66,7 +67,8 @@ absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
                                                  const std::vector<Lease>& leases,
                                                  int64_t until_us);
 
-/// Returns the SQL for the tenants in turn; public for a test of its query plan.
+/// Returns the SQL for the tenants in the order of their turns; public for a test of its query
+/// plan.
 std::string TenantsSql(const SqlDialect& dialect);
 /// Returns the SQL for the next job of a tenant; public for a test of its query plan.
 std::string ClaimableSql(const SqlDialect& dialect);

@@ -9,9 +9,9 @@
 
 namespace slicefarm::coordinator {
 
-/// JobStore::Create and FindRequested in SQL.
+/// Implements JobStore::Create and FindRequested in SQL.
 
-/// Identification of a call that may be a repetition.
+/// Data that shows whether a call repeats an earlier call.
 struct Request {
   const std::string& tenant;
   const std::string& request_id;

@@ -35,7 +35,7 @@ struct JobResult {
   double filament_mm = 0;
   double filament_g = 0;
   int32_t layers = 0;
-  /// True if the result was found by its digest and not computed for this job.
+  /// True if the result was taken from the store and not computed for this job.
   bool cached = false;
   Cost cost;  ///< cost by the rates at the end of the job
   std::vector<std::string> warnings;
@@ -43,10 +43,10 @@ struct JobResult {
   friend bool operator==(const JobResult&, const JobResult&) = default;
 };
 
-/// Digests of a job for one build.
+/// Digests of a job, as one build computes them.
 struct JobIdentity {
   std::string settings_digest;
-  std::string action_digest;  ///< equal digests mean equal results
+  std::string action_digest;  ///< two jobs with equal digests have equal results
   std::string build_id;
 };
 
@@ -57,18 +57,18 @@ enum class Priority { kBulk = 0, kNormal = 1, kInteractive = 2 };
 inline constexpr int64_t kNoDeadlineUs = INT64_MAX;
 
 /// Record of a job in the store. Times are microseconds since 1970 on the clock of the caller; 0:
-/// not yet.
+/// the event has not happened yet.
 struct JobRecord {
-  int64_t number = 0;  ///< increases in the order of creation
+  int64_t number = 0;  ///< unique number, increasing in the order of creation
   std::string id;
   std::string tenant;
   JobState state = JobState::kQueued;
   Priority priority = Priority::kNormal;
-  int64_t deadline_us = kNoDeadlineUs;  ///< time after which the result is of no use
+  int64_t deadline_us = kNoDeadlineUs;  ///< time at which the job fails if it has not ended
   std::string spec;                     ///< opaque to the store
   std::map<std::string, std::string> labels;
   std::string settings_digest;
-  std::string action_digest;  ///< equal digests mean equal results
+  std::string action_digest;  ///< two jobs with equal digests have equal results
   std::string build_id;
   /// Trace context of the call that created the job (W3C Trace Context); may be empty.
   std::string traceparent;
@@ -83,13 +83,16 @@ struct JobRecord {
   int32_t retries = 0;  ///< number of returns to the queue after a failed run
   /// Number of returns to the queue after a failure of a store.
   int32_t store_failures = 0;
-  int32_t lost_runs = 0;    ///< runs of the present build that began but did not end
-  int32_t deadly_runs = 0;  ///< runs of the present build that probably killed services
+  int32_t lost_runs = 0;    ///< runs by the present build that began but never ended
+  int32_t deadly_runs = 0;  ///< runs by the present build that probably killed services
   int64_t last_sequence = 0;
-  std::string trace_sha256;  ///< blob with the trace of its runs (JobTrace); empty: not stored
+  /// digest of the blob with the trace of the job's runs (JobTrace); empty: there is none
+  std::string trace_sha256;
 
-  std::string owner;        ///< coordinator that holds the job
-  int64_t owner_epoch = 0;  ///< number of claims; a write with an older number is refused
+  /// name of the coordinator that claimed the job last; empty: the job was released
+  std::string owner;
+  /// number of claims of the job; a write with a lease of an earlier claim is refused
+  int64_t owner_epoch = 0;
   int64_t owner_until_us = 0;
 
   friend bool operator==(const JobRecord&, const JobRecord&) = default;

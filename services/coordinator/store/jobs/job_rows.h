@@ -10,9 +10,9 @@
 
 namespace slicefarm::coordinator {
 
-/// Returns the columns for ReadJob in its order. `spec`: SQL expression of the spec.
+/// Returns the columns that ReadJob needs, in its order. `spec`: SQL expression of the spec.
 std::string JobColumns(std::string_view spec);
-/// Returns the columns for ReadJob, with the spec as the dialect stores it.
+/// Returns the columns that ReadJob needs, with the dialect's expression of the spec.
 inline std::string JobColumns(const SqlDialect& dialect) { return JobColumns(dialect.spec); }
 
 /// SQL condition for the states of open jobs.
@@ -32,15 +32,16 @@ absl::StatusOr<JobRecord> FindJobWithoutSpec(SqlConnection& db, const std::strin
 /// end, no other transaction writes to the job.
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id);
 
-/// Locks the job as LockJob does, if no other transaction is writing to it.
+/// Locks the job as LockJob does. If another transaction is writing to the job, does not wait and
+/// returns JOB_NOT_FOUND.
 absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id);
 
 /// Appends an event with the job's current state, and notifies other coordinators. REQUIRES: a
 /// transaction.
 absl::Status AppendEvent(SqlConnection& db, const JobRecord& job, int64_t now_us);
 
-/// Writes all changeable columns of `job`, and an event with its current state. REQUIRES: a
-/// transaction.
+/// Writes all columns of `job` that can change, and appends an event with its current state.
+/// REQUIRES: a transaction.
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us);
 
 }  // namespace slicefarm::coordinator

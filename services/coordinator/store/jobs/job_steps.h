@@ -7,10 +7,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Rules of JobStore that all stores share: the effect of a write on a record. Pure.
+/// Rules that all implementations of JobStore share: the effect of a write on a record. Pure.
 
-/// Applies an update of the owner. Errors: Aborted if the lease is not the job's current one, or if
-/// the job has ended; Internal if the new state may not follow.
+/// Applies an update by the job's owner. Errors: Aborted if the lease is not the job's current one,
+/// or if the job has ended; Internal if the job must not change to the new state (MayFollow).
 absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& update,
                          int64_t now_us);
 
@@ -20,8 +20,8 @@ bool ApplyCancel(JobRecord& job, int64_t now_us);
 /// Applies the changes of a client.
 void ApplyChange(JobRecord& job, const JobChanging& changing);
 
-/// Fails the job because of its deadline. Returns false if JobStore::EndOverdue does not end such a
-/// job.
+/// Ends the job as FAILED with `error`, because its deadline has passed. Returns false and changes
+/// nothing if the job is not overdue in the sense of JobStore::EndOverdue.
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us);
 
 /// Returns the error Aborted: the lease is not the current one.

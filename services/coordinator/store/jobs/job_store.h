@@ -17,8 +17,9 @@ namespace slicefarm::coordinator {
 struct NewJob {
   std::string id;
   std::string tenant;
-  std::string request_id;   ///< unique within the tenant; empty: the call is not idempotent
-  std::string spec_digest;  ///< equal for equal requests
+  /// unique within the tenant; empty: each repetition of the call creates another job
+  std::string request_id;
+  std::string spec_digest;  ///< digest of the request; equal requests have equal digests
   std::string spec;
   std::map<std::string, std::string> labels;
   Priority priority = Priority::kNormal;
@@ -30,8 +31,8 @@ struct NewJob {
   std::string traceparent;
   std::string webhook_url = {};  ///< URL to notify at the job's end (webhook_store.h); empty: none
   int64_t max_open = INT64_MAX;  ///< largest number of waiting and running jobs of the tenant
-  /// Error that prevents the creation of a new job. A job of an earlier call with the same
-  /// request_id is returned nevertheless.
+  /// If it is an error, no new job is created, and Create returns this error. A job of an earlier
+  /// call with the same request_id is returned nevertheless.
   absl::Status refusal = absl::OkStatus();
 };
 
@@ -43,7 +44,8 @@ struct Created {
   friend bool operator==(const Created&, const Created&) = default;
 };
 
-/// Right to write to a job. It belongs to the coordinator that claimed the job last.
+/// Right to write to a job. The coordinator that claimed the job last has it. `epoch`: number of
+/// the claim.
 struct Lease {
   std::string job_id;
   int64_t epoch = 0;
@@ -60,19 +62,20 @@ struct HeldJob {
   friend bool operator==(const HeldJob&, const HeldJob&) = default;
 };
 
-/// Update of a job by its owner.
+/// Update of a job by the coordinator that has its lease.
 struct JobUpdate {
   JobState state = JobState::kRunning;
   int32_t layers_total = 0;
   int32_t layers_done = 0;
   std::optional<JobError> error = {};
   std::optional<JobResult> result = {};
-  /// With QUEUED: time of the next possible claim.
+  /// With QUEUED: time before which the job cannot be claimed again.
   int64_t claimable_from_us = 0;
   bool retry = false;         ///< with QUEUED: the reason is a failed run
   bool store_failed = false;  ///< with QUEUED: the reason is a failed store
   bool deadly = false;        ///< with QUEUED: services probably died of the run
-  /// Number of lost runs of the record, in case the run never writes again.
+  /// New value of JobRecord::lost_runs. With RUNNING it already counts this run, which is lost if
+  /// it never writes again (LostRuns::After).
   int32_t lost_runs = 0;
   std::string trace_sha256 = {};  ///< if empty, the stored value stays
 };
@@ -84,8 +87,8 @@ struct JobChanging {
   std::optional<std::map<std::string, std::string>> labels = {};
 };
 
-/// Conditions and order of a list of jobs. A job must fulfil all conditions; default values match
-/// every job.
+/// Conditions and order of a list of jobs. A job must fulfil all conditions. The default of each
+/// condition matches every job.
 struct ListQuery {
   std::string tenant = {};
   bool all_tenants = false;  ///< if true, `tenant` is ignored
@@ -95,12 +98,13 @@ struct ListQuery {
   int64_t created_from_us = 0;
   int64_t created_before_us = INT64_MAX;
   bool oldest_first = false;
-  /// The list begins after this job, in the order of the list; 0: at the beginning.
+  /// Number of the last job of the previous page: the list begins after this job. 0: it begins at
+  /// its first job.
   int64_t after_number = 0;
   int32_t limit = 50;
 };
 
-/// Position of an event among the events of all jobs.
+/// Position of an event in the order of all events.
 struct EventPlace {
   int64_t time_us = 0;
   int64_t number = -1;  ///< number of the job
@@ -118,8 +122,8 @@ struct TenantEvent {
   friend bool operator==(const TenantEvent&, const TenantEvent&) = default;
 };
 
-/// Size of specs at which a list ends, even below its limit. The job that reaches this size is
-/// included.
+/// Total size of specs at which a list ends, even if it has fewer jobs than its limit. The list
+/// includes the job with which it reaches this size.
 inline constexpr int64_t kListedSpecBytes = 8 << 20;
 
 /// Jobs that a claim may take.
@@ -133,20 +137,22 @@ struct OpenJobs {
   JobState state = JobState::kQueued;
   Priority priority = Priority::kNormal;
   int64_t count = 0;
-  int64_t oldest_us = 0;  ///< creation time of the job that has waited longest
+  int64_t oldest_us = 0;  ///< time at which the oldest of these jobs was created
 
   friend bool operator==(const OpenJobs&, const OpenJobs&) = default;
 };
 
-/// Number of the latest ended jobs that are used for the time of a run.
+/// Number of the latest ended jobs from which the mean duration of a run is computed.
 inline constexpr int32_t kLatestRuns = 50;
 
 /// Longest storage time of a request_id. It is deleted together with its job.
 inline constexpr int64_t kRequestIdKeptUs = int64_t{7} * 24 * 3600 * 1'000'000;
 
-/// Store of jobs, their events, idempotency keys and the index of results. Everything that a call
-/// acknowledged is on disk. The caller passes its clock as `now_us`. Thread-safe; several
-/// coordinators may share one store.
+/// Store of jobs, their events, idempotency keys (request ids) and the index of results. All
+/// changes that a call has acknowledged are on disk. The caller passes its clock as `now_us`.
+/// Thread-safe; several coordinators may share one store.
+///
+/// A job is held while a coordinator has claimed it and the lease has not expired.
 ///
 /// Errors of all functions: STORE_FAILED; DISK_FULL; JOB_NOT_FOUND if a job id is given; Aborted if
 /// a lease is given and the job was claimed again or has ended. After Aborted, the caller must drop
@@ -155,8 +161,9 @@ class JobStore {
  public:
   virtual ~JobStore() = default;
 
-  /// Creates a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id was used
-  /// for another spec; `job.refusal`; QUEUE_FULL if the tenant has `max_open` open jobs.
+  /// Creates a QUEUED job and its first event. If an earlier call with the same request_id has
+  /// created a job, returns that job. Errors: REQUEST_ID_REUSED if the request_id was used for
+  /// another spec; `job.refusal`; QUEUE_FULL if the tenant has `max_open` open jobs.
   virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
 
   /// Creates all jobs or none, in order. Jobs of earlier calls are returned as in Create. Errors:
@@ -167,16 +174,16 @@ class JobStore {
   /// Returns a job.
   virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
 
-  /// Returns the tenant of a job, even if the rest of its record cannot be read.
+  /// Returns the tenant of a job, even if the other fields of its record cannot be read.
   virtual absl::StatusOr<std::string> TenantOf(const std::string& id) = 0;
 
   /// Returns a page of a list of jobs.
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
   /// Gives an open job that no coordinator holds to `owner` until `until_us`; nullopt if there is
-  /// none. Skips jobs that `filter` excludes. Also skips jobs with the same action_digest as a held
-  /// job that is not to be cancelled, so that the same work is done only once. Jobs that are
-  /// themselves to be cancelled are not skipped, because they end at once.
+  /// none. Skips jobs that `filter` excludes. Also skips a job with the same action_digest as a
+  /// held job, so that the same work is done only once; except if the held job is to be cancelled,
+  /// or the skipped job itself, which then ends at once.
   ///
   /// Tenants take turns; tenants with fewer held jobs come first. Of a tenant's jobs, higher
   /// priorities come first, then earlier deadlines, then older jobs. Errors: DATA_LOSS if the
@@ -185,36 +192,39 @@ class JobStore {
                                                          int64_t until_us,
                                                          const ClaimFilter& filter = {}) = 0;
 
-  /// Ends overdue jobs as FAILED with `error`. A job is overdue if it is open and its deadline has
-  /// passed, if no coordinator holds it, and if it is not to be cancelled. Ends at most `limit`
-  /// jobs in the order of their deadlines. Returns the ended jobs without their specs, even if a
-  /// later job could not be ended. An error means that no job was ended.
+  /// Ends at most `limit` overdue jobs as FAILED with `error`, in the order of their deadlines. A
+  /// job is overdue if it is open, its deadline has passed, no coordinator holds it, and it is not
+  /// to be cancelled. Returns the ended jobs without their specs, even if a later job could not be
+  /// ended. If an error is returned, no job was ended.
   virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                             int32_t limit) = 0;
 
-  /// Writes the digests of a held job for the build that runs it, which may differ from the build
-  /// that created it. Resets its counts of lost and deadly runs. Returns false if another held job
-  /// that is not to be cancelled has the same work; the caller must then return this job to the
-  /// queue.
+  /// Writes the digests `identity` of a held job, as computed by the build that runs it. This build
+  /// may differ from the build that created the job. Resets the counts of lost and deadly runs.
+  /// Returns false if another held job that is not to be cancelled has the same work; the caller
+  /// must then return this job to the queue.
   virtual absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
                                      int64_t now_us) = 0;
 
-  /// Extends these leases at least to `until_us`, and returns the jobs that are still held. Leases
-  /// are renewed one by one and not by owner. So the lease of a job that its owner has given up
-  /// expires, and the job is claimed again. Never shortens a lease, so a late renewal does no harm.
+  /// Extends these leases at least to `until_us`, and returns the jobs that are still held. Each
+  /// lease is renewed separately, not all leases of an owner. So the lease of a job that its owner
+  /// has given up expires, and the job is claimed again. Never shortens a lease, so a late renewal
+  /// does no harm.
   virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 
-  /// Releases all jobs of `owner`. Called at the start for the jobs of the previous process.
+  /// Releases all jobs of `owner`. A coordinator calls this function at its start, for the jobs
+  /// that its previous process has left.
   virtual absl::Status Release(const std::string& owner) = 0;
 
   /// Writes state and progress, and appends an event. Releases a job that ends or is QUEUED again.
-  /// If the end of the job was requested, it becomes CANCELLED without a result instead of QUEUED
-  /// or SUCCEEDED.
+  /// If a client has requested the end of the job, the job becomes CANCELLED without a result
+  /// instead of QUEUED or SUCCEEDED.
   ///
-  /// A result that is not `cached` is added to the index. A `cached` result must still be in the
-  /// index (else NotFound, reason BLOB_NOT_FOUND). A state that may not follow is Internal. The
-  /// returned record has no spec.
+  /// A result that is not `cached` is added to the index of results. A `cached` result must still
+  /// be in the index. The returned record has no spec. Errors: NotFound (BLOB_NOT_FOUND) if a
+  /// cached result is not in the index any more; Internal if the job must not change to this state
+  /// (MayFollow).
   virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                            int64_t now_us) = 0;
 
@@ -247,16 +257,16 @@ class JobStore {
                                                              int32_t limit) = 0;
 
   /// Returns at most `limit` events of the tenant's jobs after the position `after`, in the order
-  /// of TenantEvent::place. An event may appear later than events with later times: the caller's
-  /// clock sets the time, and the write follows later. Cost: reads the events of all tenants from
-  /// this time on.
+  /// of TenantEvent::place. An event may appear in the store after events with later times, because
+  /// its time is taken before it is written. Cost: reads the events of all tenants from this time
+  /// on.
   virtual absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
                                                             const EventPlace& after,
                                                             int32_t limit) = 0;
 
-  /// Returns the stored result of the same work; nullopt if there is none.
+  /// Returns the stored result with this action_digest; nullopt if there is none.
   virtual absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) = 0;
-  /// Removes the stored result of this work from the index.
+  /// Removes the stored result with this action_digest from the index.
   virtual absl::Status ForgetResult(const std::string& action_digest) = 0;
 
   /// Removes request ids that are older than kRequestIdKeptUs.
@@ -275,32 +285,33 @@ class JobStore {
   /// Returns the number of open jobs by state and priority. Combinations without jobs are left out.
   virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
 
-  /// Returns the open jobs in the order in which Claim gives them. Includes waiting jobs that
-  /// cannot be claimed yet, because a run failed a moment ago or because the same work is held.
-  /// Cost: reads the index of open jobs, and the last kLatestRuns ended jobs.
+  /// Returns the open jobs in the order in which Claim gives them. Includes jobs that cannot be
+  /// claimed yet, because a run failed a moment ago or because a held job has the same work. Cost:
+  /// reads the index of open jobs, and the last kLatestRuns ended jobs.
   virtual absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) = 0;
 
-  /// Returns these digests that are inputs, results or traces of jobs, among the tenant's blobs.
-  /// Cost: one statement.
+  /// Returns those of the digests that are inputs, results or traces of jobs and belong to blobs of
+  /// the tenant. Cost: one statement.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
 
-  /// Returns these digests that are results or traces of jobs.
+  /// Returns those of the digests that are results or traces of jobs.
   virtual absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
                                                           const std::set<std::string>& digests) = 0;
 
-  /// Returns at most `limit` jobs that ended before `time_us`, the oldest first. Skips jobs with a
-  /// receiver that has not been notified yet (webhook_store.h).
+  /// Returns at most `limit` jobs that ended before `time_us`, the oldest first. Skips jobs whose
+  /// webhook is still to be sent (webhook_store.h).
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
 
-  /// Takes the right to a task that only one coordinator at a time does, until `until_us`. Returns
-  /// false if another coordinator has it.
+  /// Takes the right to do the chore until `until_us`; only one coordinator at a time has it.
+  /// Returns false if another coordinator has it. `chore`: name of a regular task, such as the
+  /// sweep.
   virtual absl::StatusOr<bool> TakeChore(const std::string& chore, int64_t now_us,
                                          int64_t until_us) = 0;
 
-  /// Records that the store is in use at `now_us`. Returns the begin of its use without an
-  /// interruption of more than `most_gap_us`. Returns `now_us` for a new store and for a store
-  /// restored from a backup.
+  /// Records that the store is in use at `now_us`. Returns the time since which the store has been
+  /// in use without an interruption of more than `most_gap_us`. Returns `now_us` for a new store
+  /// and for a store that was restored from a backup.
   virtual absl::StatusOr<int64_t> InUseSince(int64_t now_us, int64_t most_gap_us) = 0;
 };
 

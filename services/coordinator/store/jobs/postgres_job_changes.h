@@ -10,8 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Receives changes by LISTEN and sends reports by NOTIFY, over a connection of its own. While the
-/// server is unreachable, it retries every second.
+/// JobChanges by LISTEN and NOTIFY of PostgreSQL, over a connection of its own. While the server is
+/// unreachable, it retries every second.
 class PostgresJobChanges : public JobChanges {
  public:
   PostgresJobChanges(std::string conninfo, Listener listener);
@@ -22,7 +22,7 @@ class PostgresJobChanges : public JobChanges {
   void Run();
   void Listen(PostgresConnection& connection);
   absl::Status Notify(PostgresConnection& connection);
-  /// Waits until bytes arrive, the time has passed, or the object must stop.
+  /// Waits until bytes arrive at `socket`, the time has passed, or the object must stop.
   void Wait(int socket, int timeout_ms) const;
 
   const std::string conninfo_;

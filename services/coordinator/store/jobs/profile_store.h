@@ -24,12 +24,12 @@ struct NewProfile {
   std::string tenant;
   std::string name;
   std::string settings;
-  std::string settings_digest;  ///< equal for equal settings
+  std::string settings_digest;  ///< equal settings have equal digests
 };
 
-/// Store of settings by name. The number of a deleted revision is never used again. Everything that
-/// a call acknowledged is on disk. Thread-safe; several coordinators may share one store. Errors of
-/// all functions: STORE_FAILED; DISK_FULL.
+/// Store of profiles: revisions of settings, by name. The number of a deleted revision is never
+/// used again. All changes that a call has acknowledged are on disk. Thread-safe; several
+/// coordinators may share one store. Errors of all functions: STORE_FAILED; DISK_FULL.
 class ProfileStore {
  public:
   virtual ~ProfileStore() = default;
@@ -41,18 +41,18 @@ class ProfileStore {
   virtual absl::StatusOr<ProfileRecord> Get(const std::string& tenant, const std::string& name,
                                             int64_t revision) = 0;
 
-  /// Returns the newest revisions, sorted by name, with names after `after`; at most `limit`,
-  /// without settings.
+  /// Returns the newest revision of each profile, sorted by name, with names after `after`; at most
+  /// `limit`, without settings.
   virtual absl::StatusOr<std::vector<ProfileRecord>> List(const std::string& tenant,
                                                           const std::string& after,
                                                           int32_t limit) = 0;
 
-  /// Deletes a revision. `revision` 0: all of them. Errors: PROFILE_NOT_FOUND.
+  /// Deletes a revision. `revision` 0: all revisions of the profile. Errors: PROFILE_NOT_FOUND.
   virtual absl::Status Delete(const std::string& tenant, const std::string& name, int64_t revision,
                               int64_t now_us) = 0;
 
-  /// Removes revisions that had kKeptRevisions newer ones before `before_us`, and the remains of
-  /// profiles that were deleted before. Returns their number.
+  /// Removes revisions that already had kKeptRevisions newer ones at `before_us`, and the marks of
+  /// revisions that were deleted before. Returns the number of removed rows.
   virtual absl::StatusOr<int64_t> Expire(int64_t before_us) = 0;
 
   static constexpr int64_t kKeptRevisions = 10;

@@ -26,7 +26,7 @@ class SqlWebhookStore : public WebhookStore {
 
 /// Inserts the webhook of a new job, in a transaction of SqlJobStore. `job`: JobRecord.number.
 absl::Status InsertWebhook(SqlConnection& db, int64_t job, const std::string& url);
-/// Makes the webhook of an ended job due, in a transaction of SqlJobStore.
+/// Sets the webhook of an ended job to be sent now, in a transaction of SqlJobStore.
 absl::Status MakeWebhookDue(SqlConnection& db, int64_t job, int64_t now_us);
 
 }  // namespace slicefarm::coordinator

@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Delivery that is due and was claimed.
+/// Webhook that is due and was claimed for one delivery attempt.
 struct DueWebhook {
   std::string job_id;
   std::string tenant;
@@ -40,28 +40,28 @@ enum class WebhookState {
 struct WebhookRecord {
   std::string url;
   WebhookState state = WebhookState::kWaiting;
-  int64_t due_us = 0;  ///< time of the next attempt, with kDue
+  int64_t due_us = 0;  ///< time of the next attempt, in the state kDue
   std::vector<WebhookAttempt> attempts = {};
 
   friend bool operator==(const WebhookRecord&, const WebhookRecord&) = default;
 };
 
-/// Outbox of webhooks. JobStore::Create writes a webhook together with its job. The transaction
-/// that ends the job makes the webhook due. So no webhook is lost, but one may be sent twice. It is
-/// deleted together with its job. Thread-safe; several coordinators may share one store. Errors of
-/// all functions: STORE_FAILED; DISK_FULL.
+/// Outbox of webhooks. JobStore::Create writes a webhook together with its job, and the transaction
+/// that ends the job makes the webhook due. So no webhook is lost, but one may be sent twice. A
+/// webhook is deleted together with its job. Thread-safe; several coordinators may share one store.
+/// Errors of all functions: STORE_FAILED; DISK_FULL.
 class WebhookStore {
  public:
   virtual ~WebhookStore() = default;
 
-  /// Claims the webhook that has been due for longest, except webhooks of `busy` tenants. No other
-  /// coordinator gets it before `until_us`. Returns nullopt if none is due.
+  /// Claims the webhook that has been due for longest, except webhooks of the tenants `busy`. No
+  /// other coordinator gets it before `until_us`. Returns nullopt if none is due.
   virtual absl::StatusOr<std::optional<DueWebhook>> Claim(
       int64_t now_us, int64_t until_us, const std::set<std::string>& busy = {}) = 0;
 
-  /// Records the result of an attempt. `again_us`: time of the next attempt, with kDue. If the
-  /// claim has expired and another coordinator has claimed the webhook, only the attempt is added
-  /// to its log.
+  /// Records the result of an attempt, and the new state. `again_us`: time of the next attempt, in
+  /// the state kDue. If another coordinator has claimed the webhook since, because this claim has
+  /// expired, only adds the attempt to the log.
   virtual absl::Status Record(const std::string& job_id, const WebhookAttempt& attempt,
                               WebhookState state, int64_t again_us) = 0;
 

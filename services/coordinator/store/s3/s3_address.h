@@ -17,8 +17,8 @@ struct S3Address {
   std::string UrlOf(const std::string& key) const;
 };
 
-/// Reads an address `http[s]://HOST[:PORT]/BUCKET[/PREFIX]`. `bucket_in_host`: HOST belongs to the
-/// bucket, and the path is only the prefix. Errors: InvalidArgument.
+/// Reads an address `http[s]://HOST[:PORT]/BUCKET[/PREFIX]`. `bucket_in_host`: the name HOST
+/// identifies the bucket, and the path is only PREFIX. Errors: InvalidArgument.
 absl::StatusOr<S3Address> ParseS3Address(const std::string& url, bool bucket_in_host = false);
 
 }  // namespace slicefarm::coordinator

@@ -12,10 +12,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Blobs of a tenant as objects of a bucket; the jobs' database contains the names of their
-/// objects. Incomplete uploads are in a staging store, because bytes cannot be appended to an
-/// object. Blobs from before the use of the bucket are in the staging store as well, until Settle
-/// moves them. Each blob is one PUT, and the server checks its digest.
+/// Blobs of a tenant as objects of a bucket (one PUT per blob, of which the server checks the
+/// digest). The jobs' database contains the name of each blob's object (S3Index). Incomplete
+/// uploads are in a staging store, because bytes cannot be appended to an object. Blobs from the
+/// time before the bucket was used are also in the staging store, until Settle moves them.
 ///
 /// The name of an object is `tenants/NAME/blobs/aa/DIGEST.RANDOM`. Without a tenant, it begins with
 /// `blobs/`.
@@ -35,12 +35,13 @@ class S3BlobStore : public BlobStore {
   absl::StatusOr<std::string> Get(const std::string& digest) override;
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
   absl::StatusOr<int64_t> KeptBytes() override;
-  /// Removes damaged blobs, and deletes objects that no longer belong to a blob.
+  /// Removes damaged blobs, and deletes objects without a blob.
   absl::StatusOr<int64_t> DropDamaged(double aside_s) override;
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
   /// Moves the complete blobs of the staging store into the bucket, and calls `moved` for each.
-  /// Damaged blobs are put aside there. Blobs that were moved before an error stay in the bucket.
+  /// Damaged blobs stay in the staging store and are put aside. After an error, the blobs that were
+  /// moved before stay in the bucket.
   absl::Status Settle(const std::function<void(const BlobEntry&)>& moved);
 
  private:
@@ -55,7 +56,8 @@ class S3BlobStore : public BlobStore {
   const std::string folder_;
   const std::shared_ptr<S3Index> index_;
   CheckedBlobs checked_;
-  NameLocks movers_;  ///< locks by blob: one thread at a time puts a blob, which may have 2 GB
+  /// locks by digest: only one thread at a time writes a blob, which may have 2 GB
+  NameLocks movers_;
 };
 
 }  // namespace slicefarm::coordinator

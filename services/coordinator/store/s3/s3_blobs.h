@@ -12,8 +12,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Blob stores in a bucket (S3BlobStore). `staged`: stores of uploads, and of blobs from before the
-/// use of the bucket.
+/// Blob stores in a bucket (S3BlobStore). `staged`: stores of uploads, and of blobs from the time
+/// before the bucket was used.
 class S3Blobs : public BlobStores {
  public:
   S3Blobs(std::shared_ptr<S3Client> bucket, std::shared_ptr<SqlDatabase> database,

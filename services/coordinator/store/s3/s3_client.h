@@ -28,7 +28,7 @@ struct S3Options {
   std::string region = "us-east-1";
   S3CredentialsNow credentials;
   HttpClientOptions http = {};
-  int tries = 4;  ///< tries of a request that may succeed after a moment
+  int tries = 4;  ///< tries of a request whose error is temporary
   /// First pause between tries; each further pause is twice as long.
   std::chrono::milliseconds first_pause{200};
 };
@@ -42,8 +42,8 @@ class S3Client {
  public:
   explicit S3Client(S3Options options) : options_(std::move(options)), http_(options_.http) {}
 
-  /// Writes an object. The server compares the digest with the received bytes, so that no other
-  /// bytes become the object. Errors: also errors of the body.
+  /// Writes an object. `sha256`: digest of the body. The server compares it with the bytes that it
+  /// receives, so that no other bytes become the object. Errors: also errors of the body.
   absl::Status Put(const std::string& key, const std::string& sha256, const BodySource& body);
 
   /// Returns `count` bytes from `offset` on; fewer if the object ends before. REQUIRES: count >= 1.

@@ -13,13 +13,13 @@
 
 namespace slicefarm::coordinator {
 
-/// Index of a tenant's blobs in a bucket: the object of each blob. It is in the tables `s3_blobs`
-/// and `s3_loose` of the jobs' database.
+/// Index of a tenant's blobs in a bucket: the object of each blob. The index is in the tables
+/// `s3_blobs` and `s3_loose` of the jobs' database. A loose object is an object without a blob.
 ///
-/// The name of an object is never used twice. The object is in `s3_loose` from before its put until
-/// a blob is made of it, and again from the removal of the blob until the object's deletion. So the
-/// database contains every object, no matter when a process is killed. A deletion never affects an
-/// object that another process puts. The bucket never has to be listed. Thread-safe.
+/// The name of an object is never used twice. An object is in `s3_loose` from the time before its
+/// PUT until it becomes a blob, and again from the removal of the blob until the object is deleted.
+/// So the database contains every object, no matter when a process is killed, and the bucket never
+/// has to be listed. A deletion never affects an object that another process puts. Thread-safe.
 class S3Index {
  public:
   /// Object of a blob, and its size.
@@ -33,28 +33,29 @@ class S3Index {
 
   /// Returns the object of a blob; nullopt if the blob is not in the bucket.
   absl::StatusOr<std::optional<Found>> Find(const std::string& digest);
-  /// Returns the object as Find does, and marks the blob as used.
+  /// Returns the object as Find does, and records that the blob is used at `now_us`.
   absl::StatusOr<std::optional<Found>> Touch(const std::string& digest, int64_t now_us);
 
-  /// Records an object before it is put.
+  /// Records a loose object before its PUT.
   absl::Status Begin(const std::string& object, int64_t now_us);
-  /// Makes an object the blob after it was put. Returns false if another object is the blob
-  /// already; then this object stays loose. Errors: also Aborted if the object was given up after
-  /// Begin.
+  /// Records after the PUT that the object is the blob `digest`. Returns false if the blob already
+  /// has another object; then the new object stays loose. Errors: also Aborted if the object was
+  /// removed from the index since Begin.
   absl::StatusOr<bool> Complete(const std::string& digest, const Found& object, int64_t now_us);
 
-  /// Removes a blob that was not used for `idle_s`, and makes its object loose. Returns nullopt if
-  /// nothing was removed.
+  /// Removes a blob that was not used for `idle_s` seconds; its object becomes loose. Returns the
+  /// object, or nullopt if nothing was removed.
   absl::StatusOr<std::optional<Found>> Loosen(const std::string& digest, double idle_s,
                                               int64_t now_us);
-  /// Removes the blob of a damaged object. The object stays for some time. Does nothing if another
-  /// object is the blob.
+  /// Removes the blob `digest`, whose object is damaged. The object becomes loose and is kept for
+  /// some time for inspection. Does nothing if the blob has another object now.
   absl::Status PutAside(const std::string& digest, const std::string& object, int64_t now_us);
 
-  /// Returns at most `limit` objects that may be deleted: objects without a blob; damaged objects
-  /// that were put aside at least `aside_s` ago; and objects with a put that began a day ago.
+  /// Returns at most `limit` loose objects that may be deleted: objects of removed blobs; damaged
+  /// objects that were put aside at least `aside_s` seconds ago; and objects whose PUT began at
+  /// least a day ago and did not complete.
   absl::StatusOr<std::vector<std::string>> Loose(double aside_s, int64_t now_us, int32_t limit);
-  /// Removes an object from the index after its deletion.
+  /// Removes a loose object from the index after its deletion.
   absl::Status Forget(const std::string& object);
 
   /// Returns the total size of the blobs.

@@ -9,7 +9,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Reads an object. For reads in order, each request fetches several pieces.
+/// Reads an object. As long as the reads are in order, each request fetches several pieces.
 class S3Reader : public BlobReader {
  public:
   S3Reader(std::shared_ptr<S3Client> bucket, S3Index::Found found)
@@ -23,16 +23,16 @@ class S3Reader : public BlobReader {
 
   const std::shared_ptr<S3Client> bucket_;
   const S3Index::Found found_;
-  int64_t next_ = 0;   ///< offset of the next read if the reads are in order
-  std::string ahead_;  ///< bytes from ahead_at_ on that were fetched but not read yet
+  int64_t next_ = 0;   ///< end of the last read; the next read is in order if it begins here
+  std::string ahead_;  ///< bytes from offset ahead_at_ on that were fetched in advance
   int64_t ahead_at_ = 0;
 };
 
-/// Converts an error of S3Client to an error of a store. A refusal counts as temporary, like an
-/// unreachable server, because access may be granted again.
+/// Converts an error of S3Client to an error of BlobStore. A refusal of access counts as temporary,
+/// like an unreachable server, because access may be granted again.
 absl::Status BucketAway(const absl::Status& status);
 
-/// Reads a blob of the staging store. Continues in the bucket if the blob moves there meanwhile.
+/// Reads a blob of the staging store. If the blob moves into the bucket meanwhile, continues there.
 class MovingReader : public BlobReader {
  public:
   MovingReader(std::unique_ptr<BlobReader> reader, std::string digest,

@@ -8,12 +8,14 @@ namespace slicefarm::coordinator {
 
 /// Fill level of a PostgreSQL database.
 struct DatabaseFill {
-  int64_t bytes = 0;  ///< size of its files without the free space that deleted blobs left
+  /// size of the database files without the space that deleted blobs left free in them
+  int64_t bytes = 0;
   int64_t connections = 0;
   int64_t max_connections = 0;
 };
 
-/// Returns the fill level. Cost: reads the table of blobs, without their bytes.
+/// Returns the fill level. Cost: reads the table of blobs, without their bytes. Errors: see
+/// SqlDatabase.
 absl::StatusOr<DatabaseFill> FillOf(SqlDatabase& database);
 
 }  // namespace slicefarm::coordinator

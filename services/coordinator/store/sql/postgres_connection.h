@@ -25,9 +25,9 @@ class PostgresConnection : public SqlConnection {
   static constexpr Limit kLimit = std::chrono::seconds(30);
   static constexpr Limit kNoLimit = Limit::zero();
 
-  /// Opens a connection. `conninfo`: connection string of libpq (a URI, or keywords and values).
-  /// Detects a lost server within 10 s. The server ends statements that take longer than `limit`.
-  /// If the server does not answer for a tenth longer, the connection ends.
+  /// Opens a connection. `conninfo`: connection string of libpq (a URI, or keywords and values). A
+  /// lost server is detected within 10 s. The server ends statements that take longer than `limit`.
+  /// If it has not done so after 1.1 times `limit`, the connection ends.
   static absl::StatusOr<std::unique_ptr<PostgresConnection>> Open(const std::string& conninfo,
                                                                   Limit limit = kLimit);
   ~PostgresConnection() override;
@@ -38,7 +38,7 @@ class PostgresConnection : public SqlConnection {
   absl::Status Execute(const std::string& sql) override;
   std::unique_ptr<SqlStatement> Prepare(std::string_view sql) override;
 
-  /// Returns false after the connection broke; it remains broken.
+  /// Returns false after the connection broke. A broken connection is not opened again.
   bool alive() const;
   /// Returns libpq's connection, for functions that SqlConnection lacks: LISTEN.
   pg_conn* raw() { return connection_; }
@@ -53,7 +53,8 @@ class PostgresConnection : public SqlConnection {
 
   pg_conn* connection_;
   const Limit limit_;
-  bool given_up_ = false;  ///< true if the server did not answer in time
+  /// true if the server did not answer in time, so that the connection was ended
+  bool given_up_ = false;
   /// Names of prepared statements, by SQL.
   std::map<std::string, std::string, std::less<>> prepared_;
 };

@@ -17,16 +17,17 @@ class PostgresDatabase : public SqlDatabase {
  public:
   static constexpr int kConnections = 8;
 
-  /// Opens a database and brings it to the current schema. Several processes may do so at the same
-  /// time. Errors: STORE_FAILED (FailedPrecondition if the schema is newer than this build).
+  /// Opens a database and brings it to the schema of this build. Several processes may do so at the
+  /// same time. Errors: STORE_FAILED (FailedPrecondition if the schema is newer than this build).
   static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
                                                                 int max_connections = kConnections);
 
-  /// Uses `pulse` from now on: while the server is silent, requests for a connection fail at once
+  /// Uses `pulse` from now on: if the server is silent, requests for a connection fail at once
   /// instead of waiting. REQUIRES: called before More.
   void Heed(std::shared_ptr<const PostgresPulse> pulse) { pulse_ = std::move(pulse); }
 
-  /// Returns a database with other connections, for users that must not wait for these connections.
+  /// Returns a second object for the same database with connections of its own, for users that must
+  /// not wait for the connections of this object.
   std::unique_ptr<PostgresDatabase> More(int max_connections = kConnections) const {
     std::unique_ptr<PostgresDatabase> more(new PostgresDatabase(conninfo_, max_connections));
     more->pulse_ = pulse_;
@@ -45,7 +46,7 @@ class PostgresDatabase : public SqlDatabase {
   void GiveBack(std::unique_ptr<PostgresConnection> connection);
 
   const std::string conninfo_;
-  /// Null: a silent server is noticed only by waiting.
+  /// Detects a silent server; if null, only the time limits of the calls detect one.
   std::shared_ptr<const PostgresPulse> pulse_;
   std::mutex mutex_;
   std::condition_variable given_back_;

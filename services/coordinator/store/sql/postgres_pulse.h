@@ -12,8 +12,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Queries a PostgreSQL server every second on a connection of its own. So it detects a server
-/// without answers, and no other call has to wait for it. The same connection holds the
+/// Queries a PostgreSQL server every second on a connection of its own. So a server that does not
+/// answer is detected, and no other call has to wait for it. The same connection reserves the
 /// coordinator's name, which only one process at a time may have. Thread-safe.
 class PostgresPulse {
  public:
@@ -21,18 +21,18 @@ class PostgresPulse {
   struct Options {
     std::chrono::milliseconds every{1'000};
     std::chrono::milliseconds silent_after{5'000};
-    /// Longest wait for another process with the same name. A killed process loses its name at
-    /// once; a process on a lost machine loses it within 11 s.
+    /// Longest wait until another process releases the name. A killed process releases its name at
+    /// once; a process on a lost machine, within 11 s.
     std::chrono::milliseconds name_patience{12'000};
   };
 
-  /// Connects and takes the name. `name`: name of a coordinator; empty: no name is taken. Errors:
-  /// STORE_FAILED; Unavailable if the server does not answer; FailedPrecondition if another process
-  /// has the name.
+  /// Connects and reserves the name. `name`: name of a coordinator; empty: no name is reserved.
+  /// Errors: STORE_FAILED; Unavailable if the server does not answer; FailedPrecondition if another
+  /// process has the name.
   static absl::StatusOr<std::unique_ptr<PostgresPulse>> Begin(const std::string& conninfo,
                                                               const std::string& name,
                                                               Options options);
-  /// Connects and takes the name, with the default options.
+  /// Connects and reserves the name, with the default options.
   static absl::StatusOr<std::unique_ptr<PostgresPulse>> Begin(const std::string& conninfo,
                                                               const std::string& name) {
     return Begin(conninfo, name, Options());

@@ -13,30 +13,31 @@ namespace slicefarm::coordinator {
 /// Common interface of SQLite and PostgreSQL for SqlJobStore. Statements are written once for both,
 /// with `?` for parameters.
 
-/// Differences between the two databases.
+/// SQL texts and properties in which the two databases differ.
 struct SqlDialect {
-  std::string_view begin;        ///< begins a transaction that will write
-  std::string_view for_update;   ///< follows a SELECT of rows that the transaction will write
-  std::string_view skip_locked;  ///< like for_update, but skips rows that another transaction holds
-  /// Locks a tenant until the transaction ends; empty: only one transaction writes at a time.
+  std::string_view begin;       ///< begins a transaction that will write
+  std::string_view for_update;  ///< ends a SELECT: locks the rows, which the transaction will write
+  /// like for_update, but skips rows that another transaction has locked
+  std::string_view skip_locked;
+  /// Locks a tenant until the transaction ends. Empty if only one transaction at a time can write.
   std::string_view lock_tenant;
-  std::string_view lock_work;  ///< like lock_tenant, for an action digest
-  /// Notifies other processes of a job; empty: there are no other processes.
+  std::string_view lock_work;  ///< like lock_tenant, but locks an action digest
+  /// Notifies other coordinators of a change of a job. Empty if there are none.
   std::string_view notify;
-  /// Expression for the spec of the selected row of `jobs`, which may be in another table.
+  /// Expression for the spec of the selected row of `jobs`. The spec may be in another table.
   std::string_view spec;
-  std::string_view texts;  ///< strings of a JSON list, as a table with the column `value`
+  std::string_view texts;  ///< table expression: the strings of a JSON list, in the column `value`
   bool writes_in_with;     ///< true if statements in WITH may write
-  /// True if statements must name indexes, because the planner has no statistics.
+  /// True if a statement must name its index, because the planner has no statistics.
   bool names_indexes;
 
-  /// Returns the text after a table's name that selects the index for reading it.
+  /// Returns the text that follows a table's name and selects the index for reading it.
   std::string Through(std::string_view index) const {
     return names_indexes ? " INDEXED BY " + std::string(index) : std::string();
   }
 };
 
-/// Returns STORE_FAILED as Unavailable, with a time to retry of one second.
+/// Returns the error STORE_FAILED with the code Unavailable and a retry after one second.
 absl::Status StoreAway(std::string_view why);
 
 /// Parameter of bytes that are not a text.
@@ -44,8 +45,8 @@ struct Blob {
   std::string_view bytes;
 };
 
-/// One run of a statement. Keeps the first error: after it, Next() returns false and status()
-/// returns the error.
+/// One execution of a statement. After an error, Next() returns false and status() returns this
+/// error.
 class SqlStatement {
  public:
   virtual ~SqlStatement() = default;
@@ -59,12 +60,12 @@ class SqlStatement {
   virtual bool Next() = 0;
   /// Returns the first error.
   virtual const absl::Status& status() const = 0;
-  virtual int64_t Int(int column) const = 0;       ///< 0 or 1 for a truth value
-  virtual std::string Text(int column) const = 0;  ///< the bytes of a blob
+  virtual int64_t Int(int column) const = 0;       ///< integer column; 0 or 1 for a truth value
+  virtual std::string Text(int column) const = 0;  ///< text column, or the bytes of a blob
 };
 
-/// Largest number of prepared statements of a connection. There is a limit, because the statements
-/// of lists have many forms, one per combination of filters.
+/// Largest number of prepared statements of a connection. The number is limited because the
+/// statements for lists have many forms, one per combination of filters.
 inline constexpr size_t kMostPrepared = 128;
 
 /// Connection to a database. Not thread-safe: only one user at a time.
@@ -75,8 +76,8 @@ class SqlConnection {
   virtual const SqlDialect& dialect() const = 0;
   /// Runs statements without parameters and results.
   virtual absl::Status Execute(const std::string& sql) = 0;
-  /// Returns a run of `sql`. The first kMostPrepared different statements of a connection are
-  /// prepared once. REQUIRES: no other run of the same text is in progress.
+  /// Starts an execution of `sql`. The first kMostPrepared different statements of a connection are
+  /// prepared once. REQUIRES: no other execution of the same text is in progress.
   virtual std::unique_ptr<SqlStatement> Prepare(std::string_view sql) = 0;
 };
 
@@ -128,7 +129,7 @@ class SqlTransaction {
   SqlTransaction(const SqlTransaction&) = delete;
   SqlTransaction& operator=(const SqlTransaction&) = delete;
 
-  /// Returns the error of its begin.
+  /// Returns the status of the BEGIN statement.
   const absl::Status& status() const { return status_; }
   /// Commits the transaction.
   absl::Status Commit();
@@ -139,7 +140,7 @@ class SqlTransaction {
   bool open_ = false;
 };
 
-/// Connection of a database. The destructor returns it to the database.
+/// Connection that was taken from a database. The destructor returns it to the database.
 using SqlSession = std::unique_ptr<SqlConnection, std::function<void(SqlConnection*)>>;
 
 /// Database that provides connections. Thread-safe.

@@ -11,14 +11,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Database in a local file. It has one connection for writes and several for reads. So no reader
-/// waits for the fsync of a writer or for a list of a million rows.
+/// Database in a local file. It has one connection for writing and several for reading. So a reader
+/// waits neither for the fsync of a writer nor for another reader that lists a million rows.
 class SqliteDatabase : public SqlDatabase {
  public:
-  /// Opens or creates the database, checks its pages, and brings it to the current schema. After
-  /// that, all readable data survives a power cut, even if its writer was killed. Errors:
-  /// FailedPrecondition for a damaged file and for the schema of a newer build; STORE_FAILED. Cost:
-  /// reads the whole file.
+  /// Opens or creates the database, checks its pages, and brings it to the schema of this build.
+  /// After that, all readable data is on disk and survives a power cut, even if its writer was
+  /// killed before the fsync. Errors: FailedPrecondition for a damaged file and for the schema of a
+  /// newer build; STORE_FAILED. Cost: reads the whole file.
   static absl::StatusOr<std::unique_ptr<SqliteDatabase>> Open(const std::string& path);
 
   static constexpr int kReaders = 4;

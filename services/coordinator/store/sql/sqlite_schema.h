@@ -7,10 +7,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Brings a database, new or of an older version, to the schema of this build, with one transaction
-/// per migration. Then makes the additions that do not change the version, so that a return to the
-/// previous build is possible. Errors: FailedPrecondition if the database has the version of a
-/// newer build. `to`: version at which tests of migrations stop.
+/// Brings a database, which may be new or of an older version, to the schema of this build, with
+/// one transaction per migration. Then makes additions that do not change the version, so that a
+/// previous build can still use the database. `to`: version at which tests of migrations stop.
+/// Errors: FailedPrecondition if a newer build has written the database.
 absl::Status MigrateSqlite(SqliteConnection& db, int64_t to = INT64_MAX);
 
 }  // namespace slicefarm::coordinator
