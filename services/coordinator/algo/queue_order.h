@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Held job: a job that a coordinator has claimed and whose lease has not expired. It occupies a
-/// slot of this coordinator until it ends.
+/// Held job: a coordinator has claimed it, and the lease has not expired. It occupies a slot of
+/// this coordinator until it ends.
 struct HeldPlace {
   std::string tenant;
   std::string owner;  ///< name of the coordinator
@@ -37,7 +37,7 @@ struct TenantQueue {
 
 /// Open jobs of a farm at one time.
 struct QueueSnapshot {
-  /// held jobs in the order in which they began; jobs that have not begun are last
+  /// Held jobs in the order in which they began; jobs that have not begun are last.
   std::vector<HeldPlace> held = {};
   /// Action digests of the held jobs, except jobs that are to be cancelled. A waiting job with one
   /// of these digests waits for the held job.

@@ -19,7 +19,7 @@ class RateLimits {
 
  private:
   struct Bucket {
-    /// content of the bucket, as the time in us in which it accumulates; may be negative
+    /// Content of the bucket, as the time in us in which it accumulates; may be negative.
     int64_t left_us = 0;
     int64_t at_us = 0;
   };

@@ -68,7 +68,7 @@ class StageClient {
     return AskOver<Result>(replicas_, call, deadline, prepare, write, take);
   }
 
-  /// Calls a method whose first message is `start`. This message refers to `job` by its digest, so
+  /// Calls a method with the first message `start`. This message refers to `job` by its digest, so
   /// each server gets the job only once. `write(stream)` sends the messages after the first.
   template <typename Result, typename Job, typename Start, typename Stub, typename Request,
             typename Response, typename Write = WriteNoMore, typename Take = TakeModel>

@@ -29,7 +29,7 @@ struct WorkerPoolOptions {
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
-/// Pool of the workers whose addresses some names have. A worker joins the runners when it has
+/// Pool of the workers at the addresses of some names. A worker joins the runners when it has
 /// reported its build and its slots. It leaves when its address disappears or when it has not
 /// answered for a while. Interruptions of some seconds are allowed (Runner::await_ready). Workers
 /// of another build do not join.

@@ -32,8 +32,8 @@ class LeaseBook {
   std::vector<Lease> ToRenew() const;
 
   /// Applies the store's answer to a renewal. `asked`: leases that were to be renewed until
-  /// `until_us`; `held`: those that the store has renewed. A run whose lease is not in `held` loses
-  /// its job. A run is cancelled if a client has requested the end of its job.
+  /// `until_us`; `held`: leases that the store has renewed. A run loses its job if its lease is not
+  /// in `held`. A run is cancelled if a client has requested the end of its job.
   void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
 
   /// Ends all runs with less than a fifth of their lease left, because the store has not answered

@@ -29,7 +29,7 @@ struct SchedulerOptions {
   /// range.
   double hedge_after_ratio = 2;
   double hedge_share = 0.05;  ///< number of second copies allowed per finished range
-  /// largest number of allowed copies that may accumulate; also the number at the start
+  /// Largest number of allowed copies that may accumulate; also the number at the start.
   double hedge_burst = 16;
 };
 

@@ -50,7 +50,7 @@ struct JobReport {
   std::vector<std::string> notes;     ///< choices of the planning stage, with their reasons
 };
 
-/// Estimated time, filament and layers of a job whose program has not been made.
+/// Estimated time, filament and layers of a job before its program is made.
 struct JobEstimate {
   double print_time_s = 0;
   FilamentUse filament;

@@ -11,8 +11,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Tenants whose queue of jobs was full a moment ago. Their meshes are refused, because their jobs
-/// would be refused as well. Without this check, a farm with twice the load that it can handle
+/// Tenants with a queue of jobs that was full a moment ago. Their meshes are refused, because their
+/// jobs would be refused as well. Without this check, a farm with twice the load that it can handle
 /// spent half of its work on receiving such meshes. Thread-safe.
 class FullQueues {
  public:

@@ -27,7 +27,7 @@ struct Submission {
   int64_t max_kept_jobs = INT64_MAX;
   int64_t max_kept_bytes = INT64_MAX;
   std::string request_id;  ///< already checked
-  /// digest of the request as received; two requests with equal content have equal digests
+  /// Digest of the request as received; two requests with equal content have equal digests.
   std::string spec_digest;
   std::string spec;  ///< request in the form that is stored
   JobRequest request;
@@ -35,7 +35,7 @@ struct Submission {
   Priority priority = Priority::kNormal;
   int64_t deadline_us = kNoDeadlineUs;
   std::string webhook_url = {};
-  /// trace context of the call; if empty, the job begins a trace of its own
+  /// Trace context of the call; if empty, the job begins a trace of its own.
   TraceContext trace = {};
 };
 

@@ -108,10 +108,11 @@ class JobWatch {
   /// Result of the last read that Found has received and Take has not processed. All watchers of
   /// the job share it.
   WatchReads::Result found_ = nullptr;
-  std::shared_ptr<const JobSteps> steps_;  ///< result of a read whose events are being sent
-  size_t sent_ = 0;                        ///< number of events of `steps_` that were sent
-  std::shared_ptr<const JobSteps> last_;   ///< last result of a read that was processed
-  std::optional<JobProgress> told_;        ///< progress that was sent last
+  /// result of a read, with the events that are being sent
+  std::shared_ptr<const JobSteps> steps_;
+  size_t sent_ = 0;                       ///< number of events of `steps_` that were sent
+  std::shared_ptr<const JobSteps> last_;  ///< last result of a read that was processed
+  std::optional<JobProgress> told_;       ///< progress that was sent last
 };
 
 }  // namespace slicefarm::coordinator

@@ -14,9 +14,9 @@
 namespace slicefarm::coordinator {
 
 /// Slots for work that takes long; calls wait for a slot. A tenant with n slots gets another one
-/// only if more than n slots are free, so that other tenants find one. Of the waiting calls, those
-/// of the tenant with the fewest slots come first; among them, the earliest. Thread-safe; must
-/// outlive its slots.
+/// only if more than n slots are free, so that other tenants find one. Of the waiting calls, the
+/// calls of the tenant with the fewest slots come first; of these calls, the earliest. Thread-safe;
+/// must outlive its slots.
 class TenantTurns {
  public:
   /// Slot of one call. The destructor releases it.
@@ -51,7 +51,7 @@ class TenantTurns {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   int free_;
-  /// number of slots in use, by tenant; only tenants with at least one
+  /// Number of slots in use, by tenant; only tenants with at least one.
   std::map<std::string, int> at_work_;
   Waiting waiting_;  ///< tenants of the waiting calls, in the order of the calls
 };

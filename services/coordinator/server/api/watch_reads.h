@@ -49,7 +49,7 @@ class WatchReads {
 
   /// Reads at most kEventsAtOnce events of the job after `sequence`, and passes the result to
   /// `done`. The result is not older than this call. Errors: see JobStore::Events; JOB_NOT_FOUND
-  /// also for a job of another tenant whose record cannot be read; CoordinatorStops.
+  /// also for an unreadable record of another tenant's job; CoordinatorStops.
   void Read(const std::string& tenant, const std::string& job_id, int64_t sequence, Done done);
 
   /// Ends the reads. After the return, all earlier requests have received a result, and new

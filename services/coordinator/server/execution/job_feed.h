@@ -47,8 +47,7 @@ class JobFeed {
   std::map<std::string, JobProgress> Running() const;
   /// Returns the latest progress of a job; nullopt if it is unknown.
   std::optional<JobProgress> ProgressOf(const std::string& job_id) const;
-  /// Adds the current progress to a RUNNING record. Ignores progress of another run, whose epoch
-  /// differs.
+  /// Adds the current progress to a RUNNING record. Ignores progress of a run with another epoch.
   void AddProgress(JobRecord& job) const;
   /// Notifies all listeners, because any job may have new events.
   void AllChanged();

@@ -29,7 +29,7 @@ class StagePools {
   /// Returns true if the replicas of these stages are of this build. Ignores stages without a pool.
   bool AreOfThisBuild(const std::vector<Stage>& stages);
 
-  /// Returns runners for each process whose task stages all have pools. Each process gets two
+  /// Returns runners for each process with pools for all its task stages. Each process gets two
   /// runners with `slots` tasks in total, at least one each. There are two, because FanOut needs a
   /// second runner for second copies and after failures. A runner is reachable if all its stages
   /// are. This object must outlive the runners' calls.

@@ -36,7 +36,7 @@ struct CoordinatorOptions {
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
   int64_t memory_bytes = DefaultMemoryBudget();  ///< memory that all jobs together may use
-  /// free bytes of the disk with stores.state_dir below which new data is refused; 0: no check
+  /// Free bytes of the disk with stores.state_dir below which new data is refused; 0: no check.
   int64_t min_free_bytes = 0;
   /// Largest size of the database stores.postgres; 0: no limit.
   int64_t max_database_bytes = 0;
@@ -57,7 +57,7 @@ struct CoordinatorOptions {
 /// Stages that the coordinator calls itself, at least slicing. The executor calls the stages of
 /// tasks. They must outlive the coordinator.
 struct JobStages {
-  Stages stages;  ///< the coordinator supports each process whose stages are all given
+  Stages stages;  ///< the coordinator supports each process with all its stages in this set
   const ArrangingStage& arranging;
   const ProjectReader& projects;
 };
@@ -74,7 +74,7 @@ class Coordinator {
                                                            const rpc::JsonLog& log);
   ~Coordinator();
 
-  /// Begins to run jobs, first those that the previous process of this coordinator has left.
+  /// Begins to run jobs, first the jobs that the previous process of this coordinator has left.
   absl::Status Start();
 
   /// Stops claiming jobs, and waits until the running jobs have ended, for at most `patience`.

@@ -41,7 +41,7 @@ struct Stores {
   std::unique_ptr<BlobStores> run_blobs;
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;
-  /// measures the shared database; empty if there is none
+  /// Measures the shared database; empty if there is none.
   std::function<absl::StatusOr<DatabaseFill>()> fill;
   /// Returns false if the shared database has not answered for seconds. Empty if there is none.
   std::function<bool()> answers;

@@ -38,8 +38,8 @@ struct ResolvedJob {
   /// Digest of all data that determines the result, including build and tenant. Jobs with equal
   /// digests have equal results.
   std::string action_digest;
-  /// Action digests whose results also serve this job, ending with its own. For example, the result
-  /// of a print also serves a quote.
+  /// Action digests under which a result for this job may be stored, ending with its own. For
+  /// example, the result of a print also serves a quote.
   std::vector<std::string> serving_actions;
 };
 

@@ -47,7 +47,7 @@ class TenantEvents {
   int64_t last_us_;                 ///< time of the last event that was returned
   int64_t looked_back_us_ = 0;      ///< time of the last full read of the range with late events
   std::optional<EventPlace> page_;  ///< position where an incomplete read continues
-  /// returned events in the period that is read again; they are not returned twice
+  /// Returned events in the period that is read again; they are not returned twice.
   std::set<EventPlace> told_;
 };
 

@@ -75,7 +75,7 @@ class CoordinatorMetrics : public prometheus::Collectable {
 
   const Sources sources_;
   JobCounts counts_;
-  /// last facts that were read from the store; thread-safe in itself
+  /// Last facts that were read from the store; thread-safe in itself.
   mutable PatientLook<StoreFacts> store_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Set of the blobs whose content this process has checked against their names. So a blob is hashed
-/// only once, not at every Open. When the set is full, it is cleared. Thread-safe.
+/// Set of the blobs that this process has checked against their names. So a blob is hashed only
+/// once, not at every Open. When the set is full, it is cleared. Thread-safe.
 class CheckedBlobs {
  public:
   /// Properties of a file that change if the blob is written again.

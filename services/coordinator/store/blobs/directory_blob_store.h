@@ -76,7 +76,7 @@ class DirectoryBlobStore : public BlobStore {
 
   NameLocks folders_;  ///< locks by folder, for the fsync of a folder of blobs
   std::mutex doubts_mutex_;
-  /// Folders of blobs whose file names are all on disk. At the start the set is empty, because the
+  /// Folders of blobs with all their file names on disk. At the start the set is empty, because the
   /// previous process may have ended between a rename and the fsync of its folder. After a failed
   /// fsync, the folder is removed from the set.
   std::set<std::string> settled_;

@@ -39,13 +39,13 @@ struct JobProgress {
 /// Progress of all jobs that a coordinator runs. It is sent to other coordinators but not stored.
 struct ProgressReport {
   std::string owner;
-  /// progress by job id; at most kMostReported jobs are sent
+  /// Progress by job id; at most kMostReported jobs are sent.
   std::map<std::string, JobProgress> jobs;
 
   friend bool operator==(const ProgressReport&, const ProgressReport&) = default;
 };
 
-/// Largest number of jobs whose progress fits into a notice of PostgreSQL.
+/// Largest number of jobs with their progress that fit into a notice of PostgreSQL.
 inline constexpr size_t kMostReported = 80;
 
 /// Returns the text of a notice. REQUIRES: the owner and the ids have no white space.

@@ -86,12 +86,12 @@ struct JobRecord {
   int32_t lost_runs = 0;    ///< runs by the present build that began but never ended
   int32_t deadly_runs = 0;  ///< runs by the present build that probably killed services
   int64_t last_sequence = 0;
-  /// digest of the blob with the trace of the job's runs (JobTrace); empty: there is none
+  /// Digest of the blob with the trace of the job's runs (JobTrace); empty: there is none.
   std::string trace_sha256;
 
-  /// name of the coordinator that claimed the job last; empty: the job was released
+  /// Name of the coordinator that claimed the job last; empty: the job was released.
   std::string owner;
-  /// number of claims of the job; a write with a lease of an earlier claim is refused
+  /// Number of claims of the job; a write with a lease of an earlier claim is refused.
   int64_t owner_epoch = 0;
   int64_t owner_until_us = 0;
 

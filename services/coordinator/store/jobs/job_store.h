@@ -17,7 +17,7 @@ namespace slicefarm::coordinator {
 struct NewJob {
   std::string id;
   std::string tenant;
-  /// unique within the tenant; empty: each repetition of the call creates another job
+  /// Unique within the tenant; empty: each repetition of the call creates another job.
   std::string request_id;
   std::string spec_digest;  ///< digest of the request; equal requests have equal digests
   std::string spec;
@@ -290,17 +290,18 @@ class JobStore {
   /// reads the index of open jobs, and the last kLatestRuns ended jobs.
   virtual absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) = 0;
 
-  /// Returns those of the digests that are inputs, results or traces of jobs and belong to blobs of
-  /// the tenant. Cost: one statement.
+  /// Returns the digests that are inputs, results or traces of jobs, of the given digests of the
+  /// tenant's blobs. Cost: one statement.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
 
-  /// Returns those of the digests that are results or traces of jobs.
+  /// Returns the digests that are results or traces of jobs, of the given digests of the tenant's
+  /// blobs.
   virtual absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
                                                           const std::set<std::string>& digests) = 0;
 
-  /// Returns at most `limit` jobs that ended before `time_us`, the oldest first. Skips jobs whose
-  /// webhook is still to be sent (webhook_store.h).
+  /// Returns at most `limit` jobs that ended before `time_us`, the oldest first. Skips jobs with a
+  /// webhook that is still to be sent (webhook_store.h).
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
 
   /// Takes the right to do the chore until `until_us`; only one coordinator at a time has it.

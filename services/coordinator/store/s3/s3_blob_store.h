@@ -56,7 +56,7 @@ class S3BlobStore : public BlobStore {
   const std::string folder_;
   const std::shared_ptr<S3Index> index_;
   CheckedBlobs checked_;
-  /// locks by digest: only one thread at a time writes a blob, which may have 2 GB
+  /// Locks by digest: only one thread at a time writes a blob, which may have 2 GB.
   NameLocks movers_;
 };
 

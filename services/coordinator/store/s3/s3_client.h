@@ -28,7 +28,7 @@ struct S3Options {
   std::string region = "us-east-1";
   S3CredentialsNow credentials;
   HttpClientOptions http = {};
-  int tries = 4;  ///< tries of a request whose error is temporary
+  int tries = 4;  ///< tries of a request after temporary errors
   /// First pause between tries; each further pause is twice as long.
   std::chrono::milliseconds first_pause{200};
 };

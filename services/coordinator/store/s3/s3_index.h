@@ -47,13 +47,13 @@ class S3Index {
   /// object, or nullopt if nothing was removed.
   absl::StatusOr<std::optional<Found>> Loosen(const std::string& digest, double idle_s,
                                               int64_t now_us);
-  /// Removes the blob `digest`, whose object is damaged. The object becomes loose and is kept for
-  /// some time for inspection. Does nothing if the blob has another object now.
+  /// Removes the blob `digest` because its object is damaged. The object becomes loose and is kept
+  /// for some time for inspection. Does nothing if the blob has another object now.
   absl::Status PutAside(const std::string& digest, const std::string& object, int64_t now_us);
 
   /// Returns at most `limit` loose objects that may be deleted: objects of removed blobs; damaged
-  /// objects that were put aside at least `aside_s` seconds ago; and objects whose PUT began at
-  /// least a day ago and did not complete.
+  /// objects that were put aside at least `aside_s` seconds ago; and objects with an incomplete PUT
+  /// that began at least a day ago.
   absl::StatusOr<std::vector<std::string>> Loose(double aside_s, int64_t now_us, int32_t limit);
   /// Removes a loose object from the index after its deletion.
   absl::Status Forget(const std::string& object);

@@ -8,7 +8,7 @@ namespace slicefarm::coordinator {
 
 /// Fill level of a PostgreSQL database.
 struct DatabaseFill {
-  /// size of the database files without the space that deleted blobs left free in them
+  /// Size of the database files without the space that deleted blobs left free in them.
   int64_t bytes = 0;
   int64_t connections = 0;
   int64_t max_connections = 0;

@@ -53,7 +53,7 @@ class PostgresConnection : public SqlConnection {
 
   pg_conn* connection_;
   const Limit limit_;
-  /// true if the server did not answer in time, so that the connection was ended
+  /// True if the server did not answer in time, so that the connection was ended.
   bool given_up_ = false;
   /// Names of prepared statements, by SQL.
   std::map<std::string, std::string, std::less<>> prepared_;

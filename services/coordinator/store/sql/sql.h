@@ -17,7 +17,7 @@ namespace slicefarm::coordinator {
 struct SqlDialect {
   std::string_view begin;       ///< begins a transaction that will write
   std::string_view for_update;  ///< ends a SELECT: locks the rows, which the transaction will write
-  /// like for_update, but skips rows that another transaction has locked
+  /// Like for_update, but skips rows that another transaction has locked.
   std::string_view skip_locked;
   /// Locks a tenant until the transaction ends. Empty if only one transaction at a time can write.
   std::string_view lock_tenant;
