@@ -11,10 +11,10 @@ namespace slicefarm::rpc {
 constexpr std::chrono::milliseconds kPollCancel{20};
 
 /// Returns the time after which the server that returned this error accepts a retry; 0 if the error
-/// does not say.
+/// does not contain a time.
 std::chrono::milliseconds RetryAfter(const absl::Status& error);
 
-/// Waits for `time`. Errors: Cancelled as soon as the token is cancelled.
+/// Waits for `time`. Errors: Cancelled as soon as `cancel` is cancelled.
 absl::Status AwaitRetry(std::chrono::milliseconds time, const CancelToken& cancel);
 
 }  // namespace slicefarm::rpc

@@ -9,17 +9,17 @@ namespace slicefarm::rpc {
 /// ErrorInfo.domain of all errors of slicefarm.
 inline constexpr char kErrorDomain[] = "slicefarm";
 
-/// Metadata key: time in milliseconds after which a retry is useful. It is sent as
+/// Metadata key: time in milliseconds after which a retry is useful. It is transferred as
 /// google.rpc.RetryInfo.
 inline constexpr char kRetryAfterMs[] = "retry_after_ms";
 
-/// Metadata key of an error that gRPC itself made: the connection broke during the call. It is
-/// absent if no connection could be made.
+/// Metadata key of an error that gRPC itself made: the connection broke during the call. The key is
+/// absent if there was no connection at all.
 inline constexpr char kConnectionBroke[] = "connection_broke";
 
-/// Returns an error with its reason and metadata as google.rpc.Status with ErrorInfo in
-/// `grpc-status-details-bin`. Equal errors give equal bytes. Long texts are cut, so that the
-/// trailers do not exceed the limits of HTTP/2 peers.
+/// Returns the gRPC status of an error. Reason and metadata become a google.rpc.Status with
+/// ErrorInfo in `grpc-status-details-bin`. Equal errors give equal bytes. Long texts are cut, so
+/// that the trailers do not exceed the limits of HTTP/2 peers.
 grpc::Status ToGrpc(const absl::Status& status);
 
 /// Converts gRPC's status back to an error. Errors that gRPC itself made have no details, and are

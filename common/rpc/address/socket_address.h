@@ -10,7 +10,8 @@ namespace slicefarm::rpc {
 using SocketAddresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
 /// Returns the stream socket addresses of `address` (host:port; an IPv6 host in brackets), the
-/// preferred one first; null if there are none. `flags`: AI_PASSIVE to listen there.
+/// preferred address first; null if there are none. `flags`: flags of getaddrinfo; AI_PASSIVE for a
+/// server that listens on the address.
 SocketAddresses ResolveSocketAddress(const std::string& address, int flags = 0);
 
 }  // namespace slicefarm::rpc

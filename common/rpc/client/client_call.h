@@ -23,9 +23,9 @@ struct ClientCallOptions {
   TraceContext trace = {};  ///< empty: the call belongs to no trace
 };
 
-/// One call from the caller's side. It always has a deadline. While it waits for the peer, it polls
-/// the cancel token and cancels the call if necessary, so that the peer stops as well. For one
-/// thread.
+/// Client side of one call. It always has a deadline. While it waits for the peer, it polls the
+/// cancel token. When the token is cancelled, it cancels the call, so that the peer stops as well.
+/// For one thread.
 class ClientCall {
  public:
   explicit ClientCall(const ClientCallOptions& options);
@@ -39,16 +39,17 @@ class ClientCall {
   /// Waits for the operation that was started last. Returns true if it succeeded.
   bool Await() { return AwaitAny().ok; }
 
-  /// Result of an operation.
+  /// Completed operation and its result.
   struct Done {
     void* tag = nullptr;
     bool ok = false;  ///< true if the operation succeeded
   };
-  /// Waits for one of the running operations.
+  /// Waits until one of the running operations has completed, and returns it.
   Done AwaitAny();
 
   /// Returns the result of the call. `status`: the status from gRPC. The result is Cancelled only
-  /// if the caller's own token cancelled the call. A call that the peer cancelled is Unavailable.
+  /// if the caller's own token has cancelled the call. If the peer has cancelled it, the result is
+  /// Unavailable.
   absl::Status Outcome(const grpc::Status& status) const;
 
  private:
@@ -75,8 +76,8 @@ absl::Status UnaryCall(const ClientCallOptions& options, const Request& request,
   return call.Outcome(status);
 }
 
-/// A call of a method with streams in both directions, used by one thread that first writes
-/// everything and then reads everything.
+/// Call of a method with streams in both directions, used by one thread that first writes all
+/// requests and then reads all answers.
 template <typename Request, typename Response>
 class StreamCall {
  public:
@@ -84,7 +85,8 @@ class StreamCall {
   using Start =
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
 
-  /// Starts the call. `start`: the stub's PrepareAsync method.
+  /// Starts the call. `start`: calls the stub's PrepareAsync method with the given context and
+  /// queue.
   StreamCall(const ClientCallOptions& options, const Start& start)
       : call_(options), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(nullptr);
@@ -97,9 +99,10 @@ class StreamCall {
     (void)Finish();
   }
 
-  // Writes are collected in gRPC's write buffer; WritesDone sends the rest. See server_stream.h.
+  // Writes are collected in gRPC's write buffer; WritesDone sends the remaining bytes. See
+  // server_stream.h.
 
-  /// Returns false after an operation found that the call has ended. Finish returns the cause.
+  /// Returns false if an operation has failed because the call has ended. Finish returns the cause.
   bool alive() const { return alive_; }
 
   /// Writes a request. Returns true if the call is still alive.
@@ -115,7 +118,8 @@ class StreamCall {
     return Step([&] { stream_->Read(response, nullptr); });
   }
 
-  /// Ends the call and returns its status. Call it once: after everything was read, or to give up.
+  /// Ends the call and returns its status. Called once, when everything was read or when the caller
+  /// gives up.
   absl::Status Finish() {
     finished_ = true;
     grpc::Status status;
@@ -124,7 +128,7 @@ class StreamCall {
     return call_.Outcome(status);
   }
 
-  /// Cancels the call when its answer is no longer needed, and returns `why`.
+  /// Cancels the call, because its answer is no longer needed, and returns `why`.
   absl::Status Abandon(absl::Status why) {
     call_.context()->TryCancel();
     (void)Finish();

@@ -9,9 +9,9 @@
 
 namespace slicefarm::rpc {
 
-/// A call of a method with streams in both directions. The server may answer before all requests
-/// are written. One thread uses the call, and handles answers whenever it waits. Therefore neither
-/// side waits for the other to read first, for streams of any size.
+/// Call of a method with streams in both directions. The server may answer before all requests are
+/// written. One thread uses the call, and handles answers whenever it waits. So for streams of any
+/// size, client and server never both wait until the other one reads.
 template <typename Request, typename Response>
 class DuplexCall {
  public:
@@ -20,8 +20,9 @@ class DuplexCall {
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
   using Take = std::function<absl::Status(Response&)>;
 
-  /// Starts the call. `start`: the stub's PrepareAsync method. `take`: receives each answer, in
-  /// order, from within Write and Finish, and may move from it. Its first error ends the call.
+  /// Starts the call. `start`: calls the stub's PrepareAsync method with the given context and
+  /// queue. `take`: receives each answer, in order, during Write and Finish, and may move from it.
+  /// Its first error ends the call.
   DuplexCall(const ClientCallOptions& options, const Start& start, Take take)
       : call_(options), take_(std::move(take)), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(&writing_);
@@ -46,8 +47,8 @@ class DuplexCall {
     return can_write_;
   }
 
-  /// Handles the remaining answers. Returns the first error of `take`, or else the status of the
-  /// call.
+  /// Handles the remaining answers. Returns the first error of `take`; if there is none, the status
+  /// of the call.
   absl::Status Finish() {
     if (can_write_) {
       writing_ = true;
@@ -58,7 +59,7 @@ class DuplexCall {
     return End();
   }
 
-  /// Cancels the call when its answer is no longer needed, and returns `why`.
+  /// Cancels the call, because its answer is no longer needed, and returns `why`.
   absl::Status Abandon(absl::Status why) {
     call_.context()->TryCancel();
     while (reading_ || writing_) AwaitOne();

@@ -20,8 +20,8 @@ absl::StatusOr<bool> IsServing(const std::shared_ptr<grpc::Channel>& channel,
 /// whole is not ready.
 inline constexpr char kLiveService[] = "live";
 
-/// Returns the name of the health service that only servers of this build have. Callers check it
-/// before they give work to a server.
+/// Returns the name of the health service that only servers of this build have. Callers check its
+/// health before they give work to a server.
 std::string ServiceOfThisBuild();
 
 }  // namespace slicefarm::rpc

@@ -12,12 +12,12 @@
 
 namespace slicefarm::rpc {
 
-/// Metrics of a server's calls, with the names that are common for gRPC:
+/// Metrics of a server's calls, with the usual names for gRPC:
 ///   grpc_server_started_total{grpc_service,grpc_method}
 ///   grpc_server_handled_total{grpc_service,grpc_method,grpc_code}
 ///   grpc_server_handling_seconds{grpc_service,grpc_method}
-/// The registry must outlive this object. This object must outlive the servers that it counts calls
-/// of. Thread-safe.
+/// The registry must outlive this object. This object must outlive the servers that report calls to
+/// it. Thread-safe.
 class CallMetrics {
  public:
   /// REQUIRES: `registry` outlives this object.
@@ -36,7 +36,7 @@ class CallMetrics {
 };
 
 /// Reports each call of a server to CallMetrics. Methods that are not in this program's protos
-/// count as "unknown", so that unknown callers cannot create any number of labels.
+/// count as "unknown". Otherwise callers could create any number of labels.
 class CallMetricsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit CallMetricsFactory(CallMetrics& metrics) : metrics_(metrics) {}

@@ -11,24 +11,24 @@ struct MHD_Daemon;
 
 namespace slicefarm::rpc {
 
-/// A page for people or Prometheus, which is made anew for each request.
+/// Page for people or for Prometheus. Its content is computed for each request.
 struct HttpPage {
   std::string path;  ///< for example "/metrics"
   std::string mime;
   std::function<std::string()> content;  ///< called on the thread of the pages, one call at a time
 };
 
-/// Serves pages to GET and HEAD requests with libmicrohttpd, and nothing else. A connection without
-/// a complete request is closed after 10 s and delays no other connection. For the internal
-/// network: it has no TLS, and any client may read the pages.
+/// HTTP server (libmicrohttpd) that only answers GET and HEAD requests for its pages. A connection
+/// without a complete request is closed after 10 s and delays no other connection. For the internal
+/// network: there is no TLS, and any client may read the pages.
 class HttpPages {
  public:
   /// Starts to serve on `address` (host:port, port 0: any). Errors: Unavailable if it cannot listen
-  /// there.
+  /// on this address.
   static absl::StatusOr<std::unique_ptr<HttpPages>> Serve(const std::string& address,
                                                           std::vector<HttpPage> pages);
 
-  /// Waits for a page that is being sent.
+  /// Waits until a page that is being sent is complete.
   ~HttpPages();
   HttpPages(const HttpPages&) = delete;
   HttpPages& operator=(const HttpPages&) = delete;

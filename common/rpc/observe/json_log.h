@@ -29,7 +29,7 @@ using LogFields = std::vector<LogField>;
 /// Adds trace_id and span_id; adds nothing for an empty trace.
 void AddTrace(const TraceContext& trace, LogFields* fields);
 
-/// A warning or an error that was written.
+/// Warning or error that was written.
 struct Problem {
   std::chrono::system_clock::time_point time;
   std::string text;  ///< message and fields of the line, as JSON
@@ -39,9 +39,9 @@ struct Problem {
 ///   {"ts":"2026-11-21T12:00:00.123Z","level":"info","svc":"beading","build":"5e0f...",
 ///    "msg":"range done","job":"j1","layer_first":0}
 /// Texts are cut to 2 KiB and converted to UTF-8. The number of warnings and errors with the same
-/// message is limited (LineLimits). The next written line states the number of omitted lines
-/// (`suppressed`). Never log mesh bytes or tokens. Thread-safe; cheap to copy: copies share their
-/// limits.
+/// message is limited (LineLimits). The next written line with this message states the number of
+/// omitted lines (`suppressed`). Never log mesh bytes or tokens. Thread-safe; cheap to copy: copies
+/// share their limits.
 class JsonLog {
  public:
   /// Makes a log to stderr. `service`: the program, such as `beading`.

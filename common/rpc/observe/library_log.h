@@ -4,9 +4,9 @@
 
 namespace slicefarm::rpc {
 
-/// Redirects messages of gRPC and Protobuf in this process to this log, as warnings `grpc FILE` and
-/// `protobuf FILE`, with the text as `error`. For example, gRPC reports certificates that it cannot
-/// read again, and Protobuf reports texts that are not UTF-8, which any caller can send.
+/// Redirects messages of gRPC and Protobuf in this process to `log`, as warnings `grpc FILE` and
+/// `protobuf FILE`, with the text as `error`. For example, gRPC reports renewed certificates that
+/// it cannot read, and Protobuf reports texts that are not UTF-8, which any caller can send.
 void LogLibrariesTo(const JsonLog& log);
 
 }  // namespace slicefarm::rpc

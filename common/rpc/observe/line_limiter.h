@@ -10,8 +10,8 @@ namespace slicefarm::rpc {
 
 /// Limits of the number of log lines.
 struct LineLimits {
-  double burst = 20;       ///< maximum number of lines of one message at once
-  double lines_per_s = 1;  ///< maximum average rate of one message
+  double burst = 20;  ///< largest number of lines with the same message that are written at once
+  double lines_per_s = 1;  ///< maximum average rate of lines with the same message
   /// Number of messages with separate limits; all further messages share one limit.
   size_t max_messages = 256;
 };
@@ -23,8 +23,9 @@ class LineLimiter {
  public:
   explicit LineLimiter(const LineLimits& limits = {}) : limits_(limits) {}
 
-  /// Decides about a line with this message at time `now_s`. If it should be written, returns the
-  /// number of lines that were omitted before it; otherwise returns nullopt.
+  /// Decides about a line with this message at time `now_s`. Returns nullopt if the line is
+  /// omitted. Otherwise returns the number of lines that were omitted since the last written line
+  /// with this message.
   std::optional<int64_t> Pass(std::string_view message, double now_s);
 
  private:

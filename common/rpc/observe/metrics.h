@@ -12,7 +12,7 @@
 
 namespace slicefarm::rpc {
 
-/// Metrics of one process, and an HTTP server that offers them to Prometheus (GET /metrics) and
+/// Metrics of one process, and an HTTP server that provides them to Prometheus (GET /metrics) and
 /// HTML pages to people. Built-in metrics: process_cpu_seconds_total,
 /// process_resident_memory_bytes, process_open_fds and slicefarm_build_info. Thread-safe.
 class Metrics {
@@ -22,8 +22,8 @@ class Metrics {
   Metrics(const Metrics&) = delete;
   Metrics& operator=(const Metrics&) = delete;
 
-  /// Returns the registry for further metric families. Names end with a base unit, and no label is
-  /// free text.
+  /// Returns the registry, to add metric families. Rules: their names end with a base unit, and no
+  /// label is free text.
   prometheus::Registry& registry() { return registry_; }
 
   /// Adds values that are read when Prometheus requests them. Call it before Serve.
@@ -37,10 +37,11 @@ class Metrics {
   }
 
   /// Starts the HTTP server on `address` (host:port, port 0: any); returns the port. Errors:
-  /// Unavailable if it cannot listen there.
+  /// Unavailable if it cannot listen on this address.
   absl::StatusOr<int> Serve(const std::string& address);
 
-  /// Stops the HTTP server after the running request. Afterwards the shown values may be destroyed.
+  /// Stops the HTTP server after the running request. Afterwards the objects given to Show may be
+  /// destroyed.
   void Stop();
 
   /// Returns the text that Prometheus reads.

@@ -9,7 +9,7 @@
 
 namespace slicefarm::rpc {
 
-/// Metrics of the values that a server stores for the calls of jobs: slicefarm_shared_bytes,
+/// Metrics of the shared values in a server's SharedCache: slicefarm_shared_bytes,
 /// slicefarm_shared_values, slicefarm_shared_takes_total{result="hit"|"miss"} and
 /// slicefarm_shared_evictions_total.
 class SharedMetrics : public prometheus::Collectable {

@@ -15,24 +15,24 @@
 
 namespace slicefarm::rpc {
 
-/// Returns the policy of a service between services. The coordinator may call all its methods. Any
-/// client with a certificate may call health and reflection.
+/// Returns the default policy of an internal service, such as a stage. The coordinator may call all
+/// its methods. Any client with a certificate may call health and reflection.
 std::string_view InnerPolicy();
 
-/// Returns the policy of a service that checks its callers itself, call by call.
+/// Returns the policy of a service that checks the caller of each call itself: it allows all calls.
 std::string_view OpenPolicy();
 
 /// Applies a policy to each call of a server with TLS, before any handler runs. It is passed to the
-/// server's credentials. A refused call ends as UNAUTHENTICATED (a peer without an identity) or
-/// PERMISSION_DENIED. Thread-safe.
+/// server's credentials. A refused call ends as UNAUTHENTICATED if the peer has no identity, else
+/// as PERMISSION_DENIED. Thread-safe.
 class Authorizer : public grpc::AuthMetadataProcessor {
  public:
-  /// Makes an authorizer from the policy `builtin`. Errors: errors of AuthzPolicy::Parse.
+  /// Makes an authorizer from the policy text `builtin`. Errors: see AuthzPolicy::Parse.
   static absl::StatusOr<std::shared_ptr<Authorizer>> Make(std::string_view builtin, JsonLog log);
 
-  /// Makes an authorizer from the policy in a file, and reads it again whenever it changes. If the
-  /// new policy cannot be read or used, the old one remains in force and an error is logged.
-  /// Errors: errors of ReadTextFile and AuthzPolicy::Parse.
+  /// Makes an authorizer from the policy in a file, and reads the file again whenever it changes.
+  /// If the new policy cannot be read or used, the old policy remains in force and an error is
+  /// logged. Errors: see ReadTextFile and AuthzPolicy::Parse.
   static absl::StatusOr<std::shared_ptr<Authorizer>> Watch(
       const std::string& path, JsonLog log,
       std::chrono::milliseconds every = std::chrono::seconds(1));

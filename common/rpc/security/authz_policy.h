@@ -8,8 +8,9 @@
 
 namespace slicefarm::rpc {
 
-/// Access policy: a list of principals and the methods that they may call. The format is a subset
-/// of gRPC's authorization policies (proposal A43), with principals and paths only:
+/// Access policy: rules that consist of principals (identities of callers) and of the methods that
+/// they may call. The format is a subset of gRPC's authorization policies (proposal A43), with
+/// principals and paths only:
 ///
 ///   {"name": "stage",
 ///    "deny_rules":  [],
@@ -17,14 +18,14 @@ namespace slicefarm::rpc {
 ///                     "source":  {"principals": ["spiffe://slicefarm/coordinator"]},
 ///                     "request": {"paths": ["/slicefarm.v1.*"]}}]}
 ///
-/// A pattern is the whole text, `prefix*`, `*suffix`, or `*`. `*` matches everything except the
-/// empty text, which is the principal of a peer without a certificate. A rule matches a call if one
-/// of its principals and one of its paths match. A missing list matches every call. A call is
-/// allowed if no deny rule and at least one allow rule matches it.
+/// A pattern is a whole text, `prefix*`, `*suffix`, or `*`. `*` matches every text except the empty
+/// one, which is the principal of a peer without a certificate. A rule matches a call if one of its
+/// principals and one of its paths match. A missing list matches every call. A call is allowed if
+/// no deny rule and at least one allow rule matches it.
 ///
-/// It is evaluated here because Debian's packages do not contain gRPC's library for it
-/// (grpc_authorization_provider). gRPC's CMake build does not make this library; version 1.51 has
-/// only the header. Unknown keys, such as `headers`, are refused.
+/// Policies are evaluated by this class, because Debian's packages do not contain gRPC's library
+/// for it (grpc_authorization_provider). gRPC's CMake build does not make this library; version
+/// 1.51 has only the header. Unknown keys, such as `headers`, are refused.
 class AuthzPolicy {
  public:
   /// Reads a policy. Errors: REQUEST_MALFORMED, which names the position.

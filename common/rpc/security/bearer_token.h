@@ -8,10 +8,10 @@
 
 namespace slicefarm::rpc {
 
-/// A token in a call's metadata, `authorization: Bearer TOKEN` (RFC 6750).
+/// Token in a call's metadata, `authorization: Bearer TOKEN` (RFC 6750).
 
-/// Sends a token with each call of a channel. gRPC's call credentials also send tokens, but only
-/// over TLS. Connections on the loopback address may have no TLS.
+/// Sends a token with each call of a channel. gRPC's call credentials can do the same, but only
+/// over TLS, and connections on the loopback address may have no TLS.
 class BearerTokenFactory : public grpc::experimental::ClientInterceptorFactoryInterface {
  public:
   explicit BearerTokenFactory(std::string token) : token_(std::move(token)) {}
@@ -22,8 +22,8 @@ class BearerTokenFactory : public grpc::experimental::ClientInterceptorFactoryIn
   const std::string token_;
 };
 
-/// Returns the token of a call; nullopt if there is no such metadata; empty if it is not a bearer
-/// token, or there are several.
+/// Returns the token of a call. Returns nullopt without `authorization` metadata. Returns an empty
+/// text if the metadata is no bearer token or occurs several times.
 std::optional<std::string> BearerToken(const grpc::ServerContextBase& context);
 
 }  // namespace slicefarm::rpc

@@ -9,22 +9,23 @@
 
 namespace slicefarm::rpc {
 
-/// The client of a call.
+/// Client of a call.
 struct CallPeer {
   std::string identity = {};     ///< identity in the certificate (identity.h); empty: there is none
-  bool certified = false;        ///< the client showed a valid certificate
+  bool certified = false;        ///< true if the client has presented a valid certificate
   std::string fingerprint = {};  ///< SHA-256 of the certificate, 64 hex digits; empty without one
-  std::string address = {};  ///< in gRPC's form, `ipv4:10.1.2.3:40000`; behind the proxy, the IP
+  /// In gRPC's form, `ipv4:10.1.2.3:40000`; for a client of the proxy, only its IP address.
+  std::string address = {};
 };
 
-/// Metadata in which the farm's proxy names its own client: a URL-encoded PEM certificate that the
-/// proxy has verified, and an IP address. deploy/proxy/nginx.conf.in sets them.
+/// Metadata keys by which the farm's proxy describes its own client: a URL-encoded PEM certificate
+/// that the proxy has verified, and an IP address. deploy/proxy/nginx.conf.in sets them.
 inline constexpr char kProxiedCertificate[] = "slicefarm-client-cert";
 inline constexpr char kProxiedAddress[] = "slicefarm-client-address";
 
-/// Returns the peer of a call. If this is the farm's proxy (kProxyIdentity), returns the client
-/// that the proxy names. Errors: PERMISSION_DENIED if any other peer names a client;
-/// UNAUTHENTICATED if the proxy names a certificate that cannot be read.
+/// Returns the peer of a call. If the peer is the farm's proxy (kProxyIdentity), returns the client
+/// that the proxy describes. Errors: PERMISSION_DENIED if any other peer sends these keys;
+/// UNAUTHENTICATED if the certificate from the proxy cannot be read.
 absl::StatusOr<CallPeer> PeerOf(const grpc::ServerContextBase& context);
 
 /// Returns the identity and the fingerprint of a URL-encoded PEM certificate; nullopt if it is not

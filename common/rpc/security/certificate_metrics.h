@@ -11,8 +11,8 @@
 namespace slicefarm::rpc {
 
 /// Metric slicefarm_certificate_expiry_timestamp_seconds: expiry time of the certificate in this
-/// program's files; 0 if they cannot be used. The files are read on each request. gRPC also reads
-/// them again while it runs, but reports unusable new files only in its log.
+/// program's files; 0 if they cannot be used. The files are read on each request of the metrics.
+/// gRPC also reads renewed files while it runs, but if they are unusable, only its log shows this.
 class CertificateMetrics : public prometheus::Collectable {
  public:
   /// REQUIRES: files.has_certificate().

@@ -9,16 +9,17 @@
 
 namespace slicefarm::rpc {
 
-/// Returns the text of a settings file. Errors: REQUEST_MALFORMED naming the file if it cannot be
-/// read or is larger than 16 MiB.
+/// Returns the text of a settings file. Errors: REQUEST_MALFORMED, with the file's name, if it
+/// cannot be read or is larger than 16 MiB.
 absl::StatusOr<std::string> ReadTextFile(const std::string& path);
 
-/// Watches a file from a separate thread. It compares the content, because mounted or linked files
-/// may change without a new date.
+/// Checks on its own thread whether a file has changed. It compares the content, because mounted or
+/// linked files may change without a new modification time.
 class FileWatch {
  public:
-  /// Starts the thread. `text`: the text that was already read; empty: none. `changed`: called with
-  /// each different text; also called once with an error if the file becomes unreadable.
+  /// Starts the thread. `text`: content that the caller has already read; empty: none. `changed`:
+  /// called with each new content, and once with an error if the file becomes unreadable. `every`:
+  /// interval of the checks.
   FileWatch(std::string path, std::string text,
             std::function<void(const absl::StatusOr<std::string>&)> changed,
             std::chrono::milliseconds every = std::chrono::seconds(1));

@@ -16,29 +16,29 @@ class FileWatcherCertificateProvider;
 
 namespace slicefarm::rpc {
 
-/// Decides if a server accepts clients without a certificate. A certificate that a client shows
-/// must be valid in any case.
+/// Selects if a server accepts clients without a certificate. If a client presents a certificate,
+/// it must be valid with both values.
 enum class ClientCerts { kRequired, kOptional };
 
-/// TLS of a program, from its files. The files are checked every second, and renewed files apply to
-/// new connections without a restart. If renewed files cannot be read, the old ones remain in
-/// force. If a key does not match its certificate, no new connection succeeds until it does.
-/// Therefore replace both at the same time, by renaming the directory or the link to it.
-/// Thread-safe.
+/// TLS credentials of a program, from its files. The files are checked every second, and renewed
+/// files apply to new connections without a restart. If renewed files cannot be read, the old files
+/// remain in use. As long as a key does not match its certificate, no new connection succeeds.
+/// Therefore replace key and certificate at the same time, by renaming their directory or the link
+/// to it. Thread-safe.
 class Tls {
  public:
-  /// Reads the files. Errors: errors of CheckTlsFiles.
+  /// Reads the files. Errors: see CheckTlsFiles.
   static absl::StatusOr<std::shared_ptr<const Tls>> Open(const TlsFiles& files);
 
   /// Returns credentials of a server. REQUIRES: a certificate.
   std::shared_ptr<grpc::ServerCredentials> ForServer(ClientCerts client_certs) const;
 
-  /// Returns credentials of a client that verifies the server by name: the certificate must contain
-  /// the host of the address.
+  /// Returns credentials of a client that verifies the name of the server: the server's certificate
+  /// must contain the host of the address.
   std::shared_ptr<grpc::ChannelCredentials> ForServerName() const;
 
-  /// Returns credentials of a client that verifies the server by identity, at any address: its
-  /// certificate must have `identity` (identity.h). A refused server is logged.
+  /// Returns credentials of a client that verifies the identity of the server: the server's
+  /// certificate must have `identity` (identity.h), at any address. A refused server is logged.
   std::shared_ptr<grpc::ChannelCredentials> ForIdentity(const std::string& identity,
                                                         const JsonLog& log) const;
 

@@ -18,13 +18,14 @@ struct TlsFiles {
   bool has_certificate() const { return !cert.empty(); }
 };
 
-/// Checks that the files can be used now, because gRPC itself accepts any files and only fails to
-/// connect. Errors, naming the file: REQUEST_MALFORMED if one cannot be read or the key does not
-/// match the certificate; UNAUTHENTICATED if the certificate is not yet or no longer valid.
+/// Checks that the files can be used now. gRPC itself does not check them; its connections would
+/// only fail. Errors, with the file's name: REQUEST_MALFORMED if a file cannot be read or the key
+/// does not match the certificate; UNAUTHENTICATED if the certificate is not yet valid or has
+/// expired.
 absl::Status CheckTlsFiles(const TlsFiles& files);
 
-/// Returns the expiry time of the certificate. Errors: REQUEST_MALFORMED as above. REQUIRES:
-/// files.has_certificate().
+/// Returns the expiry time of the certificate. Errors: REQUEST_MALFORMED if the certificate cannot
+/// be read. REQUIRES: files.has_certificate().
 absl::StatusOr<std::time_t> CertificateExpiry(const TlsFiles& files);
 
 }  // namespace slicefarm::rpc

@@ -11,9 +11,10 @@ class Option;
 
 namespace slicefarm::rpc {
 
-/// Options --tls-ca, --tls-cert and --tls-key, which clients and servers share. One
-/// environment (SLICEFARM_TLS_CA, ...) therefore suffices for all programs of a farm. Each program
-/// describes the use of an option and its dependencies on other options.
+/// Adds --tls-ca. Clients and servers have the same options --tls-ca, --tls-cert and --tls-key,
+/// with the same environment variables (SLICEFARM_TLS_CA, ...), so one environment serves all
+/// programs of a farm. `about`: description of the option in this program; the caller also adds the
+/// dependencies on other options.
 CLI::Option* AddTlsCa(CLI::App& app, TlsFiles* files, const std::string& about);
 /// Adds --tls-cert. `about`: description of the option.
 CLI::Option* AddTlsCert(CLI::App& app, TlsFiles* files, const std::string& about);

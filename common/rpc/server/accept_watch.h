@@ -7,10 +7,10 @@
 
 namespace slicefarm::rpc {
 
-/// Returns true if the server at `address` (host:port) accepts a new connection: it sends data, or
-/// closes, within `patience`. A connection that only waits in the kernel's queue does not count.
-/// `tls`: the server uses TLS; a server without TLS is greeted with HTTP/2. The server's
-/// certificate does not matter.
+/// Returns true if the server at `address` (host:port) accepts a new connection: it sends data or
+/// closes the connection within `patience`. A connection in the kernel's queue that the server has
+/// not accepted does not count. `tls`: the server uses TLS; a server without TLS gets the beginning
+/// of an HTTP/2 connection. The server's certificate is not checked.
 bool TakesConnections(const std::string& address, bool tls, std::chrono::milliseconds patience);
 
 /// Checks repeatedly that a server accepts new connections. This is necessary because a gRPC 1.51
@@ -20,9 +20,9 @@ class AcceptWatch {
  public:
   static constexpr int kTries = 6;
 
-  /// Starts the checks. `address`: the address on which the server listens; 0.0.0.0 and [::] are
-  /// checked at their loopback address. `dead`: called once, from a separate thread, after kTries
-  /// consecutive checks have failed within `patience`.
+  /// Starts the checks. `address`: the address on which the server listens; for 0.0.0.0 and [::],
+  /// the loopback address is checked. `dead`: called once, on another thread, after kTries
+  /// consecutive failed checks. These checks take at most `patience` in total.
   AcceptWatch(const std::string& address, bool tls, std::chrono::milliseconds patience,
               std::function<void()> dead);
 

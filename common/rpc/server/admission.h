@@ -10,7 +10,7 @@
 
 namespace slicefarm::rpc {
 
-/// Limit on the number of calls that work at the same time, and on the number that wait.
+/// Limits the number of calls that work at the same time, and the number of calls that wait.
 /// Thread-safe; must outlive its tickets.
 class Admission {
  public:

@@ -21,22 +21,22 @@ namespace slicefarm::rpc {
 struct CallGateOptions {
   int slots = 1;  ///< number of calls that work at the same time
   int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
-  /// Deadline of calls without a deadline of the client.
+  /// Deadline of calls for which the client has set none.
   std::chrono::milliseconds default_deadline{300'000};
   std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< time limit of every call
 };
 
-/// A call as its handler sees it. The data that the handler sets here is logged.
+/// Call as its handler sees it. The handler fills in job id, layers and further fields for the log.
 struct Call {
   CancelToken cancel;  ///< cancelled by the client or at the deadline
   TraceContext trace;  ///< trace that the client sent
   std::string job_id;
-  LayerRange layers;  ///< empty: the call concerns no layers
+  LayerRange layers;  ///< layers of the call, for the log; empty: it concerns no layers
   LogFields about;    ///< further fields of the log line
 };
 
-/// Common procedure of every heavy call: wait for a slot, work, log one line, answer with a status.
-/// Thread-safe.
+/// Common procedure of every call with heavy work: wait for a slot, work, log one line, return the
+/// status. Thread-safe.
 class CallGate {
  public:
   CallGate(const CallGateOptions& options, JsonLog log);

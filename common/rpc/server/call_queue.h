@@ -8,21 +8,21 @@
 
 namespace slicefarm::rpc {
 
-/// Tag of an operation in the queue. gRPC's asynchronous operations receive a pointer to a tag, and
-/// the tag is called when the operation has ended. `ok`: gRPC's result of the operation.
+/// Tag of an operation in the queue. Each asynchronous operation of gRPC gets a pointer to a tag.
+/// The tag is called when the operation has ended. `ok`: gRPC's result of the operation.
 using QueueTag = std::function<void(bool ok)>;
 
 /// Queue for a thousand or more calls that may stay open for long without occupying a thread. It
 /// uses gRPC's asynchronous API, with one thread for all events of these calls.
 ///
-/// gRPC's callback API is unsuitable. In version 1.51 its threads sleep for 0.1 s after each second
-/// without a callback. A server with one method of this kind accepts no calls of other methods
-/// meanwhile: every eleventh call waited for up to 0.1 s.
+/// gRPC's callback API is unsuitable: in version 1.51 its threads sleep for 0.1 s after each second
+/// without a callback. If a server has one method of this kind, it accepts no calls of any method
+/// during this sleep. Every eleventh call waited for up to 0.1 s.
 class CallQueue {
  public:
   /// REQUIRES: the server has not started yet.
   explicit CallQueue(grpc::ServerBuilder& builder);
-  /// REQUIRES: the server was shut down. The remaining events of its calls are handled now.
+  /// Handles the remaining events of the queue's calls. REQUIRES: the server was shut down.
   ~CallQueue();
 
   grpc::ServerCompletionQueue& queue() { return *queue_; }
@@ -39,8 +39,8 @@ class QueuedMethods {
  public:
   virtual ~QueuedMethods() = default;
 
-  /// Requests the first calls after the server has started. All operations on `queue` end on one
-  /// thread, which is not the calling thread.
+  /// Requests the first calls, after the server has started. The tags of all operations on `queue`
+  /// are called on one thread, which is not the calling thread.
   virtual void ServeFrom(grpc::ServerCompletionQueue& queue) = 0;
 };
 

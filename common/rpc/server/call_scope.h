@@ -12,30 +12,31 @@
 
 namespace slicefarm::rpc {
 
-/// Returns true if the client of the call set a deadline.
+/// Returns true if the client of the call has set a deadline.
 bool HasDeadline(const grpc::ServerContext& context);
 
-/// Deadline and cancellation of a call, which a handler passes to the algorithm. It exists as long
-/// as the handler runs. Thread-safe.
+/// Deadline and cancellation of a call. The handler passes its token to the algorithm. The object
+/// exists as long as the handler runs. Thread-safe.
 class CallScope {
  public:
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::chrono::milliseconds kNoLimit = std::chrono::milliseconds::max();
 
-  /// `default_deadline`: used if the client sent no deadline. `longest`: time limit in any case.
+  /// Creates the scope of a call. `default_deadline`: used if the client has set no deadline.
+  /// `longest`: time limit that applies even if the client has set a later deadline.
   CallScope(const grpc::ServerContext& context, std::chrono::milliseconds default_deadline,
             std::chrono::milliseconds longest = kNoLimit);
 
-  /// Returns a token that is cancelled when the client disconnects or cancels, the deadline passes,
-  /// or the server stops. It is cheap to poll: it queries gRPC once per millisecond. Must not
-  /// outlive the scope.
+  /// Returns a token that is cancelled when the client disconnects or cancels, when the deadline
+  /// passes, or when the server stops. The token is cheap to poll: it queries gRPC once per
+  /// millisecond. It must not outlive the scope.
   CancelToken Token() const;
   /// Returns true if the token of the call is cancelled.
   bool Cancelled() const;
 
-  /// Returns the status to answer with: DeadlineExceeded if the work ended as Cancelled because of
-  /// the deadline, otherwise `status`.
+  /// Returns the status for the client: DeadlineExceeded if `status` is Cancelled because of the
+  /// deadline, otherwise `status`.
   absl::Status Outcome(absl::Status status) const;
 
  private:

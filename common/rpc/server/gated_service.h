@@ -13,8 +13,8 @@
 
 namespace slicefarm::rpc {
 
-/// The server of `Api`, such as v1::Beading. Its methods are functions, and each call of them
-/// passes through a gate. Methods that are not added are unimplemented. Add methods before the
+/// Implementation of the service `Api`, such as v1::Beading. Its methods are functions, and each
+/// call passes through a gate. Methods that are not added are unimplemented. Add methods before the
 /// server starts:
 ///
 ///   auto service = std::make_unique<GatedService<v1::Beading>>(gate);
@@ -27,8 +27,8 @@ class GatedService : public grpc::Service {
   /// REQUIRES: `gate` outlives the service.
   explicit GatedService(CallGate& gate) : gate_(gate) {}
 
-  /// Adds a method with streams in both directions. `method`: the method that the generated service
-  /// declares; it provides the types. `handle`: absl::Status(Call&, ServerStream<Response,
+  /// Adds a method with streams in both directions. `method`: method of the generated service,
+  /// which only provides the message types. `handle`: absl::Status(Call&, ServerStream<Response,
   /// Request>&).
   template <typename Response, typename Request, typename Handle>
   void Add(const char* name,
@@ -71,7 +71,8 @@ class GatedService : public grpc::Service {
   }
 
   CallGate& gate_;
-  std::deque<std::string> paths_;  ///< paths of the methods, which contain pointers to them
+  /// Paths of the methods; gRPC's methods contain pointers to them.
+  std::deque<std::string> paths_;
 };
 
 }  // namespace slicefarm::rpc

@@ -30,27 +30,29 @@ struct ServeFlags {
   int metrics_port = -1;   ///< -1: metrics are not served; 0: any port
   int max_concurrent = 0;  ///< 0: the number of available CPUs
   int drain_s = 30;
-  int accept_patience_s = 30;  ///< 0: the server does not check that it accepts connections
-  TlsFiles tls;                ///< all three files, or none: no TLS
+  /// Time in s without an accepted connection after which the server ends; 0: no check.
+  int accept_patience_s = 30;
+  TlsFiles tls;  ///< files of the server for TLS: all three, or none for no TLS
   ClientCerts client_certs = ClientCerts::kRequired;
-  /// Policy that decides who may call which method, used with TLS.
+  /// Policy that decides which caller may call which method (AuthzPolicy). Only used with TLS.
   std::string_view policy = InnerPolicy();
-  std::string policy_file;  ///< if not empty, replaces `policy`
+  std::string policy_file;  ///< file of the policy; if empty, `policy` applies
 };
 
-/// Exit code of a server that no longer accepts new connections. A restarted server accepts them.
+/// Exit code of a server that no longer accepts new connections. After a restart it accepts them
+/// again.
 inline constexpr int kTakesNoConnections = 3;
 
 /// Adds --listen, --metrics-port, --drain, --accept-patience, --tls-cert, --tls-key, --tls-ca,
 /// --authz-policy, and --version.
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
 
-/// Life cycle of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
-/// before any thread starts. It prints `listening on HOST:PORT` and `metrics on HOST:PORT` to
-/// stdout once it serves.
+/// Life cycle of a server program: serve until SIGTERM or SIGINT, drain, return. Create the object
+/// in main() before any thread starts. As soon as the program serves, it prints `listening on
+/// HOST:PORT` and `metrics on HOST:PORT` to stdout.
 class ServerProgram {
  public:
-  /// `name`: `beading` of slicefarm-beading.
+  /// Creates the program. `name`: name for the log, for example `beading` for slicefarm-beading.
   explicit ServerProgram(std::string name) : log_(name), call_metrics_(metrics_.registry()) {
     LogLibrariesTo(log_);
   }
@@ -58,26 +60,27 @@ class ServerProgram {
   const JsonLog& log() const { return log_; }
   Metrics& metrics() { return metrics_; }
 
-  /// Waits for a signal to end. Returns true if a signal arrives within `time`; Run must not be
-  /// called then.
+  /// Waits for SIGTERM or SIGINT. Returns true if one arrives within `time`; the program must then
+  /// end without a call of Run.
   bool EndsWithin(std::chrono::milliseconds time) const { return signal_.WaitFor(time); }
 
-  /// Returns the options of the gate for heavy calls, as the flags request.
+  /// Returns the options of the gate for heavy calls, according to the flags.
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
-  /// Adds metrics of the load behind the gate. The gate must outlive Run.
+  /// Adds the load metrics of the gate (GateMetrics). The gate must outlive Run.
   void Show(const CallGate& gate);
 
-  /// Adds metrics of the values stored for calls of jobs. The cache must outlive Run.
+  /// Adds the metrics of the cache of shared values (SharedMetrics). The cache must outlive Run.
   void Show(const SharedCache& cache);
 
-  /// Sets a readiness check. While `ready` returns false, health says NOT_SERVING, but calls are
-  /// still accepted. A thread that ends with Run calls it twice per second. Call this before Run.
+  /// Sets a readiness check. While `ready` returns false, the health service reports NOT_SERVING,
+  /// but calls are still accepted. During Run, another thread calls `ready` twice per second. Call
+  /// this function before Run.
   void ReadyWhile(std::function<bool()> ready) { ready_ = std::move(ready); }
 
   /// Serves `services`, which include the service of `queued`, until a signal arrives or new
-  /// connections are no longer accepted. It then calls `on_signal`, which must end anything that
-  /// would keep calls in flight. After it returns, services and shown metrics are no longer used.
+  /// connections are no longer accepted. Then calls `on_signal`, which must end everything that
+  /// would keep calls in flight. After the return, services and shown metrics are no longer used.
   /// Returns the exit code of the program: 0; 1 if it cannot listen, or cannot use the
   /// certificates; or kTakesNoConnections.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
@@ -95,20 +98,20 @@ class ServerProgram {
   std::function<bool()> ready_;  ///< null: always ready
 };
 
-/// Makes a service behind a gate. The gate outlives the service.
+/// Function that creates a service behind a gate. The gate outlives the service.
 using MakeService = std::function<std::unique_ptr<grpc::Service>(CallGate& gate)>;
 
 /// main() of the server program of one stage.
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make);
 
-/// Makes a service behind a gate. Its calls name values that are stored in `shared`. The gate and
-/// `shared` outlive the service.
+/// Function that creates a service behind a gate. The service's calls refer to values in `shared`
+/// by their digests. The gate and `shared` outlive the service.
 using MakeSharingService =
     std::function<std::unique_ptr<grpc::Service>(CallGate& gate, SharedCache& shared)>;
 
-/// main() of the server program of a stage that receives the values shared by a job's calls only
-/// once (SharedKeeper).
+/// main() of the server program of a stage with values that all calls of a job share. The program
+/// receives each shared value only once (SharedKeeper).
 int ServeSharingStage(int argc, char** argv, const std::string& name, const std::string& about,
                       const MakeSharingService& make);
 

@@ -11,9 +11,9 @@
 
 namespace slicefarm::rpc {
 
-/// Service slicefarm.v1.SharedValues, which stores values for the calls of jobs, at most
-/// limits::kMaxKeptSharedBytes. Received bytes must match their digest. Values cannot be read back.
-/// The server's policy decides who may call: coordinators.
+/// Service slicefarm.v1.SharedValues, which stores values that the calls of a job share, at most
+/// limits::kMaxKeptSharedBytes. Received bytes must match their digest. Clients cannot read the
+/// values. The server's policy allows calls only to coordinators.
 class SharedKeeper {
  public:
   explicit SharedKeeper(JsonLog log);

@@ -5,8 +5,8 @@
 
 namespace slicefarm::rpc {
 
-/// SIGTERM and SIGINT as an event to wait for. Construct it in main() before the first thread
-/// starts: it blocks the signals in this thread, and new threads inherit this.
+/// Waits for SIGTERM and SIGINT. Construct the object in main() before the first thread starts: it
+/// blocks these signals in this thread, and all threads that are started later inherit the block.
 class ShutdownSignal {
  public:
   ShutdownSignal();

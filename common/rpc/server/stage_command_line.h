@@ -10,16 +10,17 @@
 namespace slicefarm::rpc {
 
 /// Command line of the server program of one stage: the options of AddServeFlags, and options that
-/// the stage adds. The pointers refer to the default values and must outlive Parse. CLI11 is
-/// included only in the implementation, because it adds 5 s to the compilation of each file that
-/// includes it.
+/// the stage adds. The pointers must outlive Parse; the values to which they point are the
+/// defaults. This header does not include CLI11, because CLI11 adds 5 s to the compilation of each
+/// file that includes it.
 class StageCommandLine {
  public:
-  /// `name`: `beading` of slicefarm-beading. `about`: description of the program in --help.
+  /// Creates a command line. `name`: for example `beading` for slicefarm-beading. `about`:
+  /// description of the program in --help.
   StageCommandLine(const std::string& name, const std::string& about, ServeFlags* flags);
   ~StageCommandLine();
 
-  /// Adds --max-concurrent, for programs with calls that each use one slot.
+  /// Adds --max-concurrent, the number of calls that work at the same time.
   void AddConcurrency(ServeFlags* flags);
   /// Adds an option for a whole number from `least` to `most`.
   void AddCount(const std::string& option, int* count, const std::string& about, int least,

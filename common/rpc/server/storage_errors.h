@@ -9,8 +9,9 @@
 namespace slicefarm::rpc {
 
 /// Hides messages of the storage from clients, because they contain names of files, hosts and
-/// tables. Errors of STORE_FAILED and DISK_FULL are logged completely; clients get their code and
-/// reason with a general message. DATA_LOSS is not changed: it concerns data that the client sent.
+/// tables. For STORE_FAILED and DISK_FULL, the log gets the complete error, and the client gets
+/// code and reason with a general message. DATA_LOSS is not changed: it concerns data that the
+/// client sent.
 class StorageErrorsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit StorageErrorsFactory(JsonLog log) : log_(std::move(log)) {}
