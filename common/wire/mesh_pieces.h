@@ -16,19 +16,19 @@ namespace slicefarm {
 v1::MeshSize SizeOf(const IndexedMesh& mesh);
 
 /// Calls `send` with each piece of a mesh, until `send` returns false. Errors: OUT_OF_RANGE for
-/// vertices that do not fit in 32 bits.
+/// coordinates that do not fit in 32 bits.
 absl::Status ForEachPiece(const IndexedMesh& mesh,
                           const std::function<bool(const v1::MeshPiece&)>& send);
 
-/// Receiver that assembles meshes from their pieces. The pieces arrive one mesh after the other.
+/// Assembles meshes from their pieces. The meshes arrive one after the other.
 class MeshReader {
  public:
-  /// Begins with the announced sizes. Errors: REQUEST_MALFORMED; MESH_TOO_LARGE if more triangles
-  /// are announced than a job may have.
+  /// Creates a reader for meshes of the announced sizes. Errors: REQUEST_MALFORMED for invalid
+  /// sizes; MESH_TOO_LARGE if more triangles are announced than a job may have.
   static absl::StatusOr<MeshReader> Begin(std::vector<v1::MeshSize> sizes);
 
-  /// Adds a piece. Errors: REQUEST_MALFORMED for more data than announced, and for corners without
-  /// a vertex.
+  /// Adds a piece. Errors: REQUEST_MALFORMED for more data than announced, and for indices of
+  /// vertices that do not exist.
   absl::Status Add(const v1::MeshPiece& piece);
 
   /// Returns the meshes. Errors: REQUEST_MALFORMED for less data than announced.

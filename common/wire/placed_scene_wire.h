@@ -10,9 +10,10 @@
 
 namespace slicefarm {
 
-/// Converts a scene without its meshes, which follow in pieces, part by part.
+/// Converts a scene without its meshes. The caller sends the meshes afterwards in pieces, in the
+/// order of the parts.
 absl::Status ToProto(const PlacedScene& scene, v1::PlacedScene* proto);
-/// Returns the scene without its meshes. Errors: REQUEST_MALFORMED naming the field;
+/// Returns the scene without its meshes. Errors: REQUEST_MALFORMED with the name of the field;
 /// REQUEST_TOO_LARGE.
 absl::StatusOr<PlacedScene> FromProto(const v1::PlacedScene& proto);
 

@@ -18,13 +18,13 @@ struct PlanStart {
   StageCall call;
   PlanningOptions options;
   std::vector<PlacedCopy> copies;
-  std::vector<std::string> object_names;  ///< names of the objects, indexed by object, for messages
+  std::vector<std::string> object_names;  ///< object names, indexed by object, for error messages
 };
 
 absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto);
 
-/// Returns the start of a call. Errors: see stage_call_wire.h, plan_wire.h and options_check.h; they
-/// name the path of the field.
+/// Returns the start of a call. Errors: see stage_call_wire.h, plan_wire.h and options_check.h,
+/// with the path to the field.
 absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto);
 
 namespace v1 {

@@ -17,7 +17,7 @@
 
 namespace slicefarm {
 
-/// Reads the layers that follow the start of a task: the layers of its range and halo.
+/// Reads the layers that follow the start of a task: the layers of `range` and of its halo.
 inline absl::StatusOr<std::vector<SlicedLayer>> ReceiveLayers(LayerRange range,
                                                               const CancelToken& cancel,
                                                               WorkerEnd& end) {

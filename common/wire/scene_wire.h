@@ -10,22 +10,23 @@
 
 namespace slicefarm {
 
-/// Objects as clients submit them, and the files to which their parts refer by index.
+/// Objects as clients submit them, and the mesh files of their parts. A part refers to a file by
+/// its index.
 struct SubmittedScene {
-  std::vector<StoredMesh> meshes;  ///< files, each of them once
+  std::vector<StoredMesh> meshes;  ///< mesh files without duplicates
   std::vector<SceneObject> objects;
 
   bool operator==(const SubmittedScene&) const = default;
 };
 
 /// Converts an object with its parts and copies. `meshes`: files, indexed by MeshRef::file of the
-/// parts. A copy that is not printable is left out.
+/// parts. Copies that are not to be printed are left out.
 void ToProto(const SceneObject& object, std::span<const StoredMesh> meshes, v1::Object* proto);
 
 /// Converts submitted objects. Errors: REQUEST_MALFORMED with the path to the field, for invalid
-/// digests, numbers that are not finite, values given in both possible forms, and objects without a
-/// mesh. REQUEST_TOO_LARGE beyond limits::kMaxParts, kMaxHeightRanges and kMaxObjects. The errors
-/// of FromProto(v1::Placement).
+/// digests, numbers that are not finite, values that are given in two forms at once, and objects
+/// without a mesh; REQUEST_TOO_LARGE beyond limits::kMaxParts, kMaxHeightRanges and kMaxObjects;
+/// errors of FromProto(v1::Placement).
 absl::StatusOr<SubmittedScene> FromProto(
     const google::protobuf::RepeatedPtrField<v1::Object>& objects);
 

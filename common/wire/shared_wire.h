@@ -17,7 +17,7 @@
 
 namespace slicefarm {
 
-/// Data that the calls of a job share are sent to a server once. Calls refer to them by their
+/// Data that all calls of a job share is sent to a server only once. Calls refer to it by its
 /// digest:
 ///
 ///   template <> struct MessageOf<Table> { using Type = v1::Table; };   // with ToProto and
@@ -53,8 +53,8 @@ absl::StatusOr<std::shared_ptr<const SharedBytes>> MakePart(const T& value) {
 
 }  // namespace internal
 
-/// Returns the bytes of the value. Cost: O(bytes) at the first call, nothing afterwards. Errors:
-/// the errors of ToProto; REQUEST_TOO_LARGE for more than limits::kMaxSharedBytes.
+/// Returns the serialized value with its digest. Errors: errors of ToProto; REQUEST_TOO_LARGE for
+/// more than limits::kMaxSharedBytes. Cost: O(bytes) at the first call, nothing afterwards.
 template <typename T>
 const absl::StatusOr<std::shared_ptr<const SharedBytes>>& PartOf(const Shared<T>& value) {
   return value.Once([](const T& held) { return internal::MakePart(held); });
@@ -68,8 +68,9 @@ absl::StatusOr<SharedParts> OnePart(const Shared<T>& value) {
   return SharedParts{*part};
 }
 
-/// Returns the value for the digest in the call's field `field`. Errors: SHARED_MISSING;
-/// REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to the field.
+/// Returns the value with this digest from the cache. `field`: field of the call with the digest,
+/// for error messages. Errors: SHARED_MISSING; REQUEST_MALFORMED and REQUEST_TOO_LARGE with the
+/// path to the field.
 template <typename T>
 absl::StatusOr<Shared<T>> TakeShared(SharedCache& cache, const std::string& digest,
                                      std::string_view field) {

@@ -15,19 +15,20 @@
 
 namespace slicefarm {
 
-/// Converts the start of a stream. The bytes of the files follow in chunks, in order. A chunk may
-/// contain the end of one file and the beginning of the next.
+/// Converts the input of slicing to the first message of a stream, without the bytes of the files.
+/// The bytes follow in chunks, in order. A chunk may contain the end of one file and the beginning
+/// of the next.
 absl::Status ToProto(const StageCall& call, const SliceInput& input, const SlicingOptions& options,
                      v1::SliceStart* proto);
 
 /// Calls `send` with each chunk, until `send` returns false. Chunks are views of the input.
 void ForEachChunk(const SliceInput& input, const std::function<bool(std::string_view)>& send);
 
-/// Receiver that assembles the files from chunks.
+/// Assembles the files from chunks.
 class SliceInputReader {
  public:
-  /// Begins with the announced files. Errors: REQUEST_MALFORMED; MESH_TOO_LARGE if all announced
-  /// files together exceed limits::kMaxMeshBytes.
+  /// Creates a reader for the announced files. Errors: REQUEST_MALFORMED; MESH_TOO_LARGE if all
+  /// announced files together exceed limits::kMaxMeshBytes.
   static absl::StatusOr<SliceInputReader> Begin(const v1::SliceStart& start);
 
   /// Adds a chunk. Errors: REQUEST_MALFORMED for more bytes than announced.
@@ -59,8 +60,8 @@ absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
 /// Converts the position of a copy on a plate to its message and back.
 absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
-/// Converts a plate position. Errors: REQUEST_MALFORMED for a plate number that is impossible in
-/// any job.
+/// Converts a position of a copy. Errors: REQUEST_MALFORMED for a plate number that no job can
+/// have.
 absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto);
 
 namespace v1 {

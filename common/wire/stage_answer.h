@@ -11,8 +11,9 @@
 
 namespace slicefarm {
 
-/// Server side of a stage's call that refers to its job data by digest. Requirements: a Call has
-/// `cancel` and `job_id`, which is written to the log; a Stream has the types Request and Response.
+/// Server side of a stage's call that refers to its job data by digest. Requirements: the type Call
+/// has `cancel`, and `job_id`, which is written to the log. The type Stream has the types Request
+/// and Response.
 
 /// Call with its first message and its job data.
 template <typename Start, typename Job>
@@ -21,8 +22,8 @@ struct BegunCall {
   Shared<Job> job;
 };
 
-/// Reads the start of a call and its job data. Errors: the errors of the start; SHARED_MISSING; the
-/// errors of reading a Job.
+/// Reads the start of a call and its job data. Errors: errors of ReadStart; SHARED_MISSING; errors
+/// of FromProto for a Job.
 template <typename Job, typename Call, typename Stream>
 auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
   auto start = ReadStart<typename Stream::Request>(stream, call.cancel);
@@ -34,8 +35,8 @@ auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
   return absl::StatusOr<Begun>(Begun{*std::move(start), *std::move(job)});
 }
 
-/// Reads the start of a call about a range of layers, like BeginCall. The range is also written to
-/// the log. Further errors: REQUEST_MALFORMED without a range.
+/// Reads the start of a call about a range of layers, as BeginCall does. The range is also written
+/// to the log. Errors: as in BeginCall; REQUEST_MALFORMED without a range.
 template <typename Job, typename Call, typename Stream>
 auto BeginRange(Call& call, Stream& stream, SharedCache& shared) {
   auto begun = BeginCall<Job>(call, stream, shared);

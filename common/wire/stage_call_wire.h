@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Converts the context of a call, the first part of every call. Cancellation and deadline are sent
-/// outside of the message.
+/// Converts the context of a call. Each call of a stage begins with this context. Cancellation and
+/// deadline are not part of the message: gRPC transfers them.
 v1::StageCall ToProto(const StageCall& call);
 
 /// Converts the context of a call. Errors: FailedPrecondition, reason BUILD_MISMATCH with `caller`

@@ -21,7 +21,7 @@ struct ExposureJob;
 struct MotionJob;
 struct OrderingJob;
 
-/// Data of a whole job that all calls of a stage share. Errors: the errors of options_wire.h and
+/// Conversion of job data that all calls of a stage share. Errors: see options_wire.h and
 /// plan_wire.h, with the path to the field.
 
 /// Converts a beading table to its message and back.

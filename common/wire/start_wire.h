@@ -15,14 +15,14 @@
 
 namespace slicefarm {
 
-/// First message of a call. Errors: the errors of stage_call_wire.h, layer_wire.h, plan_wire.h and
-/// options_check.h, with the path to the field.
+/// First message of a call of most stages. Errors: see stage_call_wire.h, layer_wire.h, plan_wire.h
+/// and options_check.h, with the path to the field.
 
-/// Start of a call of most stages.
+/// Start of a call: context, job data and layers.
 struct StageStart {
   StageCall call;
   std::string shared;     ///< digest of the stage's job data (shared_wire.h)
-  LayerRange range = {};  ///< layers to work on; empty: the call is about no layers
+  LayerRange range = {};  ///< layers to work on; empty: the call concerns no layers
 };
 
 absl::Status ToProto(const StageStart& start, v1::StageStart* proto);

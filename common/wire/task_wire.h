@@ -12,8 +12,8 @@
 
 namespace slicefarm {
 
-/// One end of a call with messages in both directions. Both methods return false if there are no
-/// more messages.
+/// One end of a call with messages in both directions. Read returns false if there are no more
+/// messages, Write if the peer has disconnected.
 template <typename In, typename Out>
 class MessageChannel {
  public:
@@ -46,8 +46,8 @@ class ReceivedTask {
   virtual Task task() const = 0;
 };
 
-/// Messages for the tasks of one process and for their results. Each process has one object, in
-/// processes/<name>/wire; processes/list/wire.h lists these objects.
+/// Messages for the tasks of one process and for their results. Each process has one object of this
+/// class, in processes/<name>/wire; processes/list/wire.h lists these objects.
 class TaskWire {
  public:
   virtual ~TaskWire() = default;
@@ -56,10 +56,10 @@ class TaskWire {
   virtual bool IsIn(const v1::WorkStart& start) const = 0;
 
   // Functions for the coordinator.
-  /// Returns the number of points of the outlines, which determines the duration of a call.
+  /// Returns the number of outline points of the task, which determines the duration of a call.
   virtual int64_t PointsIn(const Task& task) const = 0;
-  /// Returns the shared data of the job's tasks, to which the first message refers. It is called
-  /// once per job.
+  /// Returns the shared data of the job's tasks, to which the first message refers by digest. It is
+  /// called once per job.
   virtual absl::StatusOr<SharedParts> PartsOf(const Task& task) const = 0;
   /// Sends a task. Returns OK if all messages are written, or if the peer has disconnected.
   virtual absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const = 0;

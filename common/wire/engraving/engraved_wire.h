@@ -19,7 +19,7 @@ absl::Status ToProto(const EngravedLayer& layer, v1::EngravedLayer* proto);
 absl::StatusOr<EngravedLayer> FromProto(const v1::EngravedLayer& proto);
 
 /// Sends a layer in pieces, because its text may be longer than a message. Calls `send` with each
-/// piece. Errors: Unavailable if `send` returns false, because the peer has stopped reading.
+/// piece. Errors: Unavailable if `send` returns false because the peer has stopped reading.
 template <typename Send>
 absl::Status SendPieces(const EngravedLayer& layer, const Send& send) {
   constexpr size_t kPieceBytes = 1 << 20;

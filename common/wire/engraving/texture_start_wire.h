@@ -11,8 +11,7 @@
 
 namespace slicefarm {
 
-/// First message of a call of the texture service. Errors: the errors of stage_call_wire.h and
-/// layer_wire.h.
+/// First message of a call of the texture service. Errors: see stage_call_wire.h and layer_wire.h.
 struct TextureStart {
   StageCall call;
   std::string shared;     ///< digest of a SurfaceInput or an EngraveInput

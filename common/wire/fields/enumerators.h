@@ -8,8 +8,8 @@ namespace slicefarm {
 
 namespace internal {
 
-/// Returns true if the value is an enumerator. The compiler's text of an enumerator is its name;
-/// the text of any other value is a cast of a number.
+/// Returns true if kValue is an enumerator of its enumeration. In the compiler's text of this
+/// function, an enumerator appears as its name, and any other value as a cast of a number.
 template <auto kValue>
 constexpr bool IsEnumerator() {
   constexpr std::string_view kText = __PRETTY_FUNCTION__;
@@ -18,7 +18,8 @@ constexpr bool IsEnumerator() {
   return kText[kAt + sizeof("kValue = ") - 1] != '(';
 }
 
-/// Returns the number of enumerators from kCount up, to at most 64.
+/// Returns the number of enumerators, at most 64. Counts upwards from kCount, so the enumerators
+/// below must exist.
 template <typename Enum, int kCount = 0>
 constexpr int CountEnumerators() {
   constexpr int kMost = 64;
@@ -30,7 +31,7 @@ constexpr int CountEnumerators() {
 
 }  // namespace internal
 
-/// Number of enumerators of an enumeration that counts up from 0 without gaps; at most 64.
+/// Number of enumerators of an enumeration with the values 0, 1, 2, ... without gaps; at most 64.
 template <typename Enum>
   requires std::is_enum_v<Enum>
 inline constexpr int kEnumerators = internal::CountEnumerators<Enum>();

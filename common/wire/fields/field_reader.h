@@ -14,8 +14,8 @@
 
 namespace slicefarm::internal {
 
-/// Reader of the bytes of a FieldWriter. After the first error it reads nothing and changes no
-/// value.
+/// Reads values from the bytes of a FieldWriter. After the first error it reads nothing more and
+/// changes no value.
 class FieldReader {
  public:
   explicit FieldReader(std::string_view bytes) : left_(bytes) {}
@@ -28,7 +28,7 @@ class FieldReader {
   void Read(Number* value) {
     *value = static_cast<Number>(Integer(std::numeric_limits<Number>::max()));
   }
-  /// Reads a point within limits::kMaxCoord, like the points of layers.
+  /// Reads a point. Coordinates beyond limits::kMaxCoord are errors, as in layers.
   void Read(Point* point);
   void Read(std::string* text);
   void Read(SharedText* text);
@@ -40,7 +40,7 @@ class FieldReader {
   /// number of remaining bytes.
   int64_t Count() { return Index(static_cast<int64_t>(left_.size()) + 1); }
 
-  /// Returns the first error; REQUEST_MALFORMED if bytes are left.
+  /// Returns the first error. Without one, returns REQUEST_MALFORMED if bytes remain.
   absl::Status Finish();
 
  private:
@@ -49,7 +49,7 @@ class FieldReader {
   void Fail(std::string_view what);
 
   std::string_view left_;
-  int64_t fields_ = 0;  ///< number of values read so far, for messages
+  int64_t fields_ = 0;  ///< number of values read so far, for error messages
   std::vector<SharedText> texts_;
   absl::Status fault_;
 };

@@ -12,7 +12,7 @@
 
 namespace slicefarm::internal {
 
-/// Writer that appends values to a byte string: numbers as eight bytes, texts after their length.
+/// Appends values to a byte string: a number as eight bytes, a text as its length and its bytes.
 class FieldWriter {
  public:
   void Write(double value);
@@ -21,7 +21,8 @@ class FieldWriter {
     WriteInteger(static_cast<int64_t>(value));
   }
   void Write(const std::string& text);
-  /// Writes a text at its first occurrence, and only its number at later ones.
+  /// Writes a shared text. Only its first occurrence contains the text; later occurrences contain
+  /// its number.
   void Write(const SharedText& text);
   void Write(const Cutter& cutter);
 

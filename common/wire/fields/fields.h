@@ -18,13 +18,14 @@
 
 namespace slicefarm {
 
-/// Serialization of the options of stages. The bytes of the members follow one another without
+/// Serialization of the options of stages. The values of the members follow one another without
 /// names or field numbers, because both ends have the same build (StageCall). A new member needs no
 /// code here.
 ///
-/// Supported types are numbers, booleans, enumerations, texts, cutters, aggregates of these types,
-/// and vectors, arrays and optionals of any supported type. A struct that extends a row by tables
-/// names them (Row, TablesOf). Equal long texts (SharedText) are sent once.
+/// Supported types are numbers, booleans, enumerations, texts, cutters, aggregates of supported
+/// types, and vectors, arrays and optionals of any supported type. A struct that is derived from a
+/// settings row and has further tables declares both: the type Row and the function TablesOf. Equal
+/// long texts (SharedText) are sent once.
 
 namespace internal {
 
@@ -89,7 +90,7 @@ void ReadField(FieldReader& reader, T* value) {
 
 }  // namespace internal
 
-/// Returns the bytes of an aggregate's members. Cost: O(bytes).
+/// Returns the members of an aggregate as bytes. Cost: O(bytes).
 template <typename T>
 std::string PackFields(const T& value) {
   internal::FieldWriter writer;
@@ -99,8 +100,8 @@ std::string PackFields(const T& value) {
 
 /// Returns the aggregate that PackFields wrote. Errors: REQUEST_MALFORMED for missing or additional
 /// bytes, for numbers that are not finite or beyond limits::kMaxPrintHeight, and for unknown
-/// enumerators. REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. CheckOptions
-/// checks the ranges of single values. Cost: O(bytes), in time and in memory.
+/// enumerators; REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. The ranges of
+/// single values are not checked here but in CheckOptions. Cost: O(bytes), in time and in memory.
 template <typename T>
 absl::StatusOr<T> UnpackFields(std::string_view bytes) {
   internal::FieldReader reader(bytes);

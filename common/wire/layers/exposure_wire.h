@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Programs of exposure and the texts around them. Texts are moved, not copied. Errors:
-/// OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
+/// Conversion of exposure programs and of the texts before and after them. Texts are moved, not
+/// copied. Errors, with the name of the field: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 
 /// Converts the report of an exposure to its message and back.
 absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto);
@@ -18,11 +18,11 @@ absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto);
 absl::Status ToProto(ExposedProgram program, v1::ExposedProgram* proto);
 absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 
-/// Converts all of ExposureFrameRequest except its call and settings.
+/// Converts all fields of ExposureFrameRequest except `call` and the settings.
 absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
 
-/// Converts the texts around an exposure program to its message and back.
+/// Converts the texts before and after an exposure program to their message and back.
 v1::ExposureFrame ToProto(ExposureEnvelope frame);
 absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto);
 

@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Converts the totals of an infill. Errors: REQUEST_MALFORMED naming the field that is not a valid
-/// amount, row, feature or pattern.
+/// Converts the material totals of an infill. Errors: REQUEST_MALFORMED, with the field, for an
+/// invalid amount, row, feature or pattern.
 absl::Status ToProto(const FillUse& use, v1::FillUse* proto);
 absl::StatusOr<FillUse> FromProto(const v1::FillUse& proto);
 

@@ -11,9 +11,9 @@
 
 namespace slicefarm {
 
-/// Layers from slicing to ordering (programs: program_wire.h). Errors: the errors of
-/// geometry_wire.h and path_wire.h, with the path to the field: `islands[2].walls[7].xy_nm`.
-/// REQUEST_MALFORMED for indices and ranges that are impossible in any job.
+/// Conversion of layers, from the results of slicing to those of ordering (programs:
+/// program_wire.h). Errors: see geometry_wire.h and path_wire.h, with the path to the field, such
+/// as `islands[2].walls[7].xy_nm`; REQUEST_MALFORMED for indices and ranges that no job can have.
 
 /// Converts a layer frame to its message and back.
 void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);
@@ -21,7 +21,8 @@ absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto);
 
 /// Converts a layer range to its message and back.
 v1::LayerRange ToProto(LayerRange range);
-/// Converts a range of a job: 0 <= first < last <= limits::kMaxLayers.
+/// Converts a range of layers. Errors: REQUEST_MALFORMED unless 0 <= first < last <=
+/// limits::kMaxLayers.
 absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto);
 
 /// Converts an object section to its message and back.
@@ -80,15 +81,16 @@ absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto);
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto);
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
 
-/// Returns the range from the first to the last of the layers. REQUIRES: CheckConsecutive.
+/// Returns the range from the first to the last of the layers. REQUIRES: CheckConsecutive accepts
+/// the layers.
 template <typename Layers>
 LayerRange RangeOf(const Layers& layers) {
   if (layers.empty()) return {};
   return {layers.front().frame.index, layers.back().frame.index + 1};
 }
 
-/// Appends a converted layer, which must follow the previous layer. A peer that sends without end
-/// is therefore refused early.
+/// Appends a converted layer. Errors: the error of the conversion; REQUEST_MALFORMED if the layer
+/// does not follow the previous one. So a peer that sends layers without end is refused early.
 template <typename Layer>
 absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers) {
   if (!layer.ok()) return layer.status();
@@ -100,7 +102,7 @@ absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers)
   return Malformed("layer", "does not follow the one before");
 }
 
-/// Checks that the layers are consecutive, from the bottom up.
+/// Checks that the indices of the layers are consecutive and ascending.
 template <typename Layers>
 absl::Status CheckConsecutive(const Layers& layers) {
   for (size_t i = 1; i < layers.size(); ++i) {
@@ -119,8 +121,8 @@ absl::Status CheckLayersOfRange(const Layers& layers, LayerRange range) {
   return Malformed("layer", "not one for each layer of the range");
 }
 
-/// Checks that there is at least one program for each layer of the range, in order of layers, then
-/// passes.
+/// Checks that each layer of the range has at least one program, and that the programs are sorted
+/// by layer, then by pass.
 template <typename Programs>
 absl::Status CheckProgramsOfRange(const Programs& programs, LayerRange range) {
   int32_t next = range.first;

@@ -13,14 +13,15 @@
 
 namespace slicefarm {
 
-/// Programs and the texts around them. G-code is moved, not copied, if the argument is an rvalue or
-/// passed by value. Errors: OUT_OF_RANGE, REQUEST_MALFORMED naming the field.
+/// Conversion of programs and of the texts before and after them. G-code is moved, not copied, if
+/// the argument is an rvalue or passed by value. Errors, with the name of the field: OUT_OF_RANGE,
+/// REQUEST_MALFORMED.
 
-/// Converts the totals of a feature to its message and back.
+/// Converts the material totals of a feature to their message and back.
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto);
 absl::StatusOr<FeatureUse> FromProto(const v1::FeatureUse& proto);
 
-/// Converts the totals of a program to its message and back.
+/// Converts the totals of a program to their message and back.
 absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto);
 absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto);
 
@@ -40,11 +41,11 @@ absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto);
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 
-/// Converts all of FrameRequest except its call and options.
+/// Converts all fields of FrameRequest except `call` and the options.
 absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
 absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
 
-/// Converts the texts around a program to its message and back.
+/// Converts the texts before and after a program to their message and back.
 v1::ProgramFrame ToProto(ProgramEnvelope frame);
 absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto);
 

@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// Regions, and positions of sections within an object's layers. Errors: the errors of
-/// geometry_wire.h, and REQUEST_MALFORMED for numbers that are impossible in any job.
+/// Conversion of regions, and of positions of sections within an object's layers. Errors: see
+/// geometry_wire.h; REQUEST_MALFORMED for numbers that no job can have.
 
 /// Converts a region to its message and back.
 absl::Status ToProto(const Region& region, v1::Region* proto);
@@ -30,7 +30,8 @@ absl::Status CheckStack(std::string_view field, int32_t id);
 absl::Status ToProto(const Mark& mark, v1::Mark* proto);
 absl::StatusOr<Mark> FromProto(const v1::Mark& proto);
 
-/// Checks the number of a stack's own layer and the height of its beads.
+/// Checks the index of a layer within its stack, and the height of its beads. Errors:
+/// REQUEST_MALFORMED.
 absl::Status CheckSection(int32_t layer, int64_t height_nm);
 
 namespace v1 {

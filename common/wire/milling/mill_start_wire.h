@@ -12,8 +12,8 @@
 
 namespace slicefarm {
 
-/// First message of a call of the milling service. Errors: the errors of stage_call_wire.h;
-/// REQUEST_MALFORMED naming the field.
+/// First message of a call of the milling service. Errors: see stage_call_wire.h; REQUEST_MALFORMED
+/// with the name of the field.
 struct MillStart {
   StageCall call;
   std::string shared;      ///< digest of a MillInput

@@ -8,7 +8,8 @@
 
 namespace slicefarm {
 
-/// Results of milling. Errors: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
+/// Conversion of the results of milling. Errors, with the name of the field: OUT_OF_RANGE,
+/// REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 
 /// Converts a milled step to its message and back.
 absl::Status ToProto(const MilledStep& step, v1::MilledStep* proto);
@@ -24,8 +25,8 @@ absl::StatusOr<MillReport> FromProto(const v1::MillReport& proto);
 
 /// Converts a step range to its message and back.
 v1::StepRange ToProto(StepRange range);
-/// Converts a range. Errors: REQUEST_MALFORMED for an empty range, and for a range that is
-/// impossible in any job.
+/// Converts a range of steps. Errors: REQUEST_MALFORMED for an empty range, and for a range that no
+/// job can have.
 absl::StatusOr<StepRange> FromProto(const v1::StepRange& proto);
 
 namespace v1 {

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Settings as clients give them.
+/// Conversion of settings in the form in which clients give them.
 
 /// Converts a setting to its message.
 inline v1::Setting ToProto(const Setting& setting) {
@@ -18,12 +18,12 @@ inline v1::Setting ToProto(const Setting& setting) {
   return proto;
 }
 
-/// Returns the setting of a message. The message contains the source, too.
+/// Returns the setting of a message, including its source (from a profile or from the job).
 inline Setting FromProto(const v1::Setting& proto) {
   return {proto.key(), proto.value(), proto.from_profile() ? Source::kProfile : Source::kRequest};
 }
 
-/// Appends the messages of all settings.
+/// Converts all settings and appends their messages.
 inline void SettingsToProto(const std::vector<Setting>& settings,
                             google::protobuf::RepeatedPtrField<v1::Setting>* proto) {
   for (const Setting& setting : settings) *proto->Add() = ToProto(setting);

@@ -18,10 +18,11 @@ struct ExposureSettings;
 struct MillSettings;
 struct EngraveSettings;
 
-/// Each function checks that the algorithms can work with all values: lengths used as divisors are
-/// positive, counts are bounded, and tables of regions have equal lengths. Whether a value makes
-/// sense for a user is checked when the setting is read (common/config). Errors: REQUEST_MALFORMED
-/// that names the member; REQUEST_TOO_LARGE for too many rows. Cost: O(rows).
+/// Each CheckOptions checks that the algorithms can work with all values: lengths used as divisors
+/// are positive, counts are bounded, and tables of regions have equal lengths. It does not check if
+/// a value is sensible for a user; common/config does this when it reads the setting. Errors:
+/// REQUEST_MALFORMED with the name of the member; REQUEST_TOO_LARGE for too many rows of a table.
+/// Cost: O(rows of all tables).
 absl::Status CheckOptions(const SlicingOptions& options);
 absl::Status CheckOptions(const std::vector<BeadingOptions>& table);
 absl::Status CheckOptions(const std::vector<InfillOptions>& table);

@@ -12,14 +12,14 @@
 
 namespace slicefarm {
 
-/// Length with the name of its member, for errors.
+/// Length and the name of its member, for error messages.
 struct NamedLength {
   std::string_view member;
   Coord value_nm = 0;
 };
 
-/// Checks that all lengths are from `least_nm` to limits::kMaxCoord. Errors: REQUEST_MALFORMED that
-/// names the first other length.
+/// Checks that all lengths are from `least_nm` to limits::kMaxCoord. Errors: REQUEST_MALFORMED with
+/// the name of the first other length.
 inline absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coord least_nm) {
   for (const auto& [member, value_nm] : lengths)
     if (value_nm < least_nm || value_nm > limits::kMaxCoord)

@@ -8,15 +8,15 @@
 namespace slicefarm {
 
 /// Converts an enumerator to its message value, which is one higher than the model's value. The
-/// value 0 means that the sender did not set the field. Each pair of enumerations is checked by
-/// static_asserts where it is converted.
+/// value 0 means that the sender did not set the field. For each pair of enumerations,
+/// static_asserts check that the values correspond.
 template <typename Proto, typename Model>
 Proto EnumToProto(Model value) {
   return static_cast<Proto>(static_cast<int>(value) + 1);
 }
 
-/// Converts a message value to an enumerator. Errors: Malformed for 0 and for values of a later
-/// version. `count`: number of enumerators of the model.
+/// Converts a message value to an enumerator. Errors: REQUEST_MALFORMED for 0 and for values above
+/// `count`. `count`: number of enumerators of the model.
 template <typename Model, typename Proto>
 absl::StatusOr<Model> EnumFromProto(Proto value, int count, std::string_view field) {
   const int number = static_cast<int>(value);

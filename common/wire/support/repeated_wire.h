@@ -11,7 +11,8 @@
 
 namespace slicefarm {
 
-/// Conversion of lists by the ToProto or FromProto of the element's type. Errors name the element.
+/// Conversion of lists. Each element is converted by ToProto or FromProto of its type. Errors
+/// contain the index of the element.
 
 /// Converts all models to messages in the field `field`.
 template <typename Model, typename Proto>

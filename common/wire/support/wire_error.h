@@ -7,12 +7,12 @@
 
 namespace slicefarm {
 
-/// Returns InvalidArgument, reason REQUEST_MALFORMED, that names the field (metadata `field`):
-/// "xy_nm: an odd number of values".
+/// Returns InvalidArgument, reason REQUEST_MALFORMED, with the name of the field in the message and
+/// in the metadata `field`: "xy_nm: an odd number of values".
 absl::Status Malformed(std::string_view field, std::string_view what);
 
-/// Returns the error with the path from the enclosing message: `xy_nm` becomes `walls.xy_nm` or
-/// `walls[3].xy_nm`.
+/// Returns `status` with a longer path to the field, which begins with the enclosing message:
+/// `xy_nm` becomes `walls.xy_nm` or `walls[3].xy_nm`.
 absl::Status Within(std::string_view field, const absl::Status& status);
 absl::Status Within(std::string_view field, size_t index, const absl::Status& status);
 
