@@ -8,7 +8,8 @@ class App;
 
 namespace slicefarm::cli {
 
-/// Each function adds its subcommand. `app` and `context` must outlive the parsing and the run.
+/// Each function of this file adds its subcommand. `app` and `context` must outlive the parsing and
+/// the run of the command.
 void AddSlice(CLI::App& app, CommandContext& context);    ///< defined in slice_command.cc
 void AddSubmit(CLI::App& app, CommandContext& context);   ///< defined in submit_command.cc
 void AddInspect(CLI::App& app, CommandContext& context);  ///< defined in inspect_command.cc

@@ -11,14 +11,14 @@ class App;
 
 namespace slicefarm::cli {
 
-/// Options of `time` and `check`, as written on the command line.
+/// Options that `time` and `check` have in common, as written on the command line.
 struct GcodeOptions {
   std::string gcode;
   std::string flavor;
   std::string config;
 };
 
-/// G-code file, with the firmware and the machine that read it.
+/// G-code file, with the firmware flavour and the machine for which it is made.
 struct GcodeFile {
   std::string gcode;
   const motion::Firmware* firmware = nullptr;
@@ -28,11 +28,12 @@ struct GcodeFile {
 /// Adds these options to a command.
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options);
 
-/// Returns REQUEST_MALFORMED with the names of the known flavours.
+/// Returns the error REQUEST_MALFORMED for an unknown firmware flavour, with the names of the known
+/// flavours.
 absl::Status UnknownFlavor(std::string_view flavor);
 
-/// Reads the file and its machine. Errors: as ReadFile and ReadMachine; REQUEST_MALFORMED for an
-/// unknown flavour.
+/// Reads the file and determines its machine. Errors: see ReadFile and ReadMachine;
+/// REQUEST_MALFORMED for an unknown flavour.
 absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options);
 
 }  // namespace slicefarm::cli

@@ -9,7 +9,8 @@
 
 namespace slicefarm::cli {
 
-/// Returns an error text that `text` is not in `names`, with the most similar name.
+/// Returns the error text for a `text` that is not among `names`. It contains the most similar
+/// name.
 std::string NoSuchChoice(const std::string& text, const std::vector<std::string>& names);
 
 /// Returns the names in the form "{grid,snug}".
@@ -26,8 +27,8 @@ std::vector<std::string> NamesOf(const std::map<std::string, Value>& values) {
 /// Returns a validator that accepts one of the names.
 CLI::Validator OneOf(std::vector<std::string> names);
 
-/// Returns a transformer from names to values. Help lists only the names, because CLI11 would add
-/// the enum's numbers or bytes.
+/// Returns a CLI11 transformer from names to values. --help lists only the names; CLI11 alone would
+/// add the enumerators' numbers.
 template <class Enum>
 CLI::Validator OneOf(std::map<std::string, Enum> values) {
   const std::vector<std::string> names = NamesOf(values);
@@ -39,7 +40,8 @@ CLI::Validator OneOf(std::map<std::string, Enum> values) {
       ListOf(names));
 }
 
-/// Returns an error text for a number, or an empty text. `whole`: numbers may not have a fraction.
+/// Returns the error text if `text` is no number from `min` to `max`; an empty text if it is one.
+/// `whole`: the number may not have a fraction.
 std::string FaultOfNumber(const std::string& text, double min, double max, bool whole,
                           bool open_end);
 

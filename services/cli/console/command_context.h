@@ -7,8 +7,8 @@
 
 namespace slicefarm::cli {
 
-/// Shared data of the commands, and the work of the chosen one. Options are parsed first, then
-/// `run` executes the function that the given command has stored in it.
+/// Data that the commands share, and the work of the chosen command. During parsing, the given
+/// command stores its function in `run`; afterwards the program calls `run`.
 struct CommandContext {
   Interrupt* interrupt = nullptr;
   std::function<ExitCode()> run;

@@ -19,7 +19,7 @@ std::string Advice(const absl::Status& status);
 /// Prints one line `warning: ...` per text to stderr.
 void Warn(const std::vector<std::string>& warnings);
 
-/// Prints the warnings that are not in `told`, which were printed before.
+/// Prints the warnings that are not in `told`, the warnings that were already printed.
 void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told);
 
 /// Prints text to stdout, or to stderr if stdout contains the result.
@@ -33,12 +33,12 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Shows the progress, with the remaining time as soon as it can be estimated. Prints only when
-  /// the text changes. `total` = 0: the amount of work is not known yet.
+  /// Shows the progress of the step `what`, and the remaining time as soon as it can be estimated.
+  /// Prints only when the text changes. `total` = 0: the amount of work is not known yet.
   void Show(std::string_view what, int done, int total);
-  /// Removes the bar.
+  /// Removes the bar from the terminal.
   void Clear();
-  /// Returns false if nothing is ever shown.
+  /// Returns false if the bar never prints.
   bool enabled() const { return enabled_; }
 
  private:
@@ -46,7 +46,7 @@ class ProgressBar {
 
   bool shown_ = false;
   bool enabled_;
-  std::string what_;    ///< step that the remaining time is for
+  std::string what_;    ///< current step, for which the remaining time is estimated
   int first_done_ = 0;  ///< progress when the step was first shown
   Stopwatch since_;     ///< time since the step was first shown
   std::string line_;

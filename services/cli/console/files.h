@@ -10,12 +10,12 @@
 
 namespace slicefarm::cli {
 
-/// Large enough for a G-code file that quotes its settings.
+/// Largest size of a settings file. Large enough for a G-code file with its settings at the end.
 constexpr int64_t kMaxConfigBytes = 512 << 20;
 
 /// Reads all bytes of a regular file or a pipe. `-` is the standard input, which is read once;
 /// later calls return the same bytes. Errors: REQUEST_MALFORMED with the system's message;
-/// REQUEST_TOO_LARGE above `max_bytes`. A file of known size is checked before it is read.
+/// REQUEST_TOO_LARGE above `max_bytes`, for a regular file before it is read.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
 
 /// Reads a text file. Binary G-code (.bgcode) is converted to text. Errors: as ReadFile;
@@ -25,9 +25,10 @@ absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes)
 /// Returns the error with the file's name in front of its message.
 absl::Status InFile(const std::string& path, const absl::Status& status);
 
-/// File that is written completely or not at all. Its bytes go to a temporary file beside it, which
-/// is renamed in the end. Mode and owner are as for a new file. `-` is the standard output, which
-/// is written directly. An output that is no regular file (/dev/null, a pipe) is written in place.
+/// File that is written completely or not at all. The bytes are written to a temporary file in the
+/// same directory, which Commit renames. Mode and owner are as for a new file. Written directly,
+/// without a temporary file: `-` (the standard output) and outputs that are no regular file, such
+/// as /dev/null or a pipe.
 class OutputFile {
  public:
   /// Creates the temporary file. Errors: DataLoss with the system's message; REQUEST_MALFORMED for
@@ -35,11 +36,11 @@ class OutputFile {
   static absl::StatusOr<OutputFile> Create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
-  ~OutputFile();  ///< removes the file unless it was committed
+  ~OutputFile();  ///< removes the temporary file unless Commit was called
 
   /// Appends bytes. Errors: DataLoss with the system's message, such as "No space left on device".
   absl::Status Write(std::string_view bytes);
-  /// Renames the file to its final name. Errors: as Write.
+  /// Renames the temporary file to its final name. Errors: as in Write.
   absl::Status Commit();
 
  private:
@@ -49,16 +50,16 @@ class OutputFile {
   absl::Status Error(int error_number) const;
 
   std::string path_;
-  std::string temporary_;  ///< empty: written in place
+  std::string temporary_;  ///< path of the temporary file; empty: the output is written directly
   int descriptor_;
 };
 
-/// Removes the uncommitted files of all OutputFiles and prevents later commits, for a process that
+/// Removes the temporary files of all OutputFiles and prevents later commits. For a process that
 /// ends at once. Safe to call from any thread.
 void RemovePartialFiles();
 
-/// Checks that an OutputFile could be created at `path`, with the errors of Create, and leaves no
-/// file. Always succeeds for paths that are no regular file, and for an empty path.
+/// Checks that an OutputFile could be created at `path`, without leaving a file. Returns the errors
+/// of OutputFile::Create. Returns OK for a path that is no regular file, and for an empty path.
 absl::Status CheckWritable(const std::string& path);
 
 /// Writes a whole file: Create, Write, Commit.

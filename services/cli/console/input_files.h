@@ -4,14 +4,14 @@
 
 namespace slicefarm::cli {
 
-/// Files that this process has read. No output may replace one of them, under any name or link.
-/// Files are identified by device, inode and time of birth, because the inode of a deleted file is
-/// reused. Thread-safe.
+/// Record of the files that this process has read. No output may replace one of them, even under
+/// another name or through a link. A file is identified by device, inode and creation time, because
+/// the inode of a deleted file is used again. Thread-safe.
 
 /// Registers an open file. Only regular files count, because writing to a pipe does not replace it.
 void NoteInput(int descriptor);
 
-/// Registers a file that other code reads. A missing file is ignored.
+/// Registers a file by its path, for a file that other code opens. A missing file is ignored.
 void NoteInput(const std::string& path);
 
 /// Returns true if `path`, after following links, is a registered file.

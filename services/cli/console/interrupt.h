@@ -7,13 +7,13 @@
 
 namespace slicefarm::cli {
 
-/// Ends the program at Ctrl-C (SIGINT) or SIGTERM. The first signal sets a request, and the program
-/// ends by itself. If it has not ended 0.3 seconds later, it is ended wherever it is. The second
-/// signal ends it at once. In every case the exit code is kCancelled, and no partial file is left
-/// (files.h).
+/// Ends the program at Ctrl-C (SIGINT) or SIGTERM. At the first signal, the token is cancelled, and
+/// the program should end by itself. If it is still running 0.3 seconds later, or if a second
+/// signal arrives, the process is ended at once. In all cases the exit code is kCancelled, and no
+/// partial file is left (files.h).
 ///
-/// Create this object first in main, before any other thread, because it blocks the signals for all
-/// threads.
+/// Create this object first in main, before any other thread starts, because it blocks the signals
+/// for all threads.
 class Interrupt {
  public:
   /// Blocks the signals and starts the thread that waits for them.
@@ -22,7 +22,8 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Removes the time limit after the first signal, because the program has to notify a server.
+  /// Removes the limit of 0.3 seconds after the first signal. For a program that must notify a
+  /// server before it ends.
   void WaitForEnd() { waits_for_end_ = true; }
 
   bool Requested() const { return requested_; }

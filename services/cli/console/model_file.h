@@ -8,11 +8,11 @@
 namespace slicefarm::cli {
 
 /// Returns the name of a model file without its folders; "stdin" for `-`. The name is UTF-8 without
-/// control characters, because it is sent over the wire and written into comments. A line end in a
-/// comment would begin a command.
+/// control characters, because messages and comments of the G-code contain it. A line end in a
+/// comment would begin a new command.
 std::string NameOf(const std::string& path);
 
-/// Reads the bytes of a model file. Errors: REQUEST_MALFORMED naming the file; MESH_TOO_LARGE.
+/// Reads the bytes of a model file. Errors: REQUEST_MALFORMED with the file's name; MESH_TOO_LARGE.
 absl::StatusOr<MeshFile> ReadModelFile(const std::string& path);
 
 }  // namespace slicefarm::cli

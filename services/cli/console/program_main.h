@@ -12,22 +12,22 @@ class App;
 
 namespace slicefarm::cli {
 
-/// Description of a program with commands, as in its help.
+/// Program with commands, as its help describes it.
 struct ProgramInfo {
   std::string name;
   std::string description;
   std::string footer;
 };
 
-/// Function that adds a command to the program. `app` and `context` outlive the parsing and the
-/// run.
+/// Function that adds a command to the program. `app` and `context` outlive the parsing and the run
+/// of the command.
 using AddCommand = void (*)(CLI::App& app, CommandContext& context);
 
 /// Returns "slicefarm 0.1.0 (date), build id".
 std::string VersionLine(std::string_view program);
 
-/// Runs the command of the command line. Returns the exit code of the process. Errors are printed
-/// to stderr.
+/// Parses the command line and runs its command. Returns the exit code of the process. Errors are
+/// printed to stderr.
 int RunProgram(const ProgramInfo& program, std::span<const AddCommand> commands, int argc,
                char** argv);
 

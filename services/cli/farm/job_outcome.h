@@ -5,10 +5,10 @@
 
 namespace slicefarm::cli {
 
-/// Returns true for final states.
+/// Returns true if the job is in a final state.
 bool HasEnded(const v1::Job& job);
 
-/// Returns OK for a job that succeeded, otherwise the server's reason for the missing result.
+/// Returns OK if the job has succeeded; otherwise the server's reason for the missing result.
 absl::Status OutcomeOf(const v1::Job& job);
 
 }  // namespace slicefarm::cli

@@ -18,37 +18,39 @@
 
 namespace slicefarm::cli {
 
-/// Connection of a JobsClient.
+/// Options of a JobsClient: server, security and time limits.
 struct JobsClientOptions {
   std::string server = "127.0.0.1:50050";
   rpc::ClientSecurity security = {};
-  /// Time that the server may be unreachable without interruption before a call fails.
+  /// A call fails when the server has been unreachable for this time without interruption.
   std::chrono::milliseconds patience{30'000};
   CancelToken cancel = {};  ///< ends calls with the error Cancelled
-  TraceContext trace = {};  ///< trace of the calls and of a job that they make; empty: none
+  /// Trace context of the calls and of the jobs that they create; empty: none.
+  TraceContext trace = {};
 };
 
-/// Client for Meshes, Jobs and Profiles of a coordinator. Every call has a deadline and is repeated
-/// while the server is unreachable. Uploads, downloads and watches continue where they were
-/// interrupted.
-/// Errors of all calls: the server's errors, with their reason; UNAVAILABLE naming the server after
-/// `patience`; Cancelled after an interrupt; as rpc::Secured.
+/// Client for the services Meshes, Jobs and Profiles of a coordinator. Every call has a deadline
+/// and is repeated while the server is unreachable. Uploads, downloads and watches continue where
+/// they were interrupted.
+///
+/// Errors of all calls: the server's errors, with their reason; UNAVAILABLE with the server's
+/// address after `patience`; Cancelled after an interrupt; errors of rpc::Secured.
 class JobsClient {
  public:
   explicit JobsClient(JobsClientOptions options);
 
-  /// Sends the bytes that the server lacks; none if it has them all. Calls `sent` with the number
-  /// of bytes on the server. Returns the SHA-256 that identifies the mesh.
+  /// Uploads a mesh: sends only the bytes that the server does not have. Calls `sent` with the
+  /// number of bytes that the server has. Returns the mesh's SHA-256, which identifies it.
   absl::StatusOr<std::string> UploadMesh(std::string_view bytes,
                                          const std::function<void(int64_t)>& sent);
 
-  /// Creates a job. The request has an id, so a repeated call makes no second job.
+  /// Creates a job. The request gets an id, so that a repetition of the call creates no second job.
   absl::StatusOr<v1::Job> CreateJob(v1::CreateJobRequest request);
-  /// Creates the jobs of several plates. A repeated call makes no more jobs.
+  /// Creates the jobs of several plates. A repetition of the call creates no further jobs.
   absl::StatusOr<v1::CreatePlatesResponse> CreatePlates(v1::CreatePlatesRequest request);
-  /// Returns the job id that begins with `beginning`, among the newest 10,000 jobs. Text other than
-  /// 4 to 31 hex digits is returned unchanged. Errors: JOB_NOT_FOUND; REQUEST_MALFORMED if several
-  /// ids match.
+  /// Completes a shortened job id: returns the id that begins with `beginning`, among the newest
+  /// 10,000 jobs. A text that does not have 4 to 31 hex digits is returned unchanged. Errors:
+  /// JOB_NOT_FOUND; REQUEST_MALFORMED if several ids begin with the text.
   absl::StatusOr<std::string> FullId(const std::string& beginning);
 
   /// Returns a job.
@@ -65,11 +67,12 @@ class JobsClient {
   absl::StatusOr<v1::Webhook> GetWebhook(const std::string& job_id);
   /// Returns the stored results of a job.
   absl::StatusOr<v1::ListArtifactsResponse> ListArtifacts(const std::string& job_id);
-  /// Returns the server's data about the caller.
+  /// Returns the server's data about the caller: tenant, permissions and limits.
   absl::StatusOr<v1::GetCallerResponse> GetCaller();
-  /// Returns the usage of the farm.
+  /// Returns the amount of data that the farm stores for a tenant.
   absl::StatusOr<v1::Usage> GetUsage(const v1::GetUsageRequest& request);
-  /// Writes all data of a tenant to `file`, as a tar archive. An interrupted export begins again.
+  /// Writes all data of a tenant to `file`, as a tar archive. After an interruption, the export
+  /// begins again.
   absl::Status ExportTenant(const std::string& tenant, OutputFile& file);
   /// Erases all data of a tenant.
   absl::StatusOr<v1::EraseTenantResponse> EraseTenant(const std::string& tenant);
@@ -80,30 +83,32 @@ class JobsClient {
   absl::StatusOr<v1::ListMeshesResponse> ListMeshes(const v1::ListMeshesRequest& request);
   /// Deletes a mesh. Returns the server's answer.
   absl::StatusOr<bool> DeleteMesh(const std::string& sha256);
-  /// Writes a mesh to `file`, completely or with an error. Errors: also BLOB_DIGEST_MISMATCH.
+  /// Downloads a mesh to `file`. `file` is complete unless an error is returned. Errors: also
+  /// BLOB_DIGEST_MISMATCH.
   absl::Status DownloadMesh(const std::string& sha256, OutputFile& file);
 
-  /// Stores a profile, gets one, lists them, or deletes one.
+  /// Methods of the service Profiles: store, get, list and delete a profile.
   absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);
   absl::StatusOr<v1::Profile> GetProfile(const v1::GetProfileRequest& request);
   absl::StatusOr<v1::ListProfilesResponse> ListProfiles(const v1::ListProfilesRequest& request);
   absl::Status DeleteProfile(const v1::DeleteProfileRequest& request);
 
-  /// Calls `changed` for each event of the job, past ones included. Returns the job in its final
+  /// Calls `changed` for each event of the job, including past events. Returns the job in its final
   /// state.
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
                                    const std::function<void(const v1::Job&)>& changed);
 
-  /// Calls `told` for events of all jobs, until `told` returns an error, which is returned.
-  /// Continues after an interruption, so some events come twice.
+  /// Calls `told` for each event of all jobs. Ends when `told` returns an error, and returns this
+  /// error. Continues after an interruption of the connection, so `told` gets some events twice.
   absl::Status WatchJobs(v1::WatchJobsRequest request,
                          const std::function<absl::Status(const v1::WatchJobsResponse&)>& told);
 
-  /// Writes a result to `file`, completely or with an error. Errors: also BLOB_DIGEST_MISMATCH if
-  /// it differs from `job.result()`. A trace is not in `job.result()`, so it is not checked.
+  /// Downloads a result to `file`. `file` is complete unless an error is returned. Errors: also
+  /// BLOB_DIGEST_MISMATCH if the digest differs from `job.result()`. A trace has no digest there,
+  /// so it is not checked.
   absl::Status Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file);
 
-  /// Returns a small result as text. Errors: as Download.
+  /// Returns a small result as text. Errors: as in Download.
   absl::StatusOr<std::string> DownloadText(const v1::Job& job, v1::Artifact artifact);
 
  private:

@@ -15,7 +15,7 @@ class App;
 
 namespace slicefarm::cli {
 
-/// Coordinator to connect to.
+/// Address and security settings of the coordinator.
 struct ServerOptions {
   std::string server = "127.0.0.1:50050";
   rpc::ClientSecurity security;
@@ -25,27 +25,28 @@ struct ServerOptions {
 /// Adds the options to a command.
 void AddServerOptions(CLI::App& app, ServerOptions& options);
 
-/// Returns the client's options. `interrupt` ends the calls, and then waits for the end of the
-/// program; null: Ctrl-C does not end the calls.
+/// Returns the options of a JobsClient. `interrupt`: at Ctrl-C its token ends the calls, and the
+/// program may take longer than 0.3 seconds to end (Interrupt::WaitForEnd). Null: Ctrl-C does not
+/// end the calls.
 JobsClientOptions ClientOptions(const ServerOptions& options, Interrupt* interrupt);
 
 /// Reads the texts of `--label key=value`, which may be repeated. Errors: REQUEST_MALFORMED.
 absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
     const std::vector<std::string>& texts);
 
-/// Files for the results of a job; empty: not wanted.
+/// Output files for the results of a job. An empty name means that this result is not wanted.
 struct ResultFiles {
   std::string gcode;
   std::string report;
   std::string trace = {};
 };
 
-/// Fetches the wanted results of a job. Files appear when all results are complete and equal to the
-/// job's result. Returns the file with the G-code.
+/// Fetches the wanted results of a job. The files appear only when all results are complete and
+/// their digests are correct. Returns the file with the G-code.
 absl::StatusOr<std::string> FetchResults(JobsClient& client, const v1::Job& job,
                                          const ResultFiles& files);
 
-/// Returns one line for each thing that jobs wait for: "2 jobs wait for a worker: ...".
+/// Returns lines such as "2 jobs wait for a worker: ...", one for each value of Job.waits_for.
 template <typename Jobs>
 std::vector<std::string> WaitsOf(const Jobs& jobs) {
   std::map<std::string, int> counts;
@@ -64,8 +65,8 @@ void ShowProgress(ProgressBar& bar, const v1::Job& job);
 /// Returns "queued", "running", ...
 std::string StateName(v1::JobState state);
 
-/// Returns the exit code of a job that ended. Bad settings and bad meshes have their own codes, and
-/// other failures have kJobFailed.
+/// Returns the exit code for the outcome of a job that has ended. Bad settings and bad meshes have
+/// their own codes; other failures have kJobFailed.
 ExitCode JobExitCode(const absl::Status& outcome);
 
 /// Prints the reason why a job ended without result, and returns JobExitCode. `model`: the model

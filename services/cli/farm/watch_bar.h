@@ -11,17 +11,18 @@
 
 namespace slicefarm::cli {
 
-/// ProgressBar of one job. While the job waits, it shows the place in the queue, requested every
-/// two seconds. Then it shows the layers.
+/// ProgressBar of one job. While the job waits, it shows the job's position in the queue, which it
+/// requests every two seconds. Then it shows the number of finished layers.
 class WatchBar {
  public:
-  /// `client`: connection for a client of its own.
+  /// Creates the bar. `wanted`: false if nothing is to be shown. `client`: options for a second
+  /// client that requests the position in the queue.
   WatchBar(bool wanted, JobsClientOptions client, std::string job_id);
   ~WatchBar() { Clear(); }
 
-  /// Shows the state in an event of the job.
+  /// Shows the state that an event of the job contains.
   void Show(const v1::Job& event);
-  /// Ends the bar.
+  /// Removes the bar and ends the requests.
   void Clear();
 
  private:

@@ -10,11 +10,12 @@ namespace slicefarm::cli {
 
 enum class FieldKind : uint8_t { kDensity, kStress, kMaterials };
 
-/// Reads a field from a JSON file and returns it as a setting. Files beside it are included: raw
-/// numbers of a grid, and PNG pictures, which become grids (common/model/fields/README.md).
+/// Reads a field from a JSON file and returns it as a setting. The setting includes files that the
+/// JSON file names: raw numbers of a grid, and PNG pictures, which become grids
+/// (common/model/fields/README.md).
 ///
-/// Errors: REQUEST_MALFORMED for files that cannot be read; SETTING_MALFORMED with the broken rule
-/// for an invalid field; REQUEST_TOO_LARGE above limits::kMaxFieldBytes. All have the file's name.
+/// Errors, with the file's name: REQUEST_MALFORMED for files that cannot be read; SETTING_MALFORMED
+/// for an invalid field, with the broken rule; REQUEST_TOO_LARGE above limits::kMaxFieldBytes.
 absl::StatusOr<Setting> ReadFieldFile(const std::string& path, FieldKind kind);
 
 }  // namespace slicefarm::cli

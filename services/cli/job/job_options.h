@@ -28,7 +28,7 @@ struct PresetOptions {
   std::string filament;  ///< empty: the printer's default
 };
 
-/// Files of fields (common/model/fields/README.md); empty: none.
+/// Files with fields of values in space (common/model/fields/README.md); empty: no field.
 struct FieldOptions {
   std::string density;
   std::string stress;
@@ -37,7 +37,7 @@ struct FieldOptions {
 
 /// Options for engraving; empty: not given.
 struct TextureArguments {
-  std::string texture = {};  ///< a file, or a computed texture
+  std::string texture = {};  ///< image file or name of a computed texture
   std::string mask = {};
   std::string anchor = {};
   std::string orient = {};
@@ -54,15 +54,15 @@ struct JobOptions : SettingOptions {
   double rotate_z_deg = 0;
   std::string rotate;                ///< in the form X,Y,Z
   std::vector<std::string> centers;  ///< in the form X,Y
-  bool arrange = false;              ///< arranges copies that already have a position too
-  int plate = 0;                     ///< plate of a project, from 1; 0: the only one
-  bool plates = false;               ///< makes a job for each plate
+  bool arrange = false;              ///< true: also arranges copies that already have a position
+  int plate = 0;        ///< number of the plate of a project, from 1; 0: the project's only plate
+  bool plates = false;  ///< true: makes one job for each plate of the project
   PresetOptions presets;
   FieldOptions fields;
   TextureArguments texture;
-  std::string format;              ///< output format; empty: from the output's name or the settings
+  std::string format;  ///< output format; empty: determined by the output's name or by the settings
   std::vector<std::string> allow;  ///< features that may be missing (config::Allowances)
-  bool generic = false;            ///< the job is for no particular printer
+  bool generic = false;            ///< true if the job is for no particular printer
   std::string report;
   bool quiet = false;
 };
@@ -74,30 +74,33 @@ void AddJobOptions(CLI::App& app, JobOptions& options);
 /// Adds `--presets`, which may be repeated, and returns it.
 CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources);
 
-/// Adds `--machine NAME`, which selects the process: its settings and results.
+/// Adds `--machine NAME`, which selects the process of the job and thereby its settings and
+/// results.
 void AddMachineOption(CLI::App& app, Process& process);
 
-/// Returns the settings of the files, in their order, then the --set settings. Errors:
-/// REQUEST_MALFORMED for a file that cannot be read and for a --set without `=`; as ReadIni, with
-/// the file's name; SETTING_MALFORMED for text that is not UTF-8.
+/// Returns the settings of the files, in the order of the files, followed by the --set settings.
+/// Errors: REQUEST_MALFORMED for a file that cannot be read and for a --set without `=`;
+/// SETTING_MALFORMED for text that is not UTF-8; errors of ReadIni, with the file's name.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
-/// Adds the current time as `creation_time` with the lowest priority, if a template in the settings
-/// may use it, or with `anyway`. Templates are G-code and the file's name.
+/// Adds the current time as `creation_time`, with the lowest priority, if a template in the
+/// settings may use it. Templates are texts of G-code and of the output's name. `anyway`: adds it
+/// in any case.
 std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings,
                                               bool anyway = false);
 
-/// Returns all settings of a job: GivenSettings, the fields, and the format. The format is the one
-/// of --format, or else the one that is set, or else the one of the name of `output`
-/// (config::FileFormat). Errors: also as ReadFieldFile, CheckEnding and FormatSetting.
+/// Returns all settings of a job: GivenSettings, the fields, and the output format. The format is
+/// the one of --format; without --format, the one in the settings; without both, the one that fits
+/// the name of `output` (config::FileFormat). Errors: see GivenSettings, ReadFieldFile, CheckEnding
+/// and FormatSetting.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
 
-/// Returns REQUEST_MALFORMED for a command line that cannot be executed.
+/// Returns the error REQUEST_MALFORMED for a command line that cannot be executed.
 absl::Status Malformed(const std::string& message);
 
-/// Parses `KEY=VALUE` as a setting of the request. `option`: name for errors. Errors: as
-/// GivenSettings.
+/// Parses `KEY=VALUE` as a setting of the request. `option`: name of the option, for error
+/// messages. Errors: as in GivenSettings.
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text);
 
 }  // namespace slicefarm::cli

@@ -15,10 +15,10 @@ struct Summary {
   int layers = 0;
   double print_time_s = 0;
   double filament_mm = 0;
-  double filament_g = 0;  ///< 0: the density is not known
+  double filament_g = 0;  ///< mass of the filament, in g; 0: the density is not known
   std::string cost = {};  ///< for example "12.50 EUR"; empty: no cost
   bool cached = false;
-  std::string job = {};  ///< id of the job; empty: made by this process
+  std::string job = {};  ///< id of the job; empty: this process has made the result
   int64_t settings_without_effect = 0;
   std::vector<std::string> changing =
       {};  ///< settings without effect that change the print, in the form `key = value: why`

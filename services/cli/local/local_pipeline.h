@@ -9,7 +9,7 @@
 
 namespace slicefarm::cli {
 
-/// Whole pipeline in this process: the stages' algorithms, called directly by `threads` threads.
+/// Whole pipeline in this process. It calls the stages' algorithms directly, on `threads` threads.
 class LocalPipeline {
  public:
   explicit LocalPipeline(int threads);
@@ -17,8 +17,8 @@ class LocalPipeline {
   const coordinator::JobPipeline& pipeline() const { return pipeline_; }
 
  private:
-  // The order of these members matters. The pipeline refers to the stages and to the dispatcher,
-  // which has threads that run the chains.
+  // The order of the members matters: the pipeline refers to the stages and to the dispatcher, and
+  // the threads of the dispatcher call the stages.
   const LocalStages stages_;
   coordinator::Dispatcher dispatcher_;
   const coordinator::JobPipeline pipeline_;

@@ -13,36 +13,38 @@ namespace slicefarm::cli {
 
 /// Content of one job.
 struct GivenPlate {
-  int number = 0;             ///< number in the project, from 1; 0: no plate of a project
-  absl::Status refused = {};  ///< error if the plate cannot be made; otherwise it has objects
+  int number = 0;  ///< number of the plate in the project, from 1; 0: the plate is of no project
+  /// Error if no job can be made from the plate; if OK, the plate has objects.
+  absl::Status refused = {};
   std::vector<SceneObject> objects = {};
-  /// Settings of projects, then of presets; settings given by hand override them.
+  /// Settings from project files. Settings on the command line override them.
   std::vector<Setting> settings = {};
-  /// Other properties of projects, which have no effect.
+  /// Other properties in project files, which have no effect.
   std::vector<std::string> without_effect = {};
-  std::vector<std::string> warnings = {};            ///< warnings about projects, to be printed
-  std::vector<config::MissingFeature> missing = {};  ///< features that projects require
+  std::vector<std::string> warnings = {};  ///< warnings about project files, to be printed
+  /// Features that project files require and slicefarm lacks.
+  std::vector<config::MissingFeature> missing = {};
 };
 
-/// Files of the models, and the objects in them. A model that is named twice is one file.
+/// Files of the models, and their objects. If a model is given twice, its file is stored once.
 struct GivenModels {
   std::vector<MeshFile> files;
   std::vector<GivenPlate> plates;  ///< one plate, or all plates of a project with --plates
 };
 
-/// Reads the models. The object of a file with one mesh is named after the file without its
-/// folders, as UTF-8 without control characters. The objects, parts, copies and settings of a
-/// project are taken from the chosen plate. The settings of presets follow those of the project.
+/// Reads the models. If a file has one mesh, its object gets the file's name without folders, as
+/// UTF-8 without control characters. From a project, the objects, parts, copies and settings of the
+/// chosen plate are used.
 ///
-/// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move placed
-/// objects of a project; MESH_TOO_LARGE; errors of reading a project, of config::JobOfProject and of
-/// TakePresets. With --plates, a plate without anything to print is refused, and the remaining
-/// plates are returned.
+/// Errors: REQUEST_MALFORMED with the option or the file, also for options that would move placed
+/// objects of a project; MESH_TOO_LARGE; errors of ReadProject and config::JobOfProject. With
+/// --plates, a plate without anything to print has an error in `refused`, and the other plates are
+/// returned.
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
 
-/// Distributes the copies of each plate over as many beds as needed, with --plates. `given`: the
-/// job's settings, which define the bed. Refuses plates with the errors of config::ResolvePlate and
-/// of arranging.
+/// Distributes the copies of each plate over as many beds as needed, if --plates is given. `given`:
+/// the job's settings, which define the bed. If config::ResolvePlate or the arranging fails for a
+/// plate, its error is stored in `refused`.
 void PutOnBeds(const JobOptions& options, const std::vector<Setting>& given, GivenModels& models);
 
 /// Returns the error with the name of this plate, if there are several plates.
@@ -57,28 +59,31 @@ absl::Status ErrorOfAll(const GivenModels& models);
 /// Returns the settings of a plate's projects, then the given settings.
 std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given);
 
-/// Checks the outputs. Errors: REQUEST_MALFORMED for --plates to stdout, or for a result and a
-/// report with the same name; as config::CheckAllowed.
+/// Checks the output options. Errors: REQUEST_MALFORMED for --plates to stdout, or for a result and
+/// a report with the same name; errors of config::CheckAllowed.
 absl::Status CheckOutputs(const JobOptions& options, const std::string& output);
 
-/// Checks that the results of a plate can be written to the names of OutputOf, as CheckWritable.
+/// Checks that the result files of a plate (OutputOf) can be written. Errors: see CheckWritable in
+/// files.h.
 absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate);
 
-/// Returns the file for the result of the plate with this index. With --plates it is `out-2.gcode`
-/// for index 1, otherwise `path`. An empty path stays empty.
+/// Returns the output file of the plate with the index `plate`. With --plates and the path
+/// `out.gcode`, it is `out-2.gcode` for index 1. Without --plates, it is `path`. An empty path
+/// stays empty.
 std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate);
 
-/// Returns the file for a result that is called `file_name` by its settings. If `output` is a
-/// folder, the file is in it. If `output` is empty, the file is beside the first model. Otherwise
-/// the file is `output`. The number of the plate is added as by OutputOf.
+/// Returns the output file of a result. `file_name`: its name according to the settings. If
+/// `output` is a folder, the file is in this folder. If `output` is empty, the file is beside the
+/// first model. Otherwise the file is `output`, and `file_name` is not used. With --plates, the
+/// number of the plate is added as in OutputOf.
 std::string NamedOutput(const JobOptions& options, const std::string& output,
                         const std::string& file_name, size_t plate);
 
-/// Returns true if results get their names from the settings: `output` is a folder, or empty.
+/// Returns true if NamedOutput uses the name from the settings: `output` is a folder or empty.
 bool IsNamedBySettings(const std::string& output);
 
-/// Reads the data of a model file besides its triangles. Errors: as slicing::ReadMeshFile, naming
-/// the file.
+/// Reads all data of a model file except its triangles. Errors: see slicing::ReadMeshFile, with the
+/// file's name.
 absl::StatusOr<Project> ReadProject(const std::string& path, const MeshFile& file);
 
 }  // namespace slicefarm::cli

@@ -10,23 +10,24 @@
 
 namespace slicefarm::cli {
 
-/// Command-line arguments about models, parsed and checked. Errors: REQUEST_MALFORMED naming the
-/// option.
+/// Functions that parse and check command-line arguments about models. Errors: REQUEST_MALFORMED
+/// with the name of the option.
 
-/// Returns the placement of --units, --scale, --rotate, --rotate-z and --center.
+/// Returns the placement that --units, --scale, --rotate, --rotate-z and --center define.
 absl::StatusOr<Placement> PlacementOf(const JobOptions& options);
 
-/// Argument for one model or object, in the form `NAME=...`.
+/// Argument for one model or object, in the form `NAME=VALUE` or `NAME:VALUE`.
 struct OfModel {
-  std::string name;  ///< empty: no known name
+  std::string name;  ///< name of the model or object; empty: the argument begins with no known name
   std::string what;  ///< text after the separator
 };
 
-/// Splits the text after the longest known name at its beginning, because names may contain the
-/// separator.
+/// Splits an argument into name and value. The name is the longest of the names `known` with which
+/// the text begins, because names may contain the separator.
 OfModel TakeApart(const std::string& text, char separator, const std::vector<std::string>& known);
 
-/// Returns the number of --copies NAME=N, from 1 to limits::kMaxObjects.
+/// Returns the number N of --copies NAME=N, from 1 to limits::kMaxObjects. `text`: the argument;
+/// `of`: the same argument after TakeApart.
 absl::StatusOr<int> CopiesOf(const std::string& text, const OfModel& of);
 
 }  // namespace slicefarm::cli

@@ -6,7 +6,7 @@
 
 namespace slicefarm::cli {
 
-/// Returns a project as JSON. Settings have PrusaSlicer's names, if it has one for them.
+/// Returns a project as JSON. Settings have PrusaSlicer's names where they exist.
 ///
 ///   application, settings {key: value}, without_effect [text];
 ///   painted_objects [number of an object on which filaments are painted];

@@ -8,20 +8,21 @@
 
 namespace slicefarm::cli {
 
-/// Machine that a G-code file is for.
+/// Machine for which a G-code file is made.
 struct MachineConfig {
   motion::CheckSetup setup;
-  std::string source;  ///< origin: a file's name, "gcode", "defaults"
+  std::string source;  ///< origin of the data: a file's name, "gcode" or "defaults"
 };
 
 /// Reads the machine from a PrusaSlicer config.ini (machine_max_*, bed_shape, ...; other keys are
-/// ignored). Also accepts a G-code file of PrusaSlicer or OrcaSlicer that quotes such settings.
-/// Errors: as ReadIni and Resolve.
+/// ignored), or from a G-code file of PrusaSlicer or OrcaSlicer that contains these settings.
+/// Errors: see ReadIni and Resolve.
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text);
 
-/// Returns the machine of --config: Klipper's printer.cfg if it has a section [printer], otherwise
-/// settings. Without it (`config_file` empty) the settings quoted in the G-code are used if they
-/// can be read. Otherwise PrusaSlicer's defaults are used; bed and height are then not known.
+/// Returns the machine of a G-code file. `config_file`: the file of --config, a Klipper printer.cfg
+/// if it has a section [printer], otherwise settings. If `config_file` is empty, the settings in
+/// the G-code are used, if they can be read. Otherwise PrusaSlicer's defaults are used; the shape
+/// of the bed and the largest print height are then not known.
 absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::string_view gcode);
 
 }  // namespace slicefarm::cli

@@ -10,7 +10,7 @@
 
 namespace slicefarm::cli {
 
-/// Consecutive extruding moves of one feature, width and speed.
+/// Consecutive extruding moves with the same feature, width and speed.
 struct BeadRun {
   std::string feature;  ///< text of `;TYPE:`
   double width_mm = 0;
@@ -18,7 +18,8 @@ struct BeadRun {
   double speed_mm_s = 0;        ///< speed in the G-code; 0: none
   double flow_mm3_s = 0;        ///< flow at this speed
   double energy_j_mm = 0;       ///< exposure energy per mm; 0: not known
-  double time_s = 0;            ///< start time after the layer's first bead; from `line_end_s`
+  /// Start time, counted from the start of the layer's first bead; computed from `line_end_s`.
+  double time_s = 0;
 };
 
 /// One layer of a G-code file, from its moves and comments.
@@ -32,14 +33,14 @@ struct GcodeLayer {
 };
 
 /// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:
-/// ;WIDTH:), which slicefarm writes too. The flow is computed with `; filament_diameter = `, or
-/// else 1.75 mm.
+/// ;WIDTH:), which slicefarm writes too. The flow is computed with the filament diameter in `;
+/// filament_diameter = `, or with 1.75 mm without this comment. `line_end_s`: end time of each line
+/// of the file (ProgramTime). If it is given, each run contains the beads of one line only.
 ///
 /// Supports G0 to G3 (arcs as short chords), G90, G91, G92, M82 and M83. Ignores invalid numbers:
-/// not finite, beyond 1e9, and widths not above 0. Errors: REQUEST_MALFORMED naming the last layer,
-/// or if there is no ;LAYER_CHANGE at all. Cost: one pass over the file.
-/// `line_end_s`: end time of each line of the file (ProgramTime). With it each run has the beads of
-/// one line.
+/// not finite, beyond 1e9, and widths not above 0. Errors: REQUEST_MALFORMED, with the last layer
+/// if there is no layer `index`, or if there is no ;LAYER_CHANGE at all. Cost: one pass over the
+/// file.
 absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index,
                                           std::span<const double> line_end_s = {});
 

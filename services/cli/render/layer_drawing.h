@@ -18,7 +18,7 @@ enum class ColourBy {
   kFlow,
   kTime,    ///< print time, by the firmware's look-ahead (BeadRun::time_s)
   kOrder,   ///< print order: first is dark, last is light
-  kEnergy,  ///< number of passes or energy at each place (exposure_map.h)
+  kEnergy,  ///< number of passes or energy of each pixel (exposure_map.h)
 };
 
 /// Options of a picture.
@@ -35,20 +35,20 @@ Colour FeatureColour(std::string_view feature);
 
 /// Layout of the picture: the part to the left, the legend to the right.
 struct Layout {
-  double left_mm = 0;  ///< x of the picture's upper left corner
+  double left_mm = 0;  ///< x coordinate at the upper left corner of the picture
   double top_mm = 0;
   double px_per_mm = 1;
   int part_width_px = 0;
   int width_px = 0;
   int height_px = 0;
 
-  /// Returns the pixel of a place.
+  /// Returns the pixel coordinates of a point in mm.
   Vector2 ToPixel(Vector2 p) const {
     return {(p.x() - left_mm) * px_per_mm, (top_mm - p.y()) * px_per_mm};
   }
 };
 
-/// Computes the layout for a layer.
+/// Computes the layout of the picture of a layer.
 Layout LayOut(const GcodeLayer& layer, const DrawingOptions& options);
 
 /// Draws the layer from above: every bead with its true width and round ends, in the order of

@@ -6,7 +6,7 @@
 
 namespace slicefarm::cli {
 
-/// Exposure of the lines of one id in a CLI file.
+/// Exposure parameters of the lines with one id in a CLI file.
 struct LineStyle {
   std::string kind;       ///< text before the power in the label, such as "contour" or "upskin"
   double power_w = 0;     ///< 0: not known
@@ -18,9 +18,9 @@ struct LineStyle {
   double EnergyJPerMm() const;
 };
 
-/// Returns the styles by id from a CLI header's labels. The format itself has no power and no
-/// speed. slicefarm writes them into the labels ("$$LABEL/2,hatch 200 W 800 mm/s"), and other
-/// programs ignore them. A label without "W" and "mm/s" gives no style.
+/// Returns the styles, keyed by id, from the labels in a CLI header. The CLI format has no fields
+/// for power and speed. slicefarm writes them into the labels ("$$LABEL/2,hatch 200 W 800 mm/s"),
+/// and other programs ignore them. A label without "W" and "mm/s" gives no style.
 std::map<int, LineStyle> StylesOf(std::string_view cli_header);
 
 }  // namespace slicefarm::cli
