@@ -11,21 +11,20 @@
 
 namespace slicefarm::lab {
 
-/// Reads outlines from a text. The text has two unused numbers, then for each ring its number of
-/// points and their x and y in mm. The region follows the even-odd rule. (This is the format of the
-/// data set of Hornus et al. 2020 and Kuipers et al. 2020.) Errors: kMeshMalformed.
+/// Reads outlines from a text: two unused numbers, then for each ring its number of points and
+/// their x and y in mm. The region follows the even-odd rule. (This is the format of the data set
+/// of Hornus et al. 2020 and Kuipers et al. 2020.) Errors: kMeshMalformed.
 absl::StatusOr<MultiPolygon> ParseOutlines(std::string_view text);
 
-/// Returns the .txt files of a directory, sorted by name. Errors: kRequestMalformed, also if there
-/// are none.
+/// Returns the .txt files of a directory, sorted by name. Errors: kRequestMalformed if the
+/// directory cannot be read or has no such file.
 absl::StatusOr<std::vector<std::filesystem::path>> OutlineFiles(const std::string& directory);
 
-/// Reads the outlines of a file. Errors: errors of ReadFile and ParseOutlines, with the file's
-/// name.
+/// Reads the outlines of a file. Errors: see ReadFile and ParseOutlines, with the file's name.
 absl::StatusOr<MultiPolygon> ReadOutlines(const std::filesystem::path& file);
 
-/// Returns beads as text, one per line: inset, 1 if the bead runs along the middle, 1 if it is
-/// closed, number of points, then x, y and width of each point in mm.
+/// Returns beads as text, one bead per line: number of its inset, 1 if the bead is along the middle
+/// (else 0), 1 if it is closed (else 0), number of points, points. A point is x, y and width in mm.
 std::string PrintBeads(const std::vector<beading::WallLine>& lines);
 
 }  // namespace slicefarm::lab

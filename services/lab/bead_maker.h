@@ -14,10 +14,10 @@ struct BeadMakerOptions {
   double width_mm = 0.5;
   double min_feature_mm = 0.3;
   double transition_angle = 45;  ///< in degrees
-  int walls = 0;                 ///< number of walls on either side; 0: enough to fill the part
+  int walls = 0;  ///< number of walls on each side of a part; 0: enough to fill the part
 };
 
-/// Figures summed over all outlines.
+/// Figures summed over several outlines.
 struct BeadTotals {
   int outlines = 0;
   int fallbacks = 0;  ///< number of islands without a skeleton
@@ -25,8 +25,8 @@ struct BeadTotals {
   double diagram_s = 0;
 };
 
-/// Makes the beads of outlines as in the paper: beads adjoin edge to edge, and the outermost beads
-/// reach the outline.
+/// Makes the beads of outlines as in the paper of Kuipers et al. 2020: neighbouring beads touch,
+/// and the outermost beads reach the outline.
 class BeadMaker {
  public:
   explicit BeadMaker(const BeadMakerOptions& options);

@@ -8,7 +8,8 @@ class App;
 
 namespace slicefarm::lab {
 
-/// Functions that each add a subcommand. `app` and `context` must outlive the parsing and the run.
+/// Each function of this file adds a subcommand. `app` and `context` must outlive the parsing and
+/// the run of the command.
 void AddBeads(CLI::App& app, cli::CommandContext& context);       ///< defined in beads_command.cc
 void AddFill(CLI::App& app, cli::CommandContext& context);        ///< defined in fill_command.cc
 void AddDecompose(CLI::App& app, cli::CommandContext& context);   ///< defined in decompose_command.cc

@@ -7,8 +7,8 @@
 
 namespace slicefarm::lab {
 
-/// Reads a model as a surface. The numbers in the file are taken as mm. Vertices of an OBJ file
-/// keep their numbers, so that other programs can match them. Errors: errors of reading the file.
+/// Reads a model as a surface. The numbers in the file are taken as mm. The vertices of an OBJ file
+/// keep their indices, so that other programs can match them. Errors: errors of the file's format.
 absl::StatusOr<texture::SurfaceMesh> ReadSurface(const std::string& path);
 
 }  // namespace slicefarm::lab
