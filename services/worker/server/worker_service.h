@@ -10,9 +10,9 @@
 
 namespace slicefarm::worker {
 
-/// Returns the service slicefarm.v1.Worker, which translates calls to a TaskRunner. The gate's
-/// slots are the worker's slots. `shared`: values that the tasks of a job share. The runner, the
-/// gate and `shared` must outlive the service.
+/// Returns the service slicefarm.v1.Worker, which passes its calls to a TaskRunner. The slots of
+/// the gate are the slots of the worker. `shared`: cache of the values that the tasks of a job
+/// share. The runner, the gate and `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate,
                                                  SharedCache& shared);
 
