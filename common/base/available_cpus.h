@@ -6,13 +6,14 @@
 
 namespace slicefarm {
 
-/// Returns the number of CPUs that this process may use at a time, at least 1. It is the number of
-/// the machine's CPUs on which the process may run, limited by the container's quota (cgroup v2,
-/// `cpu.max`, or v1).
+/// Returns the number of CPUs that this process may use at the same time, at least 1. This is the
+/// number of the machine's CPUs on which the process may run, limited by the container's quota
+/// (cgroup v2, `cpu.max`, or v1).
 int AvailableCpus();
 
-/// Returns the number of CPUs that a cgroup's `cpu.max` allows, rounded up; nullopt if it is
-/// unlimited. `quota`: "max" or microseconds per `period`, which is also in microseconds.
+/// Returns the number of CPUs that the `cpu.max` of a cgroup allows, rounded up; nullopt if it is
+/// unlimited. `quota`: "max", or the CPU time in microseconds per period. `period`: in
+/// microseconds.
 std::optional<int> CpusOfQuota(std::string_view quota, std::string_view period);
 
 }  // namespace slicefarm

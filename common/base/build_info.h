@@ -8,10 +8,10 @@ namespace slicefarm {
 std::string_view Version();
 
 /// Returns the day of the release, such as `2026-11-21`. It is a constant in the source, so that
-/// programs can quote a date and stay reproducible.
+/// outputs that contain a date are reproducible.
 std::string_view ReleaseDate();
 
-/// Returns the build id: 16 hex digits of a digest over everything that determines a job's result:
+/// Returns the build id: 16 hex digits of a digest over all data that determine a job's result:
 /// sources of the stages, compiler and libraries (cmake/build_info.cmake). Equal sources and tools
 /// give the same id, with or without a repository. Builds with the same id give the same bytes and
 /// understand each other's messages.

@@ -11,10 +11,11 @@
 
 namespace slicefarm {
 
-/// Limit on the bytes in memory at a time for one purpose. Thread-safe; must outlive its shares.
+/// Limit on the number of bytes that all users of one purpose have in memory at the same time.
+/// Thread-safe; must outlive its shares.
 class ByteBudget {
  public:
-  /// Bytes taken from the budget. The destructor returns them.
+  /// Bytes taken from the budget. The destructor gives them back.
   class Share {
    public:
     Share(ByteBudget& budget, int64_t bytes) : budget_(&budget), bytes_(bytes) {}
@@ -30,8 +31,9 @@ class ByteBudget {
 
   explicit ByteBudget(int64_t limit) : limit_(limit) {}
 
-  /// Waits, in the order of the calls, until `bytes` fit beside the other shares. A share larger
-  /// than the limit is granted when there is no other share. Errors: the error of `cancel`.
+  /// Takes a share of `bytes`. Waits until it fits within the limit together with the other shares;
+  /// calls are served in their order. A share larger than the limit is granted when there is no
+  /// other share. Errors: the error of `cancel`.
   absl::StatusOr<Share> Take(int64_t bytes, const CancelToken& cancel);
 
   int64_t limit() const { return limit_; }

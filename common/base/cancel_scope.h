@@ -4,9 +4,9 @@
 
 namespace slicefarm {
 
-/// Scope that sets the current cancel token of its thread. Functions that wait and get no token as
-/// an argument, such as the functions of stores, use it to stop waiting. Scopes of a thread nest;
-/// the innermost one counts.
+/// Scope that sets the current cancel token of its thread. Functions that wait but have no token as
+/// an argument, such as the functions of stores, stop waiting when this token is cancelled. The
+/// scopes of a thread can be nested; the innermost scope applies.
 class CancelScope {
  public:
   explicit CancelScope(CancelToken token);

@@ -8,12 +8,12 @@
 namespace slicefarm {
 
 inline constexpr int64_t kPowersOfTen[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
-/// Largest length of a decimal, including sign and point.
+/// Largest length of a decimal number as text, including sign and point.
 inline constexpr size_t kLongestDecimal = 22;
 
-/// Writes value / 10^digits without trailing zeros: 1500 with 3 digits is "1.5". Returns the end of
-/// the text. `leading_zero`: "0.5" instead of ".5". REQUIRES: digits <= 6, value > INT64_MIN, space
-/// for kLongestDecimal characters.
+/// Writes value / 10^digits at `at`, without trailing zeros: 1500 with 3 digits is "1.5". Returns
+/// the end of the text. `leading_zero`: "0.5" instead of ".5". REQUIRES: digits <= 6, value >
+/// INT64_MIN, space for kLongestDecimal characters.
 inline char* WriteDecimal(char* at, int64_t value, int digits, bool leading_zero) {
   char* const end = at + kLongestDecimal;
   if (value < 0) {
@@ -32,8 +32,8 @@ inline char* WriteDecimal(char* at, int64_t value, int digits, bool leading_zero
   return at;
 }
 
-/// Appends value / 10^digits, with a zero before the point. REQUIRES: the conditions of
-/// WriteDecimal.
+/// Appends value / 10^digits as WriteDecimal does, with a zero before the point. REQUIRES: digits
+/// <= 6, value > INT64_MIN.
 inline void AppendDecimal(std::string& text, int64_t value, int digits) {
   char buffer[kLongestDecimal];
   text.append(buffer, WriteDecimal(buffer, value, digits, /*leading_zero=*/true));
@@ -45,7 +45,7 @@ inline int64_t RoundedNm(int64_t nm, int digits) {
   return (nm + (nm < 0 ? -unit / 2 : unit / 2)) / unit;
 }
 
-/// Appends nm as mm, rounded to the number of digits. REQUIRES: digits <= 6.
+/// Appends a length in mm, rounded to `digits` decimal digits. REQUIRES: digits <= 6.
 inline void AppendMm(std::string& text, int64_t nm, int digits) {
   AppendDecimal(text, RoundedNm(nm, digits), digits);
 }

@@ -8,18 +8,18 @@
 
 namespace slicefarm {
 
-/// Disjoint sets of numbers that are joined one by one. Source: Galler and Fischer 1964; Tarjan,
-/// with path halving. Cost: O(log n) per call, amortised.
+/// Partition of the numbers from 0 to n - 1 into disjoint sets, which are joined step by step.
+/// Source: Galler and Fischer 1964; Tarjan, with path halving. Cost: O(log n) per call, amortised.
 class DisjointSets {
  public:
-  /// Makes a set for each number from 0 to count - 1.
+  /// Makes a set of its own for each number from 0 to count - 1.
   explicit DisjointSets(int32_t count) : root_(static_cast<size_t>(count)), sets_(count) {
     std::iota(root_.begin(), root_.end(), 0);
   }
 
   int32_t sets() const { return sets_; }
 
-  /// Joins the sets of both numbers. Returns false if they were already in one set.
+  /// Joins the set of `a` and the set of `b`. Returns false if they were already the same set.
   bool Join(int32_t a, int32_t b) {
     const int32_t root_a = RootOf(a), root_b = RootOf(b);
     if (root_a == root_b) return false;

@@ -9,11 +9,11 @@
 
 namespace slicefarm {
 
-/// Reason of a refusal or failure. Clients may test for its name, which is stable. Messages contain
-/// the name (`MESH_TRUNCATED`) in google.rpc.ErrorInfo.reason. proto/slicefarm/v1/README.md
-/// documents each reason.
+/// Reason of a refusal or failure. The name of a reason (`MESH_TRUNCATED`) is stable, so clients
+/// may test for it. Messages contain it in google.rpc.ErrorInfo.reason.
+/// proto/slicefarm/v1/README.md documents each reason.
 enum class Reason {
-  // Errors in a mesh as read from the file.
+  // Errors in a mesh file.
   kMeshFormatUnknown,
   kMeshTruncated,
   kMeshMalformed,
@@ -22,7 +22,7 @@ enum class Reason {
   kMeshTooLarge,
   kMeshTooExpensive,
   kMeshReaderCrashed,
-  // Errors in a mesh as placed.
+  // Errors in the placement of a mesh.
   kOutOfRange,
   kOutOfBuildVolume,
   kNothingToPrint,
@@ -80,15 +80,17 @@ struct ErrorDetail {
   std::map<std::string, std::string> metadata;
 };
 
-/// Returns a status with a reason. The message describes the problem so that a user can act on it.
+/// Returns a status with a reason. The message must describe the problem so that a user can act on
+/// it.
 absl::Status MakeError(absl::StatusCode code, Reason reason, std::string_view message,
                        std::map<std::string, std::string> metadata = {});
 
-/// Returns InvalidArgument with the limit in the message and the metadata `limit` and `got`.
+/// Returns InvalidArgument with a limit and the actual value. `what`: counted things, for the
+/// message. The metadata has `limit` and `got`.
 absl::Status LimitError(Reason reason, std::string_view what, int64_t limit, int64_t got);
 
-/// Returns the details attached by MakeError. For other errors it returns a reason that matches the
-/// code.
+/// Returns the details that MakeError has attached. For an error without details, returns the
+/// reason that fits its code.
 ErrorDetail DetailOf(const absl::Status& status);
 
 }  // namespace slicefarm

@@ -17,7 +17,7 @@ struct AnyMember {
   operator T() const;  // NOLINT(google-explicit-constructor): a conversion without a body
 };
 
-/// Returns true if an aggregate can be initialized with as many values as there are indices.
+/// Returns true if an aggregate of type T can be initialized with sizeof...(I) values.
 template <typename T, size_t... I>
 constexpr bool CanBeMadeFrom(std::index_sequence<I...>) {
   return requires { T{(static_cast<void>(I), AnyMember{})...}; };
@@ -25,7 +25,8 @@ constexpr bool CanBeMadeFrom(std::index_sequence<I...>) {
 
 inline constexpr size_t kMostMembers = 96;
 
-/// Returns the number of members of an aggregate, by trying N and then smaller numbers.
+/// Returns the number of members of an aggregate: the largest number of values, at most N, with
+/// which it can be initialized.
 template <typename T, size_t N = kMostMembers>
 constexpr size_t CountMembers() {
   if constexpr (N == 0 || CanBeMadeFrom<T>(std::make_index_sequence<N>{})) {
@@ -46,7 +47,7 @@ BOOST_PP_REPEAT_FROM_TO(1, 97, SLICEFARM_TIE, ~)
 
 }  // namespace internal
 
-/// Returns references to the members of an aggregate, in their order, as a tuple. REQUIRES: at most
+/// Returns a tuple of references to the members of an aggregate, in their order. REQUIRES: at most
 /// 96 members, and no base class.
 template <typename T>
 constexpr auto MembersOf(T& value) {

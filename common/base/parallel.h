@@ -9,8 +9,8 @@
 namespace slicefarm {
 
 /// Calls body(index, worker) once for each index of [0, count), on up to `threads` threads
-/// including this one. `worker`: number of the thread, from 0. Threads take the indices one by one,
-/// so each index must write its result to its own element. REQUIRES: body does not throw.
+/// including the calling thread. `worker`: number of the thread, from 0. Any thread may get any
+/// index, so results must be stored by index. REQUIRES: body does not throw.
 template <typename Body>
 void ForEachIndex(int threads, size_t count, Body body) {
   std::atomic<size_t> next = 0;

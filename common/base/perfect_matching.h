@@ -12,29 +12,32 @@ struct WeightedEdge {
   int64_t weight;
 };
 
-/// Perfect matching of minimum weight in a graph, with the proof that no perfect matching is
-/// lighter.
+/// Perfect matching of minimum weight in a graph: each node has exactly one partner. Also contains
+/// a proof (dual variables) that no perfect matching has a smaller weight.
 struct PerfectMatching {
   std::vector<int32_t> mate;  ///< partner of each node
 
-  /// Returns true if the proof also holds with this edge added: the edge does not allow a lighter
-  /// matching.
+  /// Returns true if the proof is also valid for the graph with this additional edge. The matching
+  /// is then still of minimum weight.
   bool Proves(const WeightedEdge& edge) const;
 
-  /// Part of the proof, set by LightestPerfectMatching: odd set of nodes with its dual variable.
+  /// Odd set of nodes with its dual variable. Part of the proof, which LightestPerfectMatching
+  /// sets.
   struct OddSet {
     int32_t number;
     int64_t dual;
   };
   int64_t dual_scale = 1;
-  std::vector<int64_t> node_dual;  ///< dual variable of each node
-  /// Odd sets that contain each node, ordered by their numbers.
+  /// Dual variable of each node, for weights multiplied by `dual_scale`.
+  std::vector<int64_t> node_dual;
+  /// For each node: odd sets that contain it, sorted by their numbers.
   std::vector<std::vector<OddSet>> odd_sets;
 };
 
-/// Returns a perfect matching of minimum weight. REQUIRES: the graph on 0 .. size - 1 has a perfect
-/// matching; |weight| <= 2^56. Cost: O(size * edges * log size). Source: J. Edmonds, "Maximum
-/// Matching and a Polyhedron with 0,1-Vertices" (1965), by the LEMON library.
+/// Returns a perfect matching of minimum weight. `size`: number of nodes, which have the indices 0
+/// to size - 1. REQUIRES: the graph has a perfect matching; |weight| <= 2^56. Cost: O(size * edges
+/// * log size). Source: J. Edmonds, "Maximum Matching and a Polyhedron with 0,1-Vertices" (1965),
+/// by the LEMON library.
 PerfectMatching LightestPerfectMatching(int32_t size, const std::vector<WeightedEdge>& edges);
 
 }  // namespace slicefarm

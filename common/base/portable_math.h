@@ -4,24 +4,25 @@
 
 namespace slicefarm {
 
-/// Transcendental functions with the same bits on every machine with IEEE 754 doubles. libm differs
-/// between machines in the last bit, because glibc picks variants by the features of the CPU (FMA,
-/// AVX2). These functions consist of + - * / and sqrt, which IEEE 754 defines to the bit. They are
-/// compiled without contraction of a * b + c. Code that makes G-code uses these functions instead
-/// of libm.
+/// Transcendental functions that return the same bits on every machine with IEEE 754 doubles. The
+/// results of libm differ between machines in the last bit, because glibc selects variants by the
+/// features of the CPU (FMA, AVX2). These functions consist of + - * / and sqrt, for which IEEE 754
+/// defines every bit. They are compiled without contraction of a * b + c. Code that makes G-code
+/// uses these functions instead of libm.
 ///
 ///   Errors:  below 2 ulp (Sinh beyond 700: 3); Sin, Cos, Tan and Acos below 1. NaN gives NaN.
 ///   Source:  the algorithms and coefficients of fdlibm 5.3 (Sun Microsystems, 1993, "Permission to
 ///            use, copy, modify, and distribute this software is freely granted"): k_sin, k_cos,
 ///            k_tan, e_rem_pio2 (the medium case), s_atan, e_atan2, e_acos, e_exp, s_log1p.
 
-/// Largest |angle_rad| of Sin, Cos and Tan. Beyond it they return NaN.
+/// Largest |angle_rad| for which Sin, Cos and Tan are defined. They return NaN for larger angles.
 inline constexpr double kMaxAngleRad = 8e5;
 double Sin(double angle_rad);
 double Cos(double angle_rad);
 double Tan(double angle_rad);
 
-/// Returns the angle of (x, y). Signs of zeros and infinite arguments are treated as in C's atan2.
+/// Returns the angle of the vector (x, y) in radians. Signs of zeros and infinite arguments are
+/// treated as in C's atan2.
 double Atan2(double y, double x);
 double Acos(double cosine);  ///< returns NaN outside [-1, 1]
 

@@ -6,8 +6,8 @@
 
 namespace slicefarm {
 
-/// SHA-256 of bytes that are added in pieces. Contents are named by their digest. Source: FIPS
-/// 180-4, by libcrypto.
+/// Computes the SHA-256 of bytes that are added in pieces. Stored contents are named by this
+/// digest. Source: FIPS 180-4, by libcrypto.
 class Sha256 {
  public:
   Sha256();
@@ -17,7 +17,7 @@ class Sha256 {
 
   void Add(std::string_view bytes);
 
-  /// Returns 64 lower-case hex digits. REQUIRES: it is called once, and nothing is added
+  /// Returns the digest as 64 lower-case hex digits. REQUIRES: called once; nothing is added
   /// afterwards.
   std::string Hex();
 
@@ -29,7 +29,8 @@ class Sha256 {
 /// Returns the digest of `bytes` as 64 hex digits.
 std::string Sha256Hex(std::string_view bytes);
 
-/// Returns true for 64 lower-case hex digits. Such a text may safely become part of a path.
+/// Returns true if the text has exactly 64 lower-case hex digits. It may then safely be part of a
+/// path.
 bool IsSha256Hex(std::string_view text);
 
 }  // namespace slicefarm

@@ -12,7 +12,7 @@
 
 namespace slicefarm {
 
-/// Timed activity in the work on a job.
+/// Activity during the work on a job, with its start and its end.
 struct Span {
   std::string name;  ///< name of the activity, such as "slicing" or "layers 0-31"
   /// Name of the worker that did the work. Empty: the process that runs the job.
@@ -25,11 +25,13 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// Log of the timed activities of one job, for people who want to know how its time was spent. It
-/// never influences the result. Its size is limited: further spans are only counted. Thread-safe.
+/// Log of the activities of one job, for people who examine how the job's time was spent. The log
+/// never influences the result. The number of spans is limited: beyond the limit, spans are only
+/// counted. Thread-safe.
 class SpanLog {
  public:
-  /// Makes a log. `now_us`: current time since 1970; from then on a monotonic clock is used.
+  /// Makes a log. `now_us`: current time in microseconds since 1970. Later times are measured from
+  /// this time by a monotonic clock.
   SpanLog(int64_t now_us, size_t max_spans) : start_us_(now_us), max_spans_(max_spans) {}
 
   int64_t NowUs() const { return start_us_ + static_cast<int64_t>(clock_.Seconds() * 1e6); }
@@ -49,10 +51,11 @@ class SpanLog {
   int64_t dropped_ = 0;
 };
 
-/// Span that lasts from its construction to its destruction. For use by one thread.
+/// Adds a span to a log. The span lasts from the construction of this object to its destruction.
+/// For use by one thread.
 class ScopedSpan {
  public:
-  /// Begins a span. Without a log, nothing is recorded. The log must outlive the span.
+  /// Begins a span. If `log` is null, nothing is recorded. The log must outlive this object.
   ScopedSpan(SpanLog* log, std::string name, std::string track = "") : log_(log) {
     if (log_ != nullptr) span_ = {std::move(name), std::move(track), log_->NowUs()};
   }

@@ -11,19 +11,19 @@
 
 namespace slicefarm {
 
-/// Temporary file without a name, for data too large for memory. Texts are appended and can be read
-/// any number of times. The bytes stay in the system's cache as long as there is space. The file
-/// disappears with the object, even if the process crashes. Thread-safe.
+/// Temporary file without a name, for data that may be too large for memory. Texts are appended and
+/// can be read any number of times. The system keeps the bytes in its cache as long as there is
+/// space. The file disappears with this object, even if the process crashes. Thread-safe.
 class SpoolFile {
  public:
-  /// Position of a text in the file. Any part of the text may be read as well.
+  /// Position of a text in the file.
   struct Place {
     int64_t offset = 0;
     int64_t size = 0;
   };
 
-  /// Makes a file in an existing directory. An empty name selects the system's directory for
-  /// temporary files. Errors: DISK_FULL, STORE_FAILED, also for the other methods.
+  /// Makes a file in an existing directory. If the name is empty, the system's directory for
+  /// temporary files is used. Errors of all functions: DISK_FULL, STORE_FAILED.
   static absl::StatusOr<std::unique_ptr<SpoolFile>> Make(const std::string& directory);
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;
@@ -31,8 +31,8 @@ class SpoolFile {
 
   absl::StatusOr<Place> Add(std::string_view text);
 
-  /// Fills `bytes` with the data from `offset` on. Further errors: STORE_FAILED if the file ends
-  /// before.
+  /// Fills `bytes` with the data from `offset` on. Errors: also STORE_FAILED if the file ends
+  /// earlier.
   absl::Status ReadAt(int64_t offset, std::span<char> bytes) const;
 
  private:

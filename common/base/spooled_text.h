@@ -16,32 +16,34 @@ namespace slicefarm {
 /// Text that may be larger than the memory: a sequence of pieces, some of them in a spool file.
 class SpooledText {
  public:
-  /// Function that receives the text's next bytes. An error ends the iteration.
+  /// Function that receives the next bytes of the text. If it returns an error, the iteration ends.
   using Visit = std::function<absl::Status(std::string_view bytes)>;
 
-  /// Size of the blocks of an iteration.
+  /// Size of the blocks that ForEachBlock passes to `visit`.
   static constexpr int64_t kBlockBytes = 1 << 20;
 
   SpooledText() = default;
   explicit SpooledText(std::string text) { Add(std::move(text)); }
-  /// Makes a text with pieces in this spool file.
+  /// Makes an empty text that can have pieces in this spool file.
   explicit SpooledText(std::unique_ptr<const SpoolFile> spool) : spool_(std::move(spool)) {}
 
   void Add(std::string text);
-  /// Appends a piece in the spool file. REQUIRES: the text has a spool file.
+  /// Appends a piece that is in the spool file. REQUIRES: the text has a spool file.
   void Add(SpoolFile::Place place);
 
   int64_t size() const { return size_; }
 
-  /// Calls `visit` for the whole text in blocks of kBlockBytes; the last block may be shorter. It
-  /// may be called again, with the same bytes. Errors: the errors of `visit`; STORE_FAILED.
+  /// Calls `visit` with consecutive blocks of kBlockBytes until the end of the text; the last block
+  /// may be shorter. Each call of this function visits the whole text. Errors: errors of `visit`;
+  /// STORE_FAILED.
   absl::Status ForEachBlock(const Visit& visit) const;
 
-  /// Returns up to `limit` bytes from `offset` on; fewer only at the end. Cost: iterates over all
-  /// pieces before them. Errors: STORE_FAILED. REQUIRES: 0 <= offset, limit.
+  /// Returns up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED.
+  /// REQUIRES: offset >= 0, limit >= 0. Cost: O(number of pieces before the end of the read +
+  /// limit).
   absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) const;
 
-  /// Returns the whole text, for texts that fit into memory. Errors: STORE_FAILED.
+  /// Returns the whole text. Only for texts that fit into memory. Errors: STORE_FAILED.
   absl::StatusOr<std::string> Whole() const;
 
  private:

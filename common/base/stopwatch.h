@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Timer that returns the seconds since its construction, by a monotonic clock. Times are used in
-/// reports and to decide when work is done twice; they never change a result.
+/// Timer that measures the seconds since its construction, by a monotonic clock. Times are used in
+/// reports, and to decide when the same work is started a second time; they never change a result.
 class Stopwatch {
  public:
   double Seconds() const {

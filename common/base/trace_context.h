@@ -6,33 +6,37 @@
 
 namespace slicefarm {
 
-/// Trace to which some work belongs, and the span in the trace that requested it. The context is
-/// passed on from call to call and is written to logs. With it all work for a job can be found on
-/// any machine. Source: W3C Trace Context, version 00.
+/// Trace to which some work belongs, and the span of the trace that requested the work. The context
+/// is passed on from call to call and is written to logs, so that all work for a job can be found
+/// on any machine. Source: W3C Trace Context, version 00.
 struct TraceContext {
   std::string trace_id = {};  ///< 32 lower-case hex digits, not all 0; empty: no trace
   std::string span_id = {};   ///< 16 lower-case hex digits, not all 0
-  bool sampled = true;        ///< true if the caller records its part of the trace; only passed on
+  /// True if the caller records its part of the trace; slicefarm only passes it on.
+  bool sampled = true;
 
   bool empty() const { return trace_id.empty(); }
 
   friend bool operator==(const TraceContext&, const TraceContext&) = default;
 };
 
-/// Parses the value of a `traceparent` header. Returns nullopt for an invalid value, which is to be
-/// ignored. From values of later versions it reads only the fields of version 00.
+/// Parses the value of a `traceparent` header. Returns nullopt for an invalid value; the caller
+/// should then ignore the header. If the value has a later version, only the fields of version 00
+/// are read.
 std::optional<TraceContext> ParseTraceparent(std::string_view text);
 
 /// Returns the header value, such as `00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01`.
 /// REQUIRES: !context.empty().
 std::string Traceparent(const TraceContext& context);
 
-/// Returns the trace of a job if its client gave none. The trace id is the job's id if this has 32
-/// hex digits. The result only depends on the job, so that all coordinators get the same trace.
+/// Returns the trace of a job for which the client has given no trace. The trace id is the job's id
+/// if it has 32 hex digits. The result depends only on the job, so all coordinators get the same
+/// trace.
 TraceContext TraceOfJob(std::string_view job_id);
 
-/// Returns a span within `parent`. Its id only depends on `parent` and `what`, so no source of
-/// randomness is needed. An empty parent gives an empty span. Cost: one SHA-256 of about 60 bytes.
+/// Returns a new span within the trace of `parent`. Its id depends only on `parent` and `what`, so
+/// no source of randomness is needed. An empty parent gives an empty span. Cost: one SHA-256 of
+/// about 60 bytes. `what`: name of the work.
 TraceContext ChildSpan(const TraceContext& parent, std::string_view what);
 
 }  // namespace slicefarm

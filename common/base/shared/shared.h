@@ -10,8 +10,9 @@
 
 namespace slicefarm {
 
-/// Value that many tasks share, such as a job's settings. It never changes, and copies are cheap
-/// references to the same value. Results derived from it are computed once. Thread-safe.
+/// Value that many tasks share, such as a job's settings. The value never changes. Copies of this
+/// object are cheap references to the same value. Results that are derived from the value are
+/// computed once (Once). Thread-safe.
 template <typename T>
 class Shared {
  public:
@@ -22,9 +23,9 @@ class Shared {
   const T& operator*() const { return held_->value; }
   const T* operator->() const { return &held_->value; }
 
-  /// Returns the result of `make(const T&)`. It is computed at the first call; later calls, also of
-  /// copies, return the same object. Each value has one result per result type. The result lives as
-  /// long as the value. `make` must not call Once of the same value.
+  /// Returns the result of `make(const T&)`. The first call computes it; later calls, also of
+  /// copies of this object, return the same result. A value has one result for each result type.
+  /// The result exists as long as the value. `make` must not call Once of the same value.
   template <typename Make, typename Made = std::invoke_result_t<const Make&, const T&>>
   const Made& Once(const Make& make) const {
     const std::lock_guard lock(held_->mutex);

@@ -7,9 +7,9 @@
 
 namespace slicefarm {
 
-/// Shared value in the form in which it is sent.
+/// Value that several calls refer to by its digest, serialized.
 struct SharedBytes {
-  std::string kind;    ///< name of the format of the bytes
+  std::string kind;    ///< name of the message type of `bytes`
   std::string digest;  ///< digest of kind and bytes: 64 hex digits
   std::string bytes;
 };

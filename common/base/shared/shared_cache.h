@@ -19,9 +19,9 @@
 
 namespace slicefarm {
 
-/// Cache of values that were received as bytes, by their digest. It keeps the most recently added
-/// or requested values. A value that was taken remains valid for its user after its eviction.
-/// Thread-safe.
+/// Cache, by digest, of shared values that a server has received as bytes. It evicts the values
+/// that were not added or requested for the longest time. A user that has taken a value can use it
+/// even after its eviction. Thread-safe.
 class SharedCache {
  public:
   struct Counts {
@@ -32,16 +32,17 @@ class SharedCache {
     int64_t bytes = 0;    ///< size of the current values, as received
   };
 
-  /// Makes a cache for at most `capacity` bytes, or for one larger value.
+  /// Makes a cache for at most `capacity` bytes. A single value may be larger; it is then the only
+  /// one.
   explicit SharedCache(int64_t capacity) : capacity_(capacity) {}
 
   bool Has(const std::string& digest) const;
   /// Adds a value. REQUIRES: the digest is the digest of kind and bytes.
   void Put(SharedBytes bytes);
 
-  /// Returns the value of a digest and kind. The first call parses it by `read(bytes)` and then
-  /// discards the bytes. Errors: SHARED_MISSING with metadata `digest`; REQUEST_MALFORMED if the
-  /// value is of another kind; the errors of `read`.
+  /// Returns the value with this digest. The first call converts the bytes by `read(bytes)` and
+  /// then discards the bytes. `kind`: required kind (SharedBytes). Errors: SHARED_MISSING with
+  /// metadata `digest`; REQUEST_MALFORMED if the value is of another kind; errors of `read`.
   template <typename T>
   absl::StatusOr<Shared<T>> Take(const std::string& digest, std::string_view kind,
                                  const std::function<absl::StatusOr<T>(std::string_view)>& read) {
@@ -66,12 +67,12 @@ class SharedCache {
 
   const int64_t capacity_;
   mutable std::mutex mutex_;
-  Entries entries_;  ///< entries, the most recently requested first
+  Entries entries_;  ///< entries, sorted by their last request, the latest first
   std::map<std::string, Entries::iterator, std::less<>> by_digest_;
   Counts counts_;
 };
 
-/// Returns the digest in a SHARED_MISSING error, or an empty text for other errors.
+/// Returns the digest that a SHARED_MISSING error contains; an empty text for other errors.
 std::string MissingDigest(const absl::Status& status);
 
 }  // namespace slicefarm

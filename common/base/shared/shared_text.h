@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// Text with many owners. It never changes, and copies are cheap. Comparing copies of one text
-/// takes constant time.
+/// Text that many objects share. The text never changes. Copies of this object are cheap references
+/// to the same text, and their comparison takes constant time.
 class SharedText {
  public:
   SharedText() : SharedText(Empty()) {}
@@ -26,7 +26,7 @@ class SharedText {
   size_t size() const { return text_->size(); }
   void clear() { *this = {}; }
 
-  /// Returns the result of `make(const std::string&)`, which is computed once for all owners: see
+  /// Returns the result of `make(const std::string&)`, which is computed once for all copies: see
   /// Shared::Once.
   template <typename Make>
   const auto& Once(const Make& make) const {
