@@ -11,9 +11,10 @@
 namespace slicefarm::coordinator {
 
 /// Makes toolpaths over a surface from the surface and a texture, in these steps:
-///   1 meshes as doubles   2 the map   3 layers laid out   4 tasks: ranges of layers   5 their
-///   texts
-/// The setting `texture` may name an object. The first other object is the surface.
+///   1 meshes in double precision   2 map of the surface   3 layout of layers
+///   4 tasks: ranges of layers   5 joined texts of the layers
+/// The setting `texture` may name an object as the texture. The surface is the first object that is
+/// not the texture.
 class EngraveProcess : public JobProcess {
  public:
   /// Creates a process. The stages must outlive it. `spool_directory`: directory for texts that
@@ -26,14 +27,14 @@ class EngraveProcess : public JobProcess {
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kEngrave; }
-  /// Errors as in JobProcess, and REQUEST_MALFORMED for objects that are neither surface nor
-  /// texture.
+  /// Plans the job. Errors: as in JobProcess, and REQUEST_MALFORMED for objects that are neither
+  /// surface nor texture.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   bool EstimatesByOutlines() const override { return false; }
-  /// Estimates the time from a few layers that are made. If no worker can make them, the estimate
-  /// uses the area, the distance of lines and the number of layers. It then assumes that every
-  /// layer covers the whole surface.
+  /// Estimates the time from a few layers that are made for this purpose. If no worker can make
+  /// them, the estimate uses the area, the distance of lines and the number of layers. It then
+  /// assumes that every layer covers the whole surface.
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;
 

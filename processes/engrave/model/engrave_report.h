@@ -23,7 +23,8 @@ struct MapReport {
   double area_mm2 = 0;
   double energy_mean = 0;  ///< mean symmetric Dirichlet energy divided by 4: 1 without distortion
   double energy_max = 0;
-  /// Ratio of lengths in the map to lengths on the surface, in both main directions.
+  /// Ratio of lengths in the map to lengths on the surface, in both principal directions of the
+  /// stretching.
   Spread stretch = {};
   Spread line_distance_mm = {};  ///< distance of the first layer's lines on the surface
   /// Share of the first layer's line length with a spacing within 10 % of the setting.

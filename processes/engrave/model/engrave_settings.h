@@ -50,13 +50,13 @@ enum class EngraveFormat : uint8_t {
 /// the other.
 constexpr bool IsWhole(EngraveFormat format) { return format >= EngraveFormat::kStl; }
 
-/// Texture, its height and its position on the surface. Members that are texts of numbers hold the
+/// Texture, its height and its position on the surface. Members with several numbers store the
 /// user's text; NumbersOf parses them.
 struct TextureSettings {
   /// Computed texture with its parameters, or the name of the object used as texture.
   std::string texture = "bumps";
-  SharedText image;        ///< texture_image: PNG in base64; takes precedence over `texture`
-  SharedText mask;         ///< mask_image: PNG in base64 that covers the bounding box of the map
+  SharedText image;        ///< `texture_image`: PNG in base64; takes precedence over `texture`
+  SharedText mask;         ///< `mask_image`: PNG in base64 that covers the bounding box of the map
   double width_mm = 20;    ///< width of the image on the surface
   double height_mm = 0.5;  ///< height of the texture at white pixels of the image
   /// X,Y distance between repetitions of the object; empty: the size of its bounding box

@@ -47,8 +47,8 @@ class FdmProcess : public JobProcess {
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;
 
-  /// Makes only these layers and returns their times and filament. Errors: errors of the stages and
-  /// of the executor.
+  /// Makes only the given layers and returns their times and filament. Errors: any error of the
+  /// stages and of the executor.
   absl::StatusOr<LayerSamples> Sample(const StageCall& call, PlannedPlate plate,
                                       std::span<const int32_t> layers,
                                       TaskExecutor& executor) const;

@@ -20,12 +20,12 @@ struct SpooledProgram {
   SpoolFile::Place text;
 };
 
-/// Moves the texts of the programs to the spool. Errors: errors of the spool.
+/// Moves the texts of the programs to the spool. Errors: any error of the spool.
 absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
                                                     SpoolFile& spool);
 
 /// Returns all programs in the order of printing: by pass, then from the bottom up. `programs` are
-/// in the order of their layers. Errors:
+/// sorted by layer. Errors:
 /// - INTERNAL unless there are programs of `layer_count` layers, and each layer has only passes
 ///   that the layer before it has.
 /// - NOTHING_TO_PRINT if no program has a bead.
@@ -36,11 +36,11 @@ absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProg
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
 
 /// Returns the whole text: head, prologue, prefixes and programs, epilogue, tail. `substitutions`
-/// apply layer by layer to all of it except head and tail. The substituted text of layers is
+/// apply layer by layer to the whole text except head and tail. The substituted text of layers is
 /// written to `spool`, which contains the programs. Errors:
 /// - REQUEST_TOO_LARGE if a substituted text exceeds twice the original length plus
 ///   limits::kMaxExpandedBytes, or the whole exceeds limits::kMaxProgramBytes.
-/// - Errors of the spool; Cancelled.
+/// - Any error of the spool; Cancelled.
 absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
                                          const std::vector<SpooledProgram>& programs,
                                          const gcode::Substitutions& substitutions,

@@ -14,17 +14,17 @@ namespace slicefarm::coordinator {
 /// FDM part of a job report. As JSON:
 /// - `file_name`
 /// - `filament`: mm, mm3, g, cost
-/// - `features`: time, length and volume by feature
-/// - `infill`: requested and actual density or coverage, and paths, by row of region settings,
-///   feature and pattern
+/// - `features`: time, length and volume per feature
+/// - `infill`: requested and actual density or coverage, and paths, per region settings, feature
+///   and pattern
 /// - `travel`
-/// - `times`: other parts of print_time_s, and the total time by layer
+/// - `times`: parts of print_time_s that are not features, and the total time per layer
 /// - `seams`
 struct FdmReport : OwnReport {
-  std::string file_name;       ///< same as JobReport's
-  FilamentUse filament;        ///< same as JobReport's
+  std::string file_name;       ///< as in JobReport
+  FilamentUse filament;        ///< as in JobReport
   ProgramStats stats;          ///< sum over all layers
-  PrintTimes times;            ///< print_time_s, divided by cause
+  PrintTimes times;            ///< `print_time_s`, divided by cause
   double travel_mm = 0;        ///< includes travel between layers
   std::vector<FillUse> fills;  ///< sum over all copies, one entry per kind: see AddUse
   SeamQuality seams;  ///< counts each loop of an object once, independent of the number of copies

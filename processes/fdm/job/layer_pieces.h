@@ -20,16 +20,16 @@ struct LayerPiece {
 };
 
 /// Joins the programs of layers in file order. It omits lines that set a mode to its current value
-/// (LayerProgram::mode_lines). A single program cannot omit them, because it does not have the
-/// modes of the layer before it.
+/// (LayerProgram::mode_lines). The program of one layer cannot omit these lines, because its writer
+/// does not know the modes at the end of the layer before.
 class LayerJoin {
  public:
-  /// Handles other G-code between layers. Modes that the G-code may change are written again
+  /// Processes other G-code between layers. Modes that this G-code may change are written again
   /// afterwards.
   void Pass(std::string_view gcode);
 
-  /// Returns the pieces of a program of `size` bytes, with the texts `code` inserted at its
-  /// code_at.
+  /// Returns the pieces of a program of `size` bytes, with the texts `code` inserted at
+  /// LayerProgram::code_at.
   std::vector<LayerPiece> PiecesOf(const LayerProgram& program, int64_t size,
                                    std::span<std::string> code);
 

@@ -35,7 +35,7 @@ struct RegionRow {
   friend bool operator==(const RegionRow&, const RegionRow&) = default;
 };
 
-/// Resolved set of settings for filament printing with one row of each scope.
+/// Resolved settings for filament printing of one region: one row of each table.
 struct FdmRows {
   static constexpr Process kProcess = Process::kFdm;
 
@@ -47,8 +47,8 @@ struct FdmRows {
   friend bool operator==(const FdmRows&, const FdmRows&) = default;
 };
 
-/// Filament printing settings of a plate. The `settings` index of a Region or Path is a row of
-/// `regions`.
+/// Filament printing settings of a plate. The member `settings` of a Region or Path is an index
+/// into `regions`.
 struct FdmSettings {
   static constexpr Process kProcess = Process::kFdm;
 
@@ -66,7 +66,7 @@ inline FdmSettings& FdmOf(JobSettings& settings) { return settings.own.As<FdmSet
 inline const FdmRows& FdmOf(const JobRows& rows) { return rows.own.As<FdmRows>(); }
 inline FdmRows& FdmOf(JobRows& rows) { return rows.own.As<FdmRows>(); }
 
-// Returns the options of one stage: the rows that the stage needs.
+// Returns the options of one stage, taken from the rows that the stage needs.
 std::vector<BeadingOptions> BeadingOf(const FdmSettings& settings);
 std::vector<InfillOptions> InfillOf(const FdmSettings& settings);
 /// Returns the options of planning. They include the infill of the regions only if planning decides
@@ -78,10 +78,12 @@ MotionOptions MotionOf(const FdmSettings& settings);
 /// Returns the options of the motion stage for a plate of one region.
 MotionOptions MotionOf(const FdmRows& rows);
 
-/// Returns how many of an object's own layers on each side a layer's result depends on.
+/// Returns the number of an object's own layers above and below a layer on which the result of this
+/// layer depends.
 int32_t HaloLayers(const FdmSettings& settings);
 
-/// Returns how many of an object's own layers on each side the walls of a layer depend on.
+/// Returns the number of an object's own layers above and below a layer on which the walls of this
+/// layer depend.
 int32_t BeadingHaloLayers(const FdmSettings& settings);
 
 }  // namespace slicefarm

@@ -7,17 +7,17 @@
 namespace slicefarm::config::fdm {
 
 /// Replaces values that refer to other settings by numbers, as PrusaSlicer does:
-/// - percentages of heights, widths and speeds;
+/// - percentages of heights, widths and speeds: the absolute value;
 /// - widths of 0: `extrusion_width`, or a multiple of the nozzle diameter;
 /// - speeds of 0: `max_print_speed`;
-/// - accelerations of 0: the next more general one;
-/// - outline_resolution: at least resolution;
+/// - accelerations of 0: the next more general acceleration;
+/// - outline_resolution: at least `resolution`;
 /// - shell thickness: a number of layers;
-/// - the filament's own retraction, G-code and volumetric limit.
+/// - retraction, G-code and volumetric limit: the values of the filament, if it has its own.
 ///
 /// Afterwards no value depends on another setting. The only exception is a `first_layer_speed` in
-/// percent, which refers to the speed of each feature. `result` reports requests of profiles that
-/// are not fulfilled. Errors: SETTING_OUT_OF_RANGE for the result of a percentage.
+/// percent, which refers to the speed of each feature. `result` receives the requests of profiles
+/// that are not fulfilled. Errors: SETTING_OUT_OF_RANGE for the result of a percentage.
 absl::Status Derive(Draft& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

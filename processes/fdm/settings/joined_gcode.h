@@ -5,17 +5,19 @@
 
 namespace slicefarm::config::fdm {
 
-/// Joins G-code settings that follow one another, so that stages see one setting.
+/// Joins G-code settings that the printer executes one after the other, so that stages see one
+/// setting.
 /// - end_filament_gcode comes before end_gcode. start_filament_gcode is separate from start_gcode,
 ///   since the machine is heated between the two.
 /// - time_lapse_gcode comes before layer_gcode. On machines of Bambu Lab it comes after
 ///   layer_gcode, as in OrcaSlicer and Bambu Studio.
 ///
-/// Errors: errors of CheckSettingSize.
+/// Errors: REQUEST_TOO_LARGE if a joined text is too long (CheckSettingSize).
 absl::Status JoinGcode(Draft& draft);
 
-/// Returns the error of a line of joined G-code (metadata `setting` and `line`) with the original
-/// setting of this line, and its line number there. Returns other errors unchanged.
+/// Converts an error about a line of joined G-code (metadata `setting` and `line`): the result
+/// names the original setting of this line, and the line's number in that setting. Returns other
+/// errors unchanged.
 absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft);
 
 }  // namespace slicefarm::config::fdm

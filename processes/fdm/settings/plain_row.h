@@ -17,11 +17,11 @@ void SetWidths(Coord width_nm, JobRows& settings);
 void MakePlain(BeadingOptions& beading);
 
 /// Disables skins: the whole region is filled uniformly, with lines that have the same direction in
-/// all layers.
+/// all layers. `density`: density of the lines, in [0, 1].
 void FillAlike(double density, double angle_rad, InfillOptions& infill);
 
-/// Returns the density of lines with an additional distance of `free_nm` between them; 0 fills a
-/// layer of this height completely. PrusaSlicer calls this distance support_material_spacing.
+/// Returns the density of lines with gaps of `free_nm` between them; 0 fills a layer of this height
+/// completely. PrusaSlicer calls this gap support_material_spacing.
 double LineDensity(Coord width_nm, Coord height_nm, Coord free_nm);
 
 }  // namespace slicefarm::config::fdm

@@ -13,11 +13,13 @@ namespace slicefarm::config::fdm {
 size_t ToolOf(std::span<const Setting> given);
 
 /// Sets the options of stages that depend on several settings: growth, adhesion, space for the
-/// head, halos of fields. Errors: errors of Resolve about settings that contradict each other.
+/// head, halos of fields. Errors: SETTING_OUT_OF_RANGE for settings that contradict each other, as
+/// in Resolve.
 absl::Status Settle(const Settling& settling);
 
-/// Adds the settings that the G-code of each layer refers to, and no other settings. Layers thus do
-/// not depend on other settings. Errors: errors of the job's G-code; REQUEST_TOO_LARGE.
+/// Adds the settings that the G-code of each layer refers to, and no further settings. Then a layer
+/// does not depend on other settings. Errors: any error in the job's G-code templates;
+/// REQUEST_TOO_LARGE.
 absl::Status TakeGcode(const Draft& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

@@ -7,8 +7,9 @@ namespace slicefarm::config::fdm {
 
 /// Sets the number of solid layers below top surfaces and above bottom surfaces. The number is
 /// top_solid_layers (bottom_solid_layers). Layers are added until the actual layer heights reach
-/// top_solid_min_thickness (bottom_solid_min_thickness). The options store the maximum number of
-/// layers, and how many of them can be omitted if the rest is thick enough.
+/// top_solid_min_thickness (bottom_solid_min_thickness). The options store the largest number of
+/// layers, and how many of them can be omitted if the remaining layers are thick enough
+/// (SkinSpare).
 void TakeShells(const Draft& draft, JobRows& settings);
 
 /// Returns the number of solid layers at the bottom of a hollow object. REQUIRES: TakeShells was

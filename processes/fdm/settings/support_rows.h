@@ -6,13 +6,13 @@
 namespace slicefarm::config::fdm {
 
 /// Returns the row of RegionTable for a support region, derived from the settings of an object.
-/// `settings`: resolved settings; the row uses the first region.
+/// `settings`: resolved settings; only their first region is used.
 ///
 ///   row           density                    lines
 ///   first layer   raft_first_layer_density   at support_material_angle, in a loop
-///   base          by its spacing             the same; in a loop with a sheath
-///   branches      0                          one loop or two
-///   interface     by its spacing             + 90 degrees
+///   base          by its spacing             at support_material_angle; in a loop with a sheath
+///   branches      0                          one loop or two loops
+///   interface     by its spacing             at support_material_angle + 90 degrees
 JobRows SupportRegionRow(JobRows settings, SupportRow row);
 
 }  // namespace slicefarm::config::fdm

@@ -32,7 +32,7 @@ struct FdmTask {
 struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
-  /// Layer by layer, summed over all copies; for the order within a layer see AddUse.
+  /// Totals sorted by layer, summed over all copies. Within a layer they are sorted as in AddUse.
   std::vector<FillUse> fills;
   StageTimes times;
 

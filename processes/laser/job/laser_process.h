@@ -24,8 +24,8 @@ class LaserProcess : public JobProcess {
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kLaser; }
-  /// Errors as in JobProcess, and SETTING_OUT_OF_RANGE if the settings request a single layer that
-  /// does not exist.
+  /// Plans the job. Errors: as in JobProcess, and SETTING_OUT_OF_RANGE if the settings request a
+  /// single layer that does not exist.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,

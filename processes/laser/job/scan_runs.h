@@ -14,13 +14,15 @@ struct ExposureSettings;
 
 namespace slicefarm::coordinator {
 
-/// Checks that the scanner stays on the bed where it runs beyond lines with the laser off
-/// (skywriting, contour_run). The exposed area must be at least the longest run away from the bed's
-/// edge. Returns OUT_OF_BUILD_VOLUME, with the setting, if it is not. `exposed`: on the plate.
+/// Checks that the scanner stays on the bed where it moves on beyond lines with the laser off
+/// (skywriting, contour_run). The distance of the exposed area from the boundary of the bed must be
+/// at least the longest of these moves. Returns OUT_OF_BUILD_VOLUME, with the setting, if it is
+/// smaller. `exposed`: bounding box of the exposed area on the plate.
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed, const Box& exposed);
 
-/// Checks the same before anything is scanned, from the outermost contours. Thin walls are left
-/// out. Cost: O(points), and an offset of each outline if the first check fails.
+/// Makes the check before anything is scanned, with the outermost contours as the exposed area.
+/// Thin walls are left out. Cost: O(points), and an offset of each outline if the check with
+/// unshrunk outlines fails.
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed,
                        const SlicedOutlines& job);
 

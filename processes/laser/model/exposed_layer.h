@@ -59,7 +59,7 @@ struct ExposureVisit {
 struct CutCounts {
   int64_t pieces = 0;
   int64_t reflex = 0;        ///< number of corners over 180 degrees
-  int64_t extra_points = 0;  ///< number of cut ends that are not corners
+  int64_t extra_points = 0;  ///< number of ends of cuts that are not corners of the outline
   int64_t sharp_cuts = 0;  ///< number of cuts at an angle below 30 degrees for lack of a better cut
   /// Number of outlines cut by Bian's method because the requested method cannot cut them.
   int64_t replaced = 0;
@@ -74,13 +74,13 @@ struct CutCounts {
   friend bool operator==(const CutCounts&, const CutCounts&) = default;
 };
 
-/// Sample of the melted area and its energy along a few lines across each layer.
+/// Sample of the melted area and its energy, taken along a few lines across each layer.
 struct MeltedSample {
   double length_mm = 0;    ///< length of the sample lines inside the outlines
   double melted_mm = 0;    ///< part of `length_mm` within half a spot of a vector
   double energy_j_mm = 0;  ///< energy per area, integrated along the sample lines
   int64_t pieces = 0;      ///< number of sampled pieces of about 1 mm
-  double least_j_mm2 = 0;  ///< lowest energy per area of a piece
+  double least_j_mm2 = 0;  ///< lowest energy per area of a sampled piece
   double most_j_mm2 = 0;
 
   /// Returns the melted share of the sample lines, in [0, 1]. Returns 1 for an empty sample.
@@ -106,7 +106,7 @@ struct MeltedSample {
 /// Vectors of one layer, as the exposure stage makes them.
 struct ExposedLayer {
   LayerFrame frame;
-  /// Groups by object, and for each object in the order of scanning.
+  /// Groups sorted by object. The groups of one object are in the order of scanning.
   std::vector<ExposureGroup> groups;
   std::vector<ExposureVisit> visits;  ///< placements in the order of scanning
   double area_mm2 = 0;                ///< area of the outlines of all placements

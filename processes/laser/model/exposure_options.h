@@ -16,8 +16,9 @@ enum class ScanStrategy : uint8_t {
   kRings,        ///< convex pieces, each scanned by rings from its middle outwards
   kRingsInward,  ///< convex pieces, each scanned by rings from its border inwards
   kStripes,      ///< parallel stripes, each hatched across
-  kIslands,      ///< chequerboard of squares, hatched alternately along and across
-  kHatch,        ///< lines across the whole outline
+  /// chequerboard of squares; the hatch lines of neighbouring squares are at right angles
+  kIslands,
+  kHatch,  ///< lines across the whole outline
 };
 
 /// Returns true if the strategy scans convex pieces by rings.
@@ -28,9 +29,9 @@ constexpr bool IsRings(ScanStrategy strategy) {
 /// Method of cutting an outline into convex pieces.
 enum class DecomposeMethod : uint8_t {
   kBian,     ///< method of Bian et al. 2005: well-shaped pieces, chosen by visibility and angles
-  kOptimal,  ///< fewest pieces without new points (Greene); slow
+  kOptimal,  ///< smallest possible number of pieces without new points (Greene); slow
   kApproximate,  ///< at most four times the minimum number of pieces (Hertel and Mehlhorn); fast
-  kYMonotone,    ///< y-monotone parts, each cut into convex ones (Hertel and Mehlhorn); fast
+  kYMonotone,    ///< cut into y-monotone parts, then into convex pieces (Hertel and Mehlhorn); fast
 };
 
 /// Order of the pieces, stripes or islands.
@@ -59,13 +60,13 @@ enum class OutputFormat : uint8_t {
   kDxf,        ///< DXF of a single layer
 };
 
-/// Purpose of a vector's exposure. Each kind has a style of its own.
+/// Purpose of a vector's exposure. Each kind has an ExposureStyle of its own.
 enum class ExposureKind : uint8_t {
   kContour,
   kHatch,     ///< hatch lines and rings
   kUpskin,    ///< hatch lines with no part above
   kDownskin,  ///< hatch lines with powder below
-  kThinWall,  ///< area too thin for a contour, exposed once along its middle
+  kThinWall,  ///< middle lines of areas too thin for a contour
 };
 inline constexpr int kExposureKindCount = 5;
 
@@ -81,11 +82,12 @@ constexpr std::string_view ExposureKindName(ExposureKind kind) {
 struct ExposureStyle {
   double power_w = 200;
   double speed_mm_s = 800;
-  double focus_mm = 0;          ///< height of the focal plane above the powder
-  double frequency_khz = 0;     ///< pulse frequency; 0: continuous beam
-  Coord point_distance_nm = 0;  ///< pulsed beam: distance of points
-  double point_time_us = 0;     ///< pulsed beam: exposure time of a point
-  double point_delay_us = 0;    ///< pulsed beam: delay between two points
+  double focus_mm = 0;       ///< height of the focal plane above the powder
+  double frequency_khz = 0;  ///< pulse frequency; 0: continuous beam
+  /// pulsed beam: distance between exposed points; 0: no separate points
+  Coord point_distance_nm = 0;
+  double point_time_us = 0;   ///< pulsed beam: exposure time of a point
+  double point_delay_us = 0;  ///< pulsed beam: delay between two points
 
   friend bool operator==(const ExposureStyle&, const ExposureStyle&) = default;
 };
@@ -93,15 +95,16 @@ struct ExposureStyle {
 /// Speed and delays of the scanner's jumps.
 struct JumpOptions {
   double speed_mm_s = 5000;
-  double delay_us = 0;          ///< delay after a jump until the mirrors rest
+  double delay_us = 0;          ///< delay after a jump until the mirrors stand still
   double mark_delay_us = 0;     ///< delay after each line until the beam is off
   double polygon_delay_us = 0;  ///< delay at each corner of a line
 
   friend bool operator==(const JumpOptions&, const JumpOptions&) = default;
 };
 
-/// Largest window around the gas direction from which a turn of 90 degrees always moves a line out.
-/// For islands the largest window is half of this, because their lines have two directions.
+/// Largest angle of gas_window_deg. With a larger window, a hatch line that is turned by 90 degrees
+/// could still be in the window. For islands the largest window is half of this angle, because
+/// their lines have two directions.
 inline constexpr double kWidestGasWindowDeg = 45;
 
 /// Options for scanning the sections of one region. The defaults are the defaults of PySLM; options
@@ -118,9 +121,9 @@ struct ExposureOptions {
   double layer_rotation_deg = 67;    ///< turn of the hatch lines from each layer to the next
   bool alternate_directions = true;  ///< true: every second line runs backwards
   double gas_flow_deg = 0;           ///< direction towards which the gas flows, from the x axis
-  /// Window around the gas flow. Hatch lines within this angle of the flow, with or against it, are
-  /// turned to run across it. They turn by 90 degrees; lines of islands turn by 45 degrees, because
-  /// they have two directions.
+  /// Window around the gas flow. Hatch lines at a smaller angle to the flow, in either direction,
+  /// are turned across the flow. They turn by 90 degrees; lines of islands turn by 45 degrees,
+  /// because they have two directions.
   double gas_window_deg = 0;
   Coord minimum_vector_nm = 0;  ///< minimum length: shorter hatch lines and rings are left out
 
@@ -129,7 +132,8 @@ struct ExposureOptions {
   Coord overlap_nm = 100'000;         ///< overlap of neighbouring stripes or islands
   Coord ring_overlap_nm = 20'000;     ///< overlap of the outermost rings of neighbouring pieces
   bool link_rings = true;             ///< true: the beam stays on between the rings of a piece
-  bool fill_corners = true;  ///< true: rings extend into corners that a round spot would leave open
+  /// true: rings reach into corners that the round spot would otherwise leave unmelted
+  bool fill_corners = true;
 
   // Options that move seams from layer to layer:
   bool shift_grids = true;  ///< true: moves the lines and cells of hatch, stripes and islands
@@ -149,18 +153,19 @@ struct ExposureOptions {
   /// True: areas too thin for a contour are exposed once along their middle.
   bool thin_walls = true;
 
-  /// Number of layers above without part that makes an upskin; 0: no upskins.
+  /// A hatched area is upskin if one of this many layers above it has no part there; 0: no upskins.
   int32_t upskin_layers = 0;
-  /// Number of layers below within which powder makes a downskin; 0: no downskins.
+  /// A hatched area is downskin if one of this many layers below it has powder there; 0: no
+  /// downskins.
   int32_t downskin_layers = 0;
-  Coord skin_overlap_nm = 0;  ///< length by which skins extend into the rest of the area
+  Coord skin_overlap_nm = 0;  ///< length by which skins extend into the neighbouring hatch
 
   /// Number of layers below the current layer that the beam melts as well. Areas where any of these
   /// layers has no part are not exposed.
   int32_t z_compensation_layers = 0;
 
-  /// Length by which the scanner extends each hatch line at both ends with the beam off, so that it
-  /// draws at full speed. The paths get longer, but need no mark delay.
+  /// Skywriting: length by which the scanner extends each hatch line at both ends with the beam
+  /// off. The line itself is scanned at full speed. The paths get longer, but need no mark delay.
   Coord skywriting_nm = 0;
 
   std::array<ExposureStyle, kExposureKindCount> styles;  ///< styles per ExposureKind
@@ -171,7 +176,7 @@ struct ExposureOptions {
   }
   /// Returns the number of layers above and below on which the exposure of a section depends.
   int32_t Halo() const { return std::max(upskin_layers, downskin_layers + z_compensation_layers); }
-  /// Returns the line distance of vectors of a kind. Skins may have a distance of their own.
+  /// Returns the distance between the lines of a kind. Skins may have a distance of their own.
   Coord HatchDistanceNm(ExposureKind kind) const {
     const Coord own = kind == ExposureKind::kUpskin     ? upskin_distance_nm
                       : kind == ExposureKind::kDownskin ? downskin_distance_nm
@@ -191,8 +196,8 @@ struct ExposureOutput {
   /// G-code of grbl: uses M4, which reduces the power when the head is slower
   bool dynamic_power = true;
   double recoat_s = 0;  ///< time before each layer for new powder or resin
-  /// G-code: templates before all layers, before each layer's move in Z, after this move, and after
-  /// all layers.
+  /// G-code: templates. They are inserted before all layers, before each layer's move in z, after
+  /// this move, and after all layers.
   SharedText start_gcode = {}, before_layer_gcode = {}, layer_gcode = {}, end_gcode = {};
 
   friend bool operator==(const ExposureOutput&, const ExposureOutput&) = default;

@@ -10,7 +10,7 @@
 
 namespace slicefarm {
 
-/// Resolved set of exposure settings with one row of each scope.
+/// Resolved exposure settings of one region: one row of each table.
 struct ExposureRows {
   static constexpr Process kProcess = Process::kLaser;
 
@@ -20,7 +20,7 @@ struct ExposureRows {
   friend bool operator==(const ExposureRows&, const ExposureRows&) = default;
 };
 
-/// Exposure settings of a plate. The `settings` index of a Region is a row of `regions`.
+/// Exposure settings of a plate. Region::settings is an index into `regions`.
 struct ExposureSettings {
   static constexpr Process kProcess = Process::kLaser;
 
@@ -36,7 +36,8 @@ inline ExposureSettings& ExposureOf(JobSettings& settings) { return settings.own
 inline const ExposureRows& ExposureOf(const JobRows& rows) { return rows.own.As<ExposureRows>(); }
 inline ExposureRows& ExposureOf(JobRows& rows) { return rows.own.As<ExposureRows>(); }
 
-/// Returns how many of an object's own layers on each side a layer's result depends on.
+/// Returns the number of an object's own layers above and below a layer on which the result of this
+/// layer depends.
 inline int32_t HaloLayers(const ExposureSettings& settings) {
   int32_t halo = 0;
   for (const ExposureOptions& region : settings.regions) halo = std::max(halo, region.Halo());

@@ -6,12 +6,12 @@
 namespace slicefarm::coordinator {
 
 /// Estimates the milling time from areas and perimeters of layers alone:
-/// - roughing from the removed volume, divided by stepover times stepdown;
-/// - waterlines from the perimeters;
-/// - rest areas from the area of each layer that no layer above covers.
+/// - roughing: removed volume, divided by stepover times stepdown;
+/// - waterlines: from the perimeters;
+/// - rest areas: from the area of each layer that no layer above covers.
 ///
-/// Entries, rapid moves and the passes around the stock are left out. A stock that is an object
-/// counts as a part, because the layers do not distinguish them. Cost: O(points).
+/// Entries, rapid moves and the passes around the stock are left out. If the stock is an object, it
+/// is treated as a part, because the layers do not distinguish the two. Cost: O(points).
 JobEstimate EstimateMilling(const SlicedOutlines& job, const MillingOptions& how);
 
 }  // namespace slicefarm::coordinator

@@ -25,7 +25,7 @@ class MillProcess : public JobProcess {
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kMill; }
-  /// Errors as in JobProcess, and errors of TakeStock and MillSceneOf.
+  /// Plans the job. Errors: as in JobProcess, and any error of TakeStock and MillSceneOf.
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
                                                    JobInput input) const override;
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,

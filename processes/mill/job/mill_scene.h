@@ -30,7 +30,7 @@ struct PartsAndStock {
 /// stock is the only object.
 absl::StatusOr<PartsAndStock> TakeStock(PlacingInput job, std::string_view stock);
 
-/// Centres the stock on the parts, unless the job gives the stock a position.
+/// Centres the stock on the parts, unless the job has a position for the stock.
 void PutAround(const PlacedScene& parts, PlacingInput& stock);
 
 /// Meshes of a milling job, with reports and warnings.
@@ -40,8 +40,9 @@ struct MillScene {
   std::vector<std::string> warnings;  ///< warnings about input without effect
 };
 
-/// Returns all copies of all solid parts as one mesh, and the stock, in program coordinates.
-/// Errors: REQUEST_MALFORMED for negative parts, because meshes cannot be subtracted; OUT_OF_RANGE.
+/// Returns one mesh of all copies of all solid parts, and the mesh of the stock, in program
+/// coordinates. Errors: REQUEST_MALFORMED for negative parts, because meshes cannot be subtracted;
+/// OUT_OF_RANGE.
 absl::StatusOr<MillScene> MillSceneOf(PlacedScene parts, std::optional<PlacedScene> stock,
                                       const MillSettings& settings);
 

@@ -14,7 +14,7 @@ namespace slicefarm::coordinator {
 /// The weight of a range is limited, so that a failed worker does not lose too much work. The
 /// results of the steps do not depend on the cuts.
 ///
-/// Shapes: the ranges cover all steps in order, none is empty. Cost: O(steps).
+/// Result: the ranges contain all steps in order, and none is empty. Cost: O(steps).
 std::vector<MillTask> SplitSteps(const MillLayout& layout, const Shared<MillInput>& input,
                                  int slots);
 

@@ -10,7 +10,8 @@
 
 namespace slicefarm {
 
-/// Steps of a job in machining order: phase by phase, levels from the top down, rows by y.
+/// Steps of a job in machining order: sorted by phase; then levels from the top down, or rows by
+/// ascending y.
 struct MillLayout {
   std::vector<MillStep> steps;
   std::vector<int32_t> weights;  ///< approximate relative effort of each step; above 0

@@ -8,18 +8,19 @@
 
 namespace slicefarm {
 
-/// Phase of a milling job. The comments name the kind of step of each phase.
+/// Phase of a milling job. Each phase consists of steps; the comments describe one step of the
+/// phase.
 enum class MillPhase : uint8_t {
-  kRoughing,   ///< level that removes all stock above it, except the allowance
+  kRoughing,   ///< level at which all stock above is removed, except the allowance
   kFinishing,  ///< level of toolpaths that touch the part
-  kRest,       ///< row along x over surfaces too flat for levels
+  kRest,       ///< row along x over surfaces that are too flat for levels
 };
 inline constexpr int kMillPhaseCount = 3;
 
 /// Smallest unit of work. Any range of a job's steps can be computed independently of the rest.
 struct MillStep {
   MillPhase phase = MillPhase::kRoughing;
-  double at_mm = 0;  ///< z of a level, y of a row
+  double at_mm = 0;  ///< z of a level, or y of a row
 
   friend bool operator==(const MillStep&, const MillStep&) = default;
 };
@@ -33,11 +34,11 @@ struct StepRange {
   friend bool operator==(const StepRange&, const StepRange&) = default;
 };
 
-/// Connected part of a level's free area, with the toolpaths of the tip in it, in nm.
+/// Connected area on a level in which the tip can move, with the toolpaths in it, in nm.
 struct CutArea {
   PolygonWithHoles area;
-  /// Toolpaths in the order and direction of cutting. They are closed without repeating the first
-  /// point.
+  /// Toolpaths in the order and direction of cutting. Each one is closed; the first point is not
+  /// repeated.
   std::vector<Polygon> ways;
 
   friend bool operator==(const CutArea&, const CutArea&) = default;

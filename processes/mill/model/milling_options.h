@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// Side of the cutter that meets the stock, for a spindle that turns clockwise.
+/// Side of the toolpath on which the stock is, for a spindle that turns clockwise.
 enum class CutDirection : uint8_t {
   kClimb,         ///< stock on the right of the toolpath
   kConventional,  ///< stock on the left of the toolpath
@@ -32,7 +32,7 @@ enum class MillDialect : uint8_t { kLinuxCnc, kGrbl };
 enum class MillOrigin : uint8_t {
   kModel,     ///< origin of the first object's file
   kBed,       ///< corner of the bed, at its top
-  kStockTop,  ///< corner of the stock's bounding box with the least x and y, at its top
+  kStockTop,  ///< corner of the stock's bounding box with the smallest x and y, at its top
 };
 
 /// Content of a job's output file.
@@ -45,7 +45,7 @@ enum class MillFormat : uint8_t {
 struct MachiningOptions {
   CutDirection direction = CutDirection::kClimb;
   EntryKind entry = EntryKind::kHelix;
-  double ramp_angle_deg = 3;     ///< angle of ramps and helices
+  double ramp_angle_deg = 3;     ///< angle of ramps and helices to the horizontal
   double helix_radius_mm = 0;    ///< radius of entry helices; 0: half the cutter's radius
   double lead_in_radius_mm = 1;  ///< radius of arcs onto and off finishing toolpaths; 0: no arcs
   bool arcs = true;              ///< true: writes arcs as G2 and G3; false: only lines
@@ -59,9 +59,9 @@ struct MachiningOptions {
   int tool_number = 1;
   double tool_length_mm = 0;  ///< length of the tool below its holder; 0: unknown, so not checked
 
-  /// machine_max_acceleration_x, _y, _z
+  /// `machine_max_acceleration_x`, _y, _z
   std::array<double, 3> max_acceleration_mm_s2 = {500, 500, 300};
-  double jerk_mm_s3 = 20'000;  ///< jerk_limit: maximum change of acceleration
+  double jerk_mm_s3 = 20'000;  ///< `jerk_limit`: maximum change of acceleration
   /// True: reduces feeds to the values that the acceleration and jerk limits allow.
   bool corner_feeds = false;
 
@@ -72,20 +72,22 @@ struct MachiningOptions {
 struct MillingOptions {
   Cutter cutter;
   double stepdown_mm = 1;  ///< largest distance between two levels of roughing
-  /// Distance of a level's toolpaths as a share of the cutter's diameter; at most half.
+  /// Distance between a level's toolpaths, as a share of the cutter's diameter; at most half.
   double stepover_share = 0.4;
   /// Thickness of stock that roughing leaves around the part for finishing.
   double allowance_mm = 0.2;
-  double minimum_width_mm = 0.05;  ///< narrower passages for the tip are left to finishing
+  /// passages for the tip that are narrower than this width are left to finishing
+  double minimum_width_mm = 0.05;
   bool finishing = true;
   double finish_stepdown_mm = 0.25;  ///< largest distance between two waterlines
-  double finish_stepover_mm = 0.25;  ///< distance of parallel toolpaths
+  double finish_stepover_mm = 0.25;  ///< distance between parallel toolpaths
   double rest_angle_deg = 45;  ///< slope below which the part is finished by parallel toolpaths
   bool finish_floor = false;   ///< true: finishes the stock's floor beside the part, too
   double sampling_mm = 0.1;    ///< distance of sampling fibers
-  double tolerance_mm = 0.01;  ///< distance between toolpaths and exact contact with the mesh
+  /// largest distance between a toolpath and exact contact with the mesh
+  double tolerance_mm = 0.01;
   double stock_margin_mm = 1;  ///< margin of a stock box around the part, at its sides and top
-  double bottom_mm = 0;        ///< least height of the tip above the stock's bottom
+  double bottom_mm = 0;        ///< smallest height of the tip above the stock's bottom
   bool open_mesh = false;      ///< true: the part may be an open surface
   MachiningOptions machining = {};
 
