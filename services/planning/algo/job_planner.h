@@ -49,31 +49,31 @@ namespace slicefarm::planning {
 /// threads.
 class JobPlanner {
  public:
-  /// All arguments must outlive the planner. `object_names`: names by object, for messages; may
-  /// have fewer entries.
-  /// Errors: REQUEST_MALFORMED for copies of objects without options, or for a raft that does not
-  /// have exactly one row of settings per layer. OBJECTS_COLLIDE for copies that are printed one
-  /// after the other and have rafts of different heights.
+  /// All arguments must outlive the planner. `object_names`: names for messages, indexed by object;
+  /// may have fewer entries. Errors: REQUEST_MALFORMED for copies of objects without options, or
+  /// for a raft that does not have exactly one index of region settings per layer. OBJECTS_COLLIDE
+  /// for copies that are printed one after the other and have rafts of different heights.
   static absl::StatusOr<JobPlanner> Make(const PlanningOptions& options,
                                          std::span<const PlacedCopy> copies,
                                          std::span<const std::string> object_names = {},
                                          int threads = 1);
 
-  /// Plans the next layer of the parts. Each part begins at its own bottom. Errors:
+  /// Plans the next layer of the parts. Heights are measured from each part's own bottom. Errors:
   /// REQUEST_MALFORMED for sections of objects without options, or for sections of stacks other
   /// than parts.
   absl::Status Next(const SlicedLayer& layer);
 
-  /// Returns the plans that no planner will change any more, from the lowest layer up. Plans that
-  /// were taken earlier are left out.
+  /// Returns the plans that no planner will change any more, from the lowest layer up, without the
+  /// plans that earlier calls have returned.
   std::vector<LayerPlan> TakeSettled();
 
   /// Returns the memory kept for earlier layers, without the bounded number of recent layers, in
   /// bytes.
   int64_t HeldBytes() const;
 
-  /// Returns the plan without the layers that were taken earlier. Call once, after the last layer.
-  /// Errors: the planners' errors; REQUEST_TOO_LARGE for too many layers of the print; Cancelled.
+  /// Returns the plan without the layers that TakeSettled has returned. Call once, after the last
+  /// layer. Errors: any error of the planners; REQUEST_TOO_LARGE for too many layers of the print;
+  /// Cancelled.
   absl::StatusOr<JobPlan> Finish(const CancelToken& cancel = {});
 
  private:
@@ -82,8 +82,8 @@ class JobPlanner {
 
   /// Runs the region planners, then plans the layers of the print.
   absl::Status PlanRegions(const CancelToken& cancel, JobPlan& plan);
-  /// Plans one layer of the print. `carried`: as in RegionPlan. The entries for this layer are
-  /// moved into its plan.
+  /// Plans one layer of the print. `carried`: as in RegionPlan. Moves the areas of this layer from
+  /// `carried` into the layer's plan.
   void LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried);
 
   const PlanningOptions* options_;

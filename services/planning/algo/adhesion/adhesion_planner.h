@@ -19,11 +19,11 @@ struct PlanningOptions;
 namespace slicefarm::planning {
 
 /// Plans brims and the skirt around everything that touches the bed: the parts of all copies, their
-/// supports and rafts. Brims keep away from rafts and from a draft shield. The skirt surrounds
-/// everything.
+/// supports and rafts. Brims keep away from rafts and from a draft shield. The skirt surrounds all
+/// of these.
 ///
 /// Brims: stacks of StackKind::kBrim, with regions of Role::kBrim in the first layer.
-/// - An object with free room around all of its copies has its own brim, which is printed and
+/// - An object with free space around all of its copies has its own brim, which is printed and
 ///   cancelled with each copy.
 /// - The brims of the remaining objects with equal settings form one region, so that lines surround
 ///   copies that are close together.
@@ -34,9 +34,9 @@ namespace slicefarm::planning {
 /// at skirt_height. An enabled draft shield ends at the last layer that has outlines. No brim or
 /// skirt leaves the bed.
 ///
-/// Memory: the outlines on the bed, and the convex hulls of the objects inside the skirt.
-/// Errors: REQUEST_TOO_LARGE for a skirt of more than 20 million points on all layers; Cancelled,
-/// polled for each brim.
+/// Memory: the outlines on the bed, and the convex hulls of the objects inside the skirt. Errors:
+/// REQUEST_TOO_LARGE for a skirt of more than 20 million points on all layers; Cancelled, polled
+/// for each brim.
 class AdhesionPlanner : public Planner {
  public:
   /// `options` and `copies` must outlive this planner. `options` has an entry for the object of
@@ -47,11 +47,11 @@ class AdhesionPlanner : public Planner {
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
-  /// Data of one object, in the object's own coordinates.
+  /// Outlines of one object so far, in the object's own coordinates.
   struct Seen {
-    MultiPolygon on_bed;  ///< outlines of its part and supports on the bed
-    MultiPolygon raft;    ///< outlines of its raft on the bed
-    Polygon hull;         ///< convex hull of its outlines on the layers that the skirt reaches
+    MultiPolygon on_bed;  ///< outlines of the object's part and supports on the bed
+    MultiPolygon raft;    ///< outlines of the object's raft on the bed
+    Polygon hull;  ///< convex hull of the object's outlines on the layers that the skirt reaches
     Coord height_nm = 0;  ///< height of the object
   };
 
@@ -59,7 +59,7 @@ class AdhesionPlanner : public Planner {
   bool HasBrim(int32_t object) const;
   void LookAt(const SlicedLayer& layer, const ObjectSection& section, bool in_skirt);
 
-  /// Returns one member (`of`) of all objects, moved to the copies' positions on the plate.
+  /// Returns the area in member `of` of all objects, moved to the copies' positions on the plate.
   MultiPolygon OnPlate(MultiPolygon Seen::*of) const;
   /// Returns the brim options of an object. An automatic brim gets its computed width.
   BrimOptions BrimOf(int32_t object, const Seen& seen) const;
@@ -79,9 +79,9 @@ class AdhesionPlanner : public Planner {
   const std::span<const PlacedCopy> copies_;
   const MultiPolygon bed_;
   const bool wanted_;
-  std::map<int32_t, Seen> seen_;  ///< data by object; the plate has an entry too
+  std::map<int32_t, Seen> seen_;  ///< data per object; the plate has an entry too
   SkirtReach skirt_reach_;
-  /// Number of layers that count for the skirt, up to the last one with outlines of parts.
+  /// Number of layers that skirt_height can refer to, up to the last layer with outlines of parts.
   int32_t layers_ = 0;
   Coord first_height_nm_ = 0;
 };

@@ -10,12 +10,13 @@
 
 namespace slicefarm::planning {
 
-/// Offset that closes the cracks that rounding leaves between regions with a common border.
+/// Offset that closes the cracks that rounding leaves between adjacent regions.
 constexpr Coord kGlueNm = 500;
 
 /// One object on the plate, as input of BrimRegions.
 struct BrimObject {
-  MultiPolygon outlines;  ///< outlines of its first layer, after elephant foot compensation
+  /// outlines of the object's first layer, after elephant foot compensation
+  MultiPolygon outlines;
   BrimOptions options;
 };
 
@@ -27,24 +28,23 @@ struct BrimObject {
 /// the hole is treated like any other object.
 /// - No brim is closer to an object than the separation of this object, whether the object has a
 ///   brim or not.
-/// - A piece that lost contact with its own object is left out. An example is a piece in the hole
-///   of a neighbouring part.
-/// - Where brims overlap, the object that is first in `objects` gets the area. A remaining piece
-///   thinner than half a line goes to the first object too.
-/// - Pieces thinner than half a line are left out.
+/// - A piece of a brim without contact with its own object is left out. An example is a piece in
+///   the hole of a neighbouring part.
+/// - Where brims overlap, the object that is first in `objects` gets the area. If the brim of the
+///   other object keeps a piece thinner than half a line, the first object also gets this piece.
+/// - Other pieces thinner than half a line are left out.
 /// - No brim leaves `bed`. An empty `bed` is no limit.
 ///
 /// Shapes: objects may touch or overlap. Units: nm, in plate coordinates. Distances are exact to
-/// 0.008 mm and joins are round. A negative width or separation counts as 0.
-/// Errors: Cancelled, polled once per object.
-/// Cost: O(n log n) for an object and its neighbours.
-/// Source: measured with PrusaSlicer 2.5.0: a box, a frame, and a frame with a pin in it.
+/// 0.008 mm and joins are round. A negative width or separation counts as 0. Errors: Cancelled,
+/// polled once per object. Cost: O(n log n) for n points of an object and its neighbours. Source:
+/// measured with PrusaSlicer 2.5.0: a box, a frame, and a frame with a pin in it.
 /// - The brim starts at brim_separation from the compensated outline. It has floor(width / spacing)
 ///   lines, and the outermost line is printed first.
 /// - outer_only gives a pin in the frame's hole no brim. inner_only and outer_and_inner give the
 ///   pin its ring.
 /// - An object with a raft gets no brim.
-/// - The region here has exactly the requested width.
+/// - Different here: the region has exactly the requested width.
 absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
                                                       const MultiPolygon& bed,
                                                       const CancelToken& cancel = {});

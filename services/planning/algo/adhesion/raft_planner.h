@@ -15,12 +15,12 @@ namespace slicefarm::planning {
 
 /// Plans rafts for the objects with a raft setting, and lifts these objects and their supports.
 ///
-/// An object with free room around all of its copies has its own raft, which is printed and
+/// An object with free space around all of its copies has its own raft, which is printed and
 /// cancelled with each copy. Copies that are closer and have equal options share one raft, which is
 /// united from their areas. With complete_objects all rafts are shared, because they are printed
 /// before any object. A raft keeps 0.5 mm away from objects that it does not support. It also keeps
 /// 0.5 mm away from rafts with different options: the raft of the earlier object gets the area. A
-/// raft supports supports as well as parts. No raft leaves the bed.
+/// raft extends below supports as well as parts. No raft leaves the bed.
 ///
 /// Output: stacks of StackKind::kRaft, with regions of Role::kRaft and kRaftInterface. Errors:
 /// Cancelled, polled for each raft.
@@ -38,7 +38,7 @@ class RaftPlanner : public RegionPlanner {
                     RegionPlan& plan) override;
 
  private:
-  /// Data of one object, in the object's own coordinates.
+  /// Outlines of one object, in the object's own coordinates.
   struct Seen {
     MultiPolygon lowest;  ///< outlines that rest on the bed or a raft
     MultiPolygon low;     ///< union of all outlines below the top of the highest raft
@@ -53,7 +53,7 @@ class RaftPlanner : public RegionPlanner {
   SeenObjects LookAt(std::span<const SlicedLayer> parts, const RegionPlan& plan) const;
   MultiPolygon Carried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
   MultiPolygon NotCarried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
-  /// Returns the raft layers of `group`, without the room of other objects and rafts.
+  /// Returns the raft layers of `group`, without the areas of other objects and rafts.
   std::vector<RaftLayer> LayersOf(const SeenObjects& seen, const ObjectPlanOptions& group,
                                   const RegionPlan& plan) const;
   void AddRaft(int32_t object, const ObjectPlanOptions& options, std::vector<RaftLayer> layers,

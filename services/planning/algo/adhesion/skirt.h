@@ -21,8 +21,8 @@ class SkirtReach {
   /// `options` must outlive this object.
   explicit SkirtReach(const SkirtOptions& options) : options_(options) {}
 
-  /// Returns true if the skirt reaches the next layer. A layer of supports only is reached if the
-  /// skirt has not ended yet.
+  /// Returns true if the skirt reaches the next layer. For a layer that contains supports only,
+  /// returns true if the skirt has not ended yet.
   bool Next(const SlicedLayer& layer);
 
   /// Returns the number of layers counted so far.
@@ -37,26 +37,26 @@ class SkirtReach {
 /// is first, so that the last one ends near the parts, as in PrusaSlicer. All layers get the same
 /// loops.
 ///
-/// The first loop's inner edge is `distance` away from the hull of parts and brims, with round
-/// corners. With a draft shield it is the hull of the parts alone. The next loops follow at the
-/// bead's spacing. Loops are added until their filament on the first layer reaches `min_length`, up
-/// to limits::kMaxSkirtLoops.
+/// The inner side of the innermost loop is `distance` away from the hull of parts and brims, with
+/// round corners. With a draft shield it is `distance` away from the hull of the parts alone.
+/// Further loops surround this loop at the bead's spacing. Loops are added until their filament on
+/// the first layer reaches `min_length`, up to limits::kMaxSkirtLoops.
 ///
 /// Shapes: `parts` has the outlines of the first `SkirtLayers` layers, supports and rafts included,
 /// in any order. They may overlap. Paths are closed, counter-clockwise, Feature::kSkirt, object -1,
-/// with one width, and height 0 (the layer's).
-/// Units: nm, in plate coordinates. Distances are exact to 0.008 mm.
-/// Errors: none. The result is empty if there are no parts, or if lines of this width and height
-/// have no spacing.
-/// Cost: O(n log n) for n points, and O(k) for a loop around k points of the hull.
-/// Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width 0.4, height 0.2 (spacing 0.357):
-/// - Same as here: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6 loops
-///   of 22.3 mm in sum, and the same six on each layer of skirt_height.
-/// - Same as here: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.
-/// - Same as here: with draft_shield limited or enabled, the distance counts from the part. Brim
+/// with one width, and height 0 (the layer's). Units: nm, in plate coordinates. Distances are exact
+/// to 0.008 mm. Errors: none. The result is empty if there are no parts, or if lines of this width
+/// and height have no spacing. Cost: O(n log n) for n points, and O(k) for a loop around k points
+/// of the hull. Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width 0.4, height 0.2
+/// (spacing 0.357):
+/// - As here: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6 loops with a
+///   total of 22.3 mm of filament, and the same six on each layer of skirt_height.
+/// - As here: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.
+/// - As here: with draft_shield limited or enabled, the distance is measured from the part. Brim
 ///   lines that would overlap the shield are left out.
-/// - Different: its first centre line is distance + spacing from the hull (6.357). So the inner
-///   edge is 0.157 farther out than skirt_distance says. Here the inner edge is at skirt_distance.
+/// - Different: PrusaSlicer's first centre line is distance + spacing from the hull (6.357). So the
+///   inner side is 0.157 farther out than skirt_distance says. Here the inner side is at
+///   skirt_distance.
 std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
                              const SkirtOptions& options);
 
@@ -65,8 +65,8 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
 /// order. Cost: O(points of the loops * points of the bed).
 std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed);
 
-/// Returns the band that a draft shield's loops cover, from edge to edge. Brims are cut by this
-/// band. Empty without a shield.
+/// Returns the band that a draft shield's loops cover, including the bead widths. Brims are cut by
+/// this band. Empty without a shield.
 MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options);
 
 }  // namespace slicefarm::planning

@@ -18,19 +18,18 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Refuses jobs in which two things would be printed in the same place: parts and supports of
-/// different copies, rafts, brims, the skirt. Overlaps within one copy are not checked, for example
-/// between a part and its supports.
+/// Refuses jobs in which two structures would be printed in the same location: parts and supports
+/// of different copies, rafts, brims, the skirt. Overlaps within one copy are not checked, for
+/// example between a part and its supports.
 ///
 /// Runs after the planner of brims and skirts. Adds nothing to the plan. Errors of Finish:
-/// PATHS_CONFLICT for the lowest overlap, with the names of both things.
-/// Cost: a comparison of the sections' boxes, and one boolean operation per layer for copies with
-/// intersecting boxes. Each layer of a raft, a brim or the skirt needs one boolean operation with
-/// everything beside it.
+/// PATHS_CONFLICT for the lowest overlap, with the names of both structures. Cost: a comparison of
+/// the sections' boxes, and one boolean operation per layer for copies with intersecting boxes.
+/// Each layer of a raft, a brim or the skirt needs one boolean operation with everything beside it.
 class ConflictPlanner : public Planner {
  public:
-  /// All arguments must outlive this planner. `object_names`: names by object; may have fewer
-  /// entries.
+  /// All arguments must outlive this planner. `object_names`: names, indexed by object; may have
+  /// fewer entries.
   ConflictPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                   std::span<const std::string> object_names);
 
@@ -50,7 +49,7 @@ class ConflictPlanner : public Planner {
       return bottom_nm < other.top_nm && other.bottom_nm < top_nm;
     }
   };
-  using Slices = std::map<int32_t, std::deque<Slice>>;  ///< slices by object
+  using Slices = std::map<int32_t, std::deque<Slice>>;  ///< slices per object
 
   /// Slice of one copy, at the copy's position on the plate.
   struct Placed {
@@ -62,7 +61,7 @@ class ConflictPlanner : public Planner {
   static Slice SliceOf(const ObjectSection& section, Coord top_nm);
   void AddToHull(int32_t object, const MultiPolygon& outline);
   void CompareAndKeep(const Slice& slice);
-  /// Compares a slice with the slices beside any copy of its object.
+  /// Compares a slice with the slices in `kept` that are beside any copy of its object.
   void Compare(const Slice& slice, const Slices& kept);
   void CompareBrims(const JobPlan& plan);
   void CompareSkirt(const Skirt& skirt);
@@ -80,7 +79,7 @@ class ConflictPlanner : public Planner {
   Slices kept_;  ///< slices of copies with close neighbours, for comparison with the next sections
   Slices low_;   ///< slices that begin below low_nm_; the plate has an entry too
   SkirtReach skirt_reach_;
-  std::map<int32_t, Polygon> hulls_;  ///< hulls by object, on layers that the skirt reaches
+  std::map<int32_t, Polygon> hulls_;  ///< hull per object, of the layers that the skirt reaches
   absl::Status found_;
 };
 

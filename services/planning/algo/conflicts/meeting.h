@@ -8,8 +8,8 @@
 
 namespace slicefarm::planning {
 
-/// Largest width of a harmless overlap, in nm. Solids that touch in a drawing overlap by as much,
-/// and beads fit in spite of it.
+/// Largest width of a harmless overlap, in nm. Solids that touch in a drawing overlap by this much
+/// when they are sliced, and their beads still fit.
 inline constexpr Coord kSharedWidthNm = 100'000;
 
 /// Returns a point of the common area where it is wider than kSharedWidthNm. Cost: one boolean

@@ -20,8 +20,8 @@ struct Beside {
   friend auto operator<=>(const Beside&, const Beside&) = default;
 };
 
-/// Finds copies that may share room, from the boxes of their objects so far. The boxes grow layer
-/// by layer. Pairs of copies with the same objects and the same relative position count once.
+/// Finds copies that may overlap, from the bounding boxes of their objects so far. The boxes grow
+/// layer by layer. Pairs of copies with the same objects and the same relative position count once.
 /// Cost: O(c log c) for c copies, plus the pairs that are near, each time that an object grows by
 /// some millimetres.
 class NearCopies {
@@ -29,19 +29,19 @@ class NearCopies {
   /// `copies` must outlive this object.
   explicit NearCopies(std::span<const PlacedCopy> copies) : copies_(copies) {}
 
-  /// Adds a box, in the object's own coordinates, to the room of `object`.
+  /// Extends the bounding box of `object` by `box`, which is in the object's own coordinates.
   void Claim(int32_t object, const Box& box);
 
-  /// Returns the neighbours that may meet the object's copies.
+  /// Returns the neighbours that may overlap copies of the object.
   const std::set<Beside>& Of(int32_t object);
 
  private:
   void Sweep();
 
   const std::span<const PlacedCopy> copies_;
-  std::map<int32_t, Box> claims_;  ///< claimed boxes by object
+  std::map<int32_t, Box> claims_;  ///< bounding box per object
   bool stale_ = false;
-  std::map<int32_t, std::set<Beside>> near_;  ///< neighbours by object
+  std::map<int32_t, std::set<Beside>> near_;  ///< neighbours per object
 };
 
 }  // namespace slicefarm::planning

@@ -12,7 +12,7 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Plans where parts curl up, so that travels avoid these edges (avoid_crossing_curled_overhangs).
+/// Plans where parts curl up, so that travels avoid these areas (avoid_crossing_curled_overhangs).
 class CurlPlanner : public Planner {
  public:
   /// `options` must outlive this planner.

@@ -27,8 +27,9 @@ struct PatternChoice {
   std::string reason;  ///< reason in words, without the pattern's name
 };
 
-/// Chooses the pattern for fill_pattern = auto. The first rule that holds decides. A pitch is a
-/// line's width / density:
+/// Chooses the pattern for fill_pattern = auto. The first line that applies decides. The left
+/// column has conditions on infill_goal, density and shape; the right column has the pattern. A
+/// pitch is a line's width / density:
 ///
 ///     density 60 % or more             rectilinear
 ///     narrower than 4 pitches          flexibility: concentric, else grid

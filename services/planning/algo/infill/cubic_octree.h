@@ -11,17 +11,18 @@
 
 namespace slicefarm::planning {
 
-/// Planes of cubic infill that become sparser away from given places: an octree of cubes that stand
+/// Planes of cubic infill that become sparser away from given points: an octree of cubes that stand
 /// on a corner (services/infill/algo/patterns). Each cube has three planes through its middle.
 ///
-/// The tree has every cube that contains a place. The cube sizes range from two plane distances up
-/// to one cube that contains everything. So planes near a place are `pitch` apart (as in the
-/// density formula of the pattern). In a cube of double size without places they are two pitches
-/// apart, and so on. A plane ends at the sides of its cubes, which are planes of larger cubes.
+/// The tree has every cube that contains one of the points. The cube sizes range from two plane
+/// distances up to one cube that contains everything. So planes near a point are `pitch` apart (as
+/// in the density formula of the pattern). In a cube of double size without points they are two
+/// pitches apart, and so on. A plane ends at the sides of its cubes, which are planes of larger
+/// cubes.
 ///
 /// Eight cubes of one size can be grouped into a larger cube at eight different offsets. The tree
-/// takes the offset with the least of the filled body inside its cubes, so that planes become
-/// sparse as soon as possible. The planes themselves are always planes of cubic infill.
+/// uses the offset at which its cubes contain the smallest share of the filled body, so that planes
+/// become sparse as soon as possible. The planes themselves are always planes of cubic infill.
 class CubicOctree {
  public:
   using Cell = std::array<int32_t, 3>;
@@ -31,25 +32,26 @@ class CubicOctree {
   };
   /// Set of cells; used for look-ups only, never iterated in order.
   using Cells = std::unordered_set<Cell, CellHash>;
-  using Shares = std::unordered_map<Cell, int64_t, CellHash>;  ///< number of body samples by cube
+  using Shares = std::unordered_map<Cell, int64_t, CellHash>;  ///< number of body samples per cube
 
-  /// `pitch_nm`: the length of lines per area is 1 / pitch where the tree is full. `angle_rad`:
-  /// direction of the first family of lines. `reach_nm`: upper limit of all coordinates. REQUIRES:
-  /// pitch_nm > 0.
+  /// `pitch_nm`: distance between lines near the points; the length of lines per area is 1 /
+  /// pitch_nm there. `angle_rad`: direction of the first family of lines. `reach_nm`: upper limit
+  /// of all coordinates. REQUIRES: pitch_nm > 0.
   CubicOctree(double pitch_nm, double angle_rad, double reach_nm);
 
-  /// Adds a place, which has the radius `around_nm` in the plane.
+  /// Adds a point near which planes are close together. `around_nm`: radius in the plane of the
+  /// area for which the point counts.
   void Add(Point place, Coord z_nm, double around_nm);
-  /// Adds one sample of the body. The samples are evenly spaced.
+  /// Adds one sample point of the filled body. The samples are evenly spaced.
   void AddBody(Point place, Coord z_nm);
-  /// Returns the distance between samples of the body. With samples this close, at most a corner of
-  /// a cube is missed.
+  /// Returns the distance at which the body has to be sampled. With samples this close, at most a
+  /// corner of a cube is missed.
   double BodyStepNm() const { return distance_; }
-  /// Returns the distance between places of the body's surface.
+  /// Returns the distance at which points have to be added along the body's surface.
   double StepNm() const { return distance_ / 4; }
 
-  /// Builds the cubes around the places after all places are added. Cost: O(area of places /
-  /// distance^2).
+  /// Builds the cubes around the points after all points are added. Cost: O(area of points /
+  /// distance^2), where distance is the distance between planes in space.
   void Grow();
 
   /// Returns the planes' lines at a height, in order. The lines are straight. Each line spans its
@@ -66,7 +68,7 @@ class CubicOctree {
 
   LineAxes FrameOf(int family) const { return frames_[static_cast<size_t>(family)]; }
   double EdgeOf(size_t level) const;
-  /// Returns the coordinates of a place along the planes' normals, in plane distances.
+  /// Returns the coordinates of a point along the planes' normals, in plane distances.
   std::array<double, 3> AlongOf(Point place, Coord z_nm) const;
   /// Returns the level of the cubes that have this plane in their middle. levels_.size() means no
   /// level: the plane is unlimited.
@@ -77,8 +79,8 @@ class CubicOctree {
   double distance_;  ///< distance between neighbouring planes in space
   double reach_;
   std::array<LineAxes, 3> frames_;
-  Cells places_;               ///< cubes of one plane distance that contain a place
-  Shares body_;                ///< body samples of cubes of that width
+  Cells places_;               ///< cubes with a side of one plane distance that contain a point
+  Shares body_;                ///< body samples per cube with a side of one plane distance
   std::vector<Level> levels_;  ///< levels from the smallest cubes to the largest
 };
 

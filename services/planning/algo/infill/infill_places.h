@@ -13,21 +13,24 @@ namespace slicefarm::planning {
 struct InfillPlaces {
   MultiPolygon left_out;
   MultiPolygon combined;
-  Coord combined_height_nm = 0;  ///< total height of the layers that `combined` is printed for
+  /// height of the infill in `combined`: total height of the combined layers
+  Coord combined_height_nm = 0;
 };
 
 /// Applies infill_only_where_needed, from the top down. Infill is needed below solid infill wider
-/// than `least_nm`, and below needed infill. The rest of `areas` is left out, together with a
-/// margin of `margin_nm`. `areas` and `roofs`: one per layer, as from SparseAreas and RoofsOf.
+/// than `least_nm`, and below needed infill. The needed infill is grown by `margin_nm`, and the
+/// remaining part of `areas` is left out. `areas` and `roofs`: one per layer, as returned by
+/// SparseAreas and RoofsOf.
 void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const MultiPolygon> roofs,
                       Coord least_nm, Coord margin_nm, std::span<InfillPlaces> places);
 
-/// Applies infill_every_layers: groups that many layers, from the second layer up. The last layer
-/// of a group prints the infill that all of them share, and the lower layers leave it out.
+/// Applies infill_every_layers: groups `every_layers` layers, from the second layer up. The last
+/// layer of a group prints the infill of the area that all its layers share; the lower layers leave
+/// this area out.
 ///
 /// A strip of a layer within `least_nm` of the shared area is too narrow for lines of its own. In
 /// the last layer the strip is printed with the shared area. In a lower layer the strip is left out
-/// with it. On slopes both effects have about the same size.
+/// with the shared area. On slopes both effects have about the same size.
 void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas,
                    int32_t every_layers, Coord least_nm, std::span<InfillPlaces> places);
 

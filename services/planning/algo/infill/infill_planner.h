@@ -26,12 +26,12 @@ namespace slicefarm::planning {
 /// Memory: the outlines of all layers of these objects.
 class InfillPlanner : public Planner {
  public:
-  /// `options` and `object_names` must outlive this planner. Sections refer to rows of
-  /// `options.infill`. A section without a valid row is not planned.
+  /// `options` and `object_names` must outlive this planner. Region::settings is an index into
+  /// `options.infill`. A region without a valid index is not planned.
   InfillPlanner(const PlanningOptions& options, std::span<const std::string> object_names)
       : options_(options), object_names_(object_names) {}
 
-  /// Returns true if some row of settings needs this planner.
+  /// Returns true if the infill options of some region need this planner.
   static bool IsNeeded(const PlanningOptions& options);
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
@@ -40,15 +40,15 @@ class InfillPlanner : public Planner {
   int64_t HeldBytes() const override { return held_bytes_; }
 
  private:
-  using Key = std::pair<int32_t, int32_t>;  ///< object and row of settings
+  using Key = std::pair<int32_t, int32_t>;  ///< object, and index of the region settings
 
   void FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers, JobPlan& plan) const;
 
   const PlanningOptions& options_;
   const std::span<const std::string> object_names_;
   int64_t held_bytes_ = 0;
-  std::map<int32_t, ObjectStack> stacks_;  ///< layers by object; `region` is not filled in
-  /// Outlines by index in the object's stack.
+  std::map<int32_t, ObjectStack> stacks_;  ///< layers per object; `region` is not filled in
+  /// Outlines of the regions, by the index of the layer in the object's stack.
   std::map<Key, std::map<size_t, MultiPolygon>> regions_;
 };
 

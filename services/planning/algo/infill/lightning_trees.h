@@ -10,13 +10,13 @@
 
 namespace slicefarm::planning {
 
-/// Place on a tree or edge, and its distance from the queried point.
+/// Point on a tree or on a region's boundary, and its distance from the queried point.
 struct Nearest {
   Point at;
   double distance_nm = 0;
 };
 
-/// Node of a tree that grows from the edge of a region. Roots have no parent.
+/// Node of a tree that grows from the boundary of a region. Roots have no parent.
 struct LightningNode {
   Point at;
   int32_t parent = -1;
@@ -26,17 +26,17 @@ struct LightningNode {
 
 /// Trees in one layer. They shrink from a layer to the one below. The lower trees can support the
 /// upper ones: no point of an upper tree is farther than twice the layer's height from a lower tree
-/// or from the region's edge.
+/// or from the region's boundary.
 class LightningTrees {
  public:
   const std::vector<LightningNode>& nodes() const { return nodes_; }
 
-  /// Returns the nearest place on a tree, with the node at the outer end of its edge; nothing if
-  /// there is no tree.
+  /// Returns the nearest point on a tree, and the node at the outer end of the edge with this
+  /// point. Returns nullopt if there is no tree.
   std::optional<std::pair<Nearest, int32_t>> NearestTo(Point p) const;
 
-  /// Adds a straight branch that ends at `tip`. The branch starts at the nearest place on a tree or
-  /// on the edge of `region`, so it is inside. Returns the start.
+  /// Adds a straight branch that ends at `tip`. The branch starts at the nearest point on a tree or
+  /// on the boundary of `region`, so it is inside the region. Returns the start.
   Point GrowTo(Point tip, const RegionEdges& region);
 
   /// Shrinks the trees to the trees of the layer below. Tips are cut back by `step_nm`. Other nodes
@@ -44,7 +44,8 @@ class LightningTrees {
   void Descend(double step_nm);
 
   /// Fits the trees to another region. Pieces outside the region are cut off, and the remaining
-  /// pieces are connected to the nearest edge. Cost: O(nodes), plus the cost of RegionEdges.
+  /// pieces are connected to the nearest point of its boundary. Cost: O(nodes), plus the cost of
+  /// RegionEdges.
   void Refit(const RegionEdges& region);
 
   /// Returns the trees as lines, each branch once: first the longest path from each root, then from

@@ -13,17 +13,18 @@ struct SkinRules {
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
   SkinSpare top_spare = {}, bottom_spare = {};
-  bool of_region_alone = false;  ///< skins also where another region is above or below
+  /// true: skins are also made where another region is above or below
+  bool of_region_alone = false;
 };
 
-/// Returns each layer's region without walls of that thickness.
-/// Cost: O(n log n) for each layer that is not equal to the one below.
+/// Returns each layer's region without the walls, which are `walls_nm` thick. Cost: O(n log n) for
+/// n points of each layer that is not equal to the one below.
 std::vector<MultiPolygon> InnerAreas(const ObjectStack& stack, Coord walls_nm);
 
 /// Estimates the sparse infill of each layer from the outlines alone. The result is the part of
 /// `inner` (see InnerAreas) that is deep enough below and above all open surfaces. Beading and
-/// infill decide the exact areas later; the plan is cut to these exact areas.
-/// Cost: O(n log n) for each pair of layers within reach of the skins that are not equal.
+/// infill decide the exact areas later; the plan is cut to these exact areas. Cost: O(n log n) for
+/// n points of each pair of different layers that are within the thickness of the skins.
 std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, std::vector<MultiPolygon> inner,
                                       const SkinRules& rules);
 
@@ -33,10 +34,9 @@ std::vector<MultiPolygon> RoofsOf(const std::vector<MultiPolygon>& areas);
 
 /// Returns the areas where only walls and sparse infill are sure to support the layers above. These
 /// are `areas`, and solid infill beside them that is narrower than `least_nm`. On slopes each layer
-/// has such a strip. The strip rests on the strip below, or the infill stage does not print it at
-/// all.
-/// `inner`, `areas`: as from InnerAreas and SparseAreas. Cost: O(n log n) for each layer that has
-/// both.
+/// has such a strip. The strip lies on the strip below, or the infill stage does not print it at
+/// all. `inner`, `areas`: as returned by InnerAreas and SparseAreas. Cost: O(n log n) for n points
+/// of each layer that has both.
 std::vector<MultiPolygon> HollowAreas(const std::vector<MultiPolygon>& inner,
                                       const std::vector<MultiPolygon>& areas, Coord least_nm);
 

@@ -6,8 +6,8 @@
 
 namespace slicefarm::planning {
 
-/// Callback for one place: its position, its height above the object's bottom, and its radius in
-/// the plane.
+/// Callback for one point: its position in the plane, its height above the object's bottom, and its
+/// radius in the plane.
 using TakePlace = std::function<void(Point place, Coord z_nm, double around_nm)>;
 
 /// Numbers of solid layers next to open surfaces.
@@ -16,21 +16,22 @@ struct SkinLayers {
   int32_t bottom = 0;
 };
 
-/// Visits places where an object's sparse infill ends, in the middle of the layers' heights:
+/// Visits points at the boundary of an object's sparse infill, in the middle of the layers'
+/// heights:
 /// - roofs, one top skin below each open upper surface;
 /// - floors, one bottom skin above each open lower surface;
 /// - sides, on the outlines.
 ///
-/// The places of roofs have a radius so large that together they cover all of the roof. Places of
-/// floors and sides are at most `step_nm` apart in both directions, and their radius is 0.
+/// The radius of the points on roofs is so large that together they cover all of the roof. Points
+/// on floors and sides are at most `step_nm` apart in both directions, and their radius is 0.
 void ForEachSurfacePlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
                          const TakePlace& take);
 
-/// Visits the places of roofs only, and only below surfaces that lean less than 45 degrees.
+/// Visits only points on roofs, and only below surfaces that lean less than 45 degrees.
 void ForEachRoofPlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
                       const TakePlace& take);
 
-/// Visits places all over the inside of a stack's region, about `step_nm` apart in all directions.
+/// Visits points all over the inside of a stack's region, about `step_nm` apart in all directions.
 void ForEachInnerPlace(const ObjectStack& stack, Coord step_nm,
                        const std::function<void(Point place, Coord z_nm)>& take);
 

@@ -15,7 +15,8 @@
 
 namespace slicefarm::planning {
 
-/// Plans of a job's layers, without the settled plans that were already taken.
+/// Plans of a job's layers that have not been taken yet. Plans are taken when no planner will
+/// change them.
 class OpenLayers {
  public:
   /// Adds an empty plan for the next layer and returns it.
@@ -29,7 +30,7 @@ class OpenLayers {
   /// Returns one more than the index of the last layer.
   int32_t end() const { return first_ + static_cast<int32_t>(plans_.size()); }
 
-  /// Takes the plans below that of `layer`, from the lowest up.
+  /// Removes and returns the plans of the layers below `layer`, from the lowest up.
   std::vector<LayerPlan> TakeBelow(int32_t layer);
 
  private:
@@ -61,11 +62,12 @@ class Planner {
   virtual int64_t HeldBytes() const { return 0; }
 };
 
-/// Returns the plan of a stack's section in a layer, by the stack's id. Adds the plan if it is
-/// missing.
+/// Returns the plan of a stack's section in `plan`, the plan of a layer. Adds the section's plan if
+/// it is missing. `stack`: id of the stack.
 SectionPlan& PlanOf(int32_t stack, LayerPlan& plan);
 
-/// Returns the name of an object for messages. `names`: names by object; may have fewer entries.
+/// Returns the name of an object for messages. `names`: names, indexed by object; may have fewer
+/// entries.
 std::string NameOf(int32_t object, std::span<const std::string> names);
 
 /// Returns the name of a copy for messages: its object, and the number of the copy if there are

@@ -16,9 +16,9 @@ namespace slicefarm::planning {
 struct RegionPlan {
   int32_t next_id = 0;                ///< id of the next stack
   std::vector<Coord> lifts_nm;        ///< height of each object's part above the bed
-  std::vector<AddedStack> stacks;     ///< in ascending order of ids
+  std::vector<AddedStack> stacks;     ///< added stacks, sorted by id
   std::vector<std::string> warnings;  ///< texts for the job's report
-  /// Areas directly above supports, by object and layer of its part.
+  /// Areas directly above supports; the key is the object and the layer of the object's part.
   using Carried = std::map<std::pair<int32_t, int32_t>, MultiPolygon>;
   Carried carried;
 

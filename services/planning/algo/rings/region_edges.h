@@ -15,7 +15,7 @@ class RegionEdges {
  public:
   using Edge = EdgeIndex::Edge;
 
-  /// Nearest place on an edge.
+  /// Nearest point on an edge.
   struct Hit {
     int32_t ring = 0;  ///< index of the ring in the order of ForEachRing
     /// Index of the edge in the ring: from the point with this index to the next.
@@ -23,16 +23,16 @@ class RegionEdges {
     double share = 0;  ///< position on the edge, in [0, 1]
     Point at;
     double distance_nm = 0;
-    bool inside = false;  ///< true if the queried point is in the region or on its edge
+    bool inside = false;  ///< true if the queried point is in the region or on its boundary
   };
 
   static constexpr Coord kAnyReach = std::numeric_limits<Coord>::max() / 4;
 
-  /// Copies the edges. Cost: O(edges + squares of a millimetre). There are only a few squares per
-  /// edge.
+  /// Copies the edges. Cost: O(edges + squares of a millimetre that the region's box covers). There
+  /// are only a few squares per edge.
   explicit RegionEdges(const MultiPolygon& region);
 
-  /// Returns the nearest place on an edge, or nothing if no edge is within `reach_nm`. Of equally
+  /// Returns the nearest point on an edge, or nullopt if no edge is within `reach_nm`. Of equally
   /// near edges the first is returned. Cost: O(edges within the distance of the nearest one).
   std::optional<Hit> Nearest(Point to, Coord reach_nm = kAnyReach) const;
 
@@ -56,9 +56,9 @@ class RegionEdges {
   std::vector<int32_t> EdgesIn(const Box& box) const;
 
   EdgeIndex index_;
-  /// Index of the first edge of each ring, and the number of edges at the end.
+  /// Index of the first edge of each ring; the last entry is the number of edges.
   std::vector<int32_t> first_edge_;
-  /// True for each edge with a corner at its start that points into the region.
+  /// True for each edge that starts at a corner that points into the region.
   std::vector<bool> reflex_;
 };
 

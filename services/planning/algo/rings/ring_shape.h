@@ -11,30 +11,31 @@ namespace slicefarm::planning {
 /// Corner of a ring.
 struct Corner {
   double along_nm = 0;  ///< length from the ring's first point
-  double turn_rad = 0;  ///< turn; > 0 at a convex corner of the solid
+  double turn_rad = 0;  ///< change of direction; > 0 at a convex corner of the solid
 };
 
-/// Place on a ring and the ring's direction around it. The arms are half a millimetre long by
-/// default, so that fine facets do not hide a corner. On small rings they are shorter.
+/// Point on a ring, and the direction of the ring on both sides of the point. The arms are half a
+/// millimetre long by default, so that fine facets do not hide a corner. On small rings they are
+/// shorter.
 struct Bend {
   Point at;
-  Point in;   ///< arm from the point before it
-  Point out;  ///< arm to the point after it
+  Point in;   ///< vector from the start of the arm before the point to the point
+  Point out;  ///< vector from the point to the end of the arm after it
 
-  /// Returns the turn in [-pi, pi]; > 0 where the solid is convex.
+  /// Returns the change of direction in [-pi, pi]; > 0 where the solid is convex.
   double TurnRad() const;
 
-  /// Returns the direction away from the solid, as a sixteenth of the full turn in [0, kOutwards).
+  /// Returns the direction away from the solid, in sixteenths of a full turn: [0, kOutwards).
   int Outward() const;
 };
 
 /// Number of directions that Bend::Outward distinguishes.
 inline constexpr int kOutwards = 16;
 
-/// Returns the middle angle of such a direction.
+/// Returns the angle in the middle of the direction `outward` (Bend::Outward).
 double OutwardAngleRad(int outward);
 
-/// Ring with positions given by the length along it.
+/// Ring whose points are given by the length along it.
 class RingShape {
  public:
   static constexpr double kArmNm = 0.5 * kNmPerMm;
@@ -51,20 +52,20 @@ class RingShape {
   double AlongTo(size_t i) const { return ends_[i]; }
 
   /// Returns the bends at the given lengths. REQUIRES: ascending, within [0, length). Cost:
-  /// O(points + places).
+  /// O(points of the ring + bends).
   std::vector<Bend> BendsAt(std::span<const double> along_nm) const;
 
-  /// Returns the corners in the order of their position; for a rounded corner, its middle. A ring
-  /// with the same turn everywhere has no corners. Cost: O(points).
+  /// Returns the corners, sorted by position; for a rounded corner, its middle. A ring that bends
+  /// equally everywhere has no corners. Cost: O(points).
   std::vector<Corner> Corners() const;
 
  private:
-  /// Returns the point at `along_nm`, which may be up to one length outside the ring's range. The
-  /// search begins at `edge` and writes the found edge back. So a walk along the ring visits each
-  /// edge once.
+  /// Returns the point at `along_nm`, which may be up to one length of the ring before its start or
+  /// after its end. The search begins at `edge`; the index of the found edge is written back to
+  /// `edge`. So a walk along the ring visits each edge once.
   Point At(double along_nm, size_t& edge) const;
-  /// Returns the points where the ring turns, beginning after a straight place. Points past the
-  /// ring's end have positions beyond the length.
+  /// Returns the points where the ring changes direction, beginning after a straight section.
+  /// Points past the ring's end have positions beyond the length.
   std::vector<Corner> Turns() const;
 
   const Polygon* ring_;

@@ -9,7 +9,7 @@
 namespace slicefarm::planning {
 
 /// Coarse model of an object: its outlines stacked in cells of a millimetre. Cells are larger for
-/// objects of more than 256 mm. Computes the visibility of places on the surface.
+/// objects of more than 256 mm. Computes the visibility of points on the surface.
 class Occupancy {
  public:
   /// Adds a section with its top at `top_nm` above the object's bottom. Of several sections with
@@ -21,17 +21,17 @@ class Occupancy {
   /// in cells).
   void Build();
 
-  /// Returns the visibility of a place on the surface in [0, 1]: the share of directions that leave
-  /// the object or reach 30 mm. There are twelve directions, up to 60 degrees to the sides and 45
-  /// degrees up and down.
+  /// Returns the visibility of a point on the surface, in [0, 1]. It is the share of directions
+  /// along which a line leaves the object or has a free length of 30 mm. There are twelve
+  /// directions, up to 60 degrees to the sides and 45 degrees up and down.
   ///
-  /// All places in a patch (a cube of 4 mm) with the same direction `outward` (Bend::Outward) share
-  /// one value. It is computed from the first queried place of the patch. Cost: O(30 mm) for a new
+  /// All points in a patch (a cube of 4 mm) with the same direction `outward` (Bend::Outward) share
+  /// one value. It is computed from the first queried point of the patch. Cost: O(30 mm) for a new
   /// patch.
   double Visibility(Point at, Coord z_nm, int outward);
 
  private:
-  /// Cells [first, last) of a row at millimetre `slab` of height.
+  /// Solid cells [first, last) of one row, in the slab with index `slab` in millimetres of height.
   struct Run {
     int32_t slab = 0;
     int32_t row = 0;
@@ -54,7 +54,7 @@ class Occupancy {
   Cell least_;
   Cell size_;
   std::vector<uint64_t> solid_;                ///< one bit per cell
-  absl::flat_hash_map<uint64_t, float> seen_;  ///< visibility by patch and direction
+  absl::flat_hash_map<uint64_t, float> seen_;  ///< visibility per patch and direction
 };
 
 }  // namespace slicefarm::planning

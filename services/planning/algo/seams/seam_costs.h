@@ -15,33 +15,34 @@ struct RingNumber {
   int32_t ring = 0;
 };
 
-/// Returns the cost of a seam at each place.
+/// Returns the cost of a seam at each point in `places`.
 /// - Shape: 0 at a sharp inner corner, 0.5 at a sharp outer corner, 3.5 on a straight wall. These
-///   values are for places in plain view; hidden places cost up to a fifth less.
+///   values are for points in plain view; hidden points cost up to a fifth less.
 /// - Overhang, measured in layer heights beyond the layer below: 4 per height from 0.6 heights on,
 ///   20 from 1.43, and 5 from 2.43.
 /// - Steps between layers (StepCostOf): 4 per millimetre, plus 4 per square millimetre sideways. A
 ///   jump costs 40.
 ///
 /// The seam position selects the main cost:
-///   aligned  first the shape, then the visibility; of nearly equal places the rear-most,
+///   aligned  first the shape, then the visibility; of nearly equal points the rear-most,
 ///            then the left-most.
 ///   rear     the distance from the rear.
 ///   hidden   first the visibility.
-///   random   a number that depends on `number` and the place alone.
+///   random   a number that depends on `number` and the point alone.
 ///
-/// Blocked places have the highest cost. Next are places that are not enforced on a ring with
-/// enforced places. Enforced places are cheaper in the middle of their run (except with `random`),
-/// and still cheaper at corners.
-/// Shapes: one cost per place. `seen`: visibility of each place, in [0, 1]. REQUIRES: the position
-/// is not `nearest`.
+/// Blocked points have the highest cost. On a ring with enforced points, points that are not
+/// enforced have the second highest cost. Enforced points are cheaper in the middle of their
+/// section of the ring (except with `random`), and still cheaper at corners. Shapes: one cost per
+/// point. `seen`: visibility of each point, in [0, 1]. REQUIRES: the position is not `nearest`.
 std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
                               SeamPosition position, RingNumber number);
 
-/// Returns the costs of steps for a seam position. They are zero if seams need not be in line.
+/// Returns the costs of steps for a seam position. They are zero for positions at which seams need
+/// not form a line.
 StepCost StepCostOf(SeamPosition position);
 
-/// Returns true if the place overhangs the layer below by more than 55 degrees from upright.
+/// Returns true if the wall at this point overhangs the layer below by more than 55 degrees from
+/// the vertical.
 bool Overhangs(const SeamPlace& place);
 
 }  // namespace slicefarm::planning

@@ -17,16 +17,16 @@ namespace slicefarm::planning {
 
 /// Plans the seams of each ring by the object's seam position.
 ///
-/// With `nearest` nothing is planned, so each layer decides for itself. Only layers with enforcers
-/// or blockers are planned then, as with `aligned`. With every other position the planner finds
-/// places on each ring (seam_places.h). It computes their cost (seam_costs.h) and visibility
-/// (occupancy.h). Then it makes the cheapest choice over the whole object (seam_forest.h) and
-/// straightens the lines of seams (seam_lines.h).
+/// With `nearest`, only layers with enforcers or blockers are planned, as with `aligned`. In other
+/// layers nothing is planned, and ordering chooses the seams. With every other position the planner
+/// finds possible points on each ring (seam_places.h). It computes their cost (seam_costs.h) and
+/// visibility (occupancy.h). Then it makes the cheapest choice over the whole object
+/// (seam_forest.h) and straightens the lines of seams (seam_lines.h).
 ///
-/// If there are more than `most_places` places, the lower half of the layers is settled. The choice
-/// then uses all layers so far, but not the layers still to come.
-/// Cost: O((points + places) * log places) per layer. Memory: about 100 bytes per place. There is
-/// one place for every two millimetres of outline, up to about 100 per ring.
+/// If there are more than `most_places` points, the seams in the lower half of the layers are
+/// decided. This decision uses all layers so far, but not the layers still to come. Cost: O(n log
+/// n) per layer for n outline points and possible points. Memory: about 100 bytes per possible
+/// point. There is one for every two millimetres of outline, up to about 100 per ring.
 class SeamPlanner : public Planner {
  public:
   static constexpr size_t kMostPlaces = 4'000'000;
@@ -52,7 +52,8 @@ class SeamPlanner : public Planner {
   struct ObjectSeams {
     PlaceFinder finder;
     Occupancy occupancy;
-    /// Rings; first the rings of the last settled layer, which have only their seam.
+    /// Rings. The first `settled` rings are the rings of the last settled layer; only their seam is
+    /// stored.
     std::vector<Ring> rings;
     size_t settled = 0;       ///< number of rings of the last settled layer
     int32_t first_below = 0;  ///< index of the first ring of the layer below
@@ -70,9 +71,9 @@ class SeamPlanner : public Planner {
 
   const PlanningOptions& options_;
   const size_t most_places_;
-  size_t places_ = 0;  ///< number of places on rings that are not settled
+  size_t places_ = 0;  ///< number of possible points on rings that are not settled
   SeamQuality quality_;
-  std::map<int32_t, ObjectSeams> objects_;  ///< seams by object
+  std::map<int32_t, ObjectSeams> objects_;  ///< seams per object
   int32_t layers_ = 0;                      ///< number of layers so far
 };
 

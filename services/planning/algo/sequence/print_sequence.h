@@ -19,8 +19,8 @@ struct SequenceItem {
 
 /// Dimensions of the head, as PrusaSlicer's settings of these names define them.
 struct SequenceOptions {
-  Coord clearance_radius_nm = 20 * kNmPerMm;  ///< extruder_clearance_radius: around the nozzle
-  Coord clearance_height_nm = 20 * kNmPerMm;  ///< extruder_clearance_height: gantry above nozzle
+  Coord clearance_radius_nm = 20 * kNmPerMm;  ///< `extruder_clearance_radius`: around the nozzle
+  Coord clearance_height_nm = 20 * kNmPerMm;  ///< `extruder_clearance_height`: gantry above nozzle
   /// Reach of the gantry, a bar along x, to both sides of the nozzle in y. Without a value the
   /// gantry covers the whole plate.
   std::optional<Coord> gantry_reach_nm = {};

@@ -15,9 +15,9 @@ namespace slicefarm::planning {
 /// Plans the layers of a vase as one continuous bead (spiral_vase).
 ///
 /// A hollow layer becomes a turn of the spiral if it has exactly one loop (SpiralLoop). So it has
-/// no supports, no skirt, no hole, and no neck too narrow for two beads. A turn begins at the place
-/// of its loop nearest to the end of the turn below, without a retraction between them. A hollow
-/// layer that is no turn is printed like any other layer, and a warning gives its height.
+/// no supports, no skirt, no hole, and no neck too narrow for two beads. A turn begins at the point
+/// of its loop that is nearest to the end of the turn below, without a retraction between them. A
+/// hollow layer that is no turn is printed like any other layer, and a warning gives its height.
 ///
 /// Runs after all planners that choose entry points. Cost: one offset per layer.
 class SpiralPlanner : public Planner {
@@ -40,7 +40,7 @@ class SpiralPlanner : public Planner {
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
-  /// Returns the loop of a layer, or nothing if the layer is no turn.
+  /// Returns the loop of a layer, or nullopt if the layer is no turn.
   std::optional<Polygon> LoopOf(const SlicedLayer& layer) const;
 
   const PlanningOptions& options_;
@@ -48,7 +48,7 @@ class SpiralPlanner : public Planner {
   SkirtReach skirt_reach_;
   int32_t seen_ = 0;              ///< number of layers so far
   std::optional<Point> left_at_;  ///< end of the last layer's turn
-  bool goes_on_ = false;          ///< true if the last layer's turn follows another one
+  bool goes_on_ = false;          ///< true if the last layer's turn continues the turn below it
   int64_t hollow_ = 0;
   std::vector<Coord> no_turns_nm_;  ///< heights of hollow layers that are no turns
 };

@@ -13,7 +13,7 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Area of branches in one layer of support, free of the part and of other objects.
+/// Area of branches in one layer of support, without overlap with the part and with other objects.
 struct BranchSections {
   MultiPolygon thin;
   MultiPolygon thick;  ///< islands that are double_wall_diameter_nm wide somewhere
@@ -21,9 +21,9 @@ struct BranchSections {
   friend bool operator==(const BranchSections&, const BranchSections&) = default;
 };
 
-/// Returns the sections of branches, by layer of support. A section is the union of discs and necks
-/// (branch_necks.h) at the middle of the layer's height, cut to the free area. Discs are round
-/// within 0.01 mm. Near the bed branches widen to a foot. Cost: one union per layer, and one
+/// Returns the sections of branches, indexed by layer of support. A section is the union of discs
+/// and necks (branch_necks.h) at the middle of the layer's height, cut to the free area. Discs are
+/// round within 0.01 mm. Near the bed branches widen to a foot. Cost: one union per layer, and one
 /// boolean operation where branches are close to the part; on `threads` threads.
 std::vector<BranchSections> DrawBranches(const Branches& branches, const ReachField& field,
                                          const SupportHeights& heights, const Clearance& clearance,

@@ -24,24 +24,25 @@ struct BranchNeck {
   friend auto operator<=>(const BranchNeck&, const BranchNeck&) = default;
 };
 
-/// Widest gap between two discs with a neck. Beads bridge this gap, so a neck needs nothing below
-/// it.
+/// Widest gap between two discs that a neck joins. Beads bridge this gap, so a neck needs no
+/// support.
 inline constexpr Coord kMostNeckGapNm = 1'500'000;
-/// Largest half width of a neck. With this width the loops of the discs above rest on the neck's
-/// edges where they cross it.
+/// Largest half width of a neck. With this width, the loops of the discs in the layer above are
+/// supported where they cross the sides of the neck.
 inline constexpr Coord kHalfNeckNm = 900'000;
 
 /// Returns the necks that join neighbouring discs into chains, the narrowest gaps first. One loop
 /// around a chain saves the travels between its branches, and the branches of a chain stabilize
 /// each other.
 ///
-/// A disc has at most two necks, and chains do not close into rings. An outline around discs on all
-/// sides would leave the loop of a disc in their middle without support.
-/// REQUIRES: `discs` ascend. Cost: O(n * discs in a strip as wide as the largest disc and the gap).
+/// A disc has at most two necks, and chains do not close into rings. If discs on all sides of
+/// another disc were joined, the loop of the disc in the middle would have no support. REQUIRES:
+/// `discs` are sorted. Cost: O(n m) for n discs, with m discs in a strip as wide as the largest
+/// disc and the gap.
 std::vector<BranchNeck> NecksBetween(std::span<const BranchDisc> discs);
 
-/// Returns the rectangle of a neck from centre to centre, counter-clockwise. Its width is that of
-/// the smaller disc, up to the largest width of a neck. REQUIRES: the centres differ.
+/// Returns the rectangle of a neck from centre to centre, counter-clockwise. The neck is as wide as
+/// the smaller disc, but at most 2 kHalfNeckNm. REQUIRES: the centres differ.
 Polygon OutlineOfNeck(const BranchDisc& a, const BranchDisc& b);
 
 }  // namespace slicefarm::planning

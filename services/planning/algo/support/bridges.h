@@ -13,18 +13,17 @@ struct BridgeBeads {
 /// Returns the area of an overhang that straight lines and walls span from one anchored end to the
 /// other.
 ///
-/// hanging:   the area beyond the layer below
-/// steep:     its part that would need support; a piece of `hanging` without steep area is ignored
-/// below:     the layer below
+/// hanging:   the area beyond the layer below steep:     its part that would need support; a piece
+/// of `hanging` without steep area is ignored below:     the layer below
 ///
 /// For each connected piece of `hanging` the function tests 36 directions and the directions of its
 /// long edges. It takes the direction with the largest area of anchored lines, as the infill stage
 /// does. A line is anchored if it ends on `below`.
 ///
 /// Along free edges there are walls instead of lines. A straight wall with support at both ends is
-/// a bridge. A wall around a hole or along a curve has turns in the air and is no bridge. Spans may
-/// be of any length, as in PrusaSlicer. Strips narrower than two lines are left out.
-/// Cost: O(36 * lines * edges of the part).
+/// a bridge. A wall around a hole or along a curve bends in the air and is no bridge. Spans may be
+/// of any length, as in PrusaSlicer. Strips narrower than two lines are left out. Cost: O(36 n m)
+/// for n lines and m edges of the piece.
 MultiPolygon BridgesOf(const MultiPolygon& hanging, const MultiPolygon& steep,
                        const MultiPolygon& below, const BridgeBeads& beads);
 

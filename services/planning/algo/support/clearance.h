@@ -14,18 +14,18 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Horizontal gap between the edge of a step and a top under the next step. Without the gap they
-/// would touch.
+/// Horizontal gap between the side of a step of the part and the top of a support under the next
+/// step. Without the gap they would touch.
 inline constexpr Coord kEdgeNm = 8'000;
 
-/// Computes the free area for supports: off the part and the other objects, and on the bed. Const
-/// methods are safe from any thread.
+/// Computes the free area for supports: on the bed, and away from the part and the other objects.
+/// Const methods are safe from any thread.
 ///
-/// A layer of support from b to t keeps xy_gap_nm from layers that share a height with it. It is
-/// not below a layer with a bottom less than top_gap_nm above t. It is not above a layer with a top
-/// less than bottom_gap_nm below b. So on a slope the top has the requested vertical distance under
-/// each step. A requirement for the same distance from the steps' edges in space would leave steps
-/// of half a millimetre without a top at that distance (docs/figures/supports.md).
+/// A layer of support from height b to height t keeps xy_gap_nm from layers that share a height
+/// with it. It is not below a layer with a bottom less than top_gap_nm above t. It is not above a
+/// layer with a top less than bottom_gap_nm below b. So on a slope the top has the requested
+/// vertical distance under each step. If the same distance in space were required from the sides of
+/// the steps, steps of half a millimetre would get no top at that distance (README.md has figures).
 class Clearance {
  public:
   /// Prepares layers of support up to `top_nm`. `problem` and `options` must outlive this object.
@@ -39,7 +39,7 @@ class Clearance {
   MultiPolygon Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const;
   /// Returns the free part of the area inside the rings, which may overlap.
   MultiPolygon FreeOf(std::span<const Polygon> rings, Coord bottom_nm, Coord top_nm) const;
-  /// Sets the pixels that are not free for such a layer.
+  /// Sets the pixels that are not free for a layer of support from bottom_nm to top_nm.
   void FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const;
 
  private:

@@ -6,9 +6,9 @@
 namespace slicefarm::planning {
 
 /// Widens the supports on the bed by `by_nm`, as far as the bed is free, so that they adhere. The
-/// outline grows in steps, each from the free part of the last one. So it grows around walls and
-/// never through them. Interfaces keep their outlines. REQUIRES: layer.first.
-/// Cost: an offset and a boolean operation for each width_nm of by_nm.
+/// outline grows in steps of `width_nm`, each from the free part of the last one. So it grows
+/// around walls and never through them. Interfaces keep their outlines. REQUIRES: layer.first.
+/// Cost: an offset and a boolean operation for each step.
 void GrowFirstLayer(Coord by_nm, Coord width_nm, const Clearance& clearance, SupportLayer& layer);
 
 }  // namespace slicefarm::planning

@@ -16,17 +16,18 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-// These functions stop early after a cancellation. Their results are then unusable.
+// The functions below stop early after a cancellation. Their results are then unusable.
 
-/// Returns the sheets below the part. In each layer these are its own contacts and the contacts of
-/// the top_interface_layers - 1 layers above it, as far as they are free. Without interface layers
-/// they are its own contacts. Cost: a union and a boolean operation per layer.
+/// Returns the sheets (interfaces below the part), indexed by layer of support. The sheet of a
+/// layer is the free part of its own contacts and of the contacts of the top_interface_layers - 1
+/// layers above. Without interface layers it is the layer's own contacts. Cost: a union and a
+/// boolean operation per layer.
 std::vector<MultiPolygon> Sheets(const SupportHeights& heights, const Contacts& contacts,
                                  const Clearance& clearance, const SupportOptions& options,
                                  int threads, const CancelToken& cancel = {});
 
-/// Returns the areas of `bodies` (all support of a layer) that rest on the part, or are fewer than
-/// bottom_interface_layers above such an area.
+/// Returns the areas of `bodies` (all support of a layer) that are on top of the part, or fewer
+/// than bottom_interface_layers above such an area.
 std::vector<MultiPolygon> Floors(const SupportProblem& problem, const SupportHeights& heights,
                                  const std::vector<MultiPolygon>& bodies,
                                  const SupportOptions& options, int threads,
@@ -44,7 +45,8 @@ std::vector<SupportLayer> ColumnLayers(const SupportProblem& problem, const Supp
                                        int threads, const CancelToken& cancel = {});
 
 /// Returns plinths: support for sheets so near to the bed that branches cannot spread below them.
-/// In each layer this is the free area below all contacts up to a fixed height above the bed.
+/// In each layer the plinth is the free area below all contacts, up to a fixed height above the
+/// bed.
 std::vector<MultiPolygon> Plinths(const SupportHeights& heights, const Contacts& contacts,
                                   const Clearance& clearance, int threads,
                                   const CancelToken& cancel = {});

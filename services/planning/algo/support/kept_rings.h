@@ -14,13 +14,12 @@ namespace slicefarm::planning {
 
 /// Cuts holes into branches, from the top down, where the loops of the layer above would be printed
 /// into the air. Branches are hollow. Where several branches have merged into one outline, the
-/// loops inside this outline have nothing below them. The loop around such a hole supports them.
-/// Holes continue down to an outline, a sheet, the part or the bed.
+/// loops of the branches above are inside this outline and have nothing below them. The loop around
+/// a hole supports them. Holes continue down to an outline, a sheet, the part or the bed.
 ///
-/// A run of a loop up to kBridgedNm between two supported places bridges its gap without a hole.
-/// Layers must follow each other without gaps in height.
-/// Cost: a raster of each layer on `threads` threads; boolean operations where a loop has no
-/// support.
+/// A section of a loop between two supported points that is at most kBridgedNm long is a bridge and
+/// needs no hole. Layers must follow each other without gaps in height. Cost: a raster of each
+/// layer on `threads` threads; boolean operations where a loop has no support.
 void KeepRings(const SupportProblem& problem, const SupportOptions& options, int threads,
                const CancelToken& cancel, std::vector<SupportLayer>& layers);
 

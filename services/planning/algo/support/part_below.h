@@ -6,9 +6,9 @@
 
 namespace slicefarm::planning {
 
-/// Calls visit(outlines) with the layers of the part that support a layer of support with its
-/// bottom at `bottom_nm`. Their tops are at most one layer plus the lower gap below it. There are
-/// none with bed_only.
+/// Calls visit(outlines) with the layers of the part on which a layer of support with its bottom at
+/// `bottom_nm` may be printed. The tops of these layers are at most one layer height plus the lower
+/// gap below `bottom_nm`. With bed_only there are no such layers.
 template <typename Visit>
 void ForEachPartBelow(const SupportProblem& problem, const SupportOptions& options, Coord bottom_nm,
                       Visit visit) {

@@ -15,7 +15,7 @@ struct PixelGrid {
   int32_t width = 0;
   int32_t height = 0;
 
-  /// Returns the centre of a pixel.
+  /// Returns the centre of the pixel in column `x` and row `y`.
   Point Centre(int32_t x, int32_t y) const {
     return {origin.x + x * pixel_nm + pixel_nm / 2, origin.y + y * pixel_nm + pixel_nm / 2};
   }
@@ -28,7 +28,8 @@ struct PixelGrid {
   friend bool operator==(const PixelGrid&, const PixelGrid&) = default;
 };
 
-/// Returns the pixels of `pixel_nm` that cover `box`, aligned to multiples of the pixel.
+/// Returns the grid with pixels of side `pixel_nm` that covers `box`. The pixels are aligned to
+/// multiples of their side.
 PixelGrid GridOver(const Box& box, Coord pixel_nm);
 
 /// Bitmap with one byte per pixel: 0 or 1.
@@ -56,11 +57,11 @@ class Bitmap {
  private:
   PixelGrid grid_;
   std::vector<uint8_t> bytes_;
-  std::vector<std::vector<int32_t>> crossings_;  ///< crossings by row, kept to reuse the memory
+  std::vector<std::vector<int32_t>> crossings_;  ///< crossings per row, kept to reuse the memory
 };
 
-/// Returns the edges of the set pixels as rings. Outer rings are counter-clockwise, holes
-/// clockwise. Pixels that share only a corner are separate. Straight edges have no corners in
+/// Returns the boundaries of the set pixels as rings. Outer rings are counter-clockwise, holes
+/// clockwise. Pixels that share only a corner are separate. Straight sides have no points in
 /// between. Cost: O(pixels).
 std::vector<Polygon> Outline(const Bitmap& bitmap);
 
@@ -71,9 +72,8 @@ inline constexpr PixelDistance kFarthest = 31 * kDistanceSteps;
 
 /// Returns the distance from each pixel's centre to the nearest set pixel, less half a pixel. This
 /// is about the distance to the region that filled the bitmap. It is 0 in set pixels. The result is
-/// exact except for rounding. Method: Felzenszwalb, Huttenlocher 2012, the separable form. Rows are
-/// searched by brute force over the 31 pixels that count.
-/// Cost: about 2 ns per pixel.
+/// exact except for rounding. Method: Felzenszwalb, Huttenlocher 2012, the separable form. In rows,
+/// all pixels up to the largest distance (31 pixels) are compared. Cost: about 2 ns per pixel.
 std::vector<PixelDistance> DistanceTo(const Bitmap& bitmap);
 
 }  // namespace slicefarm::planning

@@ -21,9 +21,9 @@ struct Slab {
   int32_t last_layer = 0;
   Coord bottom_nm = 0;
   Coord top_nm = 0;
-  /// Largest squared distance in pixels from a place in the slab above to a place in this slab. The
-  /// distances form a disc of whole pixels. The remainder below a whole pixel is added to the next
-  /// slab's step.
+  /// Largest squared distance in pixels by which a branch may move from the slab above to this
+  /// slab. The distances form a disc of whole pixels. The remainder below a whole pixel is added to
+  /// the next slab's step.
   int32_t step_squared = 0;
 
   Coord middle_nm() const { return (bottom_nm + top_nm) / 2; }
@@ -32,18 +32,19 @@ struct Slab {
 /// Groups layers into slabs in which a branch moves about two pixels, bottom up.
 std::vector<Slab> SlabsOf(const SupportHeights& heights, double angle_rad, Coord pixel_nm);
 
-/// Field of the places that branches can reach. It stores one number per place and slab: the radius
-/// of the thickest branch that gets from there to a valid end.
+/// Field of the points that branches can reach. It stores one number per pixel and slab: the radius
+/// of the thickest branch with a valid path from there to an end.
 ///
-///   bed:     R_s = min(d_s, max of R_(s-1) within a step), R_0 = d_0.
-///   anywhere: the same, and d_s where a level enough piece of the part is right below.
+///   bed:      R_s = min(d_s, max of R_(s-1) within a step), R_0 = d_0.
+///   anywhere: as for the bed, and R_s = d_s where a level enough piece of the part is right below.
 ///
-/// d_s is the distance to the blocked area in the slab and slightly above and below it, less the xy
-/// spacing. The part, other objects, and the area off the bed are blocked. So one sweep is enough
-/// for all radii. Distances are limited to 7.7 mm (at 0.25 mm pixels).
+/// R_s is the radius in slab s. d_s is the distance to the blocked area in the slab and slightly
+/// above and below it, less the xy spacing. The part, other objects, and the area off the bed are
+/// blocked. So one sweep is enough for all radii. Distances are limited to 7.7 mm (at 0.25 mm
+/// pixels).
 ///
-/// Pixels are kPixelNm, or larger if the field would take over kMaxFieldBytes.
-/// Cost: about 5 ns per pixel and slab, most of it on `threads` threads.
+/// Pixels are kPixelNm, or larger if the field would take over kMaxFieldBytes. Cost: about 5 ns per
+/// pixel and slab, most of it on `threads` threads.
 class ReachField {
  public:
   static constexpr Coord kPixelNm = 250'000;
@@ -58,9 +59,11 @@ class ReachField {
   const PixelGrid& grid() const { return grid_; }
   const std::vector<Slab>& slabs() const { return slabs_; }
 
-  /// Returns the radius of the thickest branch with a path to the bed from a place, in nm.
+  /// Returns the radius of the thickest branch with a path from point `p` of a slab to the bed, in
+  /// nm.
   Coord ToBed(size_t slab, Point p) const { return At(to_bed_, slab, p); }
-  /// Returns the radius of the thickest branch with a path to the bed or the part, in nm.
+  /// Returns the radius of the thickest branch with a path from point `p` of a slab to the bed or
+  /// the part, in nm.
   Coord ToAnywhere(size_t slab, Point p) const {
     return to_part_.empty() ? ToBed(slab, p) : At(to_part_, slab, p);
   }

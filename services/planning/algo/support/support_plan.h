@@ -28,9 +28,9 @@ struct SupportRegion {
 /// Layer of support. Its heights may differ from the heights of the part's layers.
 struct SupportLayer {
   Coord top_nm = 0;     ///< top above the bed
-  Coord height_nm = 0;  ///< height down to the top of the layer of support below, printed or not
+  Coord height_nm = 0;  ///< height above the top of the next lower layer of support, printed or not
   bool first = false;   ///< true if the layer is on the bed
-  std::vector<SupportRegion> regions;  ///< disjoint, in order of the role; not empty
+  std::vector<SupportRegion> regions;  ///< disjoint regions, sorted by role; not empty
 
   friend bool operator==(const SupportLayer&, const SupportLayer&) = default;
 };
@@ -44,7 +44,7 @@ struct SupportFinding {
   Kind kind = Kind::kNotCarried;
   int32_t layer = 0;    ///< layer of the part
   Coord bottom_nm = 0;  ///< bottom of this layer
-  Point place;          ///< in the middle of the overhang, or near it
+  Point place;          ///< point in the middle of the overhang, or near it
   double area_mm2 = 0;
   bool carried = false;  ///< for kStartsInAir: true if a support is below the island
 
@@ -53,10 +53,10 @@ struct SupportFinding {
 
 /// Supports of one object, and the notices about its overhangs.
 struct SupportPlan {
-  std::vector<SupportLayer> layers;      ///< bottom up, one for each height
-  std::vector<SupportFinding> findings;  ///< in order of the part's layer, then the place
-  /// Areas with supports directly below the underside, grown by a line's width, by layer of the
-  /// part.
+  std::vector<SupportLayer> layers;      ///< layers bottom up, one for each height
+  std::vector<SupportFinding> findings;  ///< notices, sorted by the part's layer, then by the point
+  /// Areas with supports directly below the underside, grown by a line's width, indexed by layer of
+  /// the part.
   std::vector<MultiPolygon> carried;
 
   friend bool operator==(const SupportPlan&, const SupportPlan&) = default;

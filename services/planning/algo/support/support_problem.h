@@ -23,13 +23,13 @@ struct PartLayer : SolidLayer {
   const MultiPolygon* blockers = nullptr;   ///< null if there are none
 };
 
-/// Input for the supports of one object, in its own coordinates. The neighbours of all copies are
-/// placed around it, so that one support fits every copy.
+/// Input for the supports of one object, in its own coordinates. `others` contains the neighbours
+/// of all copies, moved as if all copies were this one, so that one support fits every copy.
 struct SupportProblem {
   std::vector<PartLayer> part;  ///< layers bottom up, without gaps between them
   /// Other objects, each bottom up. Supports keep away from them and do not rest on them.
   std::vector<std::vector<SolidLayer>> others;
-  MultiPolygon bed;  ///< supports stay on it; empty: no limit
+  MultiPolygon bed;  ///< bed that supports do not leave; empty: no limit
   /// Distance by which the first layer of branches is widened.
   Coord first_layer_expansion_nm = 0;
 };

@@ -9,9 +9,9 @@ inline constexpr Coord kSameHeightNm = 1'000;
 /// Smallest area of a region. No bead fits into less.
 inline constexpr double kLeastRegionNm2 = 0.02e12;
 
-/// Number of layers from its top down in which a contact has its exact outline. The part is so near
-/// there that pixel edges would resemble contacts at the wrong distance. Lower layers use the
-/// pixels.
+/// Number of layers, from the top of a support down, in which a contact has its exact outline. The
+/// part is so near there that pixel boundaries would resemble contacts at the wrong distance. In
+/// lower layers the contact has the outline of its pixels.
 inline constexpr int kExactLayers = 4;
 
 }  // namespace slicefarm::planning::support

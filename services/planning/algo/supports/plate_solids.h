@@ -14,7 +14,7 @@
 
 namespace slicefarm::planning {
 
-/// Everything on a plate that affects the supports of an object.
+/// All solids on a plate that limit the supports of an object.
 class PlateSolids {
  public:
   /// All arguments must outlive this object.
@@ -41,7 +41,7 @@ class PlateSolids {
                  SupportProblem& problem);
 
   const std::span<const PlacedCopy> copies_;
-  std::map<int32_t, Solid> solids_;  ///< solids by object
+  std::map<int32_t, Solid> solids_;  ///< solids per object
   std::deque<MultiPolygon> moved_;   ///< moved outlines that problems refer to
 };
 

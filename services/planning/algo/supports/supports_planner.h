@@ -20,15 +20,15 @@ namespace slicefarm::planning {
 /// The supports are in the object's own coordinates. All copies share them, and they are printed
 /// and cancelled with each copy. So the neighbours of any copy limit the supports of all copies.
 /// Supports of earlier objects are neighbours too. No support is more than kRoomNm away from the
-/// object, or beyond half the distance to its next copy.
+/// object, or beyond half the distance to the object's next copy.
 ///
 /// Output: regions of Role::kSupport and kSupportInterface. RegionPlan::warnings lists the
-/// overhangs that no support can reach and the islands that start in the air, with place and area.
-/// Errors: Cancelled.
+/// overhangs that no support can reach and the islands that start in the air, with position and
+/// area. Errors: Cancelled.
 class SupportsPlanner : public RegionPlanner {
  public:
   /// All arguments must outlive this planner. Every copy's object has options. `object_names`:
-  /// names by object; may have fewer entries.
+  /// names, indexed by object; may have fewer entries.
   SupportsPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                   std::span<const std::string> object_names, int threads)
       : options_(options), copies_(copies), object_names_(object_names), threads_(threads) {}

@@ -17,26 +17,28 @@ struct RingRange {
 };
 
 /// Plans the entry of each layer: the estimated end of the layer below, from the outlines. So
-/// islands of an object, and copies on the plate, are printed to and fro from layer to layer.
+/// islands of an object, and copies on the plate, are printed in alternating order from layer to
+/// layer.
 ///
 /// An object's islands are visited by nearest neighbour in the object's own coordinates, without
-/// regard to its neighbours. So its toolpaths do not depend on its position. Copies are visited by
-/// nearest neighbour over their positions.
+/// regard to neighbouring objects. So the object's toolpaths do not depend on its position. Copies
+/// are visited by nearest neighbour over their positions.
 ///
 /// If a single copy is the whole print, two layers can meet at a seam without a retraction. This
-/// needs a wall in the last island of the layer below that continues in the layer above, with a
-/// planned seam near the one below. Of several such seams the nearest is taken. Layers that begin
-/// with supports are excluded. So the nozzle stays within the part. The meeting point becomes the
-/// entry of the layer. The section's entry is kept for settings without such meetings.
-/// Cost: O(points + islands^2) per section; O(copies^2) for each different begin of a layer.
+/// needs a wall in the last island of the layer below that continues in the layer above. The upper
+/// layer's planned seam on this wall must be near the lower layer's. Of several such seams the
+/// nearest is taken. Layers that begin with supports are excluded. So the nozzle stays within the
+/// part. The meeting point becomes the entry of the layer. The section's entry is kept for settings
+/// without such meetings. Cost: O(points + islands^2) per section; O(copies^2) for each different
+/// start of a layer (Beginning).
 class TravelPlanner : public Planner {
  public:
   /// `copies` must outlive this planner.
   explicit TravelPlanner(std::span<const PlacedCopy> copies) : copies_(copies) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  /// Sets the meeting points of layers. Layers that were taken earlier are unchanged, and so is the
-  /// travel to the layer above them.
+  /// Sets the meeting points of layers. Layers that were taken earlier are not changed. The travel
+  /// from such a layer to the layer above is not changed either.
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
@@ -47,13 +49,16 @@ class TravelPlanner : public Planner {
   int32_t NearestCopy(const std::vector<int32_t>& objects) const;
 
   const std::span<const PlacedCopy> copies_;
-  std::map<int32_t, Point> left_at_;  ///< exit point by object, in its own coordinates
-  Point plate_left_at_;               ///< first the corner of the bed where the start G-code ends
-  std::map<Beginning, int32_t> last_copies_;  ///< cache of results
-  /// Rings of the island where the only copy is likely to be left, by layer; empty with several
-  /// copies.
+  /// point where the nozzle ends, per object, in the object's own coordinates
+  std::map<int32_t, Point> left_at_;
+  /// point where the nozzle ends on the plate; first the corner of the bed where the start G-code
+  /// ends
+  Point plate_left_at_;
+  std::map<Beginning, int32_t> last_copies_;  ///< results of LastCopy, as a cache
+  /// Rings of the island in which the nozzle probably ends each layer, indexed by layer. Only
+  /// filled for a single copy.
   std::vector<RingRange> last_rings_;
-  /// True for layers that begin with supports; only filled for a single copy.
+  /// True for layers that begin with supports, indexed by layer. Only filled for a single copy.
   std::vector<bool> begins_with_support_;
 };
 
