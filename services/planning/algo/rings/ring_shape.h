@@ -35,7 +35,7 @@ inline constexpr int kOutwards = 16;
 /// Returns the angle in the middle of the direction `outward` (Bend::Outward).
 double OutwardAngleRad(int outward);
 
-/// Ring whose points are given by the length along it.
+/// Ring on which points are given by the length along it.
 class RingShape {
  public:
   static constexpr double kArmNm = 0.5 * kNmPerMm;
