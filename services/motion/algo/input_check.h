@@ -16,11 +16,11 @@ namespace slicefarm::motion {
 absl::Status CheckOptions(const MotionOptions& options);
 
 /// Checks the paths, blocks and visits of a layer.
-/// - Paths: at least two points, the right number of widths, and a width, height and place that a
-///   printer can have. The settings must have a row, and the tool must be 0.
-/// - Blocks must have paths.
-/// - Visits must have a block, and a shift in whole micrometres. Passes must ascend.
-/// Errors: InvalidArgument REQUEST_MALFORMED naming the layer. Cost: O(points + visits).
+/// - Paths: at least two points, the right number of widths, and a width, height and position that
+///   a printer can have. Path::settings must be a valid index, and the tool must be 0.
+/// - Blocks: at least one path.
+/// - Visits: a valid index of a block, and a shift in whole micrometres. Passes must ascend.
+///   Errors: InvalidArgument REQUEST_MALFORMED naming the layer. Cost: O(points + visits).
 absl::Status CheckLayer(const OrderedLayer& layer, const MotionOptions& options);
 
 }  // namespace slicefarm::motion

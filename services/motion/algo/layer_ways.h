@@ -13,8 +13,8 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Plans travels between layers around the bed's excluded areas (MotionOptions::room). All places
-/// are coordinates of the G-code.
+/// Plans travels between layers around the bed's excluded areas (MotionOptions::room). All points
+/// are in G-code coordinates.
 class LayerWays {
  public:
   /// `options` must outlive this object.
@@ -23,11 +23,11 @@ class LayerWays {
   /// Returns the corners of the travel from `from` to `to`. A straight travel has none.
   std::vector<Point> Corners(Point from, Point to) const;
 
-  /// Returns the moves to these corners, one per line.
+  /// Returns the G-code of the moves to `corners`, one per line.
   std::string MovesTo(const std::vector<Point>& corners) const;
 
-  /// Returns the moves from `from` towards the layer's entry, at the height of its travel; empty if
-  /// the straight travel is free.
+  /// Returns the G-code of the moves from `from` towards the layer's entry, at the height of the
+  /// layer's travel; empty if the straight travel avoids the excluded areas.
   std::string To(const LayerSummary& layer, Point from) const;
 
   /// Returns the position after running G-code from `from`.

@@ -7,7 +7,7 @@
 
 namespace slicefarm::motion {
 
-/// Returns the motion stage in this process: ProgramLayer for each layer, FrameProgram. The stage
+/// Returns the motion stage in this program: ProgramLayer for each layer, FrameProgram. The stage
 /// is stateless.
 std::unique_ptr<MotionStage> MakeLocalMotion();
 

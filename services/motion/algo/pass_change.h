@@ -13,13 +13,13 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Travel from the end of a pass to the begin of the next one, above everything that is printed.
+/// Travel from the end of a pass to the start of the next one, above everything that is printed.
 struct PassChange {
-  size_t layer = 0;  ///< index of the pass's first layer in the summary
+  size_t layer = 0;  ///< index in the summary of the new pass's first layer
   /// LayerSummary::exit of the last layer, and LayerSummary::entry of the next one
   Point from, to;
-  Coord top_nm = 0;    ///< top of everything printed before
-  bool on_bed = true;  ///< the pass begins on the bed, not on a raft
+  Coord top_nm = 0;    ///< top of everything that earlier passes have printed
+  bool on_bed = true;  ///< true if the new pass begins on the bed; false: on a raft
 };
 
 /// Returns the pass changes of a program, in the order of printing.
@@ -33,10 +33,10 @@ Coord ClearHeight(Coord top_nm, const MotionOptions& options);
 std::string MoveToHeight(Coord z_nm, const MotionOptions& options);
 
 /// Returns the G-code between two passes. It begins in the canonical state at the end of a pass,
-/// and ends above the entry of the next one. The next program moves down first.
-/// The nozzle rises and runs `custom`, the filled-in between_objects_gcode. Then it goes to the
-/// entry at this height, from wherever that G-code has left it. The first layer's temperatures are
-/// set without a wait, unless that G-code sets them.
+/// and ends above the entry of the next one. The next program moves down first. The nozzle rises
+/// and runs `custom`, the filled-in between_objects_gcode. Then it travels at this height to the
+/// entry, from the position in which `custom` ends. The first layer's temperatures are set without
+/// a wait, unless `custom` sets them.
 std::string GcodeOf(const PassChange& change, std::string_view custom,
                     const MotionOptions& options);
 

@@ -14,11 +14,11 @@ namespace slicefarm::motion {
 ///
 /// The prologue heats up, runs the start G-code and leaves the canonical state for layers:
 /// millimetres, absolute coordinates, relative extrusion, filament retracted. The epilogue begins
-/// in this state. Times are the look-ahead of the whole program (print_clock.h), its own G-code
-/// included. Heating is computed by the settings' rates. The prefix of a pass's first layer moves
-/// the nozzle there above the whole print (pass_change.h). The end G-code begins above the whole
-/// print.
-/// Errors: errors of the templates (template_run.h). REQUIRES: CheckOptions succeeds.
+/// in this state. Times are the look-ahead of the whole program (print_clock.h), including the text
+/// around the layers. Heating is computed by the settings' rates. The prefix of a pass's first
+/// layer moves the nozzle to this layer, above the whole print (pass_change.h). The end G-code
+/// begins above the whole print. Errors: any error of the templates (template_run.h). REQUIRES:
+/// CheckOptions succeeds.
 absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
                                              const MotionOptions& options);
 

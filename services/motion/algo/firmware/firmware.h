@@ -16,11 +16,11 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Commands that switch the filament's coordinate between absolute and relative.
+/// Commands that switch the filament's coordinate (E) between absolute and relative.
 enum class ExtruderMode {
   kApart,       ///< M82 and M83 only
-  kWithAxes,    ///< G90 and G91 set it as well
-  kEitherWise,  ///< relative after G91 and after M83
+  kWithAxes,    ///< G90 and G91 set the mode of E as well
+  kEitherWise,  ///< E is relative after G91 and after M83
 };
 
 /// Beginnings of the comments that previewers and hosts read.
@@ -67,7 +67,7 @@ class Firmware {
 
   /// Returns a new look-ahead planner of this firmware.
   virtual std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const = 0;
-  /// Returns the acceleration that is set in the machine for such a move (M204,
+  /// Returns the acceleration that is set in the machine for moves of the kind of `move` (M204,
   /// SET_VELOCITY_LIMIT), before the limits of its axes.
   virtual double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const = 0;
   /// Returns true if the machine stops before and after moves of filament only.
@@ -79,7 +79,7 @@ class Firmware {
 
   /// Returns the commands that switch the filament between absolute and relative.
   virtual ExtruderMode extruder_mode() const = 0;
-  /// Returns true if the firmware supports the command.
+  /// Returns true if the firmware supports the command of the line.
   virtual bool Knows(const GcodeLine& line) const = 0;
   /// Returns true if a word may have several numbers (`E1:0`), or a text in quotes.
   virtual bool HasLists() const { return false; }
@@ -87,7 +87,8 @@ class Firmware {
   virtual bool has_macros() const { return false; }
   /// Applies the limits in a command to `limits`. Other commands are ignored.
   virtual void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const = 0;
-  /// Returns true if the firmware refuses a bead of such a section. `nozzle_mm`: diameter.
+  /// Returns true if the firmware refuses to print a bead of the section `section_mm2`.
+  /// `nozzle_mm`: diameter of the nozzle.
   virtual bool RefusesSection(double section_mm2, double nozzle_mm) const;
   /// Returns the longest accepted move of filament only; 0: no limit.
   virtual double LongestExtrusionMm() const { return 0; }
@@ -104,8 +105,8 @@ class Firmware {
   virtual bool HasTravelAcceleration() const = 0;
   /// Returns true if moves of filament only have an acceleration of their own.
   virtual bool HasRetractAcceleration() const { return true; }
-  /// Writes the acceleration of printing, of travels, or of both; 0 leaves one out. REQUIRES: one
-  /// is not 0, and `travel_mm_s2` is 0 unless HasTravelAcceleration.
+  /// Writes the acceleration of printing, of travels, or of both; a value of 0 is not written.
+  /// REQUIRES: one is not 0, and `travel_mm_s2` is 0 unless HasTravelAcceleration.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
   /// Writes pressure advance (linear advance), in the firmware's own unit.
@@ -139,10 +140,10 @@ class Firmware {
   /// Writes the definitions of all copies.
   virtual void DefineCopies(std::span<const CopySummary> copies,
                             std::span<const std::string> labels, GcodeText& out) const = 0;
-  /// Write the lines before and after a copy.
+  /// Write the lines at the start and at the end of a copy.
   virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
   virtual void EndCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
-  /// Returns true if a print of one copy has its label once, around all layers.
+  /// Returns true if the label of the only copy is written once, around all layers.
   virtual bool LabelsLast() const { return false; }
 };
 

@@ -8,7 +8,7 @@
 
 namespace slicefarm::motion {
 
-/// Length of moves while materials mix, in mm. Moves are cut to it because one mix is used for a
+/// Longest move while materials mix, in mm. Longer moves are cut, because one mix is used for a
 /// whole move.
 inline constexpr double kMixedMoveMm = 1;
 
@@ -19,7 +19,7 @@ class MaterialMix {
   MaterialMix(const Firmware& firmware, const MaterialField* field)
       : firmware_(firmware), field_(field) {}
 
-  /// Writes the mix for beads at a place on the plate, if it has changed.
+  /// Writes the mix for beads at a position on the plate, if the mix has changed.
   void SetFor(const PlaceMm& place_mm, GcodeText& out);
   /// Forces the next mix to be written even if it is unchanged.
   void Forget() { told_.clear(); }

@@ -11,10 +11,10 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Writes the extruder's words: relative or absolute, as length or as volume, with retractions by
-/// number or by the firmware. Rounding remainders are added to the next number, so the sum is exact
-/// to the last digit. Absolute numbers begin at 0 in each layer, and again after each retraction,
-/// as in PrusaSlicer.
+/// Writes the E words of moves: relative or absolute, as length or as volume. Retractions are
+/// written as E words, or as G10 and G11. Rounding remainders are added to the next number, so the
+/// sum is exact to the last digit. Absolute numbers begin at 0 in each layer, and again after each
+/// retraction, as in PrusaSlicer.
 class ExtruderWords {
  public:
   /// Writes relative lengths.
@@ -26,7 +26,7 @@ class ExtruderWords {
   /// machine.
   bool by_firmware() const { return by_firmware_; }
 
-  /// Writes ` E..` of a move that pushes `filament`, in 1e-5 mm of its length.
+  /// Writes the word ` E..` of a move that extrudes `filament`, a length in 1e-5 mm.
   void Push(int32_t filament, GcodeText& out);
 
   /// Restarts the count at 0. Writes `G92 E0` if numbers are absolute and not 0.
@@ -35,7 +35,7 @@ class ExtruderWords {
   /// Writes units, absolute coordinates, and the extruder mode. The extruder is at 0 afterwards.
   void WriteCanonicalState(GcodeText& out) const;
 
-  /// Retracts the filament at the begin of a program. Writes nothing without retractions.
+  /// Retracts the filament at the start of a program. Writes nothing without retractions.
   void WriteFirstRetraction(const RetractionOptions& retraction, GcodeText& out);
 
  private:
@@ -43,8 +43,9 @@ class ExtruderWords {
   bool by_firmware_ = false;
   bool comments_ = false;
   double per_unit_ = 1;  ///< value in the text per mm of filament
-  int64_t pushed_ = 0;   ///< pushed since the count began at 0, in 1e-5 mm
-  int64_t told_ = 0;     ///< written so far, in units of the text's last digit
+  int64_t pushed_ = 0;  ///< length extruded since the last reset to 0, in 1e-5 mm
+  /// length written since the last reset to 0, in units of the text's last digit
+  int64_t told_ = 0;
 };
 
 }  // namespace slicefarm::motion

@@ -25,20 +25,21 @@ inline constexpr int32_t kFanAsBefore = -1;
 /// Values that the head of a layer has already written, and the layer's fans.
 struct LayerState {
   int32_t height_um = -1;
-  int32_t fan_percent = 0;                                ///< fan of the layer; may be kFanAsBefore
-  int32_t bridge_fan_percent = 0;                         ///< fan for bridges and overhangs
-  std::optional<OverhangFans> overhang_fan_percent = {};  ///< fans for walls over air
-  ShiftUm to_plate = {};  ///< shift from places in the G-code to places on the plate
+  int32_t fan_percent = 0;         ///< fan of the layer; may be kFanAsBefore
+  int32_t bridge_fan_percent = 0;  ///< fan for bridges and overhangs
+  /// fans for walls over air, indexed by overhang degree
+  std::optional<OverhangFans> overhang_fan_percent = {};
+  ShiftUm to_plate = {};  ///< shift from G-code coordinates to plate coordinates
 };
 
 /// Writes moves as G-code, with the comments and modes that previewers and the firmware need:
 /// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates are written
-/// only where they change, and so are coordinates within a stretch. The toolpath's arcs are written
-/// as G2 and G3 with the sum of their filament.
+/// only where they change; within a stretch, coordinates too. The toolpath's arcs are written as G2
+/// and G3 with the sum of their filament.
 class LayerWriter {
  public:
-  /// `firmware` and `materials` must outlive the writer. `materials`: the mix by place; null turns
-  /// mixing off. `comments`: adds a comment to each line.
+  /// `firmware` and `materials` must outlive the writer. `materials`: mix of materials at each
+  /// position; null turns mixing off. `comments`: adds a comment to each line.
   LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
               const MaterialField* materials = nullptr, const ExtruderWords& extruder = {},
               bool comments = false)
@@ -54,9 +55,9 @@ class LayerWriter {
   /// Writes the layer's fan.
   void WriteLayerFan(GcodeText& out);
 
-  /// Appends the moves [first, last), shifted. May be called for one stretch after the other. The
-  /// first move of each call has both coordinates. So it does not depend on the text before it, and
-  /// the machine may skip the copy before.
+  /// Appends the moves [first, last), shifted. May be called for several stretches in sequence. The
+  /// first move of each call has both coordinates. So the text does not depend on the text before
+  /// it, and the machine may skip the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
 
   /// Begin and end a block. The text of a block does not depend on the text before it, except for
@@ -119,7 +120,8 @@ class LayerWriter {
   int32_t z_um_ = -1;
   std::optional<PlaceUm> at_;
   bool wipes_ = false;
-  bool pulled_ = false;  ///< the filament was retracted, and the count has not been restarted since
+  /// true if the filament was retracted, and E has not been reset to 0 since
+  bool pulled_ = false;
   bool primed_ = false;
   float acceleration_ = -1;
   float travel_acceleration_ = -1;  ///< travels' own acceleration; -1: not written

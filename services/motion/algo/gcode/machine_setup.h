@@ -20,16 +20,15 @@ void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out)
 
 /// G-code before the layers, with filled-in templates.
 struct StartCode {
-  std::string_view machine;   ///< start_gcode
-  std::string_view filament;  ///< start_filament_gcode
+  std::string_view machine;  ///< `start_gcode`
+  std::string_view filament;  ///< `start_filament_gcode`
 };
 
-/// Writes the machine's start G-code, and heats up around it. The bed is heated before it. Nozzle
-/// and chamber start heating before it and are waited for after it. Commands that the start G-code
-/// has itself are left out, or all of them (emit_temperatures). Then the tool is selected, if there
-/// are several, and the filament's start G-code is written. Its temperatures take effect after the
-/// waits.
-/// Source: PrusaSlicer.
+/// Writes the machine's start G-code, with heating commands before and after it. The bed is heated
+/// before the start G-code. Nozzle and chamber start heating before it and are waited for after it.
+/// Heating commands that the start G-code has itself are left out. Without emit_temperatures all of
+/// them are left out. Then the tool is selected, if there are several, and the filament's start
+/// G-code is written. Temperatures in this G-code take effect after the waits. Source: PrusaSlicer.
 void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& out);
 
 /// Returns the limits of the layers: limits in the start G-code (M201, SET_VELOCITY_LIMIT, ...)

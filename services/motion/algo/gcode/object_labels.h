@@ -14,16 +14,16 @@ struct MotionOptions;
 namespace slicefarm::motion {
 
 /// Labels tell hosts and firmwares which copy is printed, so that one copy can be cancelled. With
-/// gcode_label_objects = `octoprint` they are comments. With `firmware` they are EXCLUDE_OBJECT_*
+/// gcode_label_objects = `octoprint` labels are comments. With `firmware` they are EXCLUDE_OBJECT_*
 /// for Klipper and M486 for Marlin. Characters of a name that could end its line or its word are
-/// replaced.
-/// Source: PrusaSlicer's labels; Klipper, "Exclude Objects"; Marlin, "M486".
+/// replaced. Source: PrusaSlicer's labels; Klipper, "Exclude Objects"; Marlin, "M486".
 
 /// Returns the label of a copy: `NAME id:2 copy 0` in comments, `NAME_(Instance_2)-5` for Klipper,
 /// otherwise `NAME (Instance 2)`. `index`: index of the copy in its job.
 std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& options);
 
-/// Returns true if the label of the only copy is written once, around all layers, and in no layer.
+/// Returns true if there is one copy and its label is written once, around all layers, and in no
+/// layer.
 bool LabelIsAroundAll(size_t copies, const MotionOptions& options);
 
 /// Write the lines before and after a copy; nothing if labels are off.

@@ -24,11 +24,11 @@ class HeightTexts {
 
   bool empty() const { return codes_.empty(); }
 
-  /// Returns true if the layer has such a code.
+  /// Returns true if the layer has a code.
   bool IsAt(const LayerFrame& layer) const { return !CodesIn(layer).empty(); }
 
-  /// Returns true if such a code leaves the filament ready to print. M600 and similar commands
-  /// prime it.
+  /// Returns true if a code of the layer leaves the filament ready to print. M600 and similar
+  /// commands prime the filament.
   bool PrimesAt(const LayerFrame& layer) const;
 
   /// Returns the text of the codes with a height in the layer: above the top of the layer below,
@@ -41,7 +41,7 @@ class HeightTexts {
  private:
   std::span<const HeightCode> CodesIn(const LayerFrame& layer) const;
 
-  std::vector<HeightCode> codes_;  ///< in order of the height
+  std::vector<HeightCode> codes_;  ///< codes, sorted by height
   int32_t tool_ = 0;
 };
 

@@ -15,16 +15,17 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// before_layer_gcode and layer_gcode of one layer, filled in.
+/// Filled-in before_layer_gcode and layer_gcode of one layer.
 struct CustomCode {
   std::string before;
   std::string after;  ///< includes the codes of the layer's height at its end
-  /// FrameProgram fills in both texts later; the layer records their positions.
+  /// True if FrameProgram fills in both texts later; the layer records their positions.
   bool waits = false;
-  bool names_layer_change = false;  ///< before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
-  bool has_after = false;           ///< `after` is not empty, filled in or not
-  bool primes = false;              ///< `after` leaves the filament ready to print
-  bool climbs = false;              ///< `after` moves in z
+  /// true if before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
+  bool names_layer_change = false;
+  bool has_after = false;  ///< true if `after` is not empty, filled in or not
+  bool primes = false;     ///< true if `after` leaves the filament ready to print
+  bool climbs = false;     ///< true if `after` moves in z
 };
 
 /// Templates of the layers, parsed once for all of them.

@@ -14,9 +14,9 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Returns the variables of templates anywhere in a job. They are settings by their names in a
-/// config.ini, and the tool in use (setting_variables.h). The settings are the settings of motion,
-/// the settings in `settings_text`, and PrusaSlicer's defaults for missing ones.
+/// Returns the variables of templates anywhere in a job: settings by their names in a config.ini,
+/// and the tool in use (setting_variables.h). The settings are the settings of motion, the settings
+/// in `settings_text`, and PrusaSlicer's defaults for missing ones.
 macro::TemplateVariables JobVariables(const MotionOptions& options, std::string_view settings_text);
 
 /// Returns the variables of templates in a layer:
@@ -37,7 +37,7 @@ macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts&
 macro::TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
                                         double time_s, std::optional<double> silent_s = {});
 
-/// Sets extruded_volume, extruded_weight and their totals for the print so far.
+/// Sets extruded_volume, extruded_weight and their totals to the values for the print so far.
 void PutUseSoFar(const MotionOptions& options, double filament_mm,
                  macro::TemplateVariables& variables);
 

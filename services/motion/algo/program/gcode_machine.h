@@ -19,7 +19,7 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Properties of the printer that the meaning of a program depends on.
+/// Properties of the printer on which the meaning of a program depends.
 struct MachineSetup {
   MachineLimits limits;
   RetractionOptions retraction;  ///< retraction of G10 and G11, until M207
@@ -60,8 +60,8 @@ struct GcodeAction {
 };
 
 /// Runs a program line by line, as its firmware would: G0 to G4, G10 and G11, G20 and G21, G28, G90
-/// to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. Places before G28 or the first
-/// move begin at 0. Homing moves an axis to 0.
+/// to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. All coordinates are 0 until
+/// G28 or the first move. Homing moves an axis to 0.
 class GcodeMachine {
  public:
   /// `firmware` must outlive this object.
@@ -75,14 +75,14 @@ class GcodeMachine {
   /// Runs one line and returns its effect.
   GcodeAction Read(const GcodeLine& line);
 
-  /// Continues at a place, with a speed and a printing acceleration that were set outside this
+  /// Continues from a position, with a speed and a printing acceleration that were set outside this
   /// program.
   void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }
   const std::array<double, 4>& position() const { return at_; }
   bool relative() const { return relative_; }
-  /// Returns true if an F was given.
+  /// Returns true if a feed rate (F) was given.
   bool has_speed() const { return speed_mm_s_ > 0; }
 
  private:
@@ -111,15 +111,15 @@ class GcodeMachine {
   bool relative_ = false;
   bool relative_filament_ = false;
   bool retracted_ = false;  ///< retracted by G10
-  double speed_mm_s_ = 0;   ///< speed as given, without the factor
+  double speed_mm_s_ = 0;  ///< speed as given, without the factor of M220
   double speed_factor_ = 1;
   double flow_factor_ = 1;
   double filament_unit_mm_ = 1;  ///< mm of filament per unit of E; with M200 the unit is a volume
   std::vector<ProgramMove> moves_;
 };
 
-/// Returns true if a line is G10 or G11 for a retraction or restart by the firmware. G10 with a
-/// tool's settings is not.
+/// Returns true if a line is G10 or G11 for a retraction or restart by the firmware. Returns false
+/// for a G10 that sets values of a tool.
 bool IsFirmwareRetraction(const GcodeLine& line);
 
 /// Converts a move for planners. REQUIRES: something moves.

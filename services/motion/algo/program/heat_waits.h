@@ -22,7 +22,7 @@ class HeatWaits {
   static bool Waits(const GcodeLine& line);
 
   /// Runs a line and returns the time that it waits, in s. The result is 0 for a line that does not
-  /// wait, and nothing if the heating rate is not known. `now_s`: time when the line is run.
+  /// wait, and nullopt if the heating rate is not known. `now_s`: time when the line is run.
   std::optional<double> Read(const GcodeLine& line, double now_s);
 
  private:

@@ -13,9 +13,9 @@ class MachineSpace {
   /// `max_height_mm`: 0 is no limit.
   MachineSpace(const Polygon& bed, double max_height_mm, double min_height_mm);
 
-  /// Returns the distance of a place outside the space, in mm; at most 0 inside.
+  /// Returns how far a point is outside the space, in mm; at most 0 inside.
   double Outside(double x_mm, double y_mm, double z_mm) const;
-  /// Returns the distance of a height outside the space, at any x and y.
+  /// Returns how far a height is outside the space, in mm, at any x and y.
   double OutsideHeight(double z_mm) const;
 
  private:

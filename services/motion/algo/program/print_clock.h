@@ -19,10 +19,11 @@ namespace slicefarm::motion {
 
 /// Computes the time of a whole print from its layers' own times and the moves between the layers.
 ///
-/// A layer's times are from rest to rest, as if it were alone. Where layers meet, the moves at
-/// their edges are planned again, together with the travel between them, and the difference is
-/// added. So the sums are equal to the look-ahead of the whole program. They are exact if the
-/// firmware stops for moves of filament. They do not depend on the assignment of layers to workers.
+/// A layer's own times assume a standstill before and after the layer. Where layers meet, the moves
+/// at their ends (LayerEdges) are planned again, together with the travel between them, and the
+/// difference is added. So the sums are equal to the look-ahead of the whole program. They are
+/// exact if the firmware stops for moves of filament. They do not depend on the assignment of
+/// layers to workers.
 class PrintClock {
  public:
   PrintClock(const ProgramSummary& summary, const MotionOptions& options);
@@ -34,14 +35,14 @@ class PrintClock {
   void ReadBefore(std::string_view gcode) { Read(gcode, times_.before_s); }
   void ReadAt(size_t i, std::string_view gcode) { Read(gcode, times_.layer_s[i]); }
   void ReadAfter(std::string_view gcode) { Read(gcode, times_.after_s); }
-  /// Adds the time of layer `i`, with its connection to the moves before.
+  /// Adds the time of layer `i`, including its connection to the moves before.
   void AddLayer(size_t i);
 
   /// Returns the times of the whole print.
   PrintTimes Finish();
 
  private:
-  /// Sums that include a move's time.
+  /// Sums to which the time of a move is added.
   struct Account {
     double* kind_s;
     double* part_s;
@@ -51,7 +52,7 @@ class PrintClock {
   void ReadLine(std::string_view text, double& part_s);
   void Rest(const GcodeLine& line, double& part_s);
   void Resume();
-  /// Queues the moves of `way` after its first place.
+  /// Queues the moves of `way`. The first element is only the start position.
   void Queue(std::span<const EdgeMove> way, double set_mm_s2, double& part_s);
   void QueueHead(const LayerEdges& edges, double& part_s);
   void Queue(const EdgeMove& before, const EdgeMove& move, double set_mm_s2, double& part_s);

@@ -34,7 +34,7 @@ struct ProgramReport {
   int64_t found = 0;              ///< number of all errors
   int64_t lines = 0;
   int64_t moves = 0;
-  /// Filament printed by the slicer: net of retractions, without custom code.
+  /// Length of filament that the slicer prints: extrusions less retractions, without custom code.
   double filament_mm = 0;
 };
 
@@ -56,7 +56,7 @@ inline constexpr size_t kMostFindings = 1000;
 ProgramReport CheckProgram(std::string_view gcode, const Firmware& firmware,
                            const CheckSetup& setup);
 
-/// Distance that some printers' own start G-code moves beyond the edge of the bed.
+/// Distance from the bed up to which some printers' own start G-code moves outside of it.
 inline constexpr double kCustomMarginMm = 10;
 
 }  // namespace slicefarm::motion

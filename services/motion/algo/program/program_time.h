@@ -15,7 +15,7 @@ struct ProgramTime {
   double move_s = 0;     ///< time of all moves
   double dwell_s = 0;    ///< pauses of G4
   double heating_s = 0;  ///< waits for heat with a known rate
-  /// Printing times by the feature names in the slicer's comments ("None" without).
+  /// Printing time per feature, by the names in the slicer's comments ("None" without).
   std::map<std::string, double> feature_s;
   double travel_s = 0;   ///< moves without printing
   double retract_s = 0;  ///< moves of filament only
@@ -31,9 +31,10 @@ struct ProgramTime {
   double TotalS() const { return move_s + dwell_s + heating_s; }
 };
 
-/// Returns the time of a whole program by the firmware's look-ahead. The program begins and ends at
-/// rest, and the machine also stops at G4, G28, waits and tool changes. Unreadable lines have no
-/// effect. Cost: O(bytes). Memory: the longest run without a retraction or a stop.
+/// Returns the time of a whole program by the firmware's look-ahead. The machine stands still
+/// before and after the program, and also stops at G4, G28, waits and tool changes. Unreadable
+/// lines have no effect. Cost: O(bytes). Memory: the longest sequence of moves without a retraction
+/// or a stop.
 ProgramTime TimeOfProgram(std::string_view gcode, const Firmware& firmware,
                           const MachineSetup& setup);
 

@@ -49,8 +49,8 @@ struct GcodeLine {
 
 /// Parses a line, in upper or lower case, with or without blanks between words, line numbers (N12)
 /// and checksums (*71). Commands with text as parameters (M117, M486 A, ...) have no words.
-/// Commands other than a letter and a number have none either. Numbers beyond 1e9 and repeated
-/// words are faults.
+/// Commands that are not a letter and a number have no words either. Numbers beyond 1e9 and
+/// repeated words are faults.
 GcodeLine ParseGcodeLine(std::string_view line);
 
 }  // namespace slicefarm::motion

@@ -12,13 +12,14 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Accelerations of each kind of move, in mm/s^2, and which of them the G-code must set.
+/// Acceleration of each kind of move, in mm/s^2. `told` decides if the G-code sets them.
 ///
 /// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, even if
 /// features have settings. The machine limits then give the firmware's values. Some firmwares have
-/// a separate acceleration for travels. With other firmwares a travel runs as the path before it,
-/// unless travel_acceleration is set. Klipper has one acceleration for all moves, so a retraction
-/// uses the one set last. The firmware decides whether a wipe counts as a print or as a travel.
+/// a separate acceleration for travels. With other firmwares a travel has the acceleration of the
+/// path before it, unless travel_acceleration is set. Klipper has one acceleration for all moves,
+/// so a retraction uses the one set last. The firmware decides whether a wipe counts as a print or
+/// as a travel.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
   double travel = 0;        ///< 0: the acceleration set last
@@ -30,13 +31,13 @@ struct Accelerations {
   bool wipe_travels = false;
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
-  /// Returns the acceleration of a travel, if `before` was set last.
+  /// Returns the acceleration of a travel. `before`: acceleration that was set last.
   double Travel(double before) const { return travel > 0 ? travel : before; }
   double Wipe(double before) const { return wipe_travels ? Travel(before) : before; }
   double Retract(double before) const { return retract > 0 ? retract : before; }
 };
 
-/// Returns the accelerations for beads on such a ground.
+/// Returns the accelerations for beads that are printed on `ground`.
 Accelerations AccelerationsFor(const MotionOptions& options, Ground ground);
 
 }  // namespace slicefarm::motion

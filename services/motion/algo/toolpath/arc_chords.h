@@ -25,9 +25,9 @@ struct Arc {
 /// != to.
 Vector2 CentreByRadius(Vector2 from, Vector2 to, double radius, bool clockwise);
 
-/// Returns the ends of the chords that firmwares replace the arc by. There are as many as fit with
-/// `segment_mm` each, at least one. The last one ends at `arc.to`. `length_mm`: length of the arc
-/// including its rise.
+/// Returns the ends of the chords by which firmwares replace the arc. The number of chords is the
+/// number of times that `segment_mm` fits into `length_mm`, but at least one. The last chord ends
+/// at `arc.to`. `length_mm`: length of the arc including its rise.
 std::vector<Vector2> ArcChords(const Arc& arc, double length_mm, double segment_mm);
 
 }  // namespace slicefarm::motion

@@ -7,12 +7,12 @@
 
 namespace slicefarm::motion {
 
-/// Returns true if a path is printed as a loop. It is closed, or its ends are at most a width apart
+/// Returns true if a path is printed as a loop: it is closed, or its ends are at most a width apart
 /// because a link follows it.
 bool IsLoop(const Path& path);
 
-/// Returns for each path the length in mm that decides if it is a small wall. `paths` are in the
-/// order of printing.
+/// Returns for each path the length in mm by which small_perimeter_speed recognizes a small wall.
+/// `paths` are in the order of printing.
 /// - Loop: its own length.
 /// - Connected pieces of walls: their total length.
 /// - Link between walls: the length of the next wall.

@@ -10,10 +10,10 @@
 
 namespace slicefarm::motion {
 
-/// Fans in percent for walls that rest by 0, 25, 50 and 75 % on the layer below.
+/// Fans in percent for walls with 0, 25, 50 and 75 % of their width on the layer below.
 using OverhangFans = std::array<double, kOverhangDegrees>;
 
-/// Slows down the beads of a layer, all by the same share, until its program takes
+/// Slows down the beads of a layer, all by the same factor, until the layer's program takes
 /// slowdown_below_layer_time. The time is the planner's, with accelerations. No bead becomes slower
 /// than min_print_speed, and travels keep their speed.
 ///
@@ -21,22 +21,22 @@ using OverhangFans = std::array<double, kOverhangDegrees>;
 /// only if the inner beads at min_print_speed are not enough. Surface beads are the two outermost
 /// walls, and beads that end transition_mm or less before them.
 ///
-/// `paths`: all toolpaths of `program`. Returns the new time in s of each move, valid as
-/// LayerTiming::Times. Cost: O(moves) if the layer is slow enough, otherwise about ten times as
-/// much.
+/// `paths`: all toolpaths of `program`. Returns the new time in s of each move, valid until the
+/// next call of LayerTiming::Times. Cost: O(moves) if the layer is slow enough, otherwise about ten
+/// times as much.
 std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
                                  LayerTiming& timing, std::span<Toolpath> paths);
 
-/// Returns the fan in percent for a layer that takes `layer_time_s`. It is off in the first layers,
-/// then grows up to full_fan_speed_layer. Within the settings' bounds it is the higher the shorter
-/// the layer is.
+/// Returns the fan in percent for a layer that takes `layer_time_s`. The fan is off in the first
+/// layers, then grows up to full_fan_speed_layer. A shorter layer gets a higher fan, between the
+/// bounds in the settings.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
 /// Returns the fan for bridges and overhangs.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
 
-/// Returns the fans for walls over air, by overhang degree, at least `fan_percent`. Returns nothing
-/// if the setting is off.
+/// Returns the fans for walls over air, indexed by overhang degree, each at least `fan_percent`.
+/// Returns nullopt if the setting is off.
 std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,
                                                int32_t fan_percent);
 

@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Largest difference between a bead's width and the path's width at any place, in nm.
+/// Largest difference between a bead's width and the path's width at any point, in nm.
 inline constexpr Coord kWidthToleranceNm = 10'000;
 
 /// Length above which a bead must follow the width more exactly, and its tolerance. Tapering walls
@@ -16,14 +16,15 @@ inline constexpr Coord kLongBeadNm = 1'000'000, kLongWidthToleranceNm = 5'000;
 inline constexpr Coord kShortBeadNm = 400'000;
 
 /// Returns the path with points added where its width changes along an edge. A bead has one width,
-/// the mean of its ends.
+/// the mean of the widths at its ends.
 /// - On each new edge this width is within kWidthToleranceNm of the path's width.
 /// - It is within kLongWidthToleranceNm if no edge becomes shorter than kLongBeadNm.
 /// - If edges would have to be shorter than kShortBeadNm, they are at least 0.0125 mm long, and the
 ///   section changes by 27 % per edge.
 ///
-/// The points of the path stay. Its plastic stays too, except for beads narrower than high: the
-/// section of their mean width is not their mean section. Cost: O(n), and the points added.
+/// The points of the path stay. The plastic of the path stays too, except for beads narrower than
+/// high: the section of their mean width is not their mean section. Cost: O(n), where n includes
+/// the added points.
 Path DividedByWidth(Path path, Coord bead_height_nm);
 
 }  // namespace slicefarm::motion

@@ -9,8 +9,8 @@
 
 namespace slicefarm::motion {
 
-/// Number of moves at each end of a layer that are kept for the time of the whole print, without
-/// the moves up to its entry. Moves farther inside do not depend on other layers.
+/// Number of moves that are kept at each end of a layer for the time of the whole print, not
+/// counting the moves up to the layer's entry. Moves farther inside do not depend on other layers.
 inline constexpr size_t kEdgeMoves = 8;
 
 /// Follows a program from move to move, with the machine's position and acceleration.
@@ -20,8 +20,8 @@ class MoveWalk {
   MoveWalk(EdgeMove start, double acceleration_mm_s2)
       : at_(start), acceleration_mm_s2_(acceleration_mm_s2) {}
 
-  /// Makes the next move and returns it, with its acceleration if that is known. Beads keep their
-  /// height, and lifts keep their place.
+  /// Makes the next move and returns it, with its acceleration if that is known. A bead does not
+  /// change z, and a lift does not change x and y.
   const EdgeMove& Go(const Move& move, ShiftUm shift);
 
   const EdgeMove& at() const { return at_; }
@@ -32,15 +32,16 @@ class MoveWalk {
   double acceleration_mm_s2_;
 };
 
-/// Converts a move that begins at the end of `before` for planners. `set_mm_s2`: acceleration of a
-/// move without one of its own. Returns nothing if the machine does not move.
+/// Converts a move into the form for planners. The move begins at the end of `before`. `set_mm_s2`:
+/// acceleration of a move without one of its own. Returns nullopt if the machine does not move.
 std::optional<KinematicMove> ToKinematic(const EdgeMove& before, const EdgeMove& move,
                                          double set_mm_s2);
 
 /// Returns true if the move is a bead.
 bool Prints(const EdgeMove& before, const EdgeMove& move);
 
-/// Returns the moves at both ends of a program. REQUIRES: the first stretch begins its toolpath.
+/// Returns the moves at both ends of a program. REQUIRES: the first stretch starts with the first
+/// move of its toolpath.
 LayerEdges EdgesOf(std::span<const Stretch> stretches);
 
 }  // namespace slicefarm::motion

@@ -12,7 +12,7 @@ namespace slicefarm::motion {
 /// With a pass for each copy, they are counted as the copy's.
 struct LayerPlace {
   int32_t pass = 0;
-  int32_t index = 0;   ///< index in its pass; 0 is on the bed, and a raft's layers are counted
+  int32_t index = 0;   ///< index in its pass; 0 is on the bed, and the layers of a raft are counted
   int32_t number = 0;  ///< planned number in the whole print
   Coord print_z_nm = 0;
   Coord top_nm = 0;  ///< height of the print so far

@@ -12,9 +12,9 @@
 namespace slicefarm::motion {
 
 /// Computes the time of a layer's moves, by the planner of the firmware, which must outlive this
-/// object. The travel to the first entry is left out, because its start is not known. Moves with
-/// the acceleration of the layer before use the acceleration of the layer's first bead. The
-/// computation for the whole print corrects both (print_clock.h).
+/// object. The travel to the first entry is left out, because its start is not known. For moves
+/// before the first bead, the acceleration is not known either; the acceleration of the first bead
+/// is used. The computation for the whole print corrects both (print_clock.h).
 class LayerTiming {
  public:
   LayerTiming(const Firmware& firmware, const MachineLimits& limits)
@@ -36,7 +36,8 @@ class LayerTiming {
   std::vector<double> times_;
 };
 
-/// Adds the times of the stretches' moves: beads by feature, all other moves as travel.
+/// Adds the times of the stretches' moves to the totals: beads per feature, all other moves as
+/// travel.
 void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
               ProgramStats& stats);
 

@@ -14,22 +14,22 @@
 
 namespace slicefarm::motion {
 
-/// Outlines below a layer's beads.
+/// Outlines of the layer below a layer's beads.
 class LayerBelow {
  public:
   /// `outlines`: disjoint polygons. Cost: O(edges + squares).
   explicit LayerBelow(const MultiPolygon& outlines);
 
-  /// Returns the share of a bead that rests on the outlines at a point of its centre line. The
-  /// share is 1 at half a width inside the outlines, 0.5 on them, and 0 at half a width outside.
-  /// Cost: O(edges beside the point).
+  /// Returns the share of a bead's width that is supported by the outlines, at a point of its
+  /// centre line. The share is 1 at half a width inside the outlines, 0.5 on them, and 0 at half a
+  /// width outside. Cost: O(edges beside the point).
   double RestOf(Point point, Coord width_nm) const;
 
   /// Returns true if the point is within the outlines. Cost: O(edges beside the point).
   bool Covers(Point point) const;
 
-  /// Returns the positions where a line crosses edges, as ascending shares of its length. Cost:
-  /// O(edges beside the line).
+  /// Returns the positions where a line crosses the outlines, as ascending shares of its length.
+  /// Cost: O(edges beside the line).
   std::vector<double> EdgesOn(Point from, Point to) const;
 
  private:
@@ -42,30 +42,30 @@ class LayerBelow {
   std::vector<bool> middle_inside_;  ///< true for squares with their middle within the outlines
 };
 
-/// Piece of a segment with one value of rest.
+/// Piece of a segment with one supported share (`rest`).
 struct RestingPiece {
   size_t segment = 0;
   Point to;
   uint8_t rest = kFullRest;
 };
 
-/// Resolution of the rest of beads.
+/// Resolution of the supported share (`rest`) of beads.
 enum class RestSteps {
   kAll,
-  kAirAlone,  ///< only two values: nothing rests, or everything
+  kAirAlone,  ///< only two values: completely in the air, or completely supported
 };
 
 /// Divides the segments of a wall into pieces of at most about 1 mm.
 ///
-/// Consecutive pieces with a rest that differs by at most 5 % of the width get one common rest, the
-/// middle of their range. So the speed of an evenly overhanging wall does not flicker where the
-/// chords of a curve are above the chords of another one. A rest of 0 or of 1 is never averaged.
-/// Cost: one query of the layer below at each end.
+/// Consecutive pieces with supported shares that differ by at most 5 % of the width get one common
+/// share, the middle of their range. So the speed of an evenly overhanging wall does not flicker
+/// where the chords of a curve are above the chords of another one. A share of 0 or of 1 is never
+/// averaged. Cost: one query of the layer below at each end of a piece.
 std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
                                      std::span<const PathSegment> segments);
 
-/// Interpolates a value that is given for rests of 0, 25, 50 and 75 %. At 100 % the value is
-/// `full`.
+/// Interpolates a value for the supported share `rest`, in percent. `told`: values at 0, 25, 50 and
+/// 75 %. `full`: value at 100 %.
 double ByRest(const std::array<double, kOverhangDegrees>& told, double full, uint8_t rest);
 
 }  // namespace slicefarm::motion

@@ -13,17 +13,18 @@ namespace slicefarm::motion {
 inline constexpr double kSmallLoopMm = 40.840704496667314;
 
 /// Speeds of paths in mm/s, by their region's settings: the feature's speed, the speed of small
-/// walls, and the speed of the first layer on the bed or on a raft. Speeds that the settings leave
-/// open are limited by max_print_speed. All are limited by max_volumetric_speed. `section_mm2`:
-/// section of the bead, flow included.
+/// walls, and the speed of the first layer on the bed or on a raft. Speeds for which the settings
+/// have no value are limited by max_print_speed. All are limited by max_volumetric_speed.
+/// `section_mm2`: section of the bead, flow included.
 class PrintSpeeds {
  public:
   PrintSpeeds(const MotionOptions& options, Ground ground) : options_(options), ground_(ground) {}
 
-  /// Returns the speed of a path without the limit of the volume. `length_mm`: for a wall, the
-  /// length of its contour (contour_length.h). REQUIRES: the path's settings have a row.
+  /// Returns the speed of a path without the limit of the volumetric flow. `length_mm`: for a wall,
+  /// the length of its contour (contour_length.h). REQUIRES: Path::settings is a valid index.
   double Of(const Path& path, double length_mm) const;
-  /// Returns the reduced speed if only a part of a wall's width (`rest`) has something below.
+  /// Returns the reduced speed of a wall that is only partly supported. `rest`: supported share of
+  /// the width, in percent.
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
   /// Returns `speed_mm_s`, lowered to the largest volumetric flow.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;

@@ -20,12 +20,12 @@ struct ScarfPiece {
 /// island or a hole, and on a corner at its start.
 bool HasScarf(const Path& path, const ScarfOptions& options);
 
-/// Returns a loop from its start, once around and on over its beginning. On the first pass over the
-/// scarf the nozzle rises evenly from start_height_ratio of the layer to its top. The flow of each
-/// piece is the amount that fits below the nozzle at the piece's middle. On the second pass the
-/// nozzle stays at the top. The flow is then the amount missing from the first pass, so that both
-/// together are one bead. A loop shorter than the scarf gets a scarf of its own length. REQUIRES:
-/// HasScarf.
+/// Returns a loop from its start, once around and then again over its beginning. On the first pass
+/// over the scarf the nozzle rises evenly from start_height_ratio of the layer to the layer's top.
+/// The flow of each piece is the amount that fits below the nozzle at the piece's middle. On the
+/// second pass the nozzle stays at the top. The flow is then the amount missing from the first
+/// pass, so that both together are one bead. A loop shorter than the scarf gets a scarf of its own
+/// length. REQUIRES: HasScarf.
 std::vector<ScarfPiece> ScarfedLoop(const Path& path, const ScarfOptions& options);
 
 }  // namespace slicefarm::motion

@@ -8,13 +8,13 @@ namespace slicefarm::motion {
 
 /// Limits for Simplified.
 struct SimplifyOptions {
-  Coord tolerance_nm = 0;    ///< tolerance of places; 0: the path is not simplified
+  Coord tolerance_nm = 0;    ///< largest distance from the path; 0: the path is not simplified
   Coord bead_height_nm = 0;  ///< bead height of the path
   bool keep_arcs = false;    ///< keeps all points of pieces that an arc may replace (arc_fit.h)
-  /// Largest difference between a bead's width and the path's, as a share, if this is more than the
-  /// tolerance.
+  /// Largest difference between a bead's width and the path's, as a share. Used if it is more than
+  /// the usual tolerance.
   double width_share = 0;
-  /// True if other beads surround the path, so that the edges of short beads are invisible.
+  /// True if other beads surround the path, so that the steps between short beads are invisible.
   bool inside = false;
 };
 
@@ -31,7 +31,7 @@ struct SimplifiedPath {
 /// at points of the path or, where it is curved, beside them on the outside. So beads run on both
 /// sides of a curve, and are longer by a factor of 1.4.
 ///
-/// The result in whole micrometres meets these conditions at every place:
+/// The result in whole micrometres meets these conditions at every point:
 /// - The beads are within the tolerance of the path's beads, and the path's beads are within the
 ///   tolerance of them.
 /// - Widths are within kWidthToleranceNm (divided_path.h) of the path's.
@@ -40,19 +40,19 @@ struct SimplifiedPath {
 ///   width_share allows more.
 /// - A single edge may always be a bead with the mean width of its ends. DividedByWidth runs first,
 ///   so this mean is close enough.
-/// - No bead is more than 5 % shorter than the replaced path, so that moves to and fro are not
+/// - No bead is more than 5 % shorter than the replaced path, so that back-and-forth moves are not
 ///   lost.
 ///
-/// Some points stay at their places: ends, the start of a closed path, and corners of more than 30
+/// Some points are never moved: ends, the start of a closed path, and corners of more than 30
 /// degrees between beads. The plastic of the whole path stays the same. Of the solutions with the
-/// fewest beads, the result has the least squared deviations of points.
+/// fewest beads, the result has the smallest sum of squared deviations of points.
 ///
-/// Where the width changes, two consecutive points are equal. A closed path with a change of width
-/// at its start ends there with a point of its own. A path without length, and a ring that would
-/// become less than a triangle, stay unchanged.
-/// Cost: O(n k) for beads that replace up to k edges, 256 at most.
-/// Source: H. Imai, M. Iri, "Polygonal Approximations of a Curve", Computational Morphology (1988),
-/// by cones of directions (W. S. Chan, F. Chin, Int. J. Comput. Geom. Appl. 6, 1996).
+/// Where the width changes, two consecutive points are equal. If the width of a closed path changes
+/// at its start, the path ends there with an additional point. A path without length, and a ring
+/// that would become less than a triangle, are returned unchanged. Cost: O(n k) for n points, and
+/// beads that replace up to k edges, 256 at most. Source: H. Imai, M. Iri, "Polygonal
+/// Approximations of a Curve", Computational Morphology (1988), by cones of directions (W. S. Chan,
+/// F. Chin, Int. J. Comput. Geom. Appl. 6, 1996).
 SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options);
 
 }  // namespace slicefarm::motion

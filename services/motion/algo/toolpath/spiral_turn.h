@@ -16,13 +16,14 @@ struct TurnPiece {
 };
 
 /// Returns a loop from its start, once around, along which the nozzle rises evenly. A turn that is
-/// blended with the turn below begins at the turn's `from`. Each of its points is moved from the
-/// turn below towards the loop by its share of the loop's length, if the two are near each other.
+/// blended with the turn below begins at the turn's `from`. Each of its points is between the turn
+/// below and the loop, at the share of the loop's length up to this point. Points at which the two
+/// are not near each other are not moved.
 ///
-/// The flow of a first turn is the amount that fits below the nozzle, in pieces of at most a
-/// millimetre. After a last turn the same loop follows once more at a constant height, with the
-/// flow missing from a first turn.
-/// `below`: outline of the layer below. REQUIRES: path is closed and of one width.
+/// In the first turn, the flow is the amount that fits below the nozzle, in pieces of at most a
+/// millimetre. After the last turn the same loop follows once more at a constant height. Its flow
+/// is the amount that is missing in a first turn. `below`: outline of the layer below. REQUIRES:
+/// path is closed and of one width.
 std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const MultiPolygon& below);
 
 }  // namespace slicefarm::motion

@@ -9,16 +9,16 @@
 
 namespace slicefarm::motion {
 
-/// Value of a bead that rests completely on the layer below; 0 is a bead in the air.
+/// Value of Move::rest for a bead that is completely on the layer below; 0 is a bead in the air.
 inline constexpr uint8_t kFullRest = 100;
 
-/// Returns a length as moves have it: whole micrometres, with halves rounded away from zero.
+/// Returns a length in the unit of moves: whole micrometres, with halves rounded away from zero.
 /// REQUIRES: below 2 km.
 inline int32_t ToUm(Coord nm) {
   return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000);
 }
 
-/// Returns a length of a move in nm.
+/// Returns a length in nm, from the unit of moves.
 inline Coord FromUm(int32_t um) { return Coord{um} * 1'000; }
 
 /// Surface below a layer of an object.
@@ -33,9 +33,9 @@ enum class MoveKind : uint8_t {
   kPrint,
   kTravel,
   kRetract,
-  kWipe,     ///< along the printed bead, while the filament is retracted
-  kRestart,  ///< the filament is pushed back
-  kLift,     ///< z only
+  kWipe,     ///< move along the printed bead, while the filament is retracted
+  kRestart,  ///< move of the filament back to the nozzle
+  kLift,     ///< move in z only
 };
 
 /// Returns true for moves along x and y.
@@ -49,24 +49,26 @@ struct Move {
   int32_t x_um = 0;
   int32_t y_um = 0;
   int32_t z_um = 0;
-  int32_t filament = 0;          ///< in 1e-5 mm, relative
+  int32_t filament = 0;          ///< extruded length in 1e-5 mm, relative
   int32_t feed_rate = 0;         ///< in mm/min
   int32_t width_um = 0;          ///< width of a bead
   int32_t height_um = 0;         ///< height of a bead
-  float acceleration_mm_s2 = 0;  ///< 0: acceleration set by the beads before
+  float acceleration_mm_s2 = 0;  ///< acceleration; 0: the acceleration that earlier beads set
   MoveKind kind = MoveKind::kTravel;
   Feature feature = Feature::kPerimeter;  ///< feature of kPrint
-  uint8_t rest = kFullRest;               ///< share of a bead with something below
-  bool of_surface = false;                ///< true for a bead of the two outermost walls
-  bool on_arc = false;                    ///< true for a bead that an arc may replace
-  /// True for kRetract or kRestart that the layer below may have made unnecessary.
+  /// share of the bead's width on the layer below, in percent; 0: in the air
+  uint8_t rest = kFullRest;
+  bool of_surface = false;  ///< true for a bead of the two outermost walls
+  bool on_arc = false;      ///< true for a bead that an arc may replace
+  /// True for a kRetract or kRestart that is unnecessary if the layer below already ends in this
+  /// state.
   bool if_needed = false;
 
   friend bool operator==(const Move&, const Move&) = default;
 };
 
-/// Beads printed as one arc: moves [first, last) of a toolpath, from the end of the move before
-/// them.
+/// Beads printed as one arc: moves [first, last) of a toolpath. The arc begins at the end of the
+/// move before `first`.
 struct MoveArc {
   size_t first = 0;
   size_t last = 0;
@@ -76,24 +78,25 @@ struct MoveArc {
   friend bool operator==(const MoveArc&, const MoveArc&) = default;
 };
 
-/// Moves of a layer. It starts anywhere, retracted or not, at the height of the layer before.
+/// Moves of a layer. They begin at any position, retracted or not, at the height of the layer
+/// before.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   std::vector<Move> moves;
-  std::vector<MoveArc> arcs;  ///< in the order of the moves
-  /// Index of the travel to the entry; the layer does not know its length.
+  std::vector<MoveArc> arcs;  ///< arcs in the order of the moves
+  /// Index of the travel to the entry. Its length depends on the layer before and is not known.
   size_t approach = kNone;
   int32_t start_z_um = 0;  ///< height of the layer before
 };
 
-/// Offset that is added to the places of moves.
+/// Offset that is added to the positions of moves.
 struct ShiftUm {
   int32_t x = 0;
   int32_t y = 0;
 };
 
-/// Moves [first, last) of a toolpath at a shifted place. A program is a list of stretches.
+/// Moves [first, last) of a toolpath with a shift. A program is a list of stretches.
 struct Stretch {
   const Toolpath* path = nullptr;
   size_t first = 0;

@@ -22,7 +22,7 @@ namespace slicefarm::motion {
 /// Converts paths to moves, one path after the other: travels with retraction and lift, and beads
 /// with their filament.
 ///
-/// Paths are simplified within `resolution_nm` first (simplified_path.h). All paths of all stages
+/// Paths are simplified within `resolution_nm` first (simplified_path.h). The paths of all stages
 /// are simplified here and nowhere else.
 ///
 /// The filament of a bead is its section (SectionMm2) times the extrusion multiplier. A path of
@@ -34,19 +34,20 @@ namespace slicefarm::motion {
 /// layer has no scarfs. A retraction wipes (wipe.h), except after a scarf, which becomes thinner by
 /// itself. Travels start at the end of the wipe.
 ///
-/// Where the block meets the layer below, the filament may be retracted or ready. The first
-/// retraction or restart is then marked as needed only in one of these cases.
+/// At the boundary to the layer below, the filament may be retracted or ready. The first retraction
+/// or restart is needed only in one of these cases, and is marked (Move::if_needed).
 class ToolpathBuilder {
  public:
   /// `options`, `below` and `carried` must outlive the builder. `below`: layer below, which slows
-  /// walls down over air; null: this is off, or the layer is not known. `carried`: areas directly
-  /// above supports, where walls are no threads; null: none. `bead_height_nm`: bead height of the
-  /// paths.
+  /// walls down over air; null: walls are not slowed down, or the layer is not known. `carried`:
+  /// areas directly above supports, where walls are not printed as bridges; null: none.
+  /// `bead_height_nm`: bead height of the paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
                   const LayerBelow* carried = nullptr);
 
-  /// Starts with the filament as the layer below leaves it. Call before anything is added.
+  /// Starts with the filament in the state in which the layer below ends. Call before anything is
+  /// added.
   void BeginAsLeft() {
     retracted_ = false;
     as_left_ = true;
@@ -57,17 +58,17 @@ class ToolpathBuilder {
   void Add(const Path& path, const Travel& travel = {}, std::optional<double> contour_mm = {});
 
   /// Adds the only bead of a layer: a loop along which the nozzle rises from the bottom of the
-  /// layer to its top. If the turn is blended with the turn below, in the outline `below`, each
-  /// point moves from one to the other by its share of the loop. The first turn grows from no flow.
-  /// Above the last turn a level turn thins out to no flow, so the total flow equals that of as
-  /// many full loops. `path` starts where the turn does.
+  /// layer to its top. If the turn is blended with the turn below, in the outline `below`, its
+  /// points gradually move from the turn below to the loop. In the first turn of a spiral the flow
+  /// grows from 0. Above the last turn, a level turn with decreasing flow follows, so the total
+  /// flow equals that of as many full loops. `path` starts where the turn does.
   void AddTurn(const Path& path, const SpiralTurn& turn, const MultiPolygon& below);
 
   /// Returns the added moves, after a retraction. Call once.
   Toolpath Finish();
 
-  /// Returns the added moves before a meeting with the layer above. The filament is retracted if
-  /// the travel to `leave` requires it. Without a travel it is ready to print.
+  /// Returns the added moves if the layer above continues without a break. The filament is
+  /// retracted if the travel in `leave` requires it. Without a travel it is ready to print.
   Toolpath FinishAt(const std::optional<Leave>& leave);
 
   bool retracted() const { return retracted_; }
@@ -129,20 +130,24 @@ class ToolpathBuilder {
   int32_t start_lift_um_;   ///< rise of the travel to the first path
   bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
   Wipe wipe_;
-  std::vector<PlaceUm> wipe_way_;  ///< wipe from the end of the path before
+  std::vector<PlaceUm> wipe_way_;  ///< points of the wipe from the end of the path before
   int32_t retract_units_;
   int32_t restart_units_;
 
   Toolpath path_;
   Move at_;              ///< position of the nozzle, and values that the next move inherits
   double flow_ = 1;      ///< flow factor of the current path's bead sections
-  Coord thread_nm_ = 0;  ///< diameter of the current path, if it is a thread
+  Coord thread_nm_ = 0;  ///< diameter of the current path, if it is a round strand
   double print_acceleration_ = 0;  ///< acceleration of the current path
-  double set_acceleration_ = 0;    ///< acceleration set in the machine; 0: as before the layer
+  /// acceleration set in the machine; 0: unchanged since the layer before
+  double set_acceleration_ = 0;
   bool retracted_ = true;
-  bool as_left_ = false;    ///< retraction state is as the layer below has left it
-  bool short_way_ = false;  ///< the travel goes to an outer wall and is too short for a retraction
-  /// The nozzle is beyond the end of the path before, as a scarf ends over its beginning.
+  /// true if the filament is still in the state in which the layer below ends
+  bool as_left_ = false;
+  /// true if the travel goes to an outer wall and is too short for a retraction
+  bool short_way_ = false;
+  /// True if the nozzle is beyond the end of the path before, because a scarf ends over its
+  /// beginning.
   bool moved_on_ = false;
   double owed_ = 0;        ///< filament remainder of rounding, in 1e-5 mm
   int64_t filament_ = 0;   ///< filament printed in total, in 1e-5 mm

@@ -10,7 +10,7 @@
 
 namespace slicefarm::motion {
 
-/// Place on the travel, with the nozzle's rise there.
+/// Point of a travel, and the rise of the nozzle there.
 struct RampPlace {
   PlaceUm place;
   int32_t up_um = 0;
@@ -18,20 +18,21 @@ struct RampPlace {
   friend bool operator==(const RampPlace&, const RampPlace&) = default;
 };
 
-/// Returns the rise of the nozzle over a travel, in mm: by travel_ramping_lift or straight up.
+/// Returns the largest rise of the nozzle over a travel, in mm: with travel_ramping_lift
+/// travel_max_lift, otherwise retract_lift.
 double LiftOf(const RetractionOptions& retraction);
 
 /// Returns true if the nozzle rises along the travel and not straight up.
 bool RisesAlongTheWay(const RetractionOptions& retraction);
 
-/// Returns the places of a travel from `from`, along which the nozzle rises by travel_slope up to
+/// Returns the points of a travel from `from`, along which the nozzle rises by travel_slope up to
 /// travel_max_lift. A short travel does not reach this height.
 ///
-/// With travel_lift_before_obstacle the nozzle is at full height before the travel meets an edge of
-/// `below`. As in PrusaSlicer, the first edge out of the island below `from` does not count.
-/// `below` may be null. The last place is the end of the travel. REQUIRES: RisesAlongTheWay; `way`
-/// is not empty.
-/// Source: measured, PrusaSlicer 2.9. PrusaSlicer also rounds the end of the ramp for Marlin.
+/// With travel_lift_before_obstacle the nozzle is at full height before the travel crosses an
+/// outline of `below`. As in PrusaSlicer, the first crossing out of the island below `from` does
+/// not count. `below` may be null. The last point is the end of the travel. REQUIRES:
+/// RisesAlongTheWay; `way` is not empty. Source: measured, PrusaSlicer 2.9. PrusaSlicer also rounds
+/// the end of the ramp for Marlin.
 std::vector<RampPlace> RampedWay(PlaceUm from, std::span<const PlaceUm> way,
                                  const RetractionOptions& retraction, const LayerBelow* below);
 

@@ -21,10 +21,10 @@ struct Wipe {
 /// retraction speed needs.
 Wipe WipeOf(const MotionOptions& options);
 
-/// Returns the places of the wipe after the end of the path. A loop is followed once more, which
+/// Returns the points of the wipe after the end of the path. A loop is followed once more, which
 /// smears the material at its seam. Any other path is followed back. The wipe ends after
 /// `length_mm`, or with the path. Steps are at least 0.2 mm: corners of shorter edges are skipped,
-/// and a shorter rest is left out.
+/// and a shorter last step is left out.
 std::vector<PlaceUm> WipeWay(const Path& path, double length_mm);
 
 }  // namespace slicefarm::motion
