@@ -63,12 +63,12 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   project.settings = {{"no_such", "1"},
                       {"brim_type", "painted"},
                       {"hole_to_polyhole", "0"},
-                      {"sparse_infill_pattern", "crosshatch"}};
+                      {"sparse_infill_pattern", "crosszag"}};
   project.objects[1].settings = {{"print_flow_ratio", "0.95"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
-              ElementsAre("brim_type = painted", "sparse_infill_pattern = crosshatch",
+              ElementsAre("brim_type = painted", "sparse_infill_pattern = crosszag",
                           "b: print_flow_ratio = 0.95", "no_such"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }

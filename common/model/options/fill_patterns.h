@@ -37,6 +37,8 @@ enum class FillPattern : uint8_t {
   kLightning,
   kMedialAxis,
   kVoronoi,
+  kCrosshatch,
+  kQuarterCubic,
 };
 
 /// Method by which a pattern fills a solid region.
@@ -121,6 +123,11 @@ inline constexpr FillPatternInfo kFillPatterns[] = {
      "corners"},
     {FillPattern::kVoronoi, "voronoi", true, SolidWay::kNone,
      "Irregular cells of similar size: Voronoi cells of points spread by Lloyd's method"},
+    {FillPattern::kCrosshatch, "crosshatch", true, SolidWay::kNone,
+     "Lines that turn by a right angle after each band of layers, joined by waves between the "
+     "bands"},
+    {FillPattern::kQuarterCubic, "quartercubic", true, SolidWay::kNone,
+     "Planes inclined to four sides, which enclose tetrahedra and tetrahedra with cut corners"},
 };
 
 inline constexpr int kFillPatternCount = std::size(kFillPatterns);

@@ -32,7 +32,8 @@ constexpr std::string_view kSpeeds[] = {
 /// Sparse infill patterns with lines that cross each other in one layer.
 constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::kTriangles,
                                      FillPattern::kStars,         FillPattern::kCubic,
-                                     FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic};
+                                     FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic,
+                                     FillPattern::kQuarterCubic};
 
 void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
   Value width = *draft.At(key).value;

@@ -22,4 +22,9 @@ absl::StatusOr<std::vector<Piece>> Cubic(const MultiPolygon& region, const Patte
   return StraightPieces(region, LineFamiliesOf(FillPattern::kCubic, place));
 }
 
+absl::StatusOr<std::vector<Piece>> QuarterCubic(const MultiPolygon& region,
+                                                const PatternPlace& place) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kQuarterCubic, place));
+}
+
 }  // namespace slicefarm::infill

@@ -17,5 +17,9 @@ MakePattern Stars;
 /// Section of a stack of cubes that stand on a corner: the planes x, y, z = i d for all integers i.
 /// Lines have three directions; each family shifts sideways by height / sqrt 2.
 MakePattern Cubic;
+/// Section of four planes inclined to four sides, which enclose tetrahedra and tetrahedra with cut
+/// corners: two directions at right angles, each a pair of lines that move apart and together by
+/// height / sqrt 2 each. Both lines of a pair stay a spacing apart.
+MakePattern QuarterCubic;
 
 }  // namespace slicefarm::infill

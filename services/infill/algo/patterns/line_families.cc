@@ -1,6 +1,8 @@
 #include "services/infill/algo/patterns/line_families.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace slicefarm::infill {
@@ -17,6 +19,30 @@ std::vector<LineFamily> ThreeWays(const PatternPlace& place, const std::array<do
     families.push_back({place.angle_rad + static_cast<double>(i) * kThirdTurn, shift_nm[i],
                         3 * place.pitch_nm});
   return families;
+}
+
+/// Returns the distance of a pair of lines from the middle between them at a height: it rises and
+/// falls by height / sqrt 2, and both lines stay a spacing apart from each other.
+double PairShift(const PatternPlace& place, double height_nm, double apart_nm) {
+  const double turns = height_nm / std::numbers::sqrt2 / apart_nm;
+  const double phase = turns - std::floor(turns);
+  const double half = static_cast<double>(place.spacing_nm) / 2;
+  const double shift = std::min(phase, 1 - phase) * apart_nm;
+  return std::max(half, std::min(shift, apart_nm / 2 - half));
+}
+
+/// Returns two directions with a pair of families each, of four planes inclined to all sides. The
+/// planes of one direction are a quarter of a period in z above the planes of the other one: they
+/// form regular tetrahedra and tetrahedra with cut corners.
+std::vector<LineFamily> QuarterCubicFamilies(const PatternPlace& place) {
+  const double apart = 4 * place.pitch_nm;
+  const auto z = static_cast<double>(place.z_nm);
+  const double quarter = std::numbers::sqrt2 * apart / 4;
+  const double first = PairShift(place, z, apart), second = PairShift(place, z + quarter, apart);
+  return {{place.angle_rad, first, apart},
+          {place.angle_rad, -first, apart},
+          {place.angle_rad + kRightAngle, second, apart},
+          {place.angle_rad + kRightAngle, -second, apart}};
 }
 
 }  // namespace
@@ -43,6 +69,8 @@ std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& 
       const double shift = static_cast<double>(place.z_nm) / std::numbers::sqrt2;
       return ThreeWays(place, {shift, shift, shift});
     }
+    case FillPattern::kQuarterCubic:
+      return QuarterCubicFamilies(place);
     default:
       return {};
   }

@@ -237,12 +237,12 @@ TEST_P(PatternsLaidOutHere, TooManyLinesAreRefused) {
   fill.height_nm = 10'000;
   const auto paths = FillSparse(huge, fill);
   // The number of straight lines and loops across two metres is below the limit.
-  const FillPattern few[] = {FillPattern::kRectilinear,   FillPattern::kAlignedRectilinear,
-                             FillPattern::kLine,          FillPattern::kZigzag,
-                             FillPattern::kGrid,          FillPattern::kTriangles,
-                             FillPattern::kStars,         FillPattern::kCubic,
-                             FillPattern::kMonotonic,     FillPattern::kConcentric,
-                             FillPattern::kMonotonicLines};
+  const FillPattern few[] = {FillPattern::kRectilinear,    FillPattern::kAlignedRectilinear,
+                             FillPattern::kLine,           FillPattern::kZigzag,
+                             FillPattern::kGrid,           FillPattern::kTriangles,
+                             FillPattern::kStars,          FillPattern::kCubic,
+                             FillPattern::kMonotonic,      FillPattern::kConcentric,
+                             FillPattern::kMonotonicLines, FillPattern::kQuarterCubic};
   if (std::ranges::find(few, GetParam()) != std::end(few)) {
     EXPECT_TRUE(paths.ok()) << paths.status();
     return;

@@ -4,6 +4,7 @@
 
 #include "services/infill/algo/patterns/cell_curves.h"
 #include "services/infill/algo/patterns/concentric.h"
+#include "services/infill/algo/patterns/crosshatch.h"
 #include "services/infill/algo/patterns/crossing_lines.h"
 #include "services/infill/algo/patterns/honeycomb.h"
 #include "services/infill/algo/patterns/honeycomb_3d.h"
@@ -53,6 +54,8 @@ constexpr Row kRows[] = {
     {FillPattern::kLightning, PlannedLines},
     {FillPattern::kMedialAxis, MedialAxis},
     {FillPattern::kVoronoi, Voronoi},
+    {FillPattern::kCrosshatch, Crosshatch},
+    {FillPattern::kQuarterCubic, QuarterCubic},
 };
 
 constexpr bool InOrder() {
