@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"", "{is_nil(filament_retract_length[0])}{is_nil(filament_wipe)}", "truetrue"},
         Case{"filament_wipe = 1\n", "{is_nil(filament_wipe) ? 0 : filament_wipe[0]}", "true"},
         Case{"", "{210 + extruder_temperature_offset[initial_extruder]}", "210"},
+        Case{"", "{if filament_abrasive[0]}y{else}n{endif}[printer_vendor]", "n"},
         Case{"", "{wipe_tower}{wipe_into_infill}[printer_notes]{filament_vendor[0]}",
              "falsefalse(Unknown)"}));
 

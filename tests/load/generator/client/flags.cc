@@ -49,7 +49,7 @@ void AddWhat(CLI::App& app, LoadFlags* flags) {
   app.add_option("--mix", flags->mix, "Sizes of parts; mixed: 80 % tiny, 18 % medium, 2 % huge")
       ->check(CLI::IsMember({"tiny", "medium", "huge", "mixed"}))
       ->capture_default_str();
-  app.add_option("--process", flags->process, "Priority of the jobs; both: alternating")
+  app.add_option("--process", flags->process, "Process of the jobs; both: alternating")
       ->check(CLI::IsMember(Processes()))
       ->capture_default_str();
   app.add_flag("--same", flags->same,
