@@ -32,7 +32,7 @@ struct GivenModels {
 
 /// Reads the models. The object of a file with one mesh is named after the file without its
 /// folders, as UTF-8 without control characters. The objects, parts, copies and settings of a
-/// project are taken from the chosen plate. The settings of presets follow those of the project.
+/// project are taken from the chosen plate. Settings of presets follow the project's.
 ///
 /// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move placed
 /// objects of a project; MESH_TOO_LARGE; errors of reading a project, of config::JobOfProject and of
