@@ -32,9 +32,9 @@ struct GivenModels {
   std::vector<GivenPlate> plates;  ///< one plate, or all plates of a project with --plates
 };
 
-/// Reads the models. If a file has one mesh, its object gets the file's name without folders, as
-/// UTF-8 without control characters. From a project, the objects, parts, copies and settings of the
-/// chosen plate are used.
+/// Reads the models. The object of a file with one mesh is named after the file without its
+/// folders, as UTF-8 without control characters. The objects, parts, copies and settings of a
+/// project are taken from the chosen plate. Settings of presets follow the project's.
 ///
 /// Errors: REQUEST_MALFORMED with the option or the file, also for options that would move placed
 /// objects of a project; MESH_TOO_LARGE; errors of ReadProject and config::JobOfProject. With
