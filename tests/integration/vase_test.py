@@ -100,7 +100,7 @@ def check_copies(program, model, folder):
 
 def check_told(program, model, folder):
     told = run(program, "slice", model, "-o", folder / "told.gcode", *settings(skirts="1", skirt_height="6"))
-    assert told.returncode == 0 and "2 of the 46 layers above the bottom are not one loop" in told.stderr, told.stderr
+    assert told.returncode == 0 and "2 of the 46 layers above the bottom are not a single loop" in told.stderr, told.stderr
 
 
 def check_farm(model, folder, wanted):

@@ -52,7 +52,7 @@ TEST(HeightCode, WhatIsNoListOfCodesIsRefused) {
       {R"([{"z":1,"type":"custom","text":"\u0007"}])", "control"},
       {R"([{"z":1,"type":"pause","text":"a\nM112"}])", "one line"},
       {R"([{"z":1,"type":"color_change","text":"#1\n"}])", "one line"},
-      {R"([{"z":1,"type":"pause","tool":2}])", "no entry 'tool'"},
+      {R"([{"z":1,"type":"pause","tool":2}])", "unknown entry 'tool'"},
   };
   for (const Case& c : cases)
     EXPECT_THAT(std::string(ParseHeightCodes(c.text).status().message()), HasSubstr(c.why))

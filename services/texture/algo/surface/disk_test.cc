@@ -84,8 +84,8 @@ TEST(BoundaryOfDisk, SaysWhatIsNoDiskAndWhere) {
       {"wound against each other", turned, Reason::kMeshMalformed,
        "from (1.000, 1.000, 0.000) to (0.000, 0.000, 0.000)"},
       {"touching at a vertex", touching, Reason::kMeshMalformed,
-       "touch at the vertex (1.000, 1.000, 0.000)"},
-      {"two parts", apart, Reason::kMeshMalformed, "2 parts"},
+       "touch only at the vertex (1.000, 1.000, 0.000)"},
+      {"two parts", apart, Reason::kMeshMalformed, "2 separate parts"},
       {"closed", Tetrahedron(), Reason::kMeshMalformed, "closed"},
       {"handle", TorusWithAHole(), Reason::kMeshMalformed, "handles (1)"},
   };
