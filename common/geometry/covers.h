@@ -7,7 +7,8 @@
 
 namespace slicefarm {
 
-/// Returns true if `p` is inside one of the islands, or on its edge. Exact. Cost: O(n).
+/// Returns true if `p` is inside one of the islands, or on its boundary. Exact. Cost: O(n), n
+/// points.
 inline bool Covers(const MultiPolygon& polygons, Point p) {
   return std::ranges::any_of(polygons, [p](const PolygonWithHoles& island) {
     return Locate(p, island) != Side::kOutside;

@@ -13,7 +13,7 @@ namespace slicefarm {
 /// pass each square of a grid.
 class EdgeIndex {
  public:
-  /// An edge of the region, with its ring and its number in the ring.
+  /// An edge of the region, with the index of its ring and its index in the ring.
   struct Edge {
     Point a, b;  ///< the region is to the left of ab
     int32_t ring = 0;
@@ -24,7 +24,7 @@ class EdgeIndex {
   /// larger if there would be many more squares than edges. Cost: O(edges + squares).
   EdgeIndex(const MultiPolygon& region, Coord square_nm);
 
-  /// Calls visit(edge number) for all edges that may meet the box, each once or more.
+  /// Calls visit(number) with the number of each edge that may meet the box, once or more per edge.
   template <typename Visit>
   void ForEachNear(const Box& box, Visit visit) const {
     const int32_t left = Column(box.min.x), right = Column(box.max.x);
@@ -60,10 +60,11 @@ class EdgeIndex {
 
   std::vector<Edge> edges_;
   Box box_;
-  int square_bits_ = 0;  ///< a square is 2^bits nm wide, so that no division is needed
+  int square_bits_ = 0;  ///< a square is 2^square_bits_ nm wide, so that no division is needed
   int32_t columns_ = 1;
   int32_t rows_ = 1;
-  std::vector<int32_t> begin_;  ///< index of the first item of each square in items_
+  /// Index in items_ of the first item of each square; one more entry than squares.
+  std::vector<int32_t> begin_;
   std::vector<int32_t> items_;
 };
 

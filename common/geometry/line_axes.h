@@ -4,20 +4,20 @@
 
 namespace slicefarm {
 
-/// Axes turned about the origin: u is along the direction, v across it. Parallel lines are laid out
-/// in these axes. Multiples of a right angle are exact.
+/// Coordinate axes rotated about the origin: u is along a direction, v is perpendicular to it.
+/// Parallel lines are laid out in these axes. Multiples of a right angle are exact.
 class LineAxes {
  public:
-  /// Makes axes at an angle in radians.
+  /// Makes axes with u at an angle in radians.
   explicit LineAxes(double angle_rad);
-  /// Returns axes at an angle in degrees; exact at right angles of any magnitude.
+  /// Returns axes with u at an angle in degrees; exact for all multiples of a right angle.
   static LineAxes OfDegrees(double angle_deg);
 
-  /// Returns the coordinate of p along the direction.
+  /// Returns the u coordinate of p.
   double U(Point p) const {
     return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y);
   }
-  /// Returns the coordinate of p across the direction.
+  /// Returns the v coordinate of p.
   double V(Point p) const {
     return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x);
   }

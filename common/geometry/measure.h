@@ -49,7 +49,7 @@ double Perimeter(const Polygon& ring);
 /// Position of a point relative to a ring or island.
 enum class Side { kOutside, kBoundary, kInside };
 
-/// Returns the position of p relative to the ring; exact, by crossing number. Cost: O(n).
+/// Returns the position of p relative to the ring; exact, by crossing number. Cost: O(n), n points.
 Side Locate(Point p, const Polygon& ring);
 /// Returns the position of p relative to an island. Points in a hole are outside.
 Side Locate(Point p, const PolygonWithHoles& polygon);

@@ -6,15 +6,15 @@
 
 namespace slicefarm {
 
-/// A length or a coordinate in nanometres. Calculations use `double` within a step and round once
-/// at its end.
+/// A length or a coordinate in nanometres. A calculation uses `double` inside and rounds once at
+/// its end.
 using Coord = int64_t;
 
 inline constexpr Coord kNmPerMm = 1'000'000;
 
 /// Converts nm to mm.
 inline constexpr double ToMm(double nm) { return nm / kNmPerMm; }
-/// Converts mm to nm. It rounds half away from zero, so that mirrored input gives a mirrored
+/// Converts mm to nm. Halves are rounded away from zero, so that mirrored input gives a mirrored
 /// result.
 inline Coord FromMm(double mm) { return std::llround(mm * kNmPerMm); }
 
@@ -28,8 +28,8 @@ struct Point {
   friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-/// Returns the dot product in double. Its relative error, and the error of the functions below, is
-/// below 1e-15 within the +-2.1 m of a job.
+/// Returns the dot product in double. Within the +-2.1 m of a job, the relative error of this
+/// function, Cross, Norm and Distance is below 1e-15.
 inline double Dot(Point a, Point b) {
   return static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y;
 }

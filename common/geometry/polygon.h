@@ -24,8 +24,8 @@ struct PolygonWithHoles {
 /// Disjoint islands. The functions of this folder return them in canonical form (see Canonicalize).
 using MultiPolygon = std::vector<PolygonWithHoles>;
 
-/// Brings islands into canonical form: rotates each ring so that it starts at its least point, and
-/// sorts holes and islands. Equal regions made of equal rings then compare equal, independent of
+/// Brings islands into canonical form: rotates each ring so that it starts at its smallest point,
+/// and sorts holes and islands. Regions with the same rings then compare equal, independent of
 /// their original order. Cost: O(n + k log k) for n points in k rings.
 void Canonicalize(MultiPolygon& polygons);
 

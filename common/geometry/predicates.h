@@ -4,8 +4,9 @@
 
 namespace slicefarm {
 
-/// Returns +1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if they are on one line. Exact
-/// for all inputs: it uses 128-bit integers where the coordinates allow, and wider integers beyond.
+/// Returns +1 if the path a, b, c bends counter-clockwise, -1 if clockwise, 0 if the points are on
+/// one line. Exact for all inputs: it uses 128-bit integers where the coordinates allow, and wider
+/// integers beyond.
 int Orientation(Point a, Point b, Point c);
 
 /// Returns true if p is on the closed segment ab. Exact.

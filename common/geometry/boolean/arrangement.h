@@ -10,8 +10,9 @@ namespace slicefarm::internal {
 /// Region in which rings in general position have at least a given winding number; private to
 /// common/geometry.
 
-/// A ring of an arrangement. Rings of the same group do not meet each other or themselves, and are
-/// not tested against each other. Rings of group kMayMeetAny are tested against all rings.
+/// A ring of an arrangement. Rings with the same number in `group` do not meet each other or
+/// themselves, and are not tested against each other. Rings of group kMayMeetAny are tested against
+/// all rings.
 struct GroupedRing {
   static constexpr int kMayMeetAny = -1;
 
@@ -22,15 +23,16 @@ struct GroupedRing {
 /// Returns the points with winding number `least` or more, as islands. Returns nullopt in these
 /// cases:
 /// - The rings are not in general position: one passes through a corner of another, touches it, or
-///   runs along it.
+///   overlaps its edge.
 /// - The result is uncertain.
 /// - So many rings or edges are side by side that the calculation would take long.
 ///
 /// The algorithm cuts rings where they cross. It determines the winding number to the left of each
-/// ring once along a ray, and then updates it from crossing to crossing. The parts with winding
-/// number `least` are joined to the rings of the result. Crossings are found exactly; their
-/// positions are rounded to nm. Cost: O(n log n), plus the edges to the right of each ring's start,
-/// plus the pairs of edges that overlap in x or in y, whichever are fewer.
+/// ring once along a ray, and then updates it from crossing to crossing. The parts of rings with
+/// winding number `least` on their left are joined into the rings of the result. Crossings are
+/// found exactly; their positions are rounded to nm. Cost: O(n log n), n edges, plus the edges to
+/// the right of each ring's start, plus the pairs of edges that overlap in x or in y, whichever are
+/// fewer.
 std::optional<MultiPolygon> TryWindingRegion(std::span<const GroupedRing> rings, int least);
 
 }  // namespace slicefarm::internal

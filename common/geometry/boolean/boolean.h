@@ -15,13 +15,13 @@ enum class FillRule {
 
 /// Returns the region that `rings` enclose under `rule`, as disjoint islands in canonical form.
 /// Points of intersection are rounded to nm; slivers under 1 nm vanish. Cost: O((n + k) log n) for
-/// k crossings.
+/// n edges and k crossings.
 MultiPolygon Union(std::span<const Polygon> rings, FillRule rule);
-/// Returns the union of two regions. Result and cost as above.
+/// Returns the union of two regions. Form, rounding and cost: see the union of rings.
 MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b);
-/// Returns region a minus region b. Result and cost as above.
+/// Returns region a minus region b. Form, rounding and cost: see the union of rings.
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b);
-/// Returns the intersection of two regions. Result and cost as above.
+/// Returns the intersection of two regions. Form, rounding and cost: see the union of rings.
 MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b);
 
 }  // namespace slicefarm

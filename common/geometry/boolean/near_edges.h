@@ -12,7 +12,7 @@ namespace slicefarm::internal {
 
 /// Finds pairs of edges that may meet; private to common/geometry.
 
-/// An edge with its box.
+/// An edge with its bounding box.
 struct BoxedEdge {
   Point from, to;
   Point min, max;
@@ -74,8 +74,9 @@ inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(edge of e, edge) for each span from index `from` on with a box that meets the box of
-/// e. Returns false as soon as visit returns false, or if `budget`, which it counts down, is spent.
+/// Calls visit(e, f) for all pairs of edges with intersecting boxes. Stops and returns false if
+/// visit returns false, or if there are too many pairs. Reorders the edges. Cost: O(n log n + pairs
+/// that overlap along the axis), n edges.
 template <typename Visit>
 bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from, size_t& budget,
                     const Visit& visit) {
@@ -88,8 +89,9 @@ bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, siz
   return true;
 }
 
-/// Calls visit(e, f) for all pairs with boxes that meet. Stops and returns false as soon as visit
-/// returns false, or if there are too many pairs. Cost: O(n log n + pairs that overlap along the axis).
+/// Calls visit(edge of a, edge of b) for all pairs of one edge of `a` and one edge of `b` with
+/// intersecting boxes. Stops and returns false if visit returns false, or if there are too many
+/// pairs. Reorders the edges.
 template <typename Visit>
 bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
   const std::vector<SweepSpan> spans = SweepSpans(edges, SweepAxis(edges));

@@ -9,14 +9,15 @@ namespace slicefarm {
 
 /// Returns the region with a non-zero winding number of `subject`, minus the region with a non-zero
 /// winding number of `rings`. Rings may cross and overlap, so one sweep can handle the outlines of
-/// many regions. The result is in canonical form. Cost: O((n + k) log n) for k crossings.
+/// many regions. The result is in canonical form. Cost: O((n + k) log n) for n edges and k
+/// crossings.
 MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Polygon> rings);
-/// Returns a region minus the region of `rings`, as the function above does.
+/// Returns `region` minus the region with a non-zero winding number of `rings`, in canonical form.
 MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings);
 
-/// Adds the rings of `region` that can affect `box`, with the same winding numbers inside the box.
-/// Parts of rings that are beyond one side of the box are replaced by a line, so the result is
-/// meaningless outside the box. Cost: O(n).
+/// Appends to `rings` the rings of `region` that can affect `box`, with the same winding numbers
+/// inside the box. Parts of rings that are beyond one side of the box are replaced by a line, so
+/// the appended rings are meaningless outside the box. Cost: O(n), n points.
 void AppendRingsNear(const MultiPolygon& region, const Box& box, std::vector<Polygon>& rings);
 
 }  // namespace slicefarm

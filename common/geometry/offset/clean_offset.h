@@ -6,11 +6,11 @@
 
 namespace slicefarm {
 
-/// Islands with moved edges. Nothing else changed, except that some edges between two corners
-/// vanished as they moved towards these corners.
+/// Islands after each edge was moved. Nothing else has changed, except that some edges between two
+/// corners have shrunk to nothing and are omitted.
 struct CleanOffset {
   MultiPolygon polygons;
-  bool has_tips = false;  ///< a convex corner of less than 60 degrees remains
+  bool has_tips = false;  ///< true if the result has a convex corner of less than 60 degrees
 };
 
 /// Offsets islands edge by edge, and proves that the result is right. Each remaining edge has its
@@ -20,14 +20,15 @@ struct CleanOffset {
 /// join another ring, or change its shape otherwise; use Offset for these cases.
 ///
 /// The result equals the result of Offset to within 2 nm across its edges. Along the edges, the
-/// tips of acute corners may differ more. Cost: O(n log n), about a tenth of the cost of Offset.
+/// tips of acute corners may differ more. Cost: O(n log n), n points, about a tenth of the cost of
+/// Offset.
 std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distance_nm);
 
 /// Shrinks an island, which may split or vanish in parts. Each edge sweeps a rectangle, and each
-/// reflex corner its miter. The result is the area that none of them covers; it is found from the
-/// winding numbers of one curve. Returns nullopt if this curve is not in general position.
-/// REQUIRES: distance_nm > 0; the island is simple. Cost: see TryWindingRegion; about a fifth of
-/// the cost of Offset.
+/// reflex corner its miter. The result is the part of the island that no rectangle and no miter
+/// covers; it is found from the winding numbers of one curve. Returns nullopt if this curve is not
+/// in general position. REQUIRES: distance_nm > 0; the island is simple. Cost: see
+/// TryWindingRegion; about a fifth of the cost of Offset.
 std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm);
 
 /// Returns Offset(polygons, distance_nm), calculated by TryOffset or TryErode if they succeed.

@@ -12,15 +12,16 @@ enum class Cap { kButt, kSquare, kRound };
 /// Join style of an offset, and its limits.
 struct OffsetOptions {
   Join join = Join::kMiter;
-  /// Miter limit: miters longer than this number of offsets are cut square. The smallest useful
-  /// value is 1.
+  /// Miter limit: miters longer than this multiple of the offset distance are cut square. The
+  /// smallest useful value is 1.
   double miter_limit = 2.0;
   /// Largest distance of a round join from the true arc.
   Coord arc_tolerance_nm = 2'500;
 };
 
 /// Grows (distance > 0) or shrinks (< 0) a region. Rings that shrink to nothing vanish: a unit
-/// square inset by 0.6 is empty. The result is in canonical form. Cost: O(n log n) and a union.
+/// square inset by 0.6 is empty. The result is in canonical form. Cost: O(n log n), n points, and a
+/// union.
 MultiPolygon Offset(const MultiPolygon& polygons, Coord distance_nm,
                     const OffsetOptions& options = {});
 

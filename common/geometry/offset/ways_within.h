@@ -18,25 +18,27 @@ class WaysWithin {
   /// Prepares paths within `region`. An empty region has no obstacles. Cost: O(n^3) for n corners.
   explicit WaysWithin(const MultiPolygon& region);
 
-  /// Returns the corners of the shortest path from a to b within the region. Returns none if the
-  /// straight line is within the region, if a or b is outside the region, or if there is no path.
-  /// Cost: O(n) if the straight line is within the region; otherwise O(n^2).
+  /// Returns the corners of the shortest path from a to b within the region. The result is empty if
+  /// the straight line is within the region, if a or b is outside the region, or if there is no
+  /// path. Cost, for n corners of the region: O(n) if the straight line is within the region;
+  /// otherwise O(n^2).
   std::vector<Point> Between(Point a, Point b) const;
 
  private:
-  /// Shortest paths from one point to all bends.
+  /// Shortest paths from one point to all bends (points at which paths may bend).
   struct Tree {
-    std::vector<double> length;  ///< length of the path to each bend, in nm; infinite: no path
-    /// Previous bend on the path to each bend; the number of bends: none.
+    /// Length of the path to each bend, in nm; infinite if there is no path.
+    std::vector<double> length;
+    /// Index of the bend before each bend on its path; the number of all bends if there is none.
     std::vector<size_t> before;
   };
 
   bool Sees(Point a, Point b) const;
   Tree WaysFrom(Point a) const;
 
-  MultiPolygon region_;       ///< the region grown slightly, so that paths may run along its edge
+  MultiPolygon region_;       ///< the region, grown slightly, so that paths may follow its boundary
   std::vector<Point> bends_;  ///< points at which paths may bend
-  /// Straight distances between bends, in nm; infinite: not visible.
+  /// Straight distances between pairs of bends, in nm; infinite if they do not see each other.
   std::vector<std::vector<double>> lengths_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// A position on a loop: on the edge from point `edge` to the next point. `at` is that point itself
-/// if the position is there.
+/// A position on a loop: on the edge from point number `edge` to the next point. `at` are its
+/// coordinates; they are equal to the first point of the edge if the position is at this point.
 struct LoopPlace {
   size_t edge = 0;
   Point at;
@@ -16,7 +16,8 @@ struct LoopPlace {
   friend bool operator==(const LoopPlace&, const LoopPlace&) = default;
 };
 
-/// Returns the position on the loop nearest to `to`. REQUIRES: loop not empty. Cost: O(n).
+/// Returns the position on the loop nearest to `to`. REQUIRES: loop not empty. Cost: O(n), n
+/// points.
 LoopPlace NearestPlace(std::span<const Point> loop, Point to);
 
 }  // namespace slicefarm

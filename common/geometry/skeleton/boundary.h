@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// A directed edge of a boundary, with the region to its left, and the indices of the previous and
-/// next edge.
+/// A directed edge of a boundary. The region is to its left. It also has the indices of the
+/// previous and the next edge.
 struct BoundaryEdge {
   Point from;
   Point to;
@@ -16,13 +16,14 @@ struct BoundaryEdge {
   int next = 0;
 };
 
-/// Boundary of one connected region in the form for the Voronoi diagram of segments, in multiples
-/// of `unit_nm` from `origin`. INVARIANT: no two edges cross or touch, except neighbours at their
-/// common corner, and no corner is on the line through its neighbours. Both are decided exactly.
+/// Boundary of one connected region in the form for the Voronoi diagram of segments. Coordinates
+/// are multiples of `unit_nm`, relative to `origin`. INVARIANT: no two edges cross or touch, except
+/// neighbours at their common corner, and no corner is on the line through its neighbours. Both are
+/// decided exactly.
 struct Boundary {
   Point origin;
   Coord unit_nm = 1;
-  std::vector<Polygon> rings;  ///< starts with the outer ring
+  std::vector<Polygon> rings;  ///< all rings, the outer ring first
   std::vector<BoundaryEdge> edges;
 
   int Holes() const { return static_cast<int>(rings.size()) - 1; }
@@ -33,7 +34,7 @@ struct Boundary {
 };
 
 /// Returns the boundary of `region` on a grid of `unit_nm`. Returns nothing if the boundary does
-/// not fulfil the invariant on this grid, or is wider than 32 bits of the unit. Cost: the cost of
+/// not fulfil the invariant on this grid, or is wider or higher than 2^31 units. Cost: the cost of
 /// AreSimple.
 std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_nm);
 

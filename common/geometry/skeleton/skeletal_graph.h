@@ -8,26 +8,27 @@
 
 namespace slicefarm {
 
-/// A node of the medial axis, including corners of the boundary (radius 0).
+/// A node of the medial axis. Corners of the boundary are also nodes (radius 0).
 struct SkeletalNode {
   Vector2 place = Vector2::Zero();
   double radius = 0;  ///< distance to the boundary, in nm
 };
 
-/// One of the two directions of an edge of the medial axis; the opposite direction is `index ^ 1`.
-/// To its left is the part of the region that is nearest to `feature`. A feature is an edge of the
-/// boundary, or the reflex corner at the start of an edge.
+/// One of the two directions of an edge of the medial axis; the opposite direction has the index
+/// `index ^ 1`. To the left of the half-edge is the part of the region that is nearest to
+/// `feature`. A feature is an edge of the boundary, or the reflex corner at the start of an edge.
 struct HalfEdge {
   int from = 0;  ///< start node
-  int next = 0;  ///< next half-edge around the ring of the boundary, against its direction
+  /// Next half-edge of the walk around a ring of the boundary, against the ring's direction.
+  int next = 0;
   int previous = 0;
   int feature = 0;
   bool is_corner = false;
 };
 
 /// The medial axis of a region, with a closed walk along its half-edges for each ring of the
-/// boundary. Together with the foot of each node on the boundary, these are the ribs and quads of a
-/// skeletal trapezoidation.
+/// boundary. Together with the foot of each node (the nearest point on the boundary), these are the
+/// ribs and quads of a skeletal trapezoidation.
 ///
 /// The walk follows `next`. It first visits the half-edges of one feature, then the half-edges of
 /// the previous feature on the ring. Each half-edge begins in the node where the one before it
@@ -45,12 +46,12 @@ struct SkeletalGraph {
   const SkeletalNode& ToNode(int half) const { return nodes[To(half)]; }
   /// Returns the length of a half-edge, in nm.
   double Length(int half) const;
-  /// Returns the point of the half-edge's feature that is nearest to the node.
+  /// Returns the point nearest to the node on the half-edge's feature.
   Vector2 Foot(int half, const SkeletalNode& node) const;
-  /// Returns for each node a half-edge that starts there.
+  /// Returns a half-edge that starts at each node, indexed by node.
   std::vector<int> Leaving() const;
-  /// Calls visit(half) for each half-edge that starts in the start node of `leaving`, in their
-  /// order around it.
+  /// Calls visit(half) for each half-edge that has the start node of `leaving`, in their order
+  /// around this node.
   template <typename Visit>
   void ForEachLeaving(int leaving, const Visit& visit) const {
     int half = leaving;
@@ -64,11 +65,12 @@ struct SkeletalGraph {
   int Split(int half, const SkeletalNode& node);
 };
 
-/// Precision of the chords that replace curved edges.
+/// Precision of the chords that replace curved edges (parabolas) of the medial axis.
 struct SkeletalOptions {
-  double tolerance_nm = 2'000;  ///< maximum deviation of chords from parabolas, and of their radii
+  double tolerance_nm = 2'000;  ///< largest deviation of chords from the curves, and of their radii
   double step_nm = 800'000;     ///< length of the longest chord
-  /// Angle in radians: a chord ends where centrality changes at this angle.
+  /// Angle in radians between the sides below which an edge is central. A chord ends where a curve
+  /// passes this angle.
   double transition_angle = 0.1745;
 };
 
@@ -78,7 +80,8 @@ struct SkeletalOptions {
 /// - The walks around the rings are closed, and contain all features in order.
 /// - The graph has as many cycles as the region has holes, so it is planar like the region.
 ///
-/// If a check fails, the diagram is calculated in another manner.
+/// If a check fails, the diagram is calculated again with the exact numbers of Boost.Polygon
+/// (voronoi_traits.h).
 ///
 /// Cost: O(n log n) for n edges: about 5 us per edge. Source: Boost.Polygon's Voronoi diagram of
 /// segments.

@@ -11,11 +11,11 @@ namespace slicefarm {
 ///
 /// The builder calculates each circle in doubles with a bound on the error. If the bound exceeds 64
 /// ulps, it calculates the circle again in exact integers. Along two almost parallel sides this
-/// happens nearly always, and the integers take most of the time. With this type the bound counts
-/// less (kCoarser), and only circles with an uncertainty of more than 0.1 um are calculated again.
-/// The caller must check the diagram, and rebuild it with the builder's own type if it is wrong.
-/// Measured on the 300 slices of Kuipers et al.: 0.7 s instead of 1.5 s; 6 of 841 islands had to be
-/// rebuilt.
+/// happens nearly always, and the integers take most of the time. With this type the bound is
+/// scaled down (kCoarser), and only circles with an uncertainty of more than 0.1 um are calculated
+/// again. The caller must check the diagram, and rebuild it with the builder's own type if it is
+/// wrong. Measured on the 300 slices of Kuipers et al.: 0.7 s instead of 1.5 s; 6 of 841 islands
+/// had to be rebuilt.
 class Loose {
  public:
   Loose() = default;
@@ -38,12 +38,12 @@ class Loose {
   double value_ = 0;
 };
 
-/// Factor of the error bound. A bound of 64 / kCoarser ulps is 1.4e-6 of a number: 0.1 um in 100
-/// mm.
+/// Factor by which the error bound is scaled down. The builder's limit of 64 ulps then means 64 /
+/// kCoarser ulps, a relative error of 1.4e-6: 0.1 um in 100 mm.
 inline constexpr double kCoarser = 1e-8;
 
-/// Comparison that treats events within kTolerance, in units of the input, as simultaneous. The
-/// builder's own comparison does so within 64 ulps.
+/// Comparison that treats events as simultaneous if they differ by at most kTolerance, in units of
+/// the input. The builder's own comparison allows 64 ulps.
 struct LooseComparison {
   static constexpr double kTolerance = 1e-4;
 
@@ -77,9 +77,9 @@ struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
 
 }  // namespace slicefarm
 
-/// The builder's number with a bound on its relative error, in ulps. The builder compares the bound
-/// to decide about an exact recalculation, so the reported bound is only a fraction of the true one
-/// (kCoarser).
+/// The builder's number with a bound on its relative error, in ulps. If the bound is too large, the
+/// builder recalculates exactly. The reported bound is therefore only a fraction (kCoarser) of the
+/// true one.
 template <>
 class boost::polygon::detail::robust_fpt<slicefarm::Loose> {
   using Number = slicefarm::Loose;
