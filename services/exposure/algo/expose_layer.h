@@ -25,7 +25,8 @@ namespace slicefarm::exposure {
 /// the whole job; copies of objects without a section in this layer are skipped.
 ///
 /// The result depends only on these inputs, so that the division of a job into ranges does not
-/// matter. Errors: Cancelled, polled a few times per section; errors of CheckRegions and Decompose.
+/// matter. Errors: Cancelled, checked a few times per section; REQUEST_MALFORMED (CheckRegions,
+/// Decompose); REQUEST_TOO_LARGE (Hatch); INTERNAL (ExposeRegion).
 absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
                                          std::span<const ExposureOptions> regions,
                                          std::span<const Copy> copies, const CancelToken& cancel);

@@ -8,9 +8,9 @@
 namespace slicefarm::exposure {
 
 /// Returns the exposure stage that runs in this process. It scans each layer (expose_layer.h) and
-/// writes it (writers/writers.h); see docs/algorithms/laser.md. Stateless. A layer's result depends
-/// only on the layers that its skins reach, so that the division of a job into ranges does not
-/// matter. Errors: the errors of ExposeLayer.
+/// writes it (writers/writers.h); see README.md. Stateless. A layer's result depends only on the
+/// layers that its skins reach, so that the division of a job into ranges does not matter. Errors:
+/// see ExposeLayer.
 std::unique_ptr<ExposureStage> MakeLocalExposure();
 
 }  // namespace slicefarm::exposure

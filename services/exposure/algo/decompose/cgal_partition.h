@@ -17,7 +17,8 @@ inline constexpr size_t kMaxOptimalCorners = 300;
 /// - The method is kOptimal and the polygon has more than kMaxOptimalCorners corners.
 /// - CGAL's result is wrong, which happens with the optimal partition of CGAL 5.5.
 ///
-/// kYMonotone: the y-monotone parts, each cut by the approximate partition.
+/// With kYMonotone, the polygon is first divided into y-monotone parts, and each part is cut by
+/// CGAL's approximate partition.
 ///
 /// REQUIRES: method is not kBian; coordinates within +-2^52.
 std::optional<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method);

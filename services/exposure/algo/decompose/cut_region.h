@@ -8,7 +8,7 @@
 namespace slicefarm::exposure {
 
 /// Connected region. Its interior is to the left of all rings, and the first ring is the outer one.
-/// If a hole is connected to another ring by a bridge, both are one ring that passes the bridge
+/// If a bridge (cut) connects a hole to another ring, both are one ring that passes the bridge
 /// twice.
 struct CutRegion {
   std::vector<Polygon> rings;
@@ -17,7 +17,7 @@ struct CutRegion {
   size_t PointCount() const;
 };
 
-/// Index of a corner of a region.
+/// Index of a corner of a region: the ring and the point in the ring.
 struct CornerIndex {
   size_t ring = 0;
   size_t point = 0;
@@ -40,7 +40,7 @@ std::optional<CornerIndex> FirstReflex(const CutRegion& region, CornerIndex from
 /// straight are removed.
 ///
 /// Shapes: two regions if both corners are on the same ring; one region if the cut joins two rings.
-/// Cost: O(n), plus O(n h) to assign h holes.
+/// Cost: O(n), n points, plus O(n h) to assign h holes.
 std::vector<CutRegion> CutAlong(CutRegion region, CornerIndex a, CornerIndex b);
 
 }  // namespace slicefarm::exposure

@@ -14,24 +14,24 @@ namespace slicefarm::exposure {
 /// Options of the decomposition into convex pieces.
 struct DecomposeOptions {
   DecomposeMethod method = DecomposeMethod::kBian;
-  /// Distance in nm by which removing a corner may move the border. All removed corners together
-  /// change the area by at most 2e-10 of it.
+  /// Largest distance in nm by which the removal of a corner moves the boundary. All removed
+  /// corners together change the area by at most 2e-10 of it.
   double merge_nm = 1'000;
   /// Choice among cuts of nearly the same quality. 0 is the paper's choice. Other values begin with
-  /// other corners and take the next best ends that the rules permit.
+  /// other corners and use the next best ends that the rules permit.
   int32_t variant = 0;
 };
 
 /// Convex pieces that cover the islands once.
 struct ConvexPieces {
-  /// Steps per nm: coordinates are in 1 / `scale` nm. An end of a cut inside an edge is therefore
-  /// exactly on the edge, as far as integers allow.
+  /// Units per nm: coordinates of `pieces` are in 1 / `scale` nm. The end of a cut inside an edge
+  /// is therefore exactly on the edge, as far as integers allow.
   Coord scale = 1;
   std::vector<Polygon> pieces;  ///< counter-clockwise, without straight corners
   CutCounts counts;
-  double min_cut_angle_deg = 180;  ///< least angle between a cut and an edge
+  double min_cut_angle_deg = 180;  ///< smallest angle between a cut and an edge
   int64_t ruled_cuts = 0;          ///< cuts that end at a corner chosen by the rule of 30 degrees
-  double min_ruled_angle_deg = 180;  ///< least angle of the ruled cuts at that corner
+  double min_ruled_angle_deg = 180;  ///< smallest angle at that corner, of all ruled cuts
 };
 
 /// Cuts islands, with or without holes, into convex pieces.
@@ -40,20 +40,20 @@ struct ConvexPieces {
 /// the corners that it sees within the extensions of its edges. These rules choose the end:
 /// - Reflex candidates come first.
 /// - Then candidates follow at which the cut makes no angle below 30 degrees.
-/// - Among equal candidates, the nearest one on the extension of an edge is first, then the paper's
-///   weight decides.
-/// - If there is no candidate, the end is the point where the bisector meets the border.
+/// - Among candidates of the same rank, the nearest one on the extension of an edge is first, then
+///   the paper's weight decides.
+/// - If there is no candidate, the end is the point where the bisector meets the boundary.
 ///
 /// A cut from a hole to another ring is the bridge of this hole.
 ///
-/// Other methods: CGAL's methods, after the same rules have cut open the holes. Their results are
-/// checked. An outline that they cannot cut (cgal_partition.h) is cut by Bian's method instead, and
-/// counted (CutCounts::replaced).
+/// Other methods: first the rules above cut open the holes, then CGAL's method cuts the outlines.
+/// The results of CGAL are checked. An outline that CGAL cannot cut (cgal_partition.h) is cut by
+/// Bian's method instead, and counted (CutCounts::replaced).
 ///
-/// REQUIRES: coordinates within +-2^52. Errors: Cancelled, polled once per cut; REQUEST_MALFORMED
+/// REQUIRES: coordinates within +-2^52. Errors: Cancelled, checked once per cut; REQUEST_MALFORMED
 /// if rings cross themselves or each other, or islands overlap; metadata `x_nm` and `y_nm`: the
-/// position. Cost: kBian O(n) per reflex corner plus the tests of candidates; kOptimal O(n^4) in
-/// the worst case; kApproximate and kYMonotone O(n log n).
+/// position. Cost, n points: kBian O(n) per reflex corner plus the tests of candidates; kOptimal
+/// O(n^4) in the worst case; kApproximate and kYMonotone O(n log n).
 absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,
                                        const CancelToken& cancel = {});
 

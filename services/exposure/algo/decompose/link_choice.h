@@ -19,8 +19,9 @@ constexpr double kCosine30 = 0.86602540378443865;
 struct Link {
   CornerIndex end;                  ///< the corner, or the start of the divided edge
   std::optional<Point> extra = {};  ///< the point on the divided edge
-  double cosine = 0;  ///< cosine of the least angle between the cut and an edge, at either end
-  /// Cosine of the least angle at the end alone, if the rule of 30 degrees has chosen the end.
+  double cosine = 0;  ///< cosine of the smallest angle between the cut and an edge, at either end
+  /// Cosine of the smallest angle at the end alone; only if the rule of 30 degrees has chosen the
+  /// end.
   std::optional<double> ruled_cosine = {};
 };
 
@@ -31,23 +32,24 @@ struct Link {
 ///   1. reflex corners that have P in their own region A, because one cut serves both corners;
 ///   2. other reflex corners;
 ///   3. convex corners at which the cut makes no angle below 30 degrees.
-/// Among equal ranks, corners on the extension of an edge at P are first, because the ring has one
-/// turn less there, and the nearest of them is best. Then corners follow by weight |cos a - cos b|,
-/// least first. Here a and b are the cut's angles with the edges, and the weight is summed over
+/// Within a rank, corners on the extension of an edge at P are first, the nearest of them first of
+/// all: the ring then has one bend less at P. Then corners follow by weight |cos a - cos b|,
+/// smallest first. Here a and b are the cut's angles with the edges, and the weight is summed over
 /// both ends. A cut to a reflex corner with an angle below 1 degree is not used, because it would
 /// cut slivers off a wall that is straight except for rounding. If there is no corner, the cut
-/// follows the bisector of A to the border.
+/// follows the bisector of A to the boundary.
 ///
-/// All tests of sides are exact. A cut never passes another corner. Cost: O(n), and O(edges in A)
-/// for each tested candidate. Reuses its memory in each call.
+/// All decisions about the side of a line are exact. A cut never passes another corner. Cost: O(n),
+/// n points of the region, and O(edges in A) for each tested candidate. The memory is reused in
+/// each call.
 class LinkChoice {
  public:
   /// Returns the best end of the cut from corner `from`. Returns nullopt if the corner sees no
   /// possible end, which cannot happen if the region's rings do not cross.
   ///
   /// variant: 0 for the best end. 1 and 2 choose the next ends of the same rank that make no angle
-  /// below 30 degrees. For cuts without an end corner, or with a convex corner as the only
-  /// candidate, they choose cuts beside the bisector.
+  /// below 30 degrees. If the best cut has no end corner, or a convex corner as the only candidate,
+  /// 1 and 2 choose cuts beside the bisector.
   std::optional<Link> Choose(const CutRegion& region, CornerIndex from, int32_t variant = 0);
 
  private:
@@ -58,10 +60,10 @@ class LinkChoice {
   };
   struct Candidate {
     int rank = 0;
-    bool turns = true;      ///< false: on the extension of an edge at P
-    double weight = 0;      ///< weight of candidates that turn
-    double cosine = 0;      ///< cosine of the least angle at either end
-    double end_cosine = 0;  ///< cosine of the least angle at the candidate's end
+    bool turns = true;      ///< false if the candidate is on the extension of an edge at P
+    double weight = 0;      ///< weight, only of candidates with `turns`
+    double cosine = 0;      ///< cosine of the smallest angle at either end
+    double end_cosine = 0;  ///< cosine of the smallest angle at the candidate's end
     Vector2 at = Vector2::Zero();
     CornerIndex index;
 

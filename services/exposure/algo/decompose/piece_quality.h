@@ -4,7 +4,7 @@
 
 namespace slicefarm::exposure {
 
-/// Returns the least inner angle of a convex polygon, in degrees.
+/// Returns the smallest inner angle of a convex polygon, in degrees.
 double LeastAngleDeg(const Polygon& piece);
 
 /// Returns perimeter^2 / (4 pi area): 1 for a disc, 1.27 for a square.

@@ -9,12 +9,12 @@
 
 namespace slicefarm::exposure {
 
-/// Part of the scan that is scanned without interruption: a stripe, an island, a convex piece.
+/// Unit of a scan that is not interrupted: a stripe, an island or a convex piece.
 struct ScanBlock {
   Point start, end;
   Point middle = {};        ///< middle of the block's box; used only by kAgainstGas
   bool reversible = false;  ///< the block may be scanned from its end to its start
-  bool odd = false;         ///< the block has the other colour of the chequerboard
+  bool odd = false;         ///< true for blocks of the second colour of the chequerboard
 };
 
 /// A block in the order of scanning, and its direction.
@@ -27,12 +27,12 @@ struct BlockTurn {
 
 /// Returns the order in which blocks are scanned, beginning near `from`.
 ///   kNearest:      next is the block that begins nearest to the end of the last one;
-///   kChequerboard: first all blocks that are not odd by the same rule, then all odd ones;
+///   kChequerboard: first all blocks that are not odd, then all odd ones, each set as in kNearest;
 ///   kFarthest:     next is the block that begins farthest from the end of the last one;
 ///   kAgainstGas:   by the blocks' middles, against the direction of the gas flow; a reversible
 ///                  block begins at its end if the end is farther along the flow.
-/// If several blocks are equal, the first one is chosen. Cost: O(n log n) in total, because the
-/// first two methods search blocks in a grid; O(n^2) for kFarthest.
+/// If several blocks are tied, the first one is chosen. Cost: O(n log n) in total, n blocks,
+/// because the first two methods search blocks in a grid; O(n^2) for kFarthest.
 std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order,
                                    Point from, double gas_flow_deg = 0);
 

@@ -13,40 +13,41 @@
 
 namespace slicefarm::exposure {
 
-/// Border of a region in the squares of a grid, to test if lines keep a distance from the border.
-/// Most lines are decided by the square in their middle, which stores the distance to the nearest
-/// square with border. All other lines are followed from square to square.
+/// Boundary of a region in the squares of a grid, to test if lines keep a distance from the
+/// boundary. Most lines are decided by the square in their middle, which stores the distance to the
+/// nearest square with boundary. All other lines are followed from square to square.
 ///
 /// Distances are exact except for rounding of doubles, below a thousandth of a nanometre.
 class BorderGrid {
  public:
-  /// Builds the grid. reach_nm: the greatest distance of later queries, >= 0. REQUIRES: the region
+  /// Builds the grid. reach_nm: the largest distance of later queries, >= 0. REQUIRES: the region
   /// is in canonical form, so that its rings do not cross by more than 2 nm. Cost: O(edges +
   /// squares).
   BorderGrid(const MultiPolygon& region, double reach_nm);
 
-  /// Returns true if the whole segment ab is in the region, at least `distance_nm` from its border.
-  /// REQUIRES: distance_nm <= reach. Cost: O(1) far from the border.
+  /// Returns true if the whole segment ab is in the region, at least `distance_nm` from its
+  /// boundary. REQUIRES: distance_nm <= reach_nm. Cost: O(1) far from the boundary.
   bool Keeps(Point a, Point b, double distance_nm) const;
 
-  /// Returns the same as Keeps if a is known to be inside. Only the first segment of a line needs
-  /// Keeps, the next ones can use KeepsOn.
+  /// Returns the same as Keeps if it is already known that a is inside. Only the first segment of a
+  /// line needs Keeps, the next ones can use KeepsOn.
   bool KeepsOn(Point a, Point b, double distance_nm) const;
 
   /// Returns true if no point of the segment ab is outside of the region by more than `beyond_nm`.
-  /// The test is for lines on the border itself, where rounding decides the side. REQUIRES: 0 <
-  /// beyond_nm <= reach. Cost: O(1) far from the border.
+  /// The test is for lines on the boundary itself, where rounding decides the side. REQUIRES: 0 <
+  /// beyond_nm <= reach_nm. Cost: O(1) far from the boundary.
   bool Stays(Point a, Point b, double beyond_nm) const;
 
-  /// Returns true if the border is nearer to p than `distance_nm`. REQUIRES: distance_nm <= reach.
+  /// Returns true if the boundary is nearer to p than `distance_nm`. REQUIRES: distance_nm <=
+  /// reach_nm.
   bool IsNear(Point p, double distance_nm) const;
 
-  /// Returns the longest part of the segment ab that is at least `distance_nm` from the border, or
-  /// nullopt if there is none.
+  /// Returns the longest part of the segment ab that is in the region and at least `distance_nm`
+  /// from its boundary, or nullopt if there is none.
   std::optional<std::pair<Point, Point>> LongestRun(Point a, Point b, double distance_nm) const;
 
  private:
-  /// Edge of the border. The region is to its left.
+  /// Edge of the boundary. The region is to its left.
   struct Edge {
     Vector2 inward = Vector2::Zero();                  ///< unit vector perpendicular to the edge
     double offset = 0;                                 ///< offset of the edge's line along `inward`
@@ -54,8 +55,8 @@ class BorderGrid {
 
     /// Returns the distance of p to the left of the edge's line.
     double LeftOf(Vector2 p) const { return Dot(inward, p) - offset; }
-    /// Returns true if both points are at least `distance` before the edge's start, or both behind
-    /// its end. This fast test decides most cases.
+    /// Returns true if p and q are both at least `distance` before the edge's start, or both at
+    /// least as far behind its end. This fast test decides most cases.
     bool AreBeside(Vector2 p, Vector2 q, double distance) const {
       return std::max(Cross(p - a, inward), Cross(q - a, inward)) <= -distance ||
              std::min(Cross(p - b, inward), Cross(q - b, inward)) >= distance;
@@ -81,16 +82,16 @@ class BorderGrid {
     return {static_cast<double>(p.x - box_.min.x), static_cast<double>(p.y - box_.min.y)};
   }
   bool IsFarFromBorder(Point a, Point b) const;
-  /// Returns true if a segment keeps the distance. `inside`: set to true if the search shows that
-  /// the segment is inside.
+  /// Returns true if a segment keeps `distance_nm` from the boundary. `inside`: set to true if the
+  /// search shows that the segment is inside.
   bool KeepsAlong(Vector2 a, Vector2 b, double distance_nm, bool& inside) const;
   bool IsInside(Vector2 p) const;
   bool IsNearEdge(Vector2 p, double distance_nm) const;
   bool RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const;
-  /// Returns true if the segment ab without `ends_nm` at both ends is inside. Returns false if this
-  /// cannot be decided by the edges beside the segment.
+  /// Returns true if the segment ab without `ends_nm` at both ends is inside. Returns false if the
+  /// edges beside the segment do not decide this.
   bool IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const;
-  /// Returns true if all parts of the segment ab that are at least `distance_nm` from the border
+  /// Returns true if all parts of the segment ab that are at least `distance_nm` from the boundary
   /// are inside.
   bool IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const;
 
@@ -105,14 +106,14 @@ class BorderGrid {
 
   std::vector<Edge> edges_;
   Box box_;
-  int square_bits_ = 0;  ///< a square is 2^bits nm wide
+  int square_bits_ = 0;  ///< a square is 2^square_bits_ nm wide
   double square_ = 1;
   double per_nm_ = 1;  ///< squares per nm; exact, because it is a power of two
   int32_t columns_ = 0, rows_ = 0;
-  std::vector<int32_t> begin_;  ///< first index of each square in items_
+  std::vector<int32_t> begin_;  ///< index in items_ of the first item of each square
   std::vector<int32_t> items_;  ///< edges within reach of each square
-  /// Number of squares to the nearest one with border or outside, per square. 0: the square itself
-  /// has border or is outside.
+  /// Distance of each square, in squares, to the nearest one that has boundary or is outside. 0:
+  /// the square itself has boundary or is outside.
   std::vector<uint8_t> room_;
 };
 

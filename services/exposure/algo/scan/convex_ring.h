@@ -8,7 +8,7 @@
 
 namespace slicefarm::exposure {
 
-/// Corners in nm, not yet rounded.
+/// Corners of a convex polygon in nm, not yet rounded.
 using ConvexRing = std::vector<Vector2>;
 
 /// Converts a piece with coordinates in 1 / `scale` nm to a ring in nm.

@@ -14,22 +14,23 @@
 namespace slicefarm::exposure {
 
 /// Insets of a convex polygon by moving its edges. An edge that disappears is also missing in
-/// deeper insets, so that distances must not decrease from call to call. Cost: O(n) per call.
+/// deeper insets, so that distances must not decrease from call to call. Cost: O(n) per call, n
+/// edges.
 class ConvexInsets {
  public:
   /// Prepares the insets of `piece`, with coordinates in 1 / `scale` nm. REQUIRES: convex,
   /// counter-clockwise.
   ConvexInsets(const Polygon& piece, double scale);
 
-  /// Returns the inset, counter-clockwise, or an empty ring if nothing is left.
+  /// Returns the inset by `distance_nm`, counter-clockwise, or an empty ring if nothing is left.
   ConvexRing At(double distance_nm);
 
   /// Returns the distance of the deepest inset that is not empty, plus at most a micrometre.
-  /// REQUIRES: At is not called afterwards. Cost: O(n log(depth)).
+  /// REQUIRES: At is not called afterwards. Cost: O(n log(depth)), n edges.
   double Depth();
 
  private:
-  /// Line with the polygon on its left.
+  /// Edge as a directed line. The polygon is to its left.
   struct Edge {
     Vector2 at = Vector2::Zero();
     Vector2 way = Vector2::Zero();  ///< unit vector of the direction
@@ -41,37 +42,42 @@ class ConvexInsets {
 /// farthest from this side.
 struct Spine {
   Vector2 from = Vector2::Zero(), to = Vector2::Zero();
-  double width_nm = 0;  ///< width of the polygon across the line
+  double width_nm = 0;  ///< width of the polygon, perpendicular to the line
 };
-/// Returns the middle line. REQUIRES: at least three corners.
+/// Returns the spine halfway between the longest side and the corner farthest from it. REQUIRES: at
+/// least three corners.
 Spine SpineOf(const ConvexRing& ring);
-/// Returns the line along which a spot melts the polygon. If the polygon tapers, the line is nearer
-/// to the longest side, where it is longer, as far as the spot still reaches the farthest corner.
+/// Returns the line along which a spot of diameter `spot_nm` melts the polygon. If the polygon
+/// tapers, the line is nearer to the longest side, where it is longer, as far as the spot still
+/// reaches the farthest corner.
 Spine SpineOf(const ConvexRing& ring, double spot_nm);
 
 /// Parameters of the rings that fill a piece.
 struct RingFill {
   double pitch_nm = 0;
-  double first_nm = 0;  ///< distance from the border to the first ring
-  /// Least width of a leftover in the middle that gets a line, as a share of the pitch.
+  double first_nm = 0;  ///< distance from the piece's boundary to the first ring
+  /// Smallest width of an unmelted area in the middle that gets a line, as a share of the pitch.
   double least_spine = 0.05;
-  bool corners = false;  ///< rings reach into corners (corner_spurs.h)
+  bool corners = false;  ///< true if rings reach into corners (corner_spurs.h)
   SpurFill spurs = {};
-  /// Positions of double melting, which differ in each layer (layer_shift.h). nullopt: all rings
-  /// reach into corners, and the innermost ring overlaps itself or the line in the middle.
+  /// Choice of the rings that melt some area twice; it differs in each layer (layer_shift.h).
+  /// nullopt: all rings reach into corners, and the innermost ring overlaps itself or the line in
+  /// the middle.
   std::optional<RingTurn> turn = std::nullopt;
-  /// Border of the region that was cut into pieces. Its reach is at least SpurReach and
+  /// Boundary of the region that was cut into pieces. Its reach is at least SpurReach and
   /// spine_gap_nm. Null: the piece is the whole region.
   const BorderGrid* border = nullptr;
-  double spine_gap_nm = 0;  ///< distance from the border to a spine without a ring around it
+  double spine_gap_nm = 0;  ///< distance from the boundary to a spine without a ring around it
 };
 
-/// Least depth of a piece, in pitches, for its inner rings to be shifted.
+/// Smallest depth of a piece, in pitches, for its inner rings to be shifted.
 inline constexpr double kTurnedRings = 4;
 
-/// Returns the rings of a convex piece from its border inwards, at first + k * pitch, and the spine
-/// of the leftover in the middle (two points). With a turn, the inner rings are shifted outwards by
-/// less than a pitch, if the piece is at least kTurnedRings deep. Rounded to nm.
+/// Returns the rings of a convex piece from its boundary inwards, at the distances first_nm + k *
+/// pitch_nm. Then returns the spine of the unmelted area in the middle (two points), if there is
+/// one. With `fill.turn`, the inner rings are shifted outwards by less than a pitch, if the piece
+/// is at least kTurnedRings deep. Coordinates of `piece` are in 1 / `scale` nm; the result is
+/// rounded to nm.
 std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill);
 
 }  // namespace slicefarm::exposure

@@ -14,15 +14,16 @@ namespace slicefarm::exposure {
 /// Hatch lines in blocks. Each block is scanned without interruption.
 struct LineBlocks {
   std::vector<Point> points;  ///< two points per line, in order and direction, block after block
-  /// Index of each block's first point in `points`, plus the end of the last block.
+  /// Index of each block's first point in `points`; one more entry than blocks.
   std::vector<size_t> begin;
-  /// True for blocks of the other colour of the chequerboard, indexed by block.
+  /// True for blocks of the second colour of the chequerboard, indexed by block.
   std::vector<bool> odd;
 };
 
-/// Returns the lines block by block, in the order of options.jump_order. With alternating
-/// directions a block may be scanned from its end. Against the gas flow any block may be, and lines
-/// that all run in one direction keep their direction.
+/// Returns the lines block by block, in the order of options.jump_order, beginning near `from`. A
+/// block may be scanned from its end if lines alternate in direction, or if jump_order is
+/// kAgainstGas. In the second case, lines without alternation are scanned in reverse order, but
+/// each in its own direction.
 std::vector<Point> InOrder(const LineBlocks& blocks, const ExposureOptions& options, Point from);
 
 }  // namespace slicefarm::exposure

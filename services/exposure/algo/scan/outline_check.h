@@ -16,12 +16,13 @@ struct StrayVector {
 };
 
 /// Finds the first vector of a region at a position that is not permitted, or returns nullopt. This
-/// final check does not use the code that creates the vectors. Thin walls must be in the outline,
-/// all other vectors in the outline and beam_compensation from it. The whole of each vector is
+/// final check does not use the code that creates the vectors. Thin walls must be inside the
+/// outline; all other vectors must also keep beam_compensation from it. The whole of each vector is
 /// compared with the edges of the outline itself.
 ///
-/// Vectors may be kStrayNm nearer, because outlines are simplified before they are cut into pieces.
-/// Cost: O(edges), and one or two grid queries per vector; a few per cent of the cost of scanning.
+/// Vectors may be nearer by kStrayNm, because outlines are simplified before they are cut into
+/// pieces. Cost: O(edges), and one or two grid queries per vector; a few per cent of the cost of
+/// scanning.
 std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
                                      const MultiPolygon& outline, const ExposureOptions& options);
 

@@ -12,14 +12,14 @@ struct ExposureOptions;
 namespace slicefarm::exposure {
 
 /// Scans a region by rings. Cuts the region into convex pieces and fills each piece with rings: the
-/// first is half a hatch distance (less half of ring_overlap_nm) from the border, each further ring
-/// a hatch distance further inside. A leftover in the middle is scanned along its spine. kRings
-/// scans from the middle outwards, kRingsInward from the border inwards. Linked rings of a piece
-/// form one line, with a link from each ring to the nearest corner of the next.
+/// first is half a hatch distance (less half of ring_overlap_nm) from the boundary, each further
+/// ring a hatch distance further inside. An unmelted area in the middle is scanned along its spine.
+/// kRings scans from the middle outwards, kRingsInward from the boundary inwards. Linked rings of a
+/// piece form one line, with a link from each ring to the nearest corner of the next.
 ///
 /// Appends lines to `group`, in an order that begins near `from`, and adds the cuts to `counts`.
-/// With turn_rings, the layer sets the cuts and the starts of rings (layer_shift.h). REQUIRES:
-/// options.strategy is one of the two. Errors: the errors of Decompose.
+/// With turn_rings, the cuts and the starts of rings depend on `layer` (layer_shift.h). REQUIRES:
+/// options.strategy is kRings or kRingsInward. Errors: Cancelled; REQUEST_MALFORMED (Decompose).
 absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, int32_t layer,
                          Point from, const CancelToken& cancel, ExposureGroup& group,
                          CutCounts& counts);

@@ -17,38 +17,38 @@ struct LineGrid {
   double V(int32_t line) const { return (line + phase) * pitch_nm; }
 };
 
-/// Part of a line between two crossings of a region's border.
+/// Part of a line between two crossings of a region's boundary.
 struct ScanPiece {
   int32_t line = 0;
-  double u0 = 0;  ///< start; less than u1
+  double u0 = 0;  ///< start of the piece; smaller than u1
   double u1 = 0;
 };
 
 /// Largest number of pieces in a layer.
 inline constexpr int64_t kMaxScanPieces = 50'000'000;
 
-/// Cuts a region into pieces of lines, sorted by line, then along the line. A line meets an edge by
-/// a half-open rule, so that it meets every ring an even number of times. Errors: REQUEST_TOO_LARGE
-/// for more than kMaxScanPieces, checked before the allocation. Cost: O(n + k), k pieces, plus
-/// sorting of the pieces of each line.
+/// Cuts lines into the pieces inside a region, sorted by line, then along the line. A line meets an
+/// edge by a half-open rule, so that it meets every ring an even number of times. Errors:
+/// REQUEST_TOO_LARGE for more than kMaxScanPieces, checked before the allocation. Cost: O(n + k), n
+/// points of the region, k pieces, plus sorting of the pieces of each line.
 absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
                                                     const LineAxes& frame, const LineGrid& grid);
 
-/// Region to be hatched, and the distance between its lines' ends and its border.
+/// Region to be hatched, and the distance between the ends of its lines and its boundary.
 struct HatchRegion {
   MultiPolygon area;
-  /// Whole area that the area is part of; empty: the area itself. Lines are shortened only at the
-  /// border of the whole area.
+  /// Larger area that `area` is a part of; empty: `area` itself. Lines are shortened only at the
+  /// boundary of this larger area.
   MultiPolygon whole = {};
-  /// Area without lines.
+  /// Part of `area` without lines.
   MultiPolygon narrow = {};
-  /// Distance along the line. A piece shorter than four times this loses a quarter of its length at
-  /// each end. A piece not longer than this is omitted.
+  /// Length by which each end of a piece is shortened. A piece shorter than four times this length
+  /// loses a quarter of its own length at each end. A piece not longer than `trim_nm` is omitted.
   double trim_nm = 0;
 };
 
-/// Returns the pieces of CutScanLines, shortened at the border of the whole area, without the parts
-/// in the area without lines. Errors, cost: as CutScanLines.
+/// Returns the pieces of CutScanLines for `region.area`, shortened at the boundary of
+/// `region.whole`, without the parts in `region.narrow`. Errors and cost: see CutScanLines.
 absl::StatusOr<std::vector<ScanPiece>> CutTrimmedLines(const HatchRegion& region,
                                                        const LineAxes& frame, const LineGrid& grid);
 

@@ -6,10 +6,10 @@
 
 namespace slicefarm::exposure {
 
-/// Returns convex pieces of the region to be scanned. The border may move by 1 um, because each
+/// Returns convex pieces of the region to be scanned. The boundary may move by 1 um, because each
 /// invisible corner would cost a cut. If rounding or simplification has made rings cross, the
-/// region is united with itself. If crossings remain, the region is opened by 1 um. Errors: the
-/// errors of Decompose. variant: DecomposeOptions::variant.
+/// region is united with itself. If crossings remain, the region is opened (inset and outset) by 1
+/// um. Errors: Cancelled; REQUEST_MALFORMED (Decompose). variant: DecomposeOptions::variant.
 absl::StatusOr<ConvexPieces> ScanPieces(const MultiPolygon& region, DecomposeMethod method,
                                         int32_t variant, const CancelToken& cancel);
 

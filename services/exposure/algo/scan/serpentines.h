@@ -10,8 +10,8 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Returns lines through the whole region. Each line continues to the nearest line beside it on the
-/// next row. A block ends if there is no such line.
+/// Returns lines through the whole region as blocks. Within a block, each line continues to the
+/// nearest line beside it on the next row. A block ends if there is no line beside its last one.
 absl::StatusOr<LineBlocks> SerpentineBlocks(const HatchRegion& region, double angle_deg,
                                             const ExposureOptions& options);
 

@@ -6,7 +6,8 @@
 
 namespace slicefarm::exposure {
 
-/// Areas of a section: the core, with the part above and below, and the skins, without it.
+/// Areas of a section. The core has the part above and below it. The upskin has no part above it,
+/// the downskin no part below it.
 struct SkinAreas {
   MultiPolygon core;
   MultiPolygon upskin;
@@ -21,10 +22,9 @@ struct SkinNeighbours {
 };
 
 /// Divides the inside of a section with `outline` into core and skins. An area not covered by all
-/// layers above is upskin; one not covered by all layers below is downskin. Skins reach
-/// `overlap_nm` into the rest. `insides`: the area of the section that each kind may fill. All
-/// kinds have the same area except for rings, where the kind's hatch distance sets the position of
-/// the outermost ring.
+/// layers above is upskin; one not covered by all layers below is downskin. Skins extend by
+/// `overlap_nm` into the core. `insides`: the area of the section that each kind may fill. These
+/// areas differ only for rings: the kind's hatch distance sets the position of the outermost ring.
 SkinAreas PartSkins(const SkinAreas& insides, const MultiPolygon& outline,
                     const SkinNeighbours& neighbours, Coord overlap_nm);
 

@@ -25,7 +25,7 @@ struct OwnCode {
 };
 
 /// Fills the output's templates in the order of the file, so that a global variable of one template
-/// is valid in later ones. Errors: the errors of ParseTemplate and RunTemplate.
+/// is valid in later ones. Errors: any error of ParseTemplate and RunTemplate.
 absl::StatusOr<OwnCode> FillIn(const ExposureOutput& output, const ExposureSummary& summary);
 
 }  // namespace slicefarm::exposure

@@ -6,7 +6,7 @@
 
 namespace slicefarm::exposure {
 
-/// Returns the header of an SVG in mm with one group per layer (id="layer0"). The group has a path
+/// Returns the header of an SVG in mm with one group per layer (id="layer0"). Each group has a path
 /// for each group of lines, in the colour of its kind and as wide as the spot. A transform around
 /// all layers makes y point up.
 std::string SvgHeader(const FileFacts& facts);

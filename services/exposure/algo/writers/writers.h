@@ -25,7 +25,8 @@ struct FileFacts {
   std::string_view start_code = {}, end_code = {};  ///< texts of OwnCode
 };
 
-/// Returns true if layers have heads of their own and the file contains the user's G-code.
+/// Returns true if the format has layer heads: the user's G-code is then in the file, also between
+/// layers.
 bool HasLayerHeads(OutputFormat format);
 
 /// Returns the header of a file. A file is its header, its layers and its footer, one after the
