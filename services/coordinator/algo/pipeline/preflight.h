@@ -23,10 +23,10 @@ struct Preflight {
   std::vector<std::string> warnings;  ///< warnings of the settings, then defects of the meshes
 };
 
-/// Estimates the time and material of a job. Slices the meshes first if the job's process estimates
-/// by outlines. The process may make some of the job's tasks for the estimate. Errors: errors of
-/// slicing, including OUT_OF_BUILD_VOLUME; NOTHING_TO_PRINT; errors of planning, including
-/// OBJECTS_COLLIDE; errors of the stages that make layers; PROCESS_UNAVAILABLE.
+/// Estimates the time and material of a job. If the job's process estimates by outlines, slices the
+/// meshes first. The process may make some of the job's tasks for the estimate. Errors:
+/// NOTHING_TO_PRINT; PROCESS_UNAVAILABLE; errors of the stages slicing (such as
+/// OUT_OF_BUILD_VOLUME) and planning (such as OBJECTS_COLLIDE), and of the stages that make layers.
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input, const SlicingStage& slicing,
                                  const JobPipeline& pipeline);
 

@@ -38,7 +38,7 @@ class JobRunner {
   ~JobRunner();
 
   /// Releases the jobs that a previous process of this coordinator held, and starts the threads.
-  /// Errors: errors of the store.
+  /// Errors: see JobStore.
   absl::Status Start();
 
   /// Notifies the threads that there is a new job.

@@ -67,7 +67,7 @@ struct JobStages {
 class Coordinator {
  public:
   /// Opens the stores and creates a coordinator. The stages and the executor must outlive it.
-  /// Errors: errors of the stores; Unavailable if another process uses the directory.
+  /// Errors: see OpenStores.
   static absl::StatusOr<std::unique_ptr<Coordinator>> Open(CoordinatorOptions options,
                                                            const JobStages& stages,
                                                            TaskExecutor& executor,
