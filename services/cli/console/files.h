@@ -18,8 +18,8 @@ constexpr int64_t kMaxConfigBytes = 512 << 20;
 /// REQUEST_TOO_LARGE above `max_bytes`, for a regular file before it is read.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
 
-/// Reads a text file. Binary G-code (.bgcode) is converted to text. Errors: as ReadFile;
-/// REQUEST_MALFORMED for unreadable binary G-code.
+/// Reads a text file. Binary G-code (.bgcode) is converted to text. Errors: as in ReadFile;
+/// REQUEST_MALFORMED for binary G-code that cannot be read.
 absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes);
 
 /// Returns the error with the file's name in front of its message.
