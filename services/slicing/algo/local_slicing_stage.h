@@ -8,11 +8,11 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the slicing stage that runs in this process and reads its meshes by `source`.
-/// docs/algorithms/slicing.md lists its steps.
+/// Returns the slicing stage that runs in this program and reads its meshes by `source`. README.md
+/// lists its steps.
 ///
-/// Errors: the errors of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT
-/// if no layer has an outline; Cancelled.
+/// Errors: any error of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT if
+/// no layer has an outline; Cancelled.
 std::unique_ptr<SlicingStage> MakeLocalSlicing(
     std::unique_ptr<const MeshSource> source = MakeDirectMeshSource());
 

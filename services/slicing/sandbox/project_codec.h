@@ -12,9 +12,8 @@ namespace slicefarm::slicing {
 /// Returns a project as bytes, for exchange between two programs of one build.
 std::string EncodeProject(const Project& project);
 
-/// Decodes untrusted bytes. No memory is allocated according to a count that the bytes do not
-/// justify. Errors: InvalidArgument with the fault. For excessive or inconsistent contents, see
-/// FaultOf.
+/// Decodes untrusted bytes. Never allocates more memory than the size of `bytes` justifies. Errors:
+/// InvalidArgument with the fault. For excessive or inconsistent contents, see FaultOf.
 absl::StatusOr<Project> DecodeProject(std::string_view bytes);
 
 }  // namespace slicefarm::slicing

@@ -7,7 +7,8 @@ namespace slicefarm::slicing {
 
 /// Resources that one reader process may use.
 struct ReaderLimits {
-  int64_t memory_bytes = 0;  ///< address space, including its program and the file
+  /// size of the address space, including the reader's program and the file
+  int64_t memory_bytes = 0;
   int64_t cpu_s = 0;
 
   friend bool operator==(const ReaderLimits&, const ReaderLimits&) = default;

@@ -17,21 +17,23 @@ struct ProcessEnd {
   double cpu_s = 0;
 };
 
-/// Reader program that works on one request. The destructor kills it if necessary and reaps it.
-/// Only the thread that started it may use it; the process dies with this thread.
+/// Reader program that works on one request. The destructor kills the process if necessary and
+/// reaps it. Only the thread that started the process may use it; the process dies with this
+/// thread.
 ///
-/// It has the request as stdin and a pipe as stdout, an empty environment and no other open files.
-/// It ignores the signals that tell a service to end, because the service decides if its work is
-/// still needed.
+/// The process has the request as stdin and a pipe as stdout, an empty environment and no other
+/// open files. It ignores the signals that tell a service to end, because the service decides if
+/// the process is still needed.
 class ReaderProcess {
  public:
   /// Starts `program` (a path). Safe in a process with many threads. Errors: Unavailable if the
-  /// system cannot start it now.
+  /// system cannot start the program now.
   static absl::StatusOr<ReaderProcess> Start(const std::string& program, const Fd& request);
   ReaderProcess(ReaderProcess&& other) noexcept;
   ~ReaderProcess();
 
-  /// Fills `bytes` from its stdout; returns false if there was less. Errors: Cancelled.
+  /// Fills `bytes` from the process's stdout; returns false if there were fewer bytes. Errors:
+  /// Cancelled.
   absl::StatusOr<bool> Receive(std::span<char> bytes, const CancelToken& cancel);
 
   /// Waits until the process has ended by itself. Errors: Cancelled; the process is then killed.

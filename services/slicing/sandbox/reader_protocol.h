@@ -16,9 +16,10 @@
 
 namespace slicefarm::slicing {
 
-/// Protocol between the service and a reader process. The reader's stdin is a request file: this
-/// head, then the bytes of the mesh. Its answer on stdout is a head, then the contents that the
-/// head announces. Both are programs of one build on one machine, so structs are sent as they are.
+/// Head of a request. The protocol between the service and a reader process: the reader's stdin is
+/// a request file with this head, then the bytes of the mesh. The reader's answer on stdout is a
+/// head, then the contents that the head announces. Both programs are of one build and on one
+/// machine, so structs are sent as they are.
 struct RequestHead {
   Confinement confinement = Confinement::kStrict;
   MeshFormat format = MeshFormat::kUnknown;
@@ -61,8 +62,8 @@ inline constexpr int kNoMemoryExit = 3;
 /// Returns an error as text for an answer.
 std::string EncodeError(const absl::Status& error);
 
-// The following functions trust nothing: a reader that was taken over by a mesh may answer
-// anything.
+// The following functions trust no answer: a hostile mesh file may have taken control of the
+// reader.
 
 /// Properties of a request that limit the answer, because the announced numbers decide how much
 /// memory the service allocates.
@@ -84,7 +85,8 @@ absl::Status CheckHead(const AnswerHead& head, const Request& request);
 class MeshHeads {
  public:
   explicit MeshHeads(const Request& request);
-  /// Checks the head of the next mesh and subtracts its counts from the rest.
+  /// Checks the head of the next mesh and subtracts its counts from the counts of the remaining
+  /// meshes.
   absl::Status Check(const MeshHead& head);
 
  private:

@@ -15,22 +15,23 @@ struct SandboxOptions {
   Confinement confinement = Confinement::kStrict;
   std::string program;  ///< path of slicefarm-mesh-reader
   std::function<ReaderLimits(std::string_view file)> limits = ReaderLimitsFor;
-  /// Memory budget of all readers together. Each reader waits until its limit fits, and its limit
-  /// is never more than the whole budget. Null: no common budget; each reader has the memory of
-  /// `limits`.
+  /// Memory budget of all readers together. Each reader waits until its memory limit fits into the
+  /// budget; a limit is never more than the whole budget. Null: no common budget; each reader has
+  /// the memory of `limits`.
   ByteBudget* memory = nullptr;
 };
 
-/// Reads each mesh in a separate confined process (confinement.h), which ends with the call and is
-/// killed as soon as the call is cancelled. Its answer is checked before it is used.
+/// Reads each mesh in a separate confined process, the reader (confinement.h). It ends with the
+/// call and is killed as soon as the call is cancelled. The reader's answer is checked before it is
+/// used.
 ///
-/// Errors of Read: the errors of ReadMeshFile, and
+/// Errors of Read: any error of ReadMeshFile, and
 ///   MESH_READER_CRASHED  InvalidArgument: the reader ended by a signal or gave an invalid answer;
 ///                        metadata `signal` or `exit_code`
-///   MESH_TOO_EXPENSIVE   InvalidArgument: it needed more than its limits; metadata `resource`
-///                        (`memory_bytes` or `cpu_s`), `limit`
-///   MESH_READER_KILLED   Unavailable: it was killed from outside
-///   UNAVAILABLE          the system cannot start one now
+///   MESH_TOO_EXPENSIVE   InvalidArgument: the reader needed more than its limits; metadata
+///                        `resource` (`memory_bytes` or `cpu_s`), `limit`
+///   MESH_READER_KILLED   Unavailable: the reader was killed from outside
+///   UNAVAILABLE          the system cannot start a reader now
 ///   BUILD_MISMATCH       FailedPrecondition: the program has been replaced
 /// Cost besides the reading: a process (some milliseconds), a copy of the file and one of the mesh.
 class SandboxedMeshSource : public MeshSource {
@@ -38,7 +39,7 @@ class SandboxedMeshSource : public MeshSource {
   explicit SandboxedMeshSource(SandboxOptions options) : options_(std::move(options)) {}
 
   /// Checks that this machine can read a mesh in this mode, by reading one. Errors:
-  /// FailedPrecondition or the errors of Read.
+  /// FailedPrecondition, or any error of Read.
   absl::Status Probe() const;
 
   absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,

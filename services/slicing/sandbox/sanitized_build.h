@@ -2,9 +2,9 @@
 
 namespace slicefarm::slicing {
 
-/// True if this build is instrumented by the address or the thread sanitizer. Their runtimes
-/// reserve terabytes of address space, make additional system calls, take options from the
-/// environment and report on stderr. All of this is otherwise denied to a mesh reader.
+/// True if this build is instrumented by the address or the thread sanitizer. The runtimes of the
+/// sanitizers reserve terabytes of address space, make additional system calls, take options from
+/// the environment and report on stderr. All of this is otherwise denied to a mesh reader.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kSanitizedBuild = true;
 #elif defined(__has_feature)

@@ -12,8 +12,8 @@
 namespace slicefarm::slicing {
 
 /// Reads all contents of a 3MF file except its triangles, as one job for each plate with printable
-/// objects. The jobs name the file by its SHA-256. Errors: REQUEST_MALFORMED for a file that is no
-/// 3MF; the errors of MeshSource::Read and config::JobOfProject.
+/// objects. The jobs identify the file by its SHA-256. Errors: REQUEST_MALFORMED for a file that is
+/// no 3MF; any error of MeshSource::Read and config::JobOfProject.
 using ReadProjects = std::function<absl::StatusOr<v1::ReadProjectResponse>(
     const MeshFile& file, const CancelToken& cancel)>;
 

@@ -9,8 +9,8 @@
 namespace slicefarm::slicing {
 
 /// Changes the sections of one object (one per layer, bottom up) where holes begin over wider
-/// recesses. kPartial leaves the areas Counterbore::rooms open, in as many layers as the holes
-/// have; kSacrificial closes the holes for one layer. Holes that are only one layer high stay
+/// recesses. kPartial keeps only the areas Counterbore::rooms open, in as many layers as `rooms`
+/// has areas; kSacrificial closes the holes for one layer. Holes that are only one layer high stay
 /// unchanged, and so do hollow sections.
 ///
 /// If `cancel` is set, none or only some of the sections are changed. Cost: see CounterboresOver,

@@ -47,7 +47,7 @@ class MeshBuilder {
   }
 
  private:
-  /// Returns the number of the welded point. Adding zero gives -0 and +0 the same bits.
+  /// Returns the index of the welded point. Adding zero gives -0 and +0 the same bits.
   uint32_t Weld(const Vector3& p) { return welder_.Add({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}); }
 
   Welder<Vector3> welder_;

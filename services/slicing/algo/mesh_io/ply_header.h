@@ -25,7 +25,7 @@ struct PlyProperty {
   PlyType type = PlyType::kFloat;
 };
 
-/// Kind of element, of which the file has `count` in sequence.
+/// Kind of element, such as `vertex`. The file has `count` of these elements in sequence.
 struct PlyElement {
   std::string name;
   int64_t count = 0;

@@ -15,8 +15,8 @@ class PlyText {
  public:
   explicit PlyText(std::string_view bytes) : words_(bytes) {}
 
-  /// Returns the next number. Returns nothing at the end, or if the word is not a number; in the
-  /// second case malformed() is true.
+  /// Returns the next number. Returns nullopt at the end of the text. Also returns nullopt for a
+  /// word that is not a number; malformed() is then true.
   std::optional<double> Next(PlyType) {
     const std::string_view word = words_.Next();
     const std::optional<double> number = word.empty() ? std::nullopt : ParseNumber(word);

@@ -14,7 +14,8 @@ class PointHash {
 
   explicit PointHash(const Keys& keys) : keys_(keys) {}
 
-  /// Returns the hash of this process; its keys are random and do not change while it runs.
+  /// Returns the hash function of this program. Its keys are random and do not change while the
+  /// program runs.
   static const PointHash& OfProcess() {
     static const PointHash hash{RandomKeys()};
     return hash;

@@ -12,13 +12,13 @@
 
 namespace slicefarm::slicing {
 
-/// Welder that gives equal points the same number, in order of first appearance. `T` has three
+/// Welder that gives equal points the same index, in order of first appearance. `T` has three
 /// 8-byte coordinates. Points are equal if their bits are equal (a double zero must be +0.0).
 ///
-/// It is an open-addressing hash table of indices: 4 bytes per slot, at most half full, besides the
-/// points. The cost is O(1) per point, even for a file crafted to cause collisions, because the
-/// hash has random keys. The output does not depend on the keys, as the numbers follow the first
-/// appearance.
+/// It is an open-addressing hash table of indices: 4 bytes per slot, at most half full, in addition
+/// to the points. The cost is O(1) per point, even for a file crafted to cause collisions, because
+/// the hash has random keys. The output does not depend on the keys, because the indices follow the
+/// first appearance.
 template <typename T>
 class Welder {
   static_assert(sizeof(T) == 24);
@@ -29,7 +29,7 @@ class Welder {
     points_.reserve(expected);
   }
 
-  /// Returns the number of the point, and adds the point if it is new.
+  /// Returns the index of the point, and adds the point if it is new.
   uint32_t Add(const T& point) {
     if (2 * points_.size() >= slots_.size()) Grow();
     const size_t slot = FindSlot(point);
@@ -40,7 +40,7 @@ class Welder {
     return slots_[slot];
   }
 
-  /// Returns the distinct points, by number. The welder must not be used afterwards.
+  /// Returns the distinct points, sorted by index. The welder must not be used afterwards.
   std::vector<T> TakePoints() && { return std::move(points_); }
 
  private:

@@ -39,9 +39,10 @@ absl::StatusOr<RawMesh> ReadMesh(std::string_view bytes, MeshFormat format, doub
 /// Reads a file of any supported format. A format with one mesh gives a project of one object
 /// without a position. Each mesh is welded separately.
 ///
-/// `depth`: kStructure reads the structure from the same bytes and returns the same errors. Errors:
-/// the errors of ReadMesh; for a 3MF, metadata `part` names the file in the archive, and `line` the
-/// line in that file. Cost: as ReadMesh; a 3MF needs memory for one piece of text in addition.
+/// `depth`: with kStructure, the same bytes are read and the same errors returned, but no meshes.
+/// Errors: any error of ReadMesh; for a 3MF, metadata `part` names the file in the archive, and
+/// `line` the line in that file. Cost: as ReadMesh; a 3MF needs memory for one piece of text in
+/// addition.
 absl::StatusOr<MeshFileContents> ReadMeshFile(std::string_view bytes, MeshFormat format,
                                               double coordinate_limit, ReadDepth depth,
                                               const CancelToken& cancel);

@@ -11,7 +11,8 @@
 namespace slicefarm::slicing {
 
 /// Source that converts the bytes of an untrusted file to triangles that the stage may rely on. The
-/// implementation decides which process reads the bytes; the triangles are the same.
+/// implementation decides which operating system process reads the bytes; the triangles are the
+/// same.
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
@@ -24,7 +25,7 @@ class MeshSource {
                                                 const CancelToken& cancel) const = 0;
 };
 
-/// Returns a source that calls ReadMeshFile in this process, for files that the user of the process
+/// Returns a source that calls ReadMeshFile in this program, for files that the user of the program
 /// trusts.
 std::unique_ptr<MeshSource> MakeDirectMeshSource();
 

@@ -14,13 +14,14 @@ Point BedCenter(const Polygon& bed);
 
 /// Space that an object needs.
 struct Bulk {
-  const Polygon& footprint;      ///< convex
+  const Polygon& footprint;      ///< convex hull seen from above
   Coord top_nm = 0;              ///< top, above the bed
-  Coord xy_compensation_nm = 0;  ///< distance by which its outlines grow
+  Coord xy_compensation_nm = 0;  ///< distance by which the object's outlines grow
 };
 
-/// Returns true if a convex footprint, moved by `shift` and grown, overlaps one of the areas. Cost:
-/// a boolean operation for each area with a box that it meets.
+/// Returns true if a convex footprint, moved by `shift` and grown by `grow_nm`, overlaps one of the
+/// excluded areas. Cost: a boolean operation for each area with a box that meets the footprint's
+/// box.
 bool MeetsExcluded(const Polygon& footprint, Point shift, Coord grow_nm,
                    const std::vector<Polygon>& excluded);
 
@@ -28,7 +29,7 @@ bool MeetsExcluded(const Polygon& footprint, Point shift, Coord grow_nm,
 /// excluded areas, below max_print_height and within 32-bit nanometres. A bed with fewer than three
 /// points is unlimited.
 ///
-/// An object fits if all corners of its convex hull are in the bed or on its edge, and the hull
+/// An object fits if all corners of its convex hull are in the bed or on its boundary, and the hull
 /// does not overlap an excluded area. This is exact for convex beds, which all printers have.
 ///
 /// Errors: OUT_OF_BUILD_VOLUME with `object` (the object's name), `excess_mm` (distance beyond the

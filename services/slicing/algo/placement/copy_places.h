@@ -35,10 +35,10 @@ ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options);
 ///
 /// Copies with a given position get this position, regardless of other copies. A copy without one
 /// is placed in the middle of the bed if it is the only copy and no excluded area is there.
-/// Otherwise such copies are arranged around the copies with a given position.
+/// Otherwise the copies without a position are arranged around the copies with one.
 ///
 /// Errors: OUT_OF_BUILD_VOLUME if not all copies fit on the bed, with the names of the objects left
-/// over and the numbers of their copies; the errors of Arrange. A single copy is not checked.
+/// over and the numbers of their copies; any error of Arrange. A single copy is not checked.
 absl::StatusOr<std::vector<std::vector<Point>>> PlaceCopies(std::span<const ObjectToPlace> objects,
                                                             const SlicingOptions& options,
                                                             const CancelToken& cancel);

@@ -8,7 +8,7 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the placing stage that runs in this process (prepared_object.h) and reads its meshes by
+/// Returns the placing stage that runs in this program (prepared_object.h) and reads its meshes by
 /// `source`.
 std::unique_ptr<PlacingStage> MakeLocalPlacing(
     std::unique_ptr<const MeshSource> source = MakeDirectMeshSource());

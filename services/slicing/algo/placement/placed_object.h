@@ -20,15 +20,15 @@ absl::Status Malformed(std::string_view message);
 /// Meshes of files. Each file's meshes are freed after their last use.
 class PartMeshes {
  public:
-  /// `objects`: the objects with the parts that will be taken, each part once. `source` and
-  /// `cancel` must outlive this object.
+  /// `objects`: the objects with the parts that will be requested from Take, each part once.
+  /// `source` and `cancel` must outlive this object.
   PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
              const MeshSource& source, const CancelToken& cancel,
              ReadDepth depth = ReadDepth::kMeshes);
 
-  /// Returns the mesh of a part. Errors: the errors of the source; REQUEST_MALFORMED for a missing
-  /// mesh and for a project that is used as a single mesh; MESH_TOO_LARGE if all meshes taken have
-  /// more triangles than a job may have.
+  /// Returns the mesh of a part. Errors: any error of `source`; REQUEST_MALFORMED for a missing
+  /// mesh and for a project that is used as a single mesh; MESH_TOO_LARGE if all meshes returned so
+  /// far have more triangles than a job may have.
   absl::StatusOr<RawMesh> Take(const MeshRef& ref);
 
  private:
@@ -37,13 +37,13 @@ class PartMeshes {
   std::vector<MeshFile> files_;
   std::vector<std::optional<std::vector<RawMesh>>> meshes_;
   std::vector<int> uses_;  ///< number of remaining uses of each file
-  int64_t taken_ = 0;      ///< number of triangles taken
+  int64_t taken_ = 0;      ///< number of triangles returned by Take
   const MeshSource& source_;
   const CancelToken& cancel_;
   const ReadDepth depth_;
 };
 
-/// Triangles of a part in nm. If rounding welds corners, also the edge counts of the file.
+/// Triangles of a part in nm. If rounding merges corners, it also has the edge counts of the file.
 struct PlacedPart {
   IndexedMesh mesh;
   std::optional<EdgeCounts> edges_of_file;
@@ -58,7 +58,7 @@ struct PlacedObject {
   Polygon footprint;  ///< convex hull of the solid parts
 };
 
-/// Places the parts of an object around the object's origin. Errors: the errors of PartMeshes::Take
+/// Places the parts of an object around the object's origin. Errors: any error of PartMeshes::Take
 /// and TransformMesh; OUT_OF_RANGE.
 absl::StatusOr<PlacedObject> PlaceParts(const ObjectInput& input, PartMeshes& meshes);
 

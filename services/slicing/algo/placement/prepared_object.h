@@ -16,11 +16,12 @@ namespace slicefarm::slicing {
 /// Part of an object, ready for cutting.
 struct PreparedPart {
   ConnectedMesh connected;
-  PartInput input;  ///< role of the part, and the rows of its settings
+  PartInput input;  ///< role of the part, and its region settings
   MeshReport report;
 
-  /// Returns true if every edge has two faces: then sections need no closing of cracks. Parts that
-  /// touch along edges are not manifold, so a small gap between them is closed like a crack.
+  /// Returns true if every edge has two faces. Then no cracks in the sections need to be closed.
+  /// Parts that touch along edges are not manifold, so a small gap between them is closed like a
+  /// crack.
   bool IsManifold() const { return connected.closed && report.non_manifold_edges == 0; }
 
   /// Returns true if the part enforces or blocks seams.
@@ -41,7 +42,7 @@ struct PreparedObject {
   std::string name;
   std::vector<PreparedPart> parts;
   std::vector<RangeInput> ranges;
-  Vertex to_origin;  ///< translation added to all positions of its parts
+  Vertex to_origin;  ///< translation added to all positions of the object's parts
   Coord top_nm = 0;
   Polygon footprint;                           ///< convex hull of the solid parts
   Transform to_plate = Transform::Identity();  ///< transform as in the input
@@ -52,9 +53,9 @@ struct PreparedObject {
 /// Reads the files by `source`, then places, checks and connects the parts of each object. A file's
 /// bytes are freed as soon as they are read, its triangles after the last part that uses them.
 ///
-/// Errors: the errors of the steps. With several objects, they have the object's number (from 0,
-/// also as `object` in the metadata) and its name in the message. REQUEST_MALFORMED for an object
-/// without solid parts or with a reference to a missing mesh.
+/// Errors: any error of PlaceParts and Connect. With several objects, errors have the object's
+/// number (from 0, also as `object` in the metadata) and its name in the message. REQUEST_MALFORMED
+/// for an object without solid parts or with a reference to a missing mesh.
 absl::StatusOr<std::vector<PreparedObject>> PrepareObjects(SliceInput input,
                                                            const MeshSource& source,
                                                            const SlicingOptions& options,

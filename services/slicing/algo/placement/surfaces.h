@@ -12,7 +12,7 @@
 namespace slicefarm::slicing {
 
 /// Returns the objects as surfaces with double coordinates, as PlacingStage::ReadSurfaces
-/// specifies. Errors: as there, and the errors of PartMeshes::Take.
+/// specifies. Errors: as PlacingStage::ReadSurfaces, and any error of PartMeshes::Take.
 absl::StatusOr<std::vector<SurfaceMesh>> SurfacesOf(SliceInput input, const MeshSource& source,
                                                     const CancelToken& cancel);
 

@@ -4,35 +4,36 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the outlines of a first layer, shrunk by the amount that the layer will spread. Thin
-/// places shrink less: material of width w gets the width max(min_width, w - 2 compensation). It
+/// Returns the outlines of a first layer, shrunk by the amount by which the layer will spread. Thin
+/// sections shrink less: material of width w gets the width max(min_width, w - 2 compensation). It
 /// keeps w if w is already below min_width.
 ///
 /// The width at a point of an outline is the diameter of the largest disc inside the material that
 /// touches this point and the opposite side. A side is opposite if the two tangents make an angle
 /// below 45 degrees. Between 45 and 60 degrees it counts less and less. The sides of a corner above
-/// 60 degrees are not a thin place: they shrink even if the corner is small. The shrinkage is round
-/// at reflex corners.
+/// 60 degrees are not a thin section: they shrink even if the corner is small. The shrinkage is
+/// round at reflex corners.
 ///
-/// The shrinkage rises by at most half of the distance along an outline. So it is complete again 2
-/// compensations beyond a thin place. It may have a step at convex corners above 60 degrees.
+/// Along an outline, the shrinkage rises by at most half of the distance. So it is complete again
+/// at 2 compensations beyond a thin section. It may have a step at convex corners above 60 degrees.
 ///
 /// Guarantees:
 ///
-/// - The result lies within the outlines.
+/// - The result is within the outlines.
 /// - No point farther than `compensation` (+ 5 nm) from the outlines is removed, except for tips
 ///   below 0.1 mm that break off at sharp corners.
-/// - Places that are min_width + 2 compensation wide all around shrink by the compensation.
+/// - Sections that are at least min_width + 2 compensation wide in all directions shrink by the
+///   compensation.
 /// - No island vanishes, splits, or loses or gains a hole. If this fails, corners up to 90 degrees
-///   are kept too. As a last resort the island is compensated by a half, a quarter, an eighth or
-///   not at all. None of the 1,400 random plates of the tests needs either.
+///   are also treated as thin. As a last resort the island is compensated by a half, a quarter, an
+///   eighth or not at all. None of the 1,400 random plates of the tests needs either.
 ///
 /// Shapes: disjoint islands as returned by Union; each one is shrunk separately. Units: nm. Errors:
 /// none; a compensation of 0 or less changes nothing.
 ///
-/// Cost: O(n log n) without thin places; otherwise also a difference of strips with about ten
-/// corners per mm of thin outline. 5,000 points, wide: 95 ms; 10,000 points of a ring 0.8 mm thin:
-/// 0.6 s.
+/// Cost: O(n log n) for n points without thin sections; otherwise also a difference of strips with
+/// about ten corners per mm of thin outline. 5,000 points, wide: 95 ms; 10,000 points of a ring 0.8
+/// mm thin: 0.6 s.
 ///
 /// Source: measured, PrusaSlicer 2.5.0, elefant_foot_compensation 0.2 and 0.4, blades 0.4 to 3 mm
 /// wide and wedges of 20 to 90 degrees. Here with min_width = width + spacing of the outer wall on

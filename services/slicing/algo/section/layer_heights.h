@@ -13,7 +13,7 @@ namespace slicefarm::slicing {
 
 /// Layer of an object, and the height at which the object is cut for it.
 struct LayerPlane {
-  LayerFrame frame;  ///< frame; the index counts the object's own layers
+  LayerFrame frame;  ///< frame of the layer; its index counts the object's own layers
   Coord z_nm = 0;
 };
 
@@ -21,15 +21,17 @@ struct LayerPlane {
 struct LayerHeights {
   Coord first_nm = 200'000;
   Coord others_nm = 200'000;
-  std::vector<RangeInput> ranges;  ///< separate heights; the first matching range counts
+  /// ranges with a height of their own; if several match, the first is used
+  std::vector<RangeInput> ranges;
   /// Height profile; if not empty, it defines all heights except the first.
   std::vector<LayerHeightAt> profile = {};
   Coord profile_above_nm = 0;  ///< height above a layer's bottom at which the profile is evaluated
 };
 
-/// Returns the layers of an object of height `top_nm` that stands on z = 0. The first layer has its
-/// own height, all others have the height of their range. A layer belongs to the range that
-/// contains its bottom. A range that begins less than 35 um above the bottom counts too.
+/// Returns the layers of an object of height `top_nm` with its bottom at z = 0. The first layer has
+/// its own height, all others have the height of their range. A layer belongs to the range that
+/// contains its bottom. A range that begins less than 35 um above the layer's bottom also counts as
+/// containing it.
 ///
 /// Each layer is cut in its middle (rounded down to nm), but below the top. The last layer is the
 /// last one with its middle not above the top. So the print is less than half a layer lower, or at
@@ -39,7 +41,7 @@ struct LayerHeights {
 /// too many layers; NOTHING_TO_PRINT if even the first layer's middle is above the top.
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights);
 
-/// Returns layers with these tops, which must ascend from above 0. Errors: MESH_TOO_LARGE.
+/// Returns layers with the tops `tops_nm`, which must ascend from above 0. Errors: MESH_TOO_LARGE.
 absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm);
 
 }  // namespace slicefarm::slicing

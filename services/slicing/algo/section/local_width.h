@@ -19,20 +19,21 @@ struct OutlineEdge {
   Vector2 inward_after = Vector2::Zero();
   bool reflex_from = false;  ///< true if the material's angle at `from` is above 180 degrees
   bool reflex_to = false;
-  int32_t next = 0;       ///< index of the next edge in the ring
-  double middle_rad = 0;  ///< middle direction of all its normals, with its reflex ends
-  double half_rad = 0;    ///< largest angle between a normal and the middle direction
+  int32_t next = 0;  ///< index of the next edge in the ring
+  /// middle direction of all normals of the edge, including the normals at its reflex ends
+  double middle_rad = 0;
+  double half_rad = 0;  ///< largest angle between a normal of the edge and the middle direction
 };
 
-/// Cosines of the angles between two sides of the material at which they begin to count as
-/// opposite, and at which they count fully.
+/// Two sides of the material count as opposite if the angle between them is small. Cosine of the
+/// angle below which they begin to count, and of the angle below which they count fully.
 struct OppositeAngles {
   double begin_cos = 0;
   double full_cos = 0;
 };
-/// Counts fully below 45 degrees.
+/// Angles of 60 degrees (begin to count) and 45 degrees (count fully).
 inline constexpr OppositeAngles kBelow60Degrees{0.5, 0.7071067811865476};
-/// Counts fully below 75 degrees.
+/// Angles of 90 degrees (begin to count) and 75 degrees (count fully).
 inline constexpr OppositeAngles kBelow90Degrees{0, 0.25881904510252074};
 
 /// Width of an island at points of its outlines, up to a limit.

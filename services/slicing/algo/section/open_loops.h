@@ -9,8 +9,8 @@ namespace slicefarm::slicing {
 
 /// Counts of closed and dropped chains of a section, for the mesh report.
 struct GapCounts {
-  int64_t closed = 0;   ///< loops
-  int64_t dropped = 0;  ///< lines that stayed open
+  int64_t closed = 0;   ///< number of chains that were closed to loops
+  int64_t dropped = 0;  ///< number of chains that stayed open
   double largest_gap_nm = 0;
   double dropped_length_nm = 0;
 

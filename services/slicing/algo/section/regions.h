@@ -42,7 +42,7 @@ struct RegionEdits {
 /// - slice_closing_radius applies only to meshes that are not closed manifolds.
 RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options);
 
-/// Applies the edits. Offsets have mitred corners. Costs nothing if there is nothing to edit.
+/// Applies the edits. Offsets have mitred corners. Without edits the region is returned at no cost.
 MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolution_nm);
 
 }  // namespace slicefarm::slicing

@@ -7,24 +7,24 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the distance by which a part for seams counts beyond itself. It is large enough to
+/// Returns the distance by which a part for seams acts beyond its own volume. It is large enough to
 /// include the outline under the part even after `edits` moved that outline. So a seam point is
 /// found even in a very small painted area. PrusaSlicer uses 0.35 mm.
 Coord SeamReach(const RegionEdits& edits);
 
-/// Returns the distance by which a painted surface counts beyond itself for supports. It leaves no
+/// Returns the distance by which a painted surface for supports acts beyond itself. It leaves no
 /// crack between neighbouring faces and reaches outlines that `edits` moved.
 Coord SupportReach(const RegionEdits& edits);
 
 /// Returns the region of a body, grown by `reach_nm`. Cost: the cost of FastOffset.
 MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm);
 
-/// Returns the area within reach of the lines in which an open surface (such as a painted one) is
-/// cut. It consists of rectangles around the segments that extend beyond the ends. Horizontal faces
-/// are never cut.
+/// Returns the area within `reach_nm` of the lines in `cut`, the section of an open surface (such
+/// as a painted one). It consists of rectangles around the segments that extend beyond the ends of
+/// the segments. Horizontal faces are never cut.
 ///
 /// `resolution_nm`: tolerance for simplifying the lines. The result is empty if `cancel` is set.
-/// Cost: a union of as many rectangles (UnionOfMany).
+/// Cost: UnionOfMany of one rectangle per segment.
 MultiPolygon AroundSurface(const Section& cut, Coord reach_nm, Coord resolution_nm,
                            const CancelToken& cancel = {});
 

@@ -17,20 +17,20 @@ struct Slab {
   Coord high_nm = 0;
 };
 
-/// Parts of a surface between heights, seen from above. It is needed because a painted face may be
-/// level, so no plane cuts it.
+/// Parts of a surface between two heights (slabs), seen from above. They are needed because a
+/// painted face may be level, so that no plane cuts it.
 class SurfaceSlabs {
  public:
-  /// Selection of faces: all faces or only level ones.
+  /// Selection of faces: all faces, or only level ones.
   enum class Faces : uint8_t { kAll, kLevelAlone };
 
-  /// `slabs`: the low heights ascend, and so do the high ones. `mesh` must outlive this object.
-  /// Cost: O(faces + slabs that they are in).
+  /// `slabs`: both the low heights and the high heights ascend. `mesh` must outlive this object.
+  /// Cost: O(faces + number of pairs of a face and a slab that contains a part of it).
   SurfaceSlabs(const IndexedMesh& mesh, std::vector<Slab> slabs, Faces faces);
 
-  /// Returns the shadow of the surface in the slab, grown by `reach_nm`. Vertical faces have none.
-  /// The result is empty if `cancel` is set. Safe to call from several threads. Cost: a union of as
-  /// many pieces (UnionOfMany), and an offset.
+  /// Returns the part of the surface in the slab as seen from above, grown by `reach_nm`. Vertical
+  /// faces contribute nothing. The result is empty if `cancel` is set. Safe to call from several
+  /// threads. Cost: UnionOfMany of one piece per face in the slab, and an offset.
   MultiPolygon Shadow(size_t slab, Coord reach_nm, const CancelToken& cancel = {}) const;
 
  private:

@@ -13,13 +13,14 @@ namespace slicefarm::slicing {
 /// Section of a mesh in one plane, with the material on the left of the lines.
 struct Section {
   std::vector<Polygon> loops;    ///< closed lines
-  std::vector<Polyline> chains;  ///< open lines; they begin and end at the edges of the surface
+  std::vector<Polyline> chains;  ///< open lines, which begin and end at open edges of the surface
 };
 
 /// Memory that a thread reuses from layer to layer.
 struct SweepScratch {
   std::vector<uint32_t>
-      segment_of_face;          ///< valid for the faces of the current layer only, so never cleared
+      /// segment of each face; valid for the faces of the current layer only, so never cleared
+      segment_of_face;
   std::vector<Point> ends;      ///< end point of each segment
   std::vector<uint32_t> exits;  ///< half-edge on the other side of the rising edge, per segment
   std::vector<uint8_t> marks;   ///< state of each segment
@@ -31,10 +32,10 @@ struct SweepScratch {
 /// One rule defines all cases: a vertex is above a plane if and only if z_vertex >= z_plane. A face
 /// is in a layer if it has a vertex above and one not above, so zmin < z <= zmax. Then exactly two
 /// of its edges cross the plane, and each neighbour over these edges is in the layer too. So
-/// horizontal faces drop out, and vertices on the plane need no special case.
+/// horizontal faces are in no layer, and vertices on the plane need no special case.
 ///
 /// Each vertex stores the number of planes that it is above. Faces are sorted into layers by
-/// counting. In a layer, a face gives one segment. Its end is the crossing of the rising edge with
+/// counting. In a layer, a face gives one segment. The segment ends where the rising edge crosses
 /// the plane, and the next segment belongs to the face on the other side of this edge. Nothing is
 /// ever looked up by position. A crossing is interpolated from the lower to the upper end of its
 /// edge in integers, rounded to the nearest nm. So it depends on these two points and the plane
@@ -44,9 +45,9 @@ struct SweepScratch {
 /// O(faces + segments), 4 bytes per segment.
 class Sweep {
  public:
-  /// Sorts the faces into layers. `other_points`: number of segments of the job's parts that were
-  /// prepared before. Errors: MESH_TOO_LARGE if a layer, or all layers together, have more segments
-  /// than limits.h allows.
+  /// Sorts the faces into layers. `other_points`: number of segments of other parts of the job that
+  /// were prepared before. Errors: MESH_TOO_LARGE if a layer, or all layers together, have more
+  /// segments than limits.h allows.
   static absl::StatusOr<Sweep> Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm,
                                        int64_t other_points = 0);
 
@@ -63,7 +64,8 @@ class Sweep {
   }
 
  private:
-  /// Vertex and the number of planes at or below it: it is above plane k if and only if k < level.
+  /// Vertex, and its level: the number of planes at or below it. The vertex is above plane k if and
+  /// only if k < level.
   struct LeveledVertex {
     int32_t x = 0;
     int32_t y = 0;
@@ -78,7 +80,7 @@ class Sweep {
   void PrefetchCorners(uint32_t face) const;
   /// Computes one segment per face, in the order of `faces`.
   void CutFaces(std::span<const uint32_t> faces, size_t layer, SweepScratch& scratch) const;
-  /// Returns bits: bit i is set if corner i is in or above the plane of the layer.
+  /// Returns three bits: bit i is set if corner i is in or above the plane of the layer.
   unsigned Above(const Triangle& t, size_t layer) const {
     return (vertices_[t[0]].level > layer) | (vertices_[t[1]].level > layer) << 1 |
            (vertices_[t[2]].level > layer) << 2;

@@ -10,11 +10,12 @@
 
 namespace slicefarm::slicing {
 
-/// Mesh in a picture, once at each of `centers`.
+/// Mesh that is drawn once at each of `centers`.
 struct SceneMesh {
   const IndexedMesh* mesh = nullptr;
   std::span<const Point> centers;
-  bool solid = false;  ///< closed and correctly oriented: faces that point away need not be drawn
+  /// true if closed and correctly oriented: faces that point away need not be drawn
+  bool solid = false;
 };
 
 /// Draws the objects as seen from the front, right and above, with shaded faces on a transparent

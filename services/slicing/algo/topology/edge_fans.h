@@ -7,11 +7,11 @@ namespace slicefarm::slicing {
 
 /// Pairs the half-edges of edges with more than two faces, for example where two cubes touch.
 ///
-/// Around an edge, in the order of the angle, faces open and close wedges of solid material. The
-/// two faces of a wedge are paired; nested wedges are paired like brackets. If one face closes a
-/// wedge and another face at the same angle opens the next one, the wedges stay separate. So bodies
-/// that only touch along an edge stay separate bodies, and every loop that crosses the edge closes.
-/// A half-edge without a partner (an odd number of faces) gets no twin.
+/// Around such an edge, sorted by angle, each face is either the first or the last side of a wedge
+/// of solid material. The two faces of a wedge are paired; nested wedges are paired like brackets.
+/// If one face ends a wedge and another face at the same angle begins the next one, the wedges stay
+/// separate. So bodies that only touch along an edge stay separate bodies, and every loop that
+/// crosses the edge closes. A half-edge without a partner (an odd number of faces) gets no twin.
 ///
 /// The angles are compared by exact determinants, and equal faces are interchangeable, so the order
 /// of the triangles does not matter. Cost: O(k log k) for k half-edges on the edge.

@@ -7,11 +7,11 @@
 
 namespace slicefarm::slicing {
 
-/// Turns the faces of each body that run against its majority, so that neighbours run along their
-/// common edge in opposite directions. Updates `table` as well. If this is impossible (a Moebius
-/// strip), the edge loses its twins. With two equal halves, the one that makes the body's volume
-/// positive stays. Returns the number of turned faces. Cost: O(n); nothing to do for a table
-/// without conflicts.
+/// Flips the faces that are oriented against most faces of their body, so that neighbours run along
+/// their common edge in opposite directions. Updates `table` as well. If this is impossible (a
+/// Moebius strip), the edge loses its twins. If both orientations have equally many faces, the one
+/// that makes the body's volume positive is used. Returns the number of flipped faces. Cost: O(n)
+/// for n faces; nothing to do for a table without conflicts.
 int64_t OrientFaces(IndexedMesh& mesh, EdgeTable& table);
 
 }  // namespace slicefarm::slicing

@@ -12,21 +12,25 @@ namespace slicefarm::slicing {
 
 /// Mesh with the neighbours of its faces.
 ///
-/// Faces with two equal corners and repeated faces are removed. Faces that ran against their body
-/// are turned. If three open edges of several faces form a triangle, the missing face is inserted.
-/// A face with three corners on one line stays: it has no area, but it connects its neighbours.
+/// Faces with two equal corners and repeated faces are removed. Faces that were oriented against
+/// their body are flipped. If three open edges of several faces form a triangle, the missing face
+/// is inserted. A face with three corners on one line stays: it has no area, but it connects its
+/// neighbours.
 struct ConnectedMesh {
   IndexedMesh mesh;
-  /// Half-edge on the other side, in the opposite direction; kNoTwin where the surface ends.
+  /// Half-edge on the other side of each half-edge, in the opposite direction; kNoTwin where the
+  /// surface ends.
   std::vector<uint32_t> twins;
-  bool closed = false;  ///< every half-edge has a twin, so every section consists of closed loops
+  /// true if every half-edge has a twin, so that every section consists of closed loops
+  bool closed = false;
 
   // Counts of the file's mesh, for the report:
   int64_t triangles = 0;
   int64_t degenerate_faces = 0;
-  int64_t repeated_faces = 0;  ///< faces with the corners and the orientation of another one
+  /// number of faces with the corners and the orientation of another face
+  int64_t repeated_faces = 0;
   int64_t flipped_faces = 0;
-  // Counts after these faces are removed, and before missing faces are inserted:
+  // Counts after degenerate and repeated faces are removed, and before missing faces are inserted:
   int64_t open_edges = 0;
   int64_t non_manifold_edges = 0;
   /// Bodies connected over edges; parts that only share a vertex count separately.
@@ -48,7 +52,7 @@ struct EdgeCounts {
 EdgeCounts CountEdges(std::vector<Triangle> triangles, size_t vertex_count);
 
 /// Returns the report of a mesh before it is sliced. `shift` moves the box to the position of the
-/// first copy.
+/// first copy. Results of slicing are not filled in.
 MeshReport ReportOf(const ConnectedMesh& mesh, Point shift);
 
 }  // namespace slicefarm::slicing

@@ -12,11 +12,11 @@ namespace slicefarm::slicing::threemf {
 
 /// Gives the project one plate for each bed that PrusaSlicer 2.9 arranges in its common space.
 ///
-/// The beds fill growing squares from the first one, to the right and to the back. The distance
-/// between beds is 30 % of the bed's diagonal, at most 100 mm; this offset is subtracted from their
-/// instances. An instance belongs to the bed nearest to its origin, which PrusaSlicer keeps in the
-/// middle of the object. Instances on no bed are noted. With one bed, or if the bed is unknown, all
-/// instances stay on one plate.
+/// The beds fill growing squares from the first bed, to the right and to the back. The distance
+/// between beds is 30 % of the bed's diagonal, at most 100 mm. A bed's offset from the first bed is
+/// subtracted from its instances. An instance belongs to the bed nearest to the instance's origin,
+/// which PrusaSlicer keeps in the middle of the object. Instances on no bed are noted. With one
+/// bed, or if the bed is unknown, all instances stay on one plate.
 void AddBeds(const std::vector<PlateSettings>& beds, Project& project, Notes& notes);
 
 }  // namespace slicefarm::slicing::threemf

@@ -22,16 +22,16 @@ struct FlatPart {
 /// checked once.
 class ComponentTree {
  public:
-  /// Builds the tree, which keeps a reference to `package`. Errors, with a place: MESH_MALFORMED
-  /// for a missing object, for objects that contain themselves, and for more than
+  /// Builds the tree, which keeps a reference to `package`. Errors, with the location in the file:
+  /// MESH_MALFORMED for a missing object, for objects that contain themselves, and for more than
   /// limits::kMaxComponentsDepth levels.
   static absl::StatusOr<ComponentTree> Make(const Package& package);
 
   /// Returns the meshes of an object, in the order of the file. Errors: MESH_TOO_LARGE beyond
-  /// limits::kMaxParts; the errors of CheckTransform for the combined transforms.
+  /// limits::kMaxParts; any error of CheckTransform for the combined transforms.
   absl::StatusOr<std::vector<FlatPart>> Flatten(const ObjectKey& key) const;
 
-  /// Returns the object that `key` is only an alias of. An alias has one single component, which is
+  /// Returns the object for which `key` is an alias. An alias has one single component, which is
   /// not moved and is in the same file; aliases of aliases are followed. Returns `key` if it is no
   /// alias.
   ObjectKey Original(ObjectKey key) const;

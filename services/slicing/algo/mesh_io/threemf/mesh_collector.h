@@ -13,7 +13,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Flags for paint on triangles other than seams and supports.
+/// Flags for paint on triangles that is neither for seams nor for supports.
 enum Paint : uint8_t {
   kPaintedColours = 1,
   kPaintedFuzzySkin = 2,
@@ -24,14 +24,14 @@ struct MeshReading {
   bool keep = true;  ///< false: meshes are only checked and counted
   double coordinate_limit_mm = 0;
   int64_t vertices = 0;
-  int64_t triangles = 0;  ///< includes painted pieces
-  int64_t resources = 0;  ///< objects, their uses as components, and painted areas
+  int64_t triangles = 0;  ///< number of triangles, painted pieces included
+  int64_t resources = 0;  ///< number of objects, uses of objects as components, and painted areas
 };
 
 /// Collector of one mesh and its paint from `vertex` and `triangle` elements.
 ///
-/// Errors (without a place): MESH_MALFORMED for missing numbers, invalid vertex indices and invalid
-/// paint; MESH_NOT_FINITE, OUT_OF_RANGE, MESH_TOO_LARGE.
+/// Errors (without a location): MESH_MALFORMED for missing numbers, invalid vertex indices and
+/// invalid paint; MESH_NOT_FINITE, OUT_OF_RANGE, MESH_TOO_LARGE.
 class MeshCollector {
  public:
   /// Keeps a reference to `reading` and adds to its totals.
@@ -48,7 +48,7 @@ class MeshCollector {
 
   int64_t triangles() const { return triangles_; }
   uint8_t paint() const { return paint_; }  ///< flags of Paint
-  /// Returns true if triangles name a material or colour.
+  /// Returns true if triangles refer to a material or colour.
   bool coloured() const { return coloured_; }
 
   /// Returns the painted seams and supports. Their meshes are moved out of the collector.
@@ -64,7 +64,7 @@ class MeshCollector {
     MarkPaint Take();
 
     MeshBuilder enforcers, blockers;
-    MarkPaint paint;  ///< areas; their meshes are still in the builders
+    MarkPaint paint;  ///< painted areas; their meshes are still in the builders
   };
 
   absl::Status CountTriangle();

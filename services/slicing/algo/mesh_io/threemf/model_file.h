@@ -29,7 +29,8 @@ struct ObjectResource {
   ResourceId id = 0;
   std::string name;
   std::string type = "model";
-  int32_t mesh = -1;  ///< index of its mesh among all meshes of all model files; -1: no mesh
+  /// index of the object's mesh among all meshes of all model files; -1: no mesh
+  int32_t mesh = -1;
   int64_t triangles = 0;
   uint8_t paint = 0;  ///< flags of Paint
   MeshPaint marks;

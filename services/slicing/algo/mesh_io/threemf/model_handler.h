@@ -27,12 +27,14 @@ class ModelHandler : public XmlHandler {
   absl::Status End(std::string_view name) override;
   absl::Status Text(std::string_view text) override;
 
-  /// Returns true directly after a start tag that millions of equal elements may follow. The caller
-  /// may then pass these elements to Element instead of to the XML parser.
+  /// Returns true directly after a start tag after which millions of elements with one name
+  /// (Repeated) may follow. The caller may then pass these elements to Element instead of to the
+  /// XML parser.
   bool RunBegins() const { return run_begins_; }
-  /// Returns the name of these elements with its prefix: `vertex` or `triangle`.
+  /// Returns the name of the elements that may be passed to Element, with its prefix: `vertex` or
+  /// `triangle`.
   std::string_view Repeated() const;
-  /// Takes one of these elements.
+  /// Handles one element with the name Repeated().
   absl::Status Element(XmlAttributes attributes);
 
   /// Returns the model file; call it after the last element. Errors: MESH_MALFORMED if there was no

@@ -12,11 +12,10 @@
 namespace slicefarm::slicing::threemf {
 
 /// Reads a model file while it is expanded. An XML parser reads its structure; a scanner reads the
-/// runs of vertices and triangles. The result does not depend on where the pieces of text end.
+/// sequences of vertices and triangles. The result does not depend on where the pieces of text end.
 ///
-/// `meshes` receives the meshes, in the order of the file. Errors: the errors of the archive, of
-/// XmlParser and of ModelHandler; Cancelled. Cost: one pass; memory for the meshes and one piece of
-/// text.
+/// `meshes` receives the meshes, in the order of the file. Errors: any error of Archive, XmlParser
+/// and ModelHandler; Cancelled. Cost: one pass; memory for the meshes and one piece of text.
 absl::StatusOr<ModelFile> ReadModelFile(const Archive& archive, const ArchiveEntry& entry,
                                         MeshReading& reading, std::vector<RawMesh>& meshes,
                                         const CancelToken& cancel);

@@ -31,18 +31,20 @@ struct Package {
   const ObjectResource& At(const ObjectKey& key) const {
     return files[key.file].objects[key.object];
   }
-  /// Returns true if settings that name an object by its number alone mean this object. It must be
-  /// in the first file, or its number must not be used in the first file. The second case covers
-  /// the first projects of Bambu Studio, which build objects of other files directly.
+  /// Returns true if a setting that identifies an object only by its number means this object. This
+  /// is so if the object is in the first file, or if its number is not used in the first file. The
+  /// second case is for the first projects of Bambu Studio, which build objects of other files
+  /// directly.
   bool IsNamedByNumber(const ObjectKey& key) const {
     return key.file == 0 || !files.front().by_id.contains(At(key).id);
   }
-  /// Returns the object that `use` in files[file] names. Errors: MESH_MALFORMED with a place.
+  /// Returns the object to which `use`, which is in files[file], refers. Errors: MESH_MALFORMED
+  /// with the location in the file.
   absl::StatusOr<ObjectKey> Resolve(const ObjectUse& use, size_t file) const;
 };
 
-/// Reads the model files of an archive. Errors: the errors of ReadModelFile; MESH_FORMAT_UNKNOWN
-/// for an archive that is no 3MF; MESH_MALFORMED for a path to a missing file.
+/// Reads the model files of an archive. Errors: any error of ReadModelFile; MESH_FORMAT_UNKNOWN for
+/// an archive that is no 3MF; MESH_MALFORMED for a path to a missing file.
 absl::StatusOr<Package> ReadPackage(const Archive& archive, MeshReading reading,
                                     const CancelToken& cancel);
 

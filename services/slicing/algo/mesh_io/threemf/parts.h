@@ -18,15 +18,16 @@ struct PartsSource {
   const ModelSettings& settings;
 };
 
-/// Returns the parts of an object: its meshes, or ranges of its mesh's triangles if PrusaSlicer
-/// wrote volumes; and the painted seams and supports as enforcers and blockers.
+/// Returns the parts of an object. These are its meshes, or ranges of its mesh's triangles if
+/// PrusaSlicer wrote volumes. Painted seams and supports are added as enforcers and blockers.
 ///
-/// `name`: the object's name, for notes on settings without effect. Errors: the errors of Flatten;
-/// MESH_MALFORMED for ranges that are beyond the mesh or overlap.
+/// `name`: the object's name, for notes on settings without effect. Errors: any error of
+/// ComponentTree::Flatten; MESH_MALFORMED for ranges that are beyond the mesh or overlap.
 absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const ObjectKey& key,
                                           std::string_view name, Notes& notes);
 
-/// Returns true if filaments are painted on a mesh of the object. Errors: the errors of Flatten.
+/// Returns true if filaments are painted on a mesh of the object. Errors: any error of
+/// ComponentTree::Flatten.
 absl::StatusOr<bool> HasPaintedFilaments(const PartsSource& source, const ObjectKey& key);
 
 }  // namespace slicefarm::slicing::threemf

@@ -13,8 +13,8 @@ namespace slicefarm::slicing::threemf {
 using ItemsOfObject = std::map<ResourceId, std::vector<ProjectPlate::Member>>;
 
 /// Gives the project its plates. Bambu Studio and OrcaSlicer arrange them in one common space: in
-/// rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the right and then towards the front. This
-/// offset is subtracted from the instances.
+/// rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the right and then towards the front. The
+/// offset of a plate is subtracted from its instances.
 ///
 /// If the bed is unknown, instances of the second and later plates are not placed. Instances on no
 /// plate or on two plates are noted.

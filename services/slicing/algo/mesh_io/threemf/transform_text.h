@@ -9,12 +9,12 @@
 namespace slicefarm::slicing::threemf {
 
 /// Returns OK if every entry is finite and within limits::kMaxTransformEntry, and the matrix is
-/// invertible. Errors (without a place): MESH_NOT_FINITE, OUT_OF_RANGE, MESH_MALFORMED.
+/// invertible. Errors (without a location): MESH_NOT_FINITE, OUT_OF_RANGE, MESH_MALFORMED.
 absl::Status CheckTransform(const Transform& transform);
 
 /// Parses the twelve numbers of a 3MF transform. They are a 4x3 matrix, and points are row vectors
 /// that are multiplied from the left: x' = x m00 + y m10 + z m20 + m30. The translation is in units
-/// of `unit_mm`. Errors: the errors of CheckTransform; MESH_MALFORMED unless there are twelve
+/// of `unit_mm`. Errors: any error of CheckTransform; MESH_MALFORMED unless there are twelve
 /// numbers.
 absl::StatusOr<Transform> ParseTransform(std::string_view text, double unit_mm);
 

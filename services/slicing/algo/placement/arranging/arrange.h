@@ -12,7 +12,8 @@ namespace slicefarm::slicing {
 
 /// Part that needs a position on a bed. Each copy is a separate item.
 struct ArrangeItem {
-  Polygon footprint;  ///< hull or outline, with the object's origin at 0, 0; holes count as filled
+  /// hull or outline of the part, with the object's origin at 0, 0; holes count as filled
+  Polygon footprint;
   std::vector<double> rotations_deg = {0};  ///< allowed rotations about z, the preferred one first
 };
 
@@ -24,11 +25,11 @@ struct FixedFootprint {
 
 /// Options for arranging parts.
 struct ArrangeOptions {
-  Polygon bed;  ///< convex; fewer than three points: a square of 2 m
+  Polygon bed;  ///< bed, convex; fewer than three points: a square of 2 m
   /// Distance between parts, >= 0; PrusaSlicer's min_object_distance.
   Coord distance_nm = 6 * kNmPerMm;
   std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
-  Coord bed_margin_nm = 0;  ///< distance from the bed's edge and the excluded areas, >= 0
+  Coord bed_margin_nm = 0;  ///< distance from the boundary of the bed and from excluded areas, >= 0
   int max_plates = 0;       ///< largest number of plates; 0: no limit
 };
 
@@ -43,7 +44,7 @@ struct ItemPlace {
 
 /// Result of arranging.
 struct Arrangement {
-  /// Position of each item; none for items left over.
+  /// Position of each item; nullopt for items left over.
   std::vector<std::optional<ItemPlace>> places;
   int plates = 0;                 ///< plates 0..n-1 are in use
   std::vector<size_t> left_over;  ///< indices of the items without a position

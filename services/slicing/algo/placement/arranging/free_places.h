@@ -12,37 +12,37 @@ namespace slicefarm::slicing {
 /// Grid step of the positions where a part can be placed (translations of its footprint), 1 um.
 inline constexpr Coord kPlaceStep = 1'000;
 
-/// Free positions for a part on one plate: the candidates that matter for packing, updated while
-/// other parts are added.
+/// Positions at which a part can be placed on one plate: the candidates that matter for packing,
+/// updated while other parts are added.
 ///
-/// A part with hull H may be moved by t if H + t lies in the bed and t is strictly inside no
+/// A part with hull H may be moved by t if H + t is in the bed and t is strictly inside no
 /// obstacle. Obstacles are no-fit polygons: Minkowski sums of the placed parts with the mirrored
-/// part and the clearance. The minimum of any convex cost over the free translations lies at a
-/// corner of the free region, or at the boundary point nearest to a target. So only these points
-/// are kept: corners and crossings of the outlines of obstacles and bed, and the feet of the target
-/// on their edges.
+/// part and the clearance. The minimum of any convex cost over the free translations is at a corner
+/// of the free region, or at the boundary point nearest to a target. So only these points are kept:
+/// corners and crossings of the outlines of obstacles and bed, and on each edge the point nearest
+/// to the target.
 ///
 /// Each point is rounded to kPlaceStep in all four directions and tested exactly. So a gap that
 /// fits exactly is found, and rounding never brings parts too close together. If the end of a wedge
 /// is so sharp that it contains no grid point, points up to 0.25 mm farther out are tried.
 ///
-/// Cost: O(k m) per obstacle for the k obstacles that meet it, with m corners each, and O(c k) for
-/// the c points that it offers.
+/// Cost of adding an obstacle: O(k m) for the k obstacles that meet it, with m corners each, and
+/// O(c k) for the c candidate points on the obstacle.
 class FreePlaces {
  public:
   /// REQUIRES: bed and hull are convex (common/geometry/convex.h), the bed has at least three
   /// points. `target`: the translation that the packing prefers.
   FreePlaces(const Polygon& bed, const Polygon& hull, Point target);
 
-  /// Forbids all translations strictly inside one of these convex polygons. One call with many
-  /// polygons is cheaper than many calls.
+  /// Forbids all translations strictly inside one of the convex polygons `obstacles`. One call with
+  /// many polygons is cheaper than many calls.
   void AddObstacles(std::vector<Polygon> obstacles);
 
   /// Returns all positions found, in no particular order.
   const std::vector<Point>& Places() const { return places_; }
 
-  /// Returns true if the part may be moved by `t`. Exact. Cost: O(bed's corners + obstacles around
-  /// t).
+  /// Returns true if the part may be moved by `t`. Exact. Cost: O(b + k) for b corners of the bed
+  /// and k obstacles around t.
   bool Allowed(Point t) const;
 
  private:

@@ -11,14 +11,15 @@ namespace slicefarm::slicing {
 /// middle, with `distance_nm` between their boxes.
 ///
 /// The result is the most nearly square block for all parts; its last row may be incomplete. If no
-/// such block fits, as on a full or round bed, it is the positions of the grid nearest to the
-/// middle. The result has fewer than `count` translations if this bed's grid has no more.
+/// such block fits, as on a full or round bed, the result is the positions of the grid nearest to
+/// the middle. The result has fewer than `count` translations if the grid has no more free
+/// positions.
 ///
-/// Units:    nm; translations are multiples of kPlaceStep (free_places.h). REQUIRES: bed and hull
-/// convex (common/geometry/convex.h), bed of at least three points.
+/// Units: nm; translations are multiples of kPlaceStep (free_places.h). `kept_off`: convex
+/// polygons; no translation may be strictly inside of them. REQUIRES: bed and hull are convex
+/// (common/geometry/convex.h), and the bed has at least three points.
 ///
 /// Cost: O(g b) for the g positions of the grid over the bed's box and b corners of the bed.
-/// `kept_off`: convex polygons; no translation may be strictly inside of them.
 std::vector<Point> GridPlaces(const Polygon& bed, const Polygon& hull, Coord distance_nm,
                               size_t count, const std::vector<Polygon>& kept_off = {});
 

@@ -11,8 +11,9 @@
 
 namespace slicefarm::slicing {
 
-/// Returns for each of `objects` how many of its copies overlap with a copy of the same or another
-/// object. Two copies overlap if their outlines have more than 0.001 mm2 in common at some height.
+/// Returns for each of `objects` the number of its copies that overlap with a copy of the same or
+/// another object. Two copies overlap if their outlines have more than 0.001 mm2 in common at some
+/// height.
 ///
 /// `layers`: all layers of the job, bottom up; their stacks are indices into `objects`. Errors:
 /// CANCELLED. Cost: one boolean operation per layer for each pair of copies with overlapping

@@ -25,8 +25,8 @@ struct ShapeVariant {
 ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord distance_nm,
                          std::span<const Polygon> excluded = {});
 
-/// Returns the translations that put one of the convex `parts` into an area: one polygon for each
-/// pair of part and area.
+/// Returns the translations that put one of the convex `parts` into an excluded area: one polygon
+/// for each pair of part and area.
 std::vector<Polygon> KeptOff(std::span<const Polygon> parts, std::span<const Polygon> excluded);
 
 /// Variants of one footprint, the preferred rotation first.
@@ -40,10 +40,11 @@ struct StandingPart {
 
 /// Input of Pack.
 struct PackingTask {
-  Polygon bed;                         ///< convex, counter-clockwise
+  Polygon bed;                         ///< bed, convex, counter-clockwise
   std::vector<Polygon> excluded = {};  ///< convex areas of the bed where nothing may be placed
   std::vector<Shape> shapes;
-  std::vector<size_t> sequence;        ///< index of the shape of each item, in order of placing
+  /// index of the shape of each item, in the order in which items are placed
+  std::vector<size_t> sequence;
   std::vector<StandingPart> standing;  ///< fixed parts on plates 0, 1, ...
   int max_plates = 0;                  ///< largest number of plates; 0: no limit
 };
@@ -67,12 +68,12 @@ enum class PackingOrder {
 };
 
 /// Packs greedily: each item goes to the first plate that has a free position for it. On that plate
-/// it goes to the best position of FreePlaces under `order`. Items that fit on no plate stay
-/// without a position.
+/// it goes to the best position of FreePlaces under `order`. Items that fit on no plate get no
+/// position.
 ///
-/// Errors: CANCELLED. Cost: O(k m) per item on its plate, for the k parts there with m corners
-/// each. Each change of the sequence to another shape costs at worst O(k^2 m^2) for each plate that
-/// is tried.
+/// Errors: CANCELLED. Cost: O(k m) per item, for the k parts with m corners each on the item's
+/// plate. If consecutive items in the sequence have different shapes, the second one costs at worst
+/// O(k^2 m^2) for each plate that is tried.
 absl::StatusOr<Packing> Pack(const PackingTask& task, PackingOrder order,
                              const CancelToken& cancel);
 

@@ -20,9 +20,9 @@ struct SpaceHull {
 
 /// Returns the hull of all vertices. It is exact for up to 20,000 of them.
 ///
-/// For more vertices, a hull of selected vertices is made first. Points less than 0.02 mm outside
-/// of it are left out. If too many points would remain, this distance is larger. So faces may be
-/// tilted by that much.
+/// For more vertices, a hull of selected vertices is made first. Vertices less than 0.02 mm outside
+/// of this hull are left out. If too many vertices would remain, this distance is larger. So the
+/// faces of the result may be off by this distance, and slightly tilted.
 ///
 /// Shapes: a flat set has the faces of both sides; a line or a point has no faces. Cost: O(n), plus
 /// a hull of at most 20,000 points: 0.2 s for a million triangles. Source: CGAL's quickhull (C. B.

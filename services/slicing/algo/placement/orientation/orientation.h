@@ -12,21 +12,22 @@ namespace slicefarm::slicing {
 
 /// Options for suggesting orientations.
 struct OrientationOptions {
-  /// Overhang angle in [0, 90]. Faces that point down and slope less than this from the horizontal
-  /// (by 0.1 or more) need support.
+  /// Overhang angle in [0, 90]. Faces that point down need support if their angle to the horizontal
+  /// is smaller than this (by 0.1 or more).
   double overhang_deg = 45;
   size_t suggestions = 3;  ///< largest number of suggestions besides the current orientation
 };
 
 /// Orientation for printing an object, with its measures and score.
 struct PrintOrientation {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< rotation of the mesh as given
+  /// rotation from the given mesh to this orientation
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   double footprint_mm2 = 0;  ///< area of the convex hull seen from above
   double contact_mm2 = 0;    ///< area of the faces on the bed (within 0.05 mm)
   double overhang_mm2 = 0;   ///< area of the faces that need support, seen from above
   double height_mm = 0;
   bool stable = false;  ///< true if the centre of mass is above the hull of the faces on the bed
-  double score = 0;     ///< smallest is best
+  double score = 0;     ///< score; smaller is better
 };
 
 /// Result of SuggestOrientation.

@@ -12,12 +12,12 @@
 namespace slicefarm::slicing {
 
 /// Returns the advice to turn an object if it would print better in another orientation
-/// (orientation.h). Returns nothing if the current orientation is good, no orientation is stable,
+/// (orientation.h). Returns nullopt if the current orientation is good, no orientation is stable,
 /// or to_plate mirrors or shears the object, which angles cannot express.
 ///
 /// `parts`: the object's solid parts in their current orientation. `to_plate`: scale and rotation
 /// of the object that gave this orientation; the advised rotation replaces this rotation. Errors:
-/// the errors of SuggestOrientation.
+/// any error of SuggestOrientation.
 absl::StatusOr<std::optional<OrientationAdvice>> AdviseOrientation(
     std::span<const IndexedMesh* const> parts, const Transform& to_plate,
     const CancelToken& cancel);

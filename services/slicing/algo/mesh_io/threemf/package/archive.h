@@ -46,7 +46,7 @@ class EntryStream {
   int64_t left_;
 };
 
-/// ZIP archive in memory, read with libzip. The claims of the archive are not trusted: expanded
+/// ZIP archive in memory, read with libzip. The sizes in its directory are not trusted: expanded
 /// bytes are counted.
 ///
 /// Names are looked up regardless of the case of ASCII letters, as OPC requires. Source: PKWARE
@@ -66,7 +66,7 @@ class Archive {
 
   /// Opens the stream of an entry.
   absl::StatusOr<EntryStream> Stream(const ArchiveEntry& entry) const;
-  /// Returns all bytes of an entry. Errors: the errors of the stream; MESH_TOO_LARGE beyond
+  /// Returns all bytes of an entry. Errors: as EntryStream::Read; MESH_TOO_LARGE beyond
   /// limits::kMaxMetadataBytes.
   absl::StatusOr<std::string> ReadAll(const ArchiveEntry& entry) const;
 

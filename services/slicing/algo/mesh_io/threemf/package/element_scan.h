@@ -7,9 +7,9 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Kind of the text that comes next in a run of equal elements.
+/// Kind of the text that comes next in a sequence of elements of one name.
 enum class ScanEnd {
-  kElement,  ///< one complete element
+  kElement,  ///< one complete element of this name
   kMore,     ///< perhaps the beginning of an element; more text is needed to decide
   kOther,    ///< anything else
 };

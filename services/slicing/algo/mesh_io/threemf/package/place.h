@@ -7,13 +7,13 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Place in a file, for errors that are found only after everything is read.
+/// Location in a file, for errors that are found only after everything is read.
 struct Place {
   std::string part;
   int64_t line = 0;
 };
 
-/// Returns `error` with a place: metadata `part` and `line`, and "(PART, line N)" in the text.
+/// Returns `error` with its location: metadata `part` and `line`, and "(PART, line N)" in the text.
 absl::Status PlacedAt(const Place& place, const absl::Status& error);
 
 }  // namespace slicefarm::slicing::threemf

@@ -30,26 +30,26 @@ std::optional<std::string_view> Find(XmlAttributes attributes, std::string_view 
 /// finds `p:path`.
 std::optional<std::string_view> FindPrefixed(XmlAttributes attributes, std::string_view name);
 
-/// Receiver of the elements of a document. Its errors need no place, because the parser adds the
-/// place.
+/// Receiver of the elements of a document. Its errors need no location, because the parser adds the
+/// location.
 class XmlHandler {
  public:
   virtual ~XmlHandler() = default;
-  /// `line`: line where the element begins.
+  /// Handles the start of an element. `line`: line where the element begins.
   virtual absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t line) = 0;
-  /// Takes the end of an element.
+  /// Handles the end of an element.
   virtual absl::Status End(std::string_view name) = 0;
-  /// Takes a piece of text between tags.
+  /// Handles a piece of text between tags.
   virtual absl::Status Text(std::string_view text);
 };
 
-/// Returns a MESH_MALFORMED error about the contents of a document, without a place.
+/// Returns a MESH_MALFORMED error about the contents of a document, without a location.
 absl::Status Malformed(std::string_view what);
 
 /// Parser that passes an XML document to a handler, piece by piece (expat). It makes no system
 /// calls except for memory.
 ///
-/// Errors: the errors of the handler. MESH_MALFORMED for a document that is not well-formed, is
+/// Errors: any error of the handler. MESH_MALFORMED for a document that is not well-formed, is
 /// nested deeper than limits::kMaxXmlDepth, or has a tag longer than limits::kMaxXmlTagBytes. A
 /// document type definition is an error too, so there are no entities to expand. All errors have
 /// metadata `part` and `line` and end in "(PART, line N)".
@@ -64,7 +64,7 @@ class XmlParser {
   /// Parses the next piece of text. `last`: the document ends with it.
   absl::Status Feed(std::string_view text, bool last);
 
-  /// Adds lines that were not fed to the parser, so that the line numbers of the next pieces are
+  /// Adds lines that were not passed to the parser, so that the line numbers of the next pieces are
   /// right.
   void SkipLines(int64_t lines) { skipped_lines_ += lines; }
 
@@ -73,7 +73,7 @@ class XmlParser {
 
   /// Returns the number of the line being read.
   int64_t line() const;
-  /// Returns `error` with the place being read.
+  /// Returns `error` with the location that is being read.
   absl::Status Placed(const absl::Status& error) const;
 
  private:
@@ -94,7 +94,7 @@ class XmlParser {
   int64_t skipped_lines_ = 0;
 };
 
-/// Parses a whole document. Errors: the errors of XmlParser.
+/// Parses a whole document. Errors: as XmlParser.
 absl::Status ParseXml(std::string_view text, std::string part, XmlHandler& handler);
 
 }  // namespace slicefarm::slicing::threemf

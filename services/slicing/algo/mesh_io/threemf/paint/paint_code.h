@@ -11,11 +11,11 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Largest number of levels. Each level halves edges: 34 levels lead from 10 m down to nanometres.
+/// Largest number of levels of division. Each level halves edges: 34 levels lead from 10 m down to
+/// nanometres.
 inline constexpr int64_t kMaxPaintLevels = 64;
 
-/// Paint of a piece of a triangle. Other states of the code belong to other kinds of paint and give
-/// kNone.
+/// Paint of a piece of a triangle. States of other kinds of paint are read as kNone.
 enum class PaintState : uint8_t { kNone, kEnforcer, kBlocker };
 
 /// Corners of a triangle, in mm.
@@ -29,13 +29,14 @@ struct PaintedPiece {
 
 /// Returns the pieces into which the paint divides `triangle`, unpainted ones included. Together
 /// they cover the triangle. Their number depends on `code` alone. Pieces of triangles that share an
-/// edge have the same points on it.
+/// edge have the same points on this edge.
 ///
 /// `code` has the slicers' format: hexadecimal digits, from the last to the first. The low two bits
 /// of a digit are the number of halved edges.
 ///
-/// - Zero halved edges: the digit is a piece, and its high two bits are its state. The value 3
-///   means that the state minus 3 follows, where each digit 15 says that one more digit follows.
+/// - Zero halved edges: the digit is a piece, and its high two bits are the state of the piece. The
+///   value 3 means that the state minus 3 follows in the next digits: each digit 15 adds 15 and is
+///   followed by one more digit.
 /// - Otherwise the high two bits are the corner where the division begins. The parts of the
 ///   division follow, from the last one on.
 ///

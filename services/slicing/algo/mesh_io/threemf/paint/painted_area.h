@@ -10,9 +10,10 @@ namespace slicefarm::slicing::threemf {
 /// Area of a mesh painted with one state: pieces of its triangles, which form a separate surface.
 struct PaintedArea {
   int64_t triangles = 0;
-  RawMesh mesh;  ///< empty if meshes are not kept, and after a package has taken the mesh
+  /// triangles of the area; empty if meshes are not kept, and after they are moved to a package
+  RawMesh mesh;
   int32_t number =
-      -1;  ///< index of the mesh in its package; -1: not taken yet, or no mesh
+      -1;  ///< index of the mesh in its package; -1: not in a package yet, or no mesh
 };
 
 /// Areas where a feature is enforced, and areas where it is blocked.

@@ -15,8 +15,8 @@ namespace slicefarm::slicing::threemf {
 using PlateHeightCodes = std::map<int64_t, std::vector<HeightCode>>;
 
 /// Reads Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml or Metadata/custom_gcode_per_layer.xml.
-/// Both have the same codes, in lists per bed or per plate. Tool changes are left out. Errors: the
-/// errors of XmlParser; MESH_MALFORMED for heights and types that are not numbers; MESH_TOO_LARGE.
+/// Both have the same codes, in lists per bed or per plate. Tool changes are left out. Errors: any
+/// error of XmlParser; MESH_MALFORMED for heights and types that are not numbers; MESH_TOO_LARGE.
 absl::StatusOr<PlateHeightCodes> ReadHeightCodes(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

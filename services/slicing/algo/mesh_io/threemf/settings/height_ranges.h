@@ -15,7 +15,7 @@ namespace slicefarm::slicing::threemf {
 using HeightRanges = std::map<int64_t, std::vector<HeightRange>>;
 
 /// Reads Metadata/Prusa_Slicer_layer_config_ranges.xml or Metadata/layer_config_ranges.xml, which
-/// have the same format. Errors: the errors of XmlParser; MESH_MALFORMED for heights that are not
+/// have the same format. Errors: any error of XmlParser; MESH_MALFORMED for heights that are not
 /// numbers or are in the wrong order; MESH_TOO_LARGE.
 absl::StatusOr<HeightRanges> ReadHeightRanges(std::string_view text, const std::string& part);
 

@@ -25,12 +25,12 @@ struct Metadata {
 };
 
 /// Reads the files of Bambu Studio and OrcaSlicer if there are any, otherwise the files of
-/// PrusaSlicer. Errors: the errors of the individual readers.
+/// PrusaSlicer. Errors: any error of the readers in this folder.
 absl::StatusOr<Metadata> ReadMetadata(const Archive& archive);
 
 /// Returns the contents of the archive that have no effect here but would change the print, in
 /// terms familiar to users of slicers. Pictures of the parts and the position of a wipe tower are
-/// not listed. Errors: the errors of the archive.
+/// not listed. Errors: any error of Archive.
 absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archive);
 
 }  // namespace slicefarm::slicing::threemf

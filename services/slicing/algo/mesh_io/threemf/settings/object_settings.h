@@ -16,9 +16,9 @@ namespace slicefarm::slicing::threemf {
 struct PartSettings {
   std::string name;
   PartRole role = PartRole::kSolid;
-  int64_t first_triangle = 0;  ///< used by PrusaSlicer, like `last_triangle`
+  int64_t first_triangle = 0;  ///< range of triangles with `last_triangle`, in files of PrusaSlicer
   int64_t last_triangle = -1;
-  ResourceId component = 0;  ///< used by Bambu Studio and OrcaSlicer
+  ResourceId component = 0;  ///< component, in files of Bambu Studio and OrcaSlicer
   std::vector<Setting> settings;
   int64_t line = 0;
 };
@@ -37,7 +37,7 @@ struct PlateSettings {
     ResourceId object = 0;
     int64_t instance = 0;  ///< number among the build items of the object
   };
-  int64_t number = 0;  ///< number, from 1
+  int64_t number = 0;  ///< number of the plate, from 1
   std::string name;
   std::vector<Member> members;
   std::vector<Setting> settings;
@@ -49,7 +49,7 @@ struct ModelSettings {
   std::string part;  ///< name of the file with these settings
   std::vector<ObjectSettings> objects;
   std::vector<PlateSettings> plates;
-  bool has_scripts = false;  ///< true if there was post_process, which is never read
+  bool has_scripts = false;  ///< true if post_process was not empty; its scripts are dropped
 
   /// Returns the settings of an object, or nullptr.
   const ObjectSettings* Of(ResourceId object) const;
@@ -58,9 +58,9 @@ struct ModelSettings {
 /// Reads Metadata/Slic3r_PE_model.config or Metadata/model_settings.config. They have the same
 /// format except for the names of a few elements.
 ///
-/// Triangles in PrusaSlicer's files are in object coordinates already; the matrix of a volume only
-/// describes their origin. Errors: the errors of XmlParser; MESH_MALFORMED for invalid numbers;
-/// MESH_TOO_LARGE.
+/// Triangles in PrusaSlicer's files are in object coordinates already. The matrix of a volume is
+/// therefore not applied; it only documents the origin of the triangles. Errors: any error of
+/// XmlParser; MESH_MALFORMED for invalid numbers; MESH_TOO_LARGE.
 absl::StatusOr<ModelSettings> ReadModelSettings(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

@@ -13,7 +13,7 @@ namespace slicefarm::slicing::threemf {
 /// are sorted by key. Lists of Bambu Studio and OrcaSlicer stay JSON: `["220","230"]`.
 struct ProjectSettings {
   std::vector<Setting> settings;
-  bool has_scripts = false;  ///< true if there was post_process, which is never read
+  bool has_scripts = false;  ///< true if post_process was not empty; its scripts are dropped
 };
 
 /// Reads Metadata/Slic3r_PE.config: lines like `; layer_height = 0.2`. Errors: MESH_TOO_LARGE;

@@ -11,7 +11,7 @@ namespace slicefarm::slicing::threemf {
 /// Returns true if the key names scripts that a slicer would start. Such settings are never read.
 bool NamesScripts(std::string_view key);
 
-/// Adds a setting of a file; `value` is text in config.ini format. Errors (without a place):
+/// Adds a setting of a file; `value` is text in config.ini format. Errors (without a location):
 /// MESH_TOO_LARGE beyond limits::kMaxSettings or kMaxSettingBytes; MESH_MALFORMED without a key.
 absl::Status AddSetting(std::string_view key, std::string_view value,
                         std::vector<Setting>& settings);
