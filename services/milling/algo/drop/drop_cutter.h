@@ -9,17 +9,17 @@
 
 namespace slicefarm::milling {
 
-/// Rest position of a lowered cutter.
+/// Lowest position of a cutter over a mesh.
 struct Drop {
-  double z_mm = 0;  ///< height of its tip: the smallest one at which it does not gouge
+  double z_mm = 0;  ///< height of the cutter's tip: the smallest one at which it does not gouge
   Eigen::Vector3d contact_mm{0, 0, 0};
 };
 
-/// Lowers a cutter onto a mesh: the dual of the push cutter. A position is gouged with the tip at z
-/// if and only if the cutter lowered there rests higher.
+/// Lowers a cutter onto a mesh: the counterpart of the push cutter. A position with the tip at
+/// height z is gouged if and only if the cutter that is lowered there stops above z.
 ///
-/// Over a triangle, z minus the height of the cutter's outline at the distance from its axis is a
-/// concave function. Its maximum is where the triangle's slope touches the outline, or at one of a
+/// Over a triangle, z minus the height of the cutter's profile at the distance from its axis is a
+/// concave function. Its maximum is where the triangle's slope touches the profile, or at one of a
 /// few points on a side. These points are known in closed form, or by a bracketed root for a bull
 /// nose. The mesh and the cutter must outlive this object.
 class DropCutter {
@@ -27,9 +27,9 @@ class DropCutter {
   DropCutter(const TriangleMesh& mesh, const Cutter& cutter)
       : mesh_(mesh), cutter_(cutter), triangles_(mesh) {}
 
-  /// Returns the rest position at `place_mm`. Returns nothing if no part of the mesh is under the
+  /// Returns the lowest position at `place_mm`. Returns nullopt if no part of the mesh is under the
   /// cutter; contact with the side of its shaft does not count. Cost: 0.3 us for each triangle
-  /// under it that is not below the result.
+  /// under the cutter that is not below the result.
   std::optional<Drop> At(const Eigen::Vector2d& place_mm) const;
 
  private:

@@ -10,12 +10,12 @@ namespace slicefarm::milling {
 
 /// Surface to mill, in mm. It need not be closed or consistently oriented.
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> points_mm;          ///< finite
-  std::vector<std::array<uint32_t, 3>> triangles;  ///< valid indices
+  std::vector<Eigen::Vector3d> points_mm;  ///< corners of the triangles; all coordinates are finite
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< indices into `points_mm`, all valid
 };
 
-/// Edges of a mesh, each edge once. The ends are sorted by their coordinates, so results computed
-/// from them do not depend on the order of triangles and corners.
+/// Edges of a mesh, each edge once. The two ends of an edge are sorted by their coordinates. So
+/// results computed from them do not depend on the order of triangles and corners.
 struct MeshEdges {
   std::vector<std::array<uint32_t, 2>> ends;
   /// Three edges per triangle: from corner 0 to 1, 1 to 2, 2 to 0.
@@ -31,14 +31,14 @@ inline bool ByCoordinates(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
 }
 
-/// Direction of fibers.
+/// Direction of fibers: the horizontal lines along which the cutter is pushed.
 enum class FiberAxis : uint8_t { kX, kY };
 
-/// Returns the coordinate along the fibers of an axis.
+/// Returns the coordinate of `p` along fibers of this direction.
 inline double AlongOf(const Eigen::Vector3d& p, FiberAxis axis) {
   return axis == FiberAxis::kX ? p.x() : p.y();
 }
-/// Returns the coordinate across the fibers of an axis.
+/// Returns the coordinate of `p` across fibers of this direction.
 inline double AcrossOf(const Eigen::Vector3d& p, FiberAxis axis) {
   return axis == FiberAxis::kX ? p.y() : p.x();
 }

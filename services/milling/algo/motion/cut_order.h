@@ -8,7 +8,7 @@
 
 namespace slicefarm::milling {
 
-/// Index of an area of a level.
+/// Area of a level, given by two indices.
 struct AreaPlace {
   uint32_t level = 0;
   uint32_t area = 0;
@@ -17,9 +17,9 @@ struct AreaPlace {
 };
 
 /// Returns the order in which areas are cut. An area is cut after all areas of the level above that
-/// it overlaps. Otherwise the order goes as deep as possible, so that a pocket is finished before
-/// the next one. REQUIRES: levels descend. Cost: O(n m) for two areas of n and m points that have
-/// overlapping boxes but do not overlap; less otherwise.
+/// it overlaps. If several areas are possible, the order goes as deep as possible, so that a pocket
+/// is finished before the next one. REQUIRES: levels descend. Cost: O(n m) for two areas of n and m
+/// points that have overlapping boxes but do not overlap; less otherwise.
 std::vector<AreaPlace> CutOrder(std::span<const MilledStep> levels);
 
 }  // namespace slicefarm::milling

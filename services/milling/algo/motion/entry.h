@@ -22,17 +22,18 @@ struct LeadArcs {
   bool clockwise = false;
 };
 
-/// Returns lead arcs on the free side of a finishing pass; nothing if they would leave the area.
+/// Returns arcs onto and off a finishing pass, on the side without the part. Returns nullopt if
+/// they would leave the area.
 std::optional<LeadArcs> LeadArcsOf(const ClosedWay& way, const PolygonWithHoles& area,
                                    double radius_mm, CutDirection direction);
 
-/// Lowers the tip from above a pass's first point to z, in whole and half turns of a helix beside
-/// it. Returns false if the area has no space for the circle.
+/// Lowers the tip from above a pass's first point to z, in whole and half loops of a helix beside
+/// the pass. Returns false if the area has no space for the circle.
 bool HelixDown(const ClosedWay& way, const PolygonWithHoles& area, double z_mm,
                const MillingOptions& options, MoveBuilder& moves);
 
-/// Lowers the tip from a pass's first point to z along the pass, with as many turns as necessary.
-/// Returns the same pass, beginning at the tip's final position.
+/// Lowers the tip from a pass's first point to z along the pass, around it as often as necessary.
+/// Returns the pass, beginning at the tip's final position.
 ClosedWay RampDown(const ClosedWay& way, double z_mm, const MillingOptions& options,
                    MoveBuilder& moves);
 

@@ -29,7 +29,7 @@ struct MillMove {
 /// Returns the length of a move.
 double LengthOf(const MillMove& move, const Eigen::Vector3d& from_mm);
 
-/// Returns points of a move, from behind its start to its end. No chord is farther from the move
+/// Returns points of a move, without its start, up to its end. No chord is farther from the move
 /// than the tolerance.
 std::vector<Eigen::Vector3d> PointsOf(const MillMove& move, const Eigen::Vector3d& from_mm,
                                       double tolerance_mm);

@@ -10,7 +10,7 @@
 
 namespace slicefarm::milling {
 
-/// Complete machine program, from the safe height back to it.
+/// Complete machine program. It begins and ends at the safe height.
 struct MillProgram {
   std::vector<MillMove> moves;
   double safe_z_mm = 0;
@@ -19,8 +19,8 @@ struct MillProgram {
 };
 
 /// Combines the passes of all steps: first roughing, then finishing, then rest areas. Roughing and
-/// finishing go from the top down, pocket by pocket. REQUIRES: `steps` are the steps of the job, in
-/// its order. Errors: Cancelled. Cost: see StockMap::Cut.
+/// finishing go from the top down, pocket by pocket. REQUIRES: `steps` are all steps of the job, in
+/// the job's order. Errors: Cancelled. Cost: see StockMap::Cut.
 absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,
                                             std::span<const MilledStep> steps,
                                             const CancelToken& cancel = {});

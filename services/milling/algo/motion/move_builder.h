@@ -9,8 +9,8 @@
 
 namespace slicefarm::milling {
 
-/// Builder of the moves of one tool, with the remaining stock. The tool begins somewhere at the
-/// safe height.
+/// Builder of the moves of one tool. It also tracks the remaining stock. The tool begins at an
+/// unknown position at the safe height.
 class MoveBuilder {
  public:
   /// After cancellation, a stock mesh is not read completely, so callers must check the token.
@@ -20,7 +20,7 @@ class MoveBuilder {
   void SetPhase(MillPhase phase) { phase_ = phase; }
 
   /// Adds rapid moves to a position: up over all stock on the path, horizontally, and down to the
-  /// clearance above z. If stock there is higher, the tool stops above the stock.
+  /// clearance above z. If the stock at the position is higher, the tool stops above the stock.
   void RapidTo(const Eigen::Vector2d& place_mm, double z_mm);
   /// Adds a move up to the safe height.
   void Retract();
@@ -40,7 +40,7 @@ class MoveBuilder {
   const StockMap& stock() const { return stock_; }
   /// Returns the height at which rapid moves are safe everywhere.
   double safe_z_mm() const { return safe_z_mm_; }
-  /// Returns all moves and leaves none.
+  /// Removes all moves from the builder and returns them.
   std::vector<MillMove> TakeMoves() { return std::move(moves_); }
 
  private:

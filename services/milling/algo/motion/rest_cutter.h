@@ -10,10 +10,10 @@
 
 namespace slicefarm::milling {
 
-/// Cuts the runs of rest areas, beginning with the first row and continuing with the nearest end.
-/// Runs close to each other are connected along the surface, others by rapid moves above the stock.
-/// Parts of runs that meet no stock are left out. Returns the number of runs cut. Errors:
-/// Cancelled. Cost: O(n^2) for n runs, at 1 ns.
+/// Cuts the runs of rest areas. It begins with the first row and always continues with the nearest
+/// end of a run. Runs close to each other are connected along the surface, others by rapid moves
+/// above the stock. Parts of runs that meet no stock are left out. Returns the number of runs cut.
+/// Errors: Cancelled. Cost: O(n^2) for n runs, at 1 ns.
 absl::StatusOr<int> CutRest(const MillingJob& job, std::span<const MilledStep> rows,
                             MoveBuilder& moves, const CancelToken& cancel);
 

@@ -14,12 +14,13 @@ namespace slicefarm::milling {
 class StockMap {
  public:
   /// Cost: a drop of a needle for each pixel, if the stock is not a box. After cancellation, the
-  /// rest of the map has the height of the box, so callers must check the token.
+  /// remaining pixels have the height of the box, so callers must check the token.
   StockMap(const MillingJob& job, double pixel_mm, const CancelToken& cancel = {});
 
   /// Removes the stock that the cutter meets on a straight move of its tip. A sloping move is
-  /// divided into steps of 0.02 mm at their higher ends, so slightly too little is removed. Cost: 1
-  /// ns for each lower pixel under the move, 10 ns for each other pixel.
+  /// divided into steps of 0.02 mm. Each step is at the height of its higher end, so slightly too
+  /// little is removed. Cost: 1 ns for each pixel under the move that is already low enough, 10 ns
+  /// for each other pixel.
   void Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm);
 
   /// Returns the lowest height of the tip at which the cutter, widened by `wider_mm` on all sides,
@@ -30,7 +31,7 @@ class StockMap {
   /// than 0.1 um.
   bool Meets(const Eigen::Vector3d& tip_mm, double wider_mm) const;
 
-  /// Returns the greatest RestHeight over a straight move. No obstacle wider than the pixels is
+  /// Returns the largest RestHeight over a straight move. No obstacle wider than the pixels is
   /// missed.
   double RestHeightOver(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& to_mm) const;
 

@@ -13,8 +13,8 @@ namespace slicefarm::milling {
 ///
 /// A pass that meets no stock is left out. A pass begins at its nearest point to the tip. The tip
 /// moves straight to this point if the line stays in the area, otherwise by rapid moves above the
-/// stock. It enters stock by a helix or along the pass; outside the stock it goes straight down.
-/// Finishing passes begin and end with arcs if these are free.
+/// stock. The tip enters stock by a helix or along the pass; outside the stock it goes straight
+/// down. Finishing passes begin and end with arcs if the arcs stay in the area.
 class WayCutter {
  public:
   WayCutter(const MillingOptions& options, MoveBuilder& moves, const CancelToken& cancel)
@@ -37,8 +37,9 @@ class WayCutter {
   MoveBuilder& moves_;
   const CancelToken& cancel_;
   const PolygonWithHoles* area_ = nullptr;  ///< area being cut
-  const PolygonWithHoles* last_ = nullptr;  ///< area of the tip's present position
-  std::optional<LeadArcs> leave_;           ///< arcs by which the tip may leave the last pass
+  /// area that was cut last, in which the tip is; null before the first cut
+  const PolygonWithHoles* last_ = nullptr;
+  std::optional<LeadArcs> leave_;  ///< arcs by which the tip may leave the last pass
 };
 
 }  // namespace slicefarm::milling

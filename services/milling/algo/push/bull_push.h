@@ -5,10 +5,10 @@
 
 namespace slicefarm::milling {
 
-/// Returns the contact of a bull nose that moves along the fiber with a part of an edge, from + s
-/// step. The result is the s in [0, length] for which side along(s) + sqrt(width(s)^2 -
-/// across(s)^2) is largest. If the cutter does not reach the fiber, it is the s at which it is
-/// nearest.
+/// Returns the contact of a bull nose that moves along the fiber with a part of an edge. The points
+/// of the part are from + s step. The result is the s in [0, length] at which side * along(s) +
+/// sqrt(width(s)^2 - across(s)^2) is largest. If the cutter does not reach the fiber, the result is
+/// the s at which it is nearest.
 ///
 /// The function is concave. Its derivative gives the search direction; outside of its domain, the
 /// derivative of width - |across| does. The root is bracketed, by false position and bisection.

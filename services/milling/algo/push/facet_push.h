@@ -8,21 +8,23 @@
 
 namespace slicefarm::milling {
 
-/// Contact of the cutter with the inside of a triangle. There is at most one, on the side to which
-/// the triangle falls.
+/// Contact of the cutter with the inside of a triangle. There is at most one, on the lower side of
+/// the triangle.
 struct FacetContact {
-  int8_t side = 0;  ///< 1: the end is a high one; -1: a low one; 0: no contact
+  /// 1: the contact is the high end of the interval; -1: the low end; 0: no contact
+  int8_t side = 0;
   double end = 0;
   FiberPoint at;
 };
 
-/// Normal of a triangle, with length 1 and turned upwards. It is constant along the fibers of an
-/// axis.
+/// Normal of a triangle, with length 1 and pointing upwards. It is the same for all fibers of one
+/// direction.
 struct FacetNormal {
   double along = 0;
   double across = 0;
   double up = 0;
-  double flat = 0;  ///< length of its horizontal part; 0: a level triangle, or one without area
+  /// length of the normal's horizontal part; 0: a level triangle, or one without area
+  double flat = 0;
 };
 
 /// Returns the normal of a triangle.
@@ -30,8 +32,8 @@ FacetNormal NormalOf(const std::array<FiberPoint, 3>& corners);
 
 /// Returns the contact with the inside of a triangle. A sloping plane is touched at one height
 /// above the tip (Cutter::TouchHeight). The contact is on the line in which the triangle is cut at
-/// this height, and the cutter's axis is down the slope from it. Level and vertical triangles are
-/// touched only by their edges. Cost: 15 ns.
+/// this height. The cutter's axis is beside this line, in the direction in which the triangle
+/// falls. Level and vertical triangles are touched only by their edges. Cost: 15 ns.
 FacetContact PushFacet(const Cutter& cutter, const std::array<FiberPoint, 3>& corners,
                        const FacetNormal& normal);
 

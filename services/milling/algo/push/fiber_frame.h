@@ -20,9 +20,9 @@ struct Fiber {
   double z_mm = 0;  ///< height of the cutter's tip
 };
 
-/// Height tolerance in mm: parts up to this much above the tip's height count as level with it.
-/// Touching is not a hit. So a flat at the tip's height leaves the cutter free, regardless of the
-/// rounding of its corners.
+/// Height tolerance in mm: parts up to this much above the tip's height count as level with the
+/// tip. Touching is not a hit. So a level face at the tip's height does not block the cutter,
+/// regardless of the rounding of its corners.
 inline constexpr double kTouchMm = 1e-9;
 
 /// View of a mesh along the fibers of one axis. The mesh and its edges must outlive this object.
@@ -40,15 +40,15 @@ class FiberFrame {
     return {p.along, p.across - fiber.across_mm, p.height - fiber.z_mm};
   }
 
-  /// Returns the reach of an edge on a fiber.
+  /// Returns the part of a fiber in which the cutter gouges an edge.
   Reach PushSide(const Cutter& cutter, uint32_t edge, const Fiber& fiber) const {
     const auto& ends = edges_.ends[edge];
     return PushEdge(cutter, At(ends[0], fiber), At(ends[1], fiber));
   }
 
-  /// Returns the interval of a whole triangle from the reaches of its sides. Low >= high means
-  /// none. The cutter and the triangle are convex, so there is one interval, from the lowest to the
-  /// highest contact.
+  /// Returns the interval of a whole triangle from the results of PushSide for its sides. There is
+  /// none if low >= high. The cutter and the triangle are convex, so there is one interval, from
+  /// the lowest to the highest contact.
   Interval Hull(const Cutter& cutter, uint32_t triangle, const Fiber& fiber,
                 const std::array<Reach, 3>& sides) const;
   /// Returns the interval of a whole triangle.
@@ -68,7 +68,7 @@ class FiberFrame {
   /// Corners per triangle, sorted by their coordinates, so that results do not depend on the file's
   /// order.
   std::vector<std::array<uint32_t, 3>> corners_;
-  std::vector<FiberPoint> points_;    ///< height is z
+  std::vector<FiberPoint> points_;    ///< points of the mesh; the height is z
   std::vector<FacetNormal> normals_;  ///< normals of the triangles
 };
 

@@ -23,15 +23,16 @@ struct FiberGrid {
 /// Intervals in which the cutter gouges, per fiber of a grid; disjoint and ascending.
 using FiberIntervals = std::vector<std::vector<Interval>>;
 
-/// Pushes the cutter along all fibers of a frame, on many levels. The result is per level.
+/// Pushes the cutter along all fibers of a frame, on many levels. The result is one FiberIntervals
+/// per level.
 ///
 /// Fibers are processed in blocks, and in each block the levels from the top down. An interval
 /// gouged on one level is also gouged with a lower tip. So a level begins with the intervals of the
-/// level above, minus a margin. A triangle with its box inside a gouged interval is skipped. A
-/// triangle that only the shaft can touch is settled: it is pushed against once, and its interval
-/// is kept for all levels below. The ends always come from contacts on their own level. So a
-/// level's result depends neither on the other levels nor on the number of threads. Each edge is
-/// computed once per fiber.
+/// level above, minus a margin. A triangle with its box inside a gouged interval is skipped. If
+/// only the shaft can touch a triangle, the triangle is settled: the cutter is pushed against it
+/// once, and the interval is kept for all levels below. The ends always come from contacts on their
+/// own level. So a level's result depends neither on the other levels nor on the number of threads.
+/// Each edge is computed once per fiber.
 ///
 /// REQUIRES: levels descend. Errors: Cancelled.
 ///

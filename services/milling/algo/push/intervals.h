@@ -15,7 +15,8 @@ struct Source {
   friend bool operator==(const Source&, const Source&) = default;
 };
 
-/// Open interval of a fiber, in mm along it, in which the cutter gouges. At its ends it touches.
+/// Open interval of a fiber, in mm along the fiber, in which the cutter gouges. At the ends of the
+/// interval the cutter touches the mesh.
 struct Interval {
   double low = 0;
   double high = 0;
@@ -28,9 +29,9 @@ class IntervalSet {
  public:
   /// Removes all intervals.
   void Clear() { items_.clear(); }
-  /// Adds an interval and unites it with intervals that overlap it or are at most kMerged away. For
-  /// equal ends, the first interval's source stays. Cost: O(log n) to find, O(n) to move the
-  /// intervals behind. REQUIRES: low < high.
+  /// Adds an interval and unites it with intervals that overlap it or are at most kMerged away. If
+  /// two intervals have the same end, the source of the one added first is kept. Cost: O(log n) to
+  /// find, O(n) to move the following intervals, for n intervals. REQUIRES: low < high.
   void Add(const Interval& interval);
   /// Returns true if one of the intervals contains [low, high]. Cost: O(log n).
   bool Covers(double low, double high) const {

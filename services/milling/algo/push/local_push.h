@@ -30,7 +30,7 @@ class TriangleGrid {
     int32_t column = 0;
     int32_t row = 0;
   };
-  Cell CellOf(const Eigen::Vector2d& p) const;  ///< nearest cell
+  Cell CellOf(const Eigen::Vector2d& p) const;  ///< Returns the nearest cell.
 
   Eigen::Vector2d low_{0, 0};
   double cell_mm_ = 1;
@@ -40,8 +40,8 @@ class TriangleGrid {
   std::vector<uint32_t> triangles_;
 };
 
-/// Returns the gouged intervals on a piece of a fiber. Cost: 0.2 us for each triangle that the
-/// cutter on it may reach.
+/// Returns the gouged intervals on a piece of a fiber. Cost: 0.2 us for each triangle within reach
+/// of the cutter.
 IntervalSet PushLocally(const FiberFrame& frame, const Cutter& cutter,
                         const TriangleGrid& triangles, const Fiber& fiber, double from_mm,
                         double to_mm);

@@ -10,18 +10,18 @@
 
 namespace slicefarm::milling {
 
-/// Free area of the tip on a level, in nm.
+/// Positions of the tip on one level, as regions in nm.
 struct FreeArea {
-  /// Area where the cutter may meet stock or is at most the clearance away from it.
+  /// Positions of the tip at which the cutter touches stock or is nearer to it than the clearance.
   MultiPolygon reach;
-  /// Part of `reach` where the cutter keeps the allowance to the part.
+  /// Part of `reach` where the distance of the cutter from the part is at least the allowance.
   MultiPolygon free;
 };
 
-/// Returns the free areas of levels, in their order. They are waterlines of the stock for a
-/// cylinder widened by the clearance, minus waterlines of the part for the cutter grown by the
-/// allowance. An area that is free on a level is free on all levels above. Each result depends only
-/// on its own level. Errors: the errors of Waterlines.
+/// Returns the free areas of levels, in the order of `levels_mm`. A free area is the waterlines of
+/// the stock for a cylinder widened by the clearance, minus the waterlines of the part for the
+/// cutter grown by the allowance. A position that is free on a level is free on all levels above.
+/// Each result depends only on its own level. Errors: any error of Waterlines.
 absl::StatusOr<std::vector<FreeArea>> FreeAreas(const MillingJob& job, double allowance_mm,
                                                 std::span<const double> levels_mm,
                                                 const CancelToken& cancel, int threads = 1);

@@ -15,11 +15,11 @@ inline constexpr int kMostRings = 4'000;
 /// Returns the passes for roughing a level: rings a stepover apart, from the outline of the area
 /// inwards. Every point of the area is at most a stepover away from a ring.
 ///
-/// In an area that reaches the outside of the stock, rings go from there inwards, then outwards to
-/// the walls of islands. In a pocket, they go from its middle outwards. So each ring except the
-/// first has at most a stepover of stock on one side. Parts of the area narrower than the minimum
-/// width are left out. Cost: an offset for each ring. After cancellation, no more rings are made,
-/// so callers must check the token.
+/// In an area that reaches the outside of the stock, rings go from the outside inwards, then
+/// outwards to the walls of islands. In a pocket, they go from its middle outwards. So each ring
+/// except the first has at most a stepover of stock on one side. Parts of the area narrower than
+/// the minimum width are left out. Cost: an offset for each ring. After cancellation, no more rings
+/// are made, so callers must check the token.
 std::vector<CutArea> RoughingWays(const FreeArea& level, const MillingOptions& options,
                                   const CancelToken& cancel = {});
 

@@ -12,7 +12,7 @@ namespace slicefarm::milling {
 
 /// Returns the passes of the steps [first, last) of a job. A step's passes depend neither on the
 /// other steps of the range nor on the number of threads. REQUIRES: first <= last <=
-/// job.steps.size(). Errors: the errors of Waterlines; Cancelled.
+/// job.steps.size(). Errors: any error of Waterlines; Cancelled.
 absl::StatusOr<std::vector<MilledStep>> MillSteps(const MillingJob& job, size_t first, size_t last,
                                                   const CancelToken& cancel = {}, int threads = 1);
 

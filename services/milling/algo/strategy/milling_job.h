@@ -22,21 +22,22 @@ struct MillingJob {
   Eigen::AlignedBox3d part_box;
   Eigen::AlignedBox3d stock_box;
   double floor_mm = 0;          ///< lowest height of the tip
-  std::vector<MillStep> steps;  ///< sorted: levels from the top down, rows by y
+  std::vector<MillStep> steps;  ///< steps: levels from the top down, rows by ascending y
 };
 
-/// Returns the box in which rest areas are searched: all positions at which the cutter may rest.
+/// Returns the box in which rest areas are searched. It contains all positions at which the lowered
+/// cutter may touch the part.
 Eigen::AlignedBox2d RestBox(const MillingJob& job);
 
-/// Checks a part, its stock and the options, and lays out the levels and rows.
+/// Checks a part, its stock and the options, and determines the levels and rows.
 ///
 /// Levels are on the stock's bottom, and on every horizontal facet of the part that is at least as
-/// large as the cutter (above it by the allowance). More levels are evenly spaced between these, at
-/// most a stepdown apart. An empty `stock` means a box around the part.
+/// large as the cutter (above the facet by the allowance). More levels are evenly spaced between
+/// these, at most a stepdown apart. An empty `stock` means a box around the part.
 ///
-/// Errors: the errors of CheckMillingOptions, and
+/// Errors: any error of CheckMillingOptions, and
 ///   MESH_EMPTY
-///   MESH_MALFORMED        a part or a stock that is not closed, with a place
+///   MESH_MALFORMED        a part or a stock that is not closed, with the position
 ///   OUT_OF_RANGE          a part that extends beyond the stock; a stock farther than 1.5 m from
 ///                         the origin
 ///   SETTING_OUT_OF_RANGE  a cutter wider than the stock; a tool shorter than the depth of cut in

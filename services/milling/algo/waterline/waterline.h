@@ -14,31 +14,34 @@ namespace slicefarm::milling {
 /// Options for Waterlines.
 struct WaterlineOptions {
   double sampling_mm = 0.2;  ///< distance between fibers
-  /// Largest deviation of a loop from the chord of two points; beyond it, fibers are added between
-  /// the fibers of the grid. 0: none are added.
+  /// Largest deviation of a loop from the chord between two of its points. If it is larger, points
+  /// on additional fibers are inserted. 0: none are inserted.
   double tolerance_mm = 0;
-  double least_sampling_mm = 0.01;  ///< smallest distance of added points
+  double least_sampling_mm = 0.01;  ///< smallest distance between inserted points
   bool contacts = false;            ///< true to compute contacts
   int threads = 1;
 };
 
 /// Closed path of the cutter's tip around the gouged area: at every point the cutter touches the
-/// mesh. The part is on its left: outer loops run counter-clockwise, inner ones clockwise.
+/// mesh. The part is on the left of the path: outer loops run counter-clockwise, inner ones
+/// clockwise.
 struct WaterlineLoop {
   double z_mm = 0;
   bool outer = true;
-  std::vector<Eigen::Vector2d> points_mm;  ///< closed without repeating the first point
+  /// points of the closed path; the first point is not repeated
+  std::vector<Eigen::Vector2d> points_mm;
   /// Contact on the mesh for each point; empty if not requested.
   std::vector<Eigen::Vector3d> contacts_mm;
 };
 
 /// Returns the waterlines of a mesh on many levels, per level, in the given order. They are
-/// contours of the area forbidden to the tip, on a grid of fibers in x and y over the mesh and two
-/// radii around it. Details thinner than the grid and free areas narrower than it are not detected.
+/// contours of the area forbidden to the tip. The grid of fibers in x and y covers the mesh and a
+/// margin of two cutter radii. Details thinner than the grid and free areas narrower than the grid
+/// are not detected.
 ///
-/// As in OpenCAMlib, the pitch is the smallest one that is at least sampling_mm and divides the
-/// width. Errors: MESH_EMPTY; SETTING_OUT_OF_RANGE for an invalid sampling or level;
-/// REQUEST_TOO_LARGE for too many fibers or levels; Cancelled. Cost: see PushFibers. Source:
+/// As in OpenCAMlib, the distance of fibers is the smallest one that is at least sampling_mm and
+/// divides the grid's width. Errors: MESH_EMPTY; SETTING_OUT_OF_RANGE for an invalid sampling or
+/// level; REQUEST_TOO_LARGE for too many fibers or levels; Cancelled. Cost: see PushFibers. Source:
 /// OpenCAMlib's push cutter, "Weave" by A. Wallin.
 absl::StatusOr<std::vector<std::vector<WaterlineLoop>>> Waterlines(
     const TriangleMesh& mesh, const Cutter& cutter, std::span<const double> levels_mm,

@@ -26,8 +26,8 @@ struct Crossing {
   bool high = false;               ///< true for the interval's high end
 };
 
-/// Closed contour with the gouged area on its left: outer ones run counter-clockwise, inner ones
-/// clockwise.
+/// Closed contour with the gouged area on its left: outer contours run counter-clockwise, inner
+/// ones clockwise.
 using WovenLoop = std::vector<Crossing>;
 
 /// Function that returns true if a position is gouged.
@@ -36,9 +36,10 @@ using GougedAt = std::function<bool(double x, double y)>;
 /// Returns the contours of the gouged area.
 ///
 /// The rows alone decide which nodes of the grid are gouged. Every end of an interval is a
-/// crossing, even if two of them are between the same two nodes. Each cell links the crossings
-/// around it in pairs. If it has four or more, the middle of its free parts decides which belong
-/// together. So every crossing has one predecessor and one successor, and loops always close.
+/// crossing, even if two of them are between the same two nodes. In each cell, the crossings on its
+/// sides are linked in pairs. If there are four or more, the pairs are chosen by testing whether
+/// the middle of the free parts is gouged. So every crossing has one predecessor and one successor,
+/// and loops always close.
 ///
 /// If rows and columns differ about a node because of rounding, the crossing is put on the node.
 /// Details completely between two fibers, or on only one fiber, are not detected. REQUIRES: no node
