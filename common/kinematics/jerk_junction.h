@@ -14,16 +14,17 @@ struct Bend {
   /// True if the path turns by more than 45 degrees, or only filament moves: the bend is not part
   /// of a curve.
   bool sharp = false;
-  bool stop = false;  ///< the machine must stop here
+  bool stop = false;  ///< true if the machine must stop here
 };
 
-/// Returns the bend between two moves. REQUIRES: both are limited. `deviation_mm`: > 0.
+/// Returns the bend between two moves. REQUIRES: both moves are results of Planner::Limited.
+/// `deviation_mm`: > 0.
 Bend BendBetween(const KinematicMove& before, const KinematicMove& move, double deviation_mm);
 
-/// Returns the greatest speed in mm/s through a bend with a curvature that changes by `change`
-/// (1/mm^2). With k, the greater of its two curvatures, v <= sqrt(a / k). The jerk at constant
-/// speed is v^3 sqrt(k'^2 + k^4), so v <= (j / sqrt(k'^2 + k^4))^(1/3). Infinite on a straight
-/// line.
+/// Returns the greatest speed in mm/s through a bend. `change`: change of the curvature along the
+/// path, in 1/mm^2. Let k be the greater curvature of the bend's two ends, k' = `change`, and a and
+/// j the limits. Then v <= sqrt(a / k). The jerk at constant speed is v^3 sqrt(k'^2 + k^4), so v <=
+/// (j / sqrt(k'^2 + k^4))^(1/3). The result is infinite on a straight line.
 double SpeedThrough(const Bend& bend, double change, const RampLimits& limits);
 
 }  // namespace slicefarm

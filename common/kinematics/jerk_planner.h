@@ -11,10 +11,10 @@ namespace slicefarm {
 /// slicefarm's own look-ahead, for machines that follow the host's motion exactly. Speed,
 /// acceleration and jerk are within their limits (MachineLimits::jerk_mm_s3) along the whole path.
 ///
-/// Each move has a pace: the speed that it and the bends at its ends allow. Consecutive moves of a
-/// curve form one span if their paces differ by at most a tenth; the span runs at the slowest of
-/// these paces. A span accelerates and decelerates in up to seven phases of constant jerk
-/// (jerk_ramp.h). Between spans, the acceleration is 0. The speed there is limited by the bend
+/// Each move has a pace: the speed that the move and the bends at its ends allow. Consecutive moves
+/// of a curve form one span if their paces differ by at most a tenth. The top speed of the span is
+/// the slowest of these paces. A span accelerates and decelerates in up to seven phases of constant
+/// jerk (jerk_ramp.h). Between spans, the acceleration is 0. The speed there is limited by the bend
 /// (jerk_junction.h) and by a backward and a forward pass.
 class JerkPlanner : public Planner {
  public:
@@ -47,7 +47,8 @@ class JerkPlanner : public Planner {
   void Run(const Span& span, double exit_mm_s);
 
   std::vector<KinematicMove> moves_;  ///< moves after Limited()
-  std::vector<Bend> bends_;  ///< bends before each move; the first and the last one are stops
+  /// bend before each move, and after the last one; the first and the last bend are stops
+  std::vector<Bend> bends_;
   std::vector<double> through_mm_s_;  ///< greatest speed through each bend
   std::vector<Span> spans_;
   std::vector<MoveProfile> profiles_;

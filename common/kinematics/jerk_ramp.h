@@ -11,10 +11,11 @@ struct RampLimits {
   double jerk_mm_s3 = 0;
 };
 
-// A ramp changes the speed with zero acceleration at both ends. The acceleration rises at the
-// greatest jerk, stays at its limit if it reaches the limit, and falls. With the speed change dv:
-//   dv >= a^2 / j:  T = dv / a + a / j;   else it peaks at sqrt(j dv):  T = 2 sqrt(dv / j);
-//   length = (v0 + v1) / 2 T.
+// A ramp is a change of speed with zero acceleration at both ends. The acceleration rises at the
+// largest jerk j, stays at its limit a if it reaches the limit, and falls. T is the duration. With
+// the speed change dv = |v1 - v0|:
+//   dv >= a^2 / j:  T = dv / a + a / j;   else the acceleration peaks at sqrt(j dv):  T = 2 sqrt(dv
+//   / j); length = (v0 + v1) / 2 T.
 
 /// Returns the time of a ramp in s. `change_mm_s`: >= 0.
 double RampTime(double change_mm_s, const RampLimits& limits);
@@ -28,8 +29,8 @@ double RampLength(double from_mm_s, double to_mm_s, const RampLimits& limits);
 /// length sqrt(j), x^2 = dv.
 double SpeedAfter(double from_mm_s, double length_mm, const RampLimits& limits);
 
-/// One of the up to seven phases of a move with constant jerk. The values refer to
-/// the start of the phase.
+/// Phase of a move with constant jerk; a move has up to seven. The values refer to the start of the
+/// phase.
 struct JerkPhase {
   double time_s = 0;
   double speed_mm_s = 0;
@@ -77,7 +78,7 @@ class ProfileWalk {
     double time_s = 0;
     double speed_mm_s = 0;
   };
-  /// Returns time and speed at a position, in mm from the start.
+  /// Returns time and speed at a position. `way_mm`: distance from the start, in mm.
   Passing At(double way_mm);
 
  private:

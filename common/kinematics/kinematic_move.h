@@ -6,15 +6,19 @@ namespace slicefarm {
 
 enum Axis { kX = 0, kY = 1, kZ = 2, kE = 3 };
 
-/// A straight move from rest or from the previous move, as in the planner of a firmware.
+/// Straight move that starts from a standstill or from the previous move, as in the planner of a
+/// firmware.
 struct KinematicMove {
-  double length_mm = 0;  ///< > 0: path of the nozzle, or of the filament if nothing else moves
+  /// length of the nozzle's path, or of the filament if nothing else moves; must be > 0
+  double length_mm = 0;
   std::array<double, 4> ratio = {};  ///< mm of x, y, z and e per mm of length
-  double speed_mm_s = 0;             ///< > 0: upper limit
-  double acceleration_mm_s2 = 0;     ///< > 0: upper limit; the machine's setting for any move
+  double speed_mm_s = 0;             ///< upper limit of the speed; must be > 0
+  /// upper limit, must be > 0: the firmware's acceleration for this kind of move, before the axes'
+  /// limits (Firmware::AccelerationFor)
+  double acceleration_mm_s2 = 0;
 
-  /// Value of a limited move for Klipper: squared speed at a corner where the sine of half the
-  /// angle between the moves is half of 1.
+  /// Only for Klipper, set by LimitedByKlipper: squared speed at a corner with s = 1/2, where s is
+  /// the sine of half the angle between the moves (klipper_junction.h).
   double corner_v2 = 0;
 
   /// Returns true if only the filament moves.

@@ -11,13 +11,14 @@ namespace slicefarm {
 KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
 /// Returns the greatest squared speed (mm^2/s^2) at Klipper's junction from `before` to `move`. It
-/// is the least of these limits, which depend on the directions:
+/// is the smallest of these limits, which depend on the directions:
 ///   junction deviation by the square corner velocity, v^2 = scv^2 (sqrt(2) - 1) s / (1 - s),
 ///   s the sine of half the angle between the moves;
-///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
+///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2,
+///   theta the angle between the moves, L the move's length, a its acceleration;
 ///   the extruder's speed may change by 1 mm/s at once.
-/// If one of the moves is of the extruder alone, the toolhead stops: 0. REQUIRES: both are limited.
-/// Source: Klipper's documentation, "Kinematics".
+/// Returns 0 if one of the moves is of the extruder alone, because the toolhead stops. REQUIRES:
+/// both moves are results of LimitedByKlipper. Source: Klipper's documentation, "Kinematics".
 double KlipperJunctionV2(const KinematicMove& before, const KinematicMove& move);
 
 }  // namespace slicefarm

@@ -8,9 +8,9 @@
 
 namespace slicefarm {
 
-/// Klipper's look-ahead. Junctions follow klipper_junction.h. If a move would accelerate only to
-/// decelerate at once, its peak speed is lowered (minimum_cruise_ratio). The lowered peak is the
-/// speed reached with the acceleration times 1 - minimum_cruise_ratio. Source: Klipper's
+/// Klipper's look-ahead. Junctions follow klipper_junction.h. If a move would accelerate and then
+/// decelerate immediately, its peak speed is lowered (minimum_cruise_ratio). The lowered peak is
+/// the speed reached with the acceleration times 1 - minimum_cruise_ratio. Source: Klipper's
 /// documentation, "Kinematics".
 class KlipperPlanner : public Planner {
  public:
@@ -21,10 +21,10 @@ class KlipperPlanner : public Planner {
   std::span<const MoveProfile> Stop() override;
 
  private:
-  /// A queued move with the greatest squared speeds that earlier moves allow. `calm` values use the
-  /// acceleration reduced by minimum_cruise_ratio.
+  /// Queued move with the greatest squared speeds that earlier moves allow. Members with `calm` are
+  /// computed with the acceleration reduced by minimum_cruise_ratio.
   struct Queued {
-    KinematicMove move;  ///< move after Limited()
+    KinematicMove move;  ///< result of Limited()
     double entry_v2 = 0;
     double calm_entry_v2 = 0;
     double calm_reach_v2 = 0;

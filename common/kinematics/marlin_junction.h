@@ -14,9 +14,10 @@ KinematicMove LimitedByMarlin(KinematicMove move, const MachineLimits& limits);
 
 /// Returns the greatest squared speed (mm^2/s^2) from `before` to `move` by junction deviation, in
 /// x, y, z and e: v^2 = a jd s / (1 - s). s is the sine of half the angle between the directions,
-/// and a the acceleration that the axes allow in the direction of the change. Moves below 1 mm that
-/// turn by less than 45 degrees are also limited to a L / turn. REQUIRES: both are limited. Source:
-/// Marlin 2.1, Planner::_populate_block, JUNCTION_DEVIATION.
+/// jd the junction deviation, and a the acceleration that the axes allow in the direction of the
+/// change. Moves below 1 mm that change direction by less than 45 degrees are also limited to a L /
+/// (angle of this change), with their length L. REQUIRES: both moves are results of
+/// LimitedByMarlin. Source: Marlin 2.1, Planner::_populate_block, JUNCTION_DEVIATION.
 double JunctionDeviationV2(const KinematicMove& before, const KinematicMove& move,
                            const MachineLimits& limits);
 
@@ -25,8 +26,9 @@ double JunctionDeviationV2(const KinematicMove& before, const KinematicMove& mov
 double SafeSpeed(const KinematicMove& move, const MachineLimits& limits);
 
 /// Returns the greatest speed in mm/s from `before` to `move` by classic jerk: no axis changes its
-/// speed by more than its limit. If a stop between the moves is as fast, returns the safe speed.
-/// REQUIRES: both are limited. Source: Marlin 2.1, Planner::_populate_block, CLASSIC_JERK.
+/// speed by more than its limit. If a stop and a new start within these limits are about as fast,
+/// returns SafeSpeed of `move`. REQUIRES: both moves are results of LimitedByMarlin. Source: Marlin
+/// 2.1, Planner::_populate_block, CLASSIC_JERK.
 double ClassicJerkSpeed(const KinematicMove& before, const KinematicMove& move,
                         const MachineLimits& limits);
 

@@ -7,14 +7,14 @@
 
 namespace slicefarm {
 
-/// Look-ahead over a run of moves that begins and ends at rest. It follows the rules of a printer's
-/// firmware, so that its times are the printer's times:
+/// Look-ahead over a sequence of moves that begins and ends at a standstill. It follows the rules
+/// of a printer's firmware, so that its times are the printer's times:
 ///   1 each move's speed and acceleration are lowered to the limits of the axes;
 ///   2 each junction with the previous move gets a greatest speed;
-///   3 backward and forward passes lower these until every move can reach its exit speed.
+///   3 backward and forward passes lower these speeds until every move can reach its exit speed.
 /// There is one class per firmware: klipper_planner.h, marlin_planner.h, reprap_planner.h.
 ///
-/// The planner reuses its memory from run to run. Two threads must not use it at the same time.
+/// The planner reuses its memory for each sequence. Two threads must not use it at the same time.
 class Planner {
  public:
   explicit Planner(const MachineLimits& limits) : limits_(limits) {}
@@ -35,7 +35,7 @@ class Planner {
   /// since the previous stop, valid until the next call. Cost: O(moves).
   virtual std::span<const MoveProfile> Stop() = 0;
 
-  /// Plans a whole run. REQUIRES: the queue is empty.
+  /// Plans a whole sequence of moves. REQUIRES: the queue is empty.
   std::span<const MoveProfile> Plan(std::span<const KinematicMove> moves) {
     for (const KinematicMove& move : moves) Add(move);
     return Stop();

@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// RepRapFirmware's look-ahead (reprap_junction.h), from rest to rest.
+/// RepRapFirmware's look-ahead (reprap_junction.h).
 struct RepRapPlanner : TwoPassPlanner {
   explicit RepRapPlanner(const MachineLimits& limits);
 };

@@ -7,17 +7,18 @@
 
 namespace slicefarm {
 
-/// Planner that always runs as fast as the junctions allow. Firmwares differ only in their rules.
+/// Planner that always moves as fast as the junctions allow. Firmwares differ only in their rules.
 class TwoPassPlanner : public Planner {
  public:
   /// Rules of a firmware.
   struct Rules {
     KinematicMove (*limited)(KinematicMove move, const MachineLimits& limits);
-    // Greatest squared speeds in mm^2/s^2 of limited moves: from rest, and from move to move.
+    // Greatest squared speeds in mm^2/s^2: at the start of the first move, and at the junction of
+    // two moves. The moves are results of Limited().
     double (*start_v2)(const KinematicMove& first, const MachineLimits& limits);
     double (*junction_v2)(const KinematicMove& before, const KinematicMove& move,
                           const MachineLimits& limits);
-    double rest_v2 = 0;  ///< squared speed at the end of the run
+    double rest_v2 = 0;  ///< squared speed at the end of the sequence
   };
 
   TwoPassPlanner(const Rules& rules, const MachineLimits& limits)
