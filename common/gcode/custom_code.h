@@ -5,8 +5,8 @@
 namespace slicefarm::gcode {
 
 /// Returns true if lines of G-code do not change the state that programs track between layers: the
-/// position of the nozzle, fans and accelerations. Unknown commands, including macros, count as
-/// changes. Cost: O(bytes).
+/// position of the nozzle, fans and accelerations. Returns false for unknown commands, including
+/// macros. Cost: O(bytes).
 bool LeavesModes(std::string_view code);
 
 }  // namespace slicefarm::gcode

@@ -14,12 +14,13 @@ enum class Controller : uint8_t { kMarlin, kGrbl, kLinuxCnc };
 /// motion (services/motion/algo/firmware).
 struct Dialect {
   std::string_view name;
-  bool has_feed_modes = true;   ///< G93 and G94
-  bool has_program_end = true;  ///< M2
-  bool has_tool_table = false;  ///< M6 changes tools, G43 uses their lengths
-  bool has_blending = false;    ///< G64 P limits the rounding of corners
-  bool inline_power = false;    ///< S applies to the moves of its line: I of M3 to M5
-  bool dwells_in_ms = false;    ///< unit of G4's P: true: ms, false: s
+  bool has_feed_modes = true;   ///< true if the controller has G93 and G94
+  bool has_program_end = true;  ///< true if the controller has M2
+  bool has_tool_table = false;  ///< true if M6 changes tools and G43 applies their lengths
+  bool has_blending = false;    ///< true if G64 P limits the rounding of corners
+  /// true if S in a move sets the power for this move (word I of M3 to M5)
+  bool inline_power = false;
+  bool dwells_in_ms = false;  ///< unit of G4's P: true: ms, false: s
 };
 
 /// Returns the dialect of a controller. Sources: Marlin 2.1 (marlinfw.org/docs/gcode), grbl 1.1
@@ -27,7 +28,7 @@ struct Dialect {
 const Dialect& DialectOf(Controller controller);
 
 /// Writes the commands for millimetres, absolute positions, and, if the dialect has feed modes,
-/// feeds in mm/min: one word per line.
+/// feeds in mm/min: one command per line.
 void WriteUnits(const Dialect& dialect, GcodeText& out);
 
 /// Writes a dwell of `us` microseconds; controllers that count milliseconds dwell at least this

@@ -22,7 +22,7 @@ struct BinaryBlock {
 /// Returns true if the file begins like binary G-code.
 bool IsBinaryGcode(std::string_view file);
 
-/// Reads a file of binary G-code in pieces and checks the checksums. It has only one block in
+/// Reads a file of binary G-code in pieces and verifies the checksums. It has only one block in
 /// memory at a time. Cost: O(bytes).
 class BinaryGcodeReader {
  public:
@@ -32,7 +32,7 @@ class BinaryGcodeReader {
   explicit BinaryGcodeReader(Take take) : take_(std::move(take)) {}
 
   /// Adds bytes. Errors: InvalidArgument for bytes that do not belong to a version 1 file, with the
-  /// block's offset; errors of `take`.
+  /// block's offset; any error of `take`.
   absl::Status Add(std::string_view bytes);
 
   /// Ends the file; call it after all bytes were added. Errors: InvalidArgument for a file that
@@ -55,7 +55,7 @@ class BinaryGcodeReader {
 absl::StatusOr<std::string> TextOf(const BinaryBlock& block);
 
 /// Returns the file as G-code text, with metadata and thumbnails as slicefarm writes them. Errors:
-/// errors of BinaryGcodeReader and TextOf.
+/// any error of BinaryGcodeReader and TextOf.
 absl::StatusOr<std::string> TextOfBinaryGcode(std::string_view file);
 
 }  // namespace slicefarm::gcode

@@ -15,7 +15,7 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 
 /// A picture in a file of G-code.
 struct Picture {
-  uint16_t format = 0;  ///< 0: PNG, 1: JPG, 2: QOI
+  uint16_t format = 0;  ///< format of the picture; 0: PNG, 1: JPG, 2: QOI
   uint16_t width_px = 0;
   uint16_t height_px = 0;
   std::string data;
@@ -23,12 +23,12 @@ struct Picture {
 
 /// Parts of a file of G-code.
 struct GcodeParts {
-  std::string producer;     ///< "slicefarm 0.1.0"
+  std::string producer;     ///< program that made the file, such as "slicefarm 0.1.0"
   std::string produced_on;  ///< date of production
   std::string objects_info;
   std::vector<Picture> pictures;
-  Entries facts;     ///< used filament, times, ...
-  Entries settings;  ///< sorted by key, as in the file
+  Entries facts;     ///< facts about the print: used filament, times, ...
+  Entries settings;  ///< settings, sorted by key, as in the file
   std::string program;
 };
 
