@@ -17,8 +17,8 @@ struct FacetContact {
   FiberPoint at;
 };
 
-/// Normal of a triangle, with length 1 and pointing upwards. It is the same for all fibers of one
-/// direction.
+/// Upward normal of a triangle, with length 1, for fibers of one direction. Its coordinates do not
+/// depend on the fiber.
 struct FacetNormal {
   double along = 0;
   double across = 0;
