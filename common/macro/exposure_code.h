@@ -22,7 +22,7 @@ struct ExposureCode {
   Template end;
 };
 
-/// Parses the templates. Errors: errors of ParseTemplate.
+/// Parses the templates. Errors: any error of ParseTemplate.
 absl::StatusOr<ExposureCode> ParseExposureCode(const ExposureOutput& output);
 
 /// Checks the templates before any work: all names in parts that may run must exist, and operands
@@ -34,12 +34,12 @@ absl::Status CheckExposureCode(const ExposureOutput& output, std::string_view se
 /// Returns the variables of the whole print, besides settings:
 ///   total_layer_count, max_print_z, print_time    of the whole print; the time as "1h 2m 3s"
 ///   first_layer_print_min, _max, _size            of the exposed area, [0] x and [1] y in mm
-///   model_name, input_filename_base               of the first object
+///   model_name, input_filename_base               name of the first object
 TemplateVariables ExposurePrintVariables(const ExposureSummary& summary);
 /// Returns the variables of a layer:
-///   layer_num      from 0; -1 in start_gcode
+///   layer_num      number from 0; -1 in start_gcode
 ///   layer_z        upper side of the layer in mm
-///   max_layer_z    of the layers so far
+///   max_layer_z    highest upper side of the layers so far, in mm
 TemplateVariables ExposureLayerVariables(int32_t number, Coord z_nm);
 
 }  // namespace slicefarm::macro

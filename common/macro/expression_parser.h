@@ -25,15 +25,16 @@ class TemplateScanner {
   /// Returns the number of the current line, counted from 1.
   int32_t Line() const;
 
-  /// Returns the character `ahead` characters after the next non-blank one; '\0' at the end.
+  /// Returns the character `ahead` characters after the next character that is not blank; '\0' at
+  /// the end.
   char Peek(size_t ahead = 0);
-  /// Skips blanks and consumes `sign` if it follows. Returns false otherwise.
+  /// Skips blanks and consumes `sign` if it follows. Returns true if it did.
   bool Take(std::string_view sign);
-  /// Skips blanks and consumes `word` if it follows as a whole word. Returns false otherwise.
+  /// Skips blanks and consumes `word` if it follows as a whole word. Returns true if it did.
   bool TakeWord(std::string_view word);
   /// Returns true if `word` follows as a whole word; consumes nothing.
   bool SeesWord(std::string_view word);
-  /// Reads a name that is not a keyword; empty if there is none.
+  /// Reads a name. Returns an empty text if no name follows, or if it is a keyword.
   std::string_view TakeName();
 
   /// Returns an error about the text at the current position.
@@ -48,14 +49,14 @@ class TemplateScanner {
   mutable size_t line_at_ = 0;
 };
 
-/// A parsed part, or an error.
+/// Parsed expression, or an error.
 using ParsedExpression = absl::StatusOr<Expression>;
 
 /// Parses the expression at the scanner's position. `depth`: nesting depth of the enclosing
 /// expressions.
 ParsedExpression ParseExpression(TemplateScanner& scanner, int& depth);
 
-/// Returns an error with this text about a malformed template.
+/// Returns an error about a malformed template, with the text `what`.
 absl::Status Malformed(const std::string& what);
 
 }  // namespace slicefarm::macro

@@ -24,23 +24,23 @@ class ExpressionValue {
   /// kVariableUrl if the error concerns one; ResourceExhausted.
   absl::StatusOr<TemplateValue> Evaluate(const Expression& expression);
 
-  /// Returns the text of [name], [name_2] or [name[index]].
+  /// Returns the text of the statement [name], [name_2] or [name[index]].
   absl::StatusOr<std::string> Written(const Statement& legacy);
 
-  /// Returns a whole number; none if it is unknown.
+  /// Returns the value of an expression as a whole number; nullopt if the value is Unknown.
   absl::StatusOr<std::optional<int64_t>> IndexOf(const Expression& expression);
 
-  /// Returns the variable of a name; nullptr if there is none.
+  /// Returns the variable with a name; nullptr if there is none.
   const TemplateVariable* Find(std::string_view name) const;
-  /// Returns a variable that templates may change; nullptr if it is not one.
+  /// Returns the variable with a name if templates may change it, otherwise nullptr.
   TemplateVariable* Writable(const std::string& name);
   /// Returns the error for an assignment to a name that is not writable.
   absl::Status NotWritable(const std::string& name) const;
 
   TemplateVariables& locals() { return locals_; }
 
-  /// Adds the size of copied values to the total. Returns ResourceExhausted if it is too large for
-  /// one template.
+  /// Adds the size of a copied value to the total. Returns ResourceExhausted if the total is too
+  /// large for one template.
   absl::Status Spend(const TemplateVariable& copied);
   absl::Status Spend(const TemplateValue& copied, int64_t times = 1);
 

@@ -23,14 +23,14 @@ struct JobCode {
   Template end;
   Template color_change;
   Template pause;
-  Template at_height;  ///< template_custom_gcode
+  Template at_height;  ///< `template_custom_gcode`
   Template file_name;
   /// True if before_layer_gcode or layer_gcode depends on earlier layers or on global variables.
   /// They are then expanded after all layers exist, in the order of the layers.
   bool layers_wait = false;
 };
 
-/// Parses the templates. Errors: errors of ParseTemplate.
+/// Parses the templates. Errors: any error of ParseTemplate.
 absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options);
 
 /// Checks the templates before any work: all names in parts that may run must exist, and operands

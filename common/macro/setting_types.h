@@ -10,12 +10,14 @@ namespace slicefarm::macro {
 struct SettingType {
   enum class Of { kFlag, kWhole, kNumber, kPercent, kNumberOrPercent, kChoice, kPoint, kText };
   Of of = Of::kText;
-  bool is_list = false;  ///< one value for each extruder, or for each mode of the machine
+  /// true if the setting has one value for each extruder, or for each mode of the machine
+  bool is_list = false;
 
   friend bool operator==(const SettingType&, const SettingType&) = default;
 };
 
-/// Returns the type of a setting; none if PrusaSlicer has no such setting. Source: its PrintConfig.
+/// Returns the type of a setting; nullopt if PrusaSlicer has no such setting. Source: PrusaSlicer's
+/// PrintConfig.
 std::optional<SettingType> TypeOfSetting(std::string_view key);
 
 }  // namespace slicefarm::macro

@@ -6,11 +6,12 @@
 
 namespace slicefarm::macro {
 
-/// Returns a setting as a template variable, in PrusaSlicer's type (setting_types.h). The type of
-/// other settings is guessed from the text.
+/// Returns a setting as a template variable, in PrusaSlicer's type (setting_types.h). For settings
+/// that PrusaSlicer does not have, the type is guessed from the text.
 TemplateVariable SettingVariable(std::string_view key, std::string_view value);
 
-/// Returns one value for a name that may be a list in PrusaSlicer.
+/// Returns the variable for `key` with one value. If the setting is a list in PrusaSlicer, the
+/// variable is a list with this value.
 TemplateVariable OneOfSetting(std::string_view key, TemplateValue value);
 
 /// Adds variables that have no value yet:
@@ -21,8 +22,8 @@ TemplateVariable OneOfSetting(std::string_view key, TemplateValue value);
 ///   tool in use (setting `extruder`), timestamp, year, ... of creation_time.
 void AddSettingVariables(std::string_view given, TemplateVariables& variables);
 
-/// Returns all variables besides settings with the value Unknown. Only the print determines their
-/// values.
+/// Returns all variables that are not settings, with the value Unknown. Their values are determined
+/// only by the print.
 TemplateVariables VariablesOfThePrint();
 
 /// Returns true if the variable is known only after all layers are made, or if its value in a layer

@@ -15,8 +15,8 @@ std::vector<std::pair<std::string_view, std::string_view>> SettingLines(std::str
 /// removes quotes around the whole value.
 std::string UnescapeSetting(std::string_view value);
 
-/// Returns the unescaped texts of a setting: all items of a list of texts (`PLA;PETG`, `"a;
-/// b";"c"`), or one text for other settings.
+/// Returns the unescaped texts of a setting: all items if the setting is a list of texts
+/// (`PLA;PETG`, `"a; b";"c"`), otherwise one text.
 std::vector<std::string> SettingItems(std::string_view key, std::string_view value);
 
 }  // namespace slicefarm::macro

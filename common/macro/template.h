@@ -15,16 +15,18 @@ namespace slicefarm::macro {
 /// An expression of a template, as a tree.
 struct Expression {
   enum class Kind {
-    kLiteral,   ///< `value`
-    kVariable,  ///< variable `text`, with an index if there is a part
-    kSign,      ///< `text` is "-" or "+"
+    kLiteral,   ///< literal: `value`
+    kVariable,  ///< variable `text`; `parts` is empty or has the index
+    kSign,      ///< sign: `text` is "-" or "+"
     kNot,
-    kChain,  ///< parts from left to right, `operators` between them; after =~ and !~ a literal
-    kAnd,    ///< conjunction of all parts
+    /// parts from left to right, with `operators` between them; the part after =~ and !~ is a
+    /// literal
+    kChain,
+    kAnd,  ///< conjunction of all parts
     kOr,
-    kChoice,   ///< condition ? yes : no
-    kCall,     ///< `text` is the function
-    kPattern,  ///< argument of one_of: its part is a regular expression
+    kChoice,   ///< conditional expression: condition ? yes : no
+    kCall,     ///< function call: `text` is the name of the function
+    kPattern,  ///< argument of one_of that is a regular expression: its only part
   };
   Kind kind = Kind::kLiteral;
   std::string text = {};
@@ -36,13 +38,13 @@ struct Expression {
 /// A statement of a template, or plain text.
 struct Statement {
   enum class Kind {
-    kText,    ///< `text`, printed unchanged
-    kPrint,   ///< the value of `values[0]`
+    kText,    ///< plain text: `text`, printed unchanged
+    kPrint,   ///< expression: prints the value of `values[0]`
     kLegacy,  ///< [name], [name_2], [name[index]]: variable `text`, with an index if there is one
     kAssign,  ///< assignment to variable `text`, or to its item `index`
     kLocal,
     kGlobal,
-    kIf,      ///< each statement of `body` is a branch
+    kIf,      ///< condition: each statement of `body` is a branch
     kBranch,  ///< {if c}, {elsif c} or, without `values`, {else}, with its `body`
   };
   /// Kind of the right side of an assignment.
@@ -52,7 +54,7 @@ struct Statement {
   int32_t line = 1;
   std::string text = {};
   std::vector<Expression> values = {};
-  std::vector<Expression> index = {};  ///< none or one
+  std::vector<Expression> index = {};  ///< index of the item; at most one expression
   std::vector<Statement> body = {};
 };
 

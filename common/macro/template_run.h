@@ -14,7 +14,9 @@ namespace slicefarm::macro {
 /// generator.
 struct TemplateMemory {
   TemplateVariables globals;
-  std::mt19937 random;  ///< starts equally for each job, so that equal jobs give equal bytes
+  /// random generator; it starts with the same state for each job, so that equal jobs give equal
+  /// bytes
+  std::mt19937 random;
 };
 
 /// Variables that a template can read. `now` has the current values, which override the values in
@@ -25,12 +27,12 @@ struct TemplateScope {
 };
 
 /// Returns the expanded text of a template. An index beyond the end of a list gives the first item,
-/// and so does a list without an index. + also joins texts; / of integers gives an integer; `and`,
-/// `or`, ?: and {if} do not evaluate parts that they do not need. Errors: InvalidArgument
-/// SETTING_MALFORMED naming setting, line and, if there is one, the unknown `variable`. The
-/// metadata has `limit` if the result would exceed limits::kMaxExpandedBytes, or if intermediate
-/// lists and texts would exceed a multiple of this limit. Cost: O(template + joined and copied
-/// values).
+/// and so does a list without an index. + also joins texts; / of integers gives an integer.
+/// Operands of `and`, `or` and ?: and branches of {if} that are not needed are not evaluated.
+/// Errors: InvalidArgument SETTING_MALFORMED naming setting, line and, if there is one, the unknown
+/// `variable`. The metadata has `limit` if the result would exceed limits::kMaxExpandedBytes, or if
+/// intermediate lists and texts would exceed a multiple of this limit. Cost: O(template + joined
+/// and copied values).
 absl::StatusOr<std::string> RunTemplate(const Template& code, const TemplateScope& scope,
                                         TemplateMemory& memory);
 

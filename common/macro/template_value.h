@@ -15,7 +15,7 @@ struct Nil {
   friend bool operator==(Nil, Nil) { return true; }
 };
 
-/// A value that only the print determines, used while templates are checked before it.
+/// Value that only the print determines. It is used while templates are checked before the print.
 struct Unknown {
   friend bool operator==(Unknown, Unknown) { return true; }
 };
@@ -40,8 +40,8 @@ struct TemplateVariable {
 
   std::vector<TemplateValue> items;
   bool is_list = false;
-  /// Text of each item in `[name]`, if it differs from the value, such as "15%". Empty: the text of
-  /// ToText.
+  /// Text that `[name]` prints for each item, if it differs from the value, such as "15%". Empty:
+  /// the texts of ToText.
   std::vector<std::string> written = {};
 
   friend bool operator==(const TemplateVariable&, const TemplateVariable&) = default;
@@ -49,8 +49,8 @@ struct TemplateVariable {
 
 using TemplateVariables = std::map<std::string, TemplateVariable, std::less<>>;
 
-/// Returns item `index` of a variable; beyond its end, the first item; nullptr if the variable has
-/// no items.
+/// Returns item `index` of a variable; the first item if `index` is past the end; nullptr if the
+/// variable has no items.
 const TemplateValue* ItemOf(const TemplateVariable& variable, int64_t index);
 
 /// Returns true if the value is Unknown.
