@@ -16,8 +16,8 @@ struct EngraveJob {
   double displaced_edge_mm = 0.2;
 };
 
-/// Prepares a job. Errors: the errors of reading the texture, of NumbersOf, of BoundaryOfDisk and
-/// of PlanEngraving; REQUEST_MALFORMED for a map with flips.
+/// Prepares a job. Errors: any error of reading the texture, of NumbersOf, of BoundaryOfDisk and of
+/// PlanEngraving; REQUEST_MALFORMED for a map with flipped triangles.
 absl::StatusOr<EngraveJob> PrepareEngraving(const EngraveInput& input);
 
 }  // namespace slicefarm::texture

@@ -7,8 +7,8 @@
 
 namespace slicefarm::texture {
 
-/// Returns the texture stage that runs in this process; docs/algorithms/texture.md lists its steps.
-/// Errors: the errors of MapSurface, PrepareEngraving, LayerPaths and EngraveProgram.
+/// Returns the texture stage that runs in this program; README.md lists its steps. Errors: any
+/// error of MapSurface, PrepareEngraving, LayerPaths and EngraveProgram.
 std::unique_ptr<TextureStage> MakeLocalTexture();
 
 }  // namespace slicefarm::texture

@@ -7,23 +7,25 @@
 
 namespace slicefarm::texture {
 
-/// Triangle at rest, for computing maps of it into the plane.
+/// Undistorted triangle, from which maps into the plane are measured.
 struct RestTriangle {
   /// Inverse of the matrix with columns p1-p0 and p2-p0.
   Eigen::Matrix2d inverse_edges = Eigen::Matrix2d::Identity();
   double area = 0;
 };
 
-/// Returns the triangle at rest, laid flat with its first edge along x. REQUIRES: it has an area.
+/// Returns the undistorted triangle, laid flat with its first edge along x. REQUIRES: the triangle
+/// has an area.
 RestTriangle RestOf(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                     const Eigen::Vector3d& p2);
-/// Returns the triangle at rest. REQUIRES: counter-clockwise.
+/// Returns the undistorted triangle. REQUIRES: the corners are counter-clockwise.
 RestTriangle RestOf(const Eigen::Vector2d& p0, const Eigen::Vector2d& p1,
                     const Eigen::Vector2d& p2);
-/// Returns an equilateral triangle of this area.
+/// Returns an equilateral triangle with the area `area`.
 RestTriangle EquilateralRest(double area);
 
-/// Returns the Jacobian of the linear map from the triangle at rest to these corners.
+/// Returns the Jacobian of the linear map from the undistorted triangle to the corners u0, u1 and
+/// u2.
 inline Eigen::Matrix2d JacobianOf(const RestTriangle& rest, const Eigen::Vector2d& u0,
                                   const Eigen::Vector2d& u1, const Eigen::Vector2d& u2) {
   Eigen::Matrix2d edges;
@@ -39,29 +41,29 @@ inline double SymmetricDirichlet(const Eigen::Matrix2d& jacobian) {
   return jacobian.squaredNorm() * (1 + 1 / (det * det));
 }
 
-/// Gradient of a triangle's energy and a positive semi-definite Hessian, by the corners'
-/// coordinates (x0 y0 x1 y1 x2 y2).
+/// Quadratic model of a triangle's energy: its gradient and a positive semi-definite Hessian, with
+/// respect to the corners' coordinates (x0 y0 x1 y1 x2 y2).
 struct LocalModel {
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-/// Returns the model of the energy. Only the eigenvalue of twisting can be negative in the Hessian;
-/// it is cut at 0. Exact for conformal maps too. REQUIRES: det J > 0.
+/// Returns the model of the energy. Only the Hessian's eigenvalue for twisting can be negative; it
+/// is replaced by 0 then. The model is also exact for conformal maps. REQUIRES: det J > 0.
 ///
 /// Source: Smith, de Goes, Kim, "Analytic Eigensystems for Isotropic Distortion Energies", ACM TOG
 /// 38 (2019).
 LocalModel ModelOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 
-/// Returns a model with the same gradient and another Hessian. It is the Hessian of the squared
-/// distance to the nearest rotation, weighted to match the gradient. It gives longer steps if a
-/// triangle is far from its shape.
+/// Returns a model with the gradient of ModelOf and another Hessian: the Hessian of the squared
+/// distance to the nearest rotation, weighted to match the gradient. This model gives longer steps
+/// if a triangle is far from its undistorted shape.
 ///
 /// Source: Rabinovich et al., "Scalable Locally Injective Mappings", ACM TOG 36 (2017).
 LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 
-/// Returns the triangle at rest, changed towards its present shape until each of its stretches
-/// costs at most half of `bound`. REQUIRES: det J > 0, bound >= 4.
+/// Returns the undistorted triangle, changed towards its present shape until the energy of each of
+/// its two stretches is at most half of `bound`. REQUIRES: det J > 0, bound >= 4.
 RestTriangle NearerRest(const RestTriangle& rest, const Eigen::Matrix2d& jacobian, double bound);
 
 }  // namespace slicefarm::texture

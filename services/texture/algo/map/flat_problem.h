@@ -14,12 +14,12 @@ namespace slicefarm::texture {
 
 /// Points of a map, in mm.
 using MapPoints = std::vector<Eigen::Vector2d>;
-/// Point numbers of a triangle's corners.
+/// Indices of the points at a triangle's corners.
 using Corners = std::array<int32_t, 3>;
 
 /// Function to minimize: symmetric Dirichlet energies of the surface's triangles and of the shell
-/// around their map, plus the barrier of the shell's frame. The points of the map come first, then
-/// the points of the shell.
+/// around their map (shell.h), plus the barrier of the shell's frame (frame.h). The points of the
+/// map come first, then the points of the shell.
 class FlatProblem {
  public:
   FlatProblem(const SurfaceMesh& mesh, const BoundaryLoop& outer, const Shell& shell,
@@ -27,7 +27,7 @@ class FlatProblem {
 
   /// Returns the triangles of the surface, then of the shell.
   const std::vector<Corners>& triangles() const { return triangles_; }
-  /// Returns the shapes from which the energies are measured.
+  /// Returns the reference shapes from which the energies are measured.
   const std::vector<RestTriangle>& references() const { return references_; }
   const std::vector<int32_t>& frame() const { return frame_; }
   /// Returns the barrier of the frame.
@@ -39,27 +39,27 @@ class FlatProblem {
   double WeightOf(size_t triangle) const {
     return triangle < surface_count_ ? rests_[triangle].area : shell_weight_;
   }
-  /// Returns the weight of a pair of the frame's barrier.
+  /// Returns the weight of one pair of an edge and a point in the frame's barrier.
   double BarrierWeight() const;
-  /// Sets the weight of the whole shell as a share of the surface's area.
+  /// Sets the weight of the whole shell. `share`: this weight as a share of the surface's area.
   void WeighShell(double share);
 
-  /// Returns the mean energy of the surface, weighted by area and divided by 4, relative to its
+  /// Returns the mean energy of the surface, weighted by area and divided by 4, measured from its
   /// true shape.
   double MeanEnergy(const MapPoints& points) const;
-  /// Returns the energy of all triangles and the barrier, relative to the references; infinite if a
-  /// triangle flips or the frame crosses itself.
+  /// Returns the energy of all triangles and the barrier, measured from the references; infinite if
+  /// a triangle flips or the frame crosses itself.
   double TotalEnergy(const MapPoints& points) const;
 
-  /// Sets references that no triangle of the map is far from. Returns true if they are the true
-  /// shapes. Source: Liu, Ye, Ni, Fu, "Progressive Parameterizations", ACM TOG 37 (2018). In
-  /// contrast to the paper, each triangle is treated separately, and stretches are cut instead of
-  /// raised to a power.
+  /// Sets references so near to the map that no triangle has a high energy. Returns true if they
+  /// are the true shapes. Source: Liu, Ye, Ni, Fu, "Progressive Parameterizations", ACM TOG 37
+  /// (2018). In contrast to the paper, each triangle is treated separately, and stretches are cut
+  /// instead of raised to a power.
   bool ApproachReferences(const MapPoints& points);
   /// Sets the true shapes as references.
   void TakeTrueReferences() { references_ = rests_; }
 
-  /// Returns the step along `direction` at which the first triangle becomes flat.
+  /// Returns the length of the step along `direction` at which the first triangle becomes flat.
   double StepBound(const MapPoints& points, const MapPoints& direction) const;
 
   /// Returns true if no triangle flips and the frame does not cross itself, in exact arithmetic.
@@ -68,7 +68,8 @@ class FlatProblem {
 
   /// Returns the points of the frame.
   MapPoints FrameOf(const MapPoints& points) const;
-  /// Returns the Jacobian of a triangle's map from `rest`.
+  /// Returns the Jacobian of the map from `rest`, an undistorted triangle, to a triangle of the
+  /// map.
   Eigen::Matrix2d JacobianAt(const MapPoints& points, size_t triangle,
                              const RestTriangle& rest) const;
 
@@ -81,7 +82,7 @@ class FlatProblem {
   size_t surface_count_ = 0;
   int32_t point_count_ = 0;
   double area_ = 0;
-  double shell_weight_ = 0;  ///< weight of one triangle
+  double shell_weight_ = 0;  ///< weight of one triangle of the shell
 };
 
 }  // namespace slicefarm::texture

@@ -12,24 +12,24 @@ namespace slicefarm::texture {
 /// Options for Flatten.
 struct FlattenOptions {
   int max_iterations = 500;
-  /// Relative drop of the energy per iteration; the iteration ends below it.
+  /// Smallest relative decrease of the energy per iteration; the iteration ends below it.
   double least_drop = 1e-5;
 };
 
 /// Flat map of a surface.
 struct FlatMap {
-  /// Position of each vertex; unused ones are at the origin.
+  /// Position of each vertex; vertices of no triangle are at the origin.
   std::vector<Eigen::Vector2d> points_mm;
   /// Symmetric Dirichlet energy, weighted by area, divided by 4: 1 for an isometry.
   double mean_energy = 0;
   int iterations = 0;
 };
 
-/// Computes a one-to-one map of a disk with holes into the plane, at its own scale. No triangle
-/// flips and no parts overlap. The symmetric Dirichlet energy is minimized by Newton's method,
-/// beginning with Tutte's embedding. The boundary is free.
+/// Computes a one-to-one map of a disk with holes into the plane, without changing its scale. No
+/// triangle flips and no parts overlap. The symmetric Dirichlet energy is minimized by Newton's
+/// method, beginning with Tutte's embedding. The boundary is free.
 ///
-/// The result is the same in each run, bit by bit. Errors: the errors of BoundaryOfDisk; INTERNAL;
+/// The result is the same in each run, bit by bit. Errors: any error of BoundaryOfDisk; INTERNAL;
 /// Cancelled. Cost: about 20 sparse factorizations with two unknowns per vertex.
 ///
 /// Source: Su, Ye, Liu, Fu, "Efficient Bijective Parameterizations", ACM TOG 39 (2020); Liu, Ye,

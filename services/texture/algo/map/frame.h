@@ -13,8 +13,8 @@ namespace slicefarm::texture {
 /// frame is a closed ring of points that move.
 ///
 /// For an edge ab and a point p the measure is d = |pa| + |pb| - |ab|, which is smooth, and
-/// positive off the edge. A pair costs (1 - s/d)^2 if d < s, where s is a quarter of the mean edge
-/// length. Source: Su, Ye, Liu, Fu 2020, section 4.2.
+/// positive if p is not on the edge. A pair adds the energy (1 - s/d)^2 if d < s, where s is a
+/// quarter of the mean edge length. Source: Su, Ye, Liu, Fu 2020, section 4.2.
 class FrameBarrier {
  public:
   /// Edge from `a` to `b` and a point that is not on it, as indices in the frame.
@@ -26,14 +26,14 @@ class FrameBarrier {
   /// Model of the energy of one pair.
   struct Term {
     Pair pair;
-    LocalModel model;  ///< model by the coordinates of a, b and the point
+    LocalModel model;  ///< model in the coordinates of a, b and the point
   };
 
   explicit FrameBarrier(std::span<const Eigen::Vector2d> frame);
 
   /// Returns the energy of all pairs.
   double Energy(std::span<const Eigen::Vector2d> frame) const;
-  /// Returns the models of all pairs with an energy.
+  /// Returns the models of all pairs with an energy above 0.
   std::vector<Term> Terms(std::span<const Eigen::Vector2d> frame) const;
 
  private:

@@ -10,14 +10,16 @@
 
 namespace slicefarm::texture {
 
-/// Computes descent directions for a FlatProblem, with one sparse system that is analysed once.
+/// Computes descent directions for a FlatProblem, with one sparse system. The pattern of the system
+/// is analysed once.
 class NewtonDirection {
  public:
   /// Model of the energy.
   enum class Model {
     kProxy,   ///< ProxyOf, for maps far from the true shapes
     kNewton,  ///< ModelOf
-    /// ModelOf and a part of the previous direction: near the end, the cut Hessian alone is slow.
+    /// ModelOf, and a part of the previous direction. Used near the end, where the Hessian of
+    /// ModelOf alone is slow, because its negative eigenvalues are replaced by 0.
     kConjugate,
   };
 
@@ -26,10 +28,10 @@ class NewtonDirection {
   /// Descent direction.
   struct Way {
     MapPoints direction;
-    double slope = 0;  ///< slope of the energy along it, below 0
+    double slope = 0;  ///< slope of the energy along the direction, below 0
   };
 
-  /// Returns a descent direction at `points`. Errors: INTERNAL. Cost: a factorization.
+  /// Returns a descent direction at `points`. Errors: INTERNAL. Cost: a sparse factorization.
   absl::StatusOr<Way> At(const FlatProblem& problem, const MapPoints& points, Model model);
 
  private:

@@ -16,13 +16,13 @@ struct Panel {
   int32_t columns = 0;
 };
 
-/// Computes products of panels with their own first rows, transposed: the main operation of a
+/// Computes the products of a panel's rows with its own first rows: the main operation of a
 /// Cholesky factorization. Each sum is computed in the order of the columns, so its last bit
 /// depends on nothing else.
 class PanelProduct {
  public:
-  /// Calls store(i, k, sum) for the rows i and k of the panel with k < tops and k <= i, where sum
-  /// is the sum of their products. It may also be called for some k > i. Cost: about 3
+  /// Calls store(i, k, sum) for the rows i and k of the panel with k < tops and k <= i. `sum` is
+  /// the scalar product of the two rows. `store` may also be called for some k > i. Cost: about 3
   /// multiply-adds per cycle for a large panel.
   template <typename Store>
   void Multiply(const Panel& panel, int32_t tops, const Store& store) {

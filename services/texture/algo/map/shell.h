@@ -22,9 +22,9 @@ struct Shell {
 };
 
 /// Returns the shell of a map with its outer loop on a circle around the origin. It consists of
-/// rings with fewer and fewer points; holes are filled with fans. Errors: INTERNAL if a loop is not
-/// as Tutte's embedding makes it. Source: Su, Ye, Liu, Fu, "Efficient Bijective Parameterizations",
-/// ACM TOG 39 (2020).
+/// rings with fewer and fewer points; holes are filled with fans. Errors: INTERNAL if a loop does
+/// not have the form that Tutte's embedding gives it. Source: Su, Ye, Liu, Fu, "Efficient Bijective
+/// Parameterizations", ACM TOG 39 (2020).
 absl::StatusOr<Shell> ShellAround(const FirstMap& map, std::span<const BoundaryLoop> loops);
 
 }  // namespace slicefarm::texture

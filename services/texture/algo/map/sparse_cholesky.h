@@ -12,23 +12,24 @@
 
 namespace slicefarm::texture {
 
-/// Symmetric positive definite system with a fixed pattern and changing numbers. It is ordered and
-/// analysed once and may be factored often. The results are always the same, bit by bit.
+/// Symmetric positive definite system with a fixed pattern and changing numbers. The system is
+/// ordered and analysed once and may be factored often. The results are always the same, bit by
+/// bit.
 ///
-/// Source: METIS's nested dissection of blocks gives the order, CHOLMOD the supernodal analysis
-/// (Chen, Davis, Hager, Rajamanickam 2008), and SupernodalFactor the numbers.
+/// Sources: the order is METIS's nested dissection of blocks. The supernodal analysis is CHOLMOD's
+/// (Chen, Davis, Hager, Rajamanickam 2008). SupernodalFactor computes the numbers.
 class SparseCholesky {
  public:
   /// Row and column of a block.
   using Place = std::pair<int32_t, int32_t>;
 
-  /// Builds a system of `count` blocks of `block` rows and columns. `places`: all blocks that may
-  /// ever contain a number other than 0, of either triangle, in any order; repetitions are allowed.
-  /// The diagonal is added.
+  /// Builds a system of `count` blocks of `block` rows and columns. `places`: rows and columns of
+  /// all blocks that may ever contain a number other than 0, of either triangle, in any order;
+  /// repetitions are allowed. The diagonal is added.
   SparseCholesky(int32_t count, std::span<const Place> places, int32_t block = 1);
 
-  /// Returns the index of an entry in values(). REQUIRES: its block is one of the places. Cost:
-  /// O(log n).
+  /// Returns the index of an entry in values(). REQUIRES: the entry's block is in `places` of the
+  /// constructor. Cost: O(log n) for n entries of the column.
   int32_t IndexOf(int32_t row, int32_t column) const;
 
   /// Returns the numbers of the lower triangle.
@@ -45,7 +46,7 @@ class SparseCholesky {
   std::vector<int32_t> rows_;
   std::vector<double> values_;
   std::vector<int32_t> order_;   ///< row of the system for each row of the factor
-  std::vector<int64_t> places_;  ///< indices of the values in the factor
+  std::vector<int64_t> places_;  ///< index in the factor of each entry of values()
   std::optional<SupernodalFactor> factor_;
 };
 

@@ -10,12 +10,15 @@
 
 namespace slicefarm::texture {
 
-/// Structure of a factor, independent of its numbers. Supernodes are runs of columns with entries
-/// in the same rows.
+/// Structure of a factor, independent of its numbers. Supernodes are sequences of columns with
+/// entries in the same rows.
 struct SupernodalShape {
-  std::vector<int32_t> first_column;  ///< first column of each supernode, and the number of columns
-  std::vector<int32_t> first_row;  ///< start of each supernode's rows in `rows`, and their number
-  std::vector<int32_t> rows;       ///< ascending in each supernode, beginning with its own columns
+  /// first column of each supernode; the last entry is the number of columns
+  std::vector<int32_t> first_column;
+  /// start of each supernode's rows in `rows`; the last entry is the number of `rows`
+  std::vector<int32_t> first_row;
+  /// rows of the supernodes; ascending in each supernode, beginning with its own columns
+  std::vector<int32_t> rows;
 };
 
 /// Sparse Cholesky factor: one dense panel per supernode. Each panel is computed from the earlier
@@ -28,8 +31,8 @@ class SupernodalFactor {
  public:
   explicit SupernodalFactor(SupernodalShape shape);
 
-  /// Returns the index of an entry in Factor's `numbers`. REQUIRES: row >= column, and the shape
-  /// contains the entry. Cost: O(log n).
+  /// Returns the index of an entry in the `numbers` for Factor. REQUIRES: row >= column, and the
+  /// shape contains the entry. Cost: O(log n) for n rows of the supernode.
   int64_t PlaceOf(int32_t row, int32_t column) const;
   /// Returns the number of entries of the factor.
   int64_t place_count() const { return first_number_.back(); }
@@ -53,7 +56,7 @@ class SupernodalFactor {
         .subspan(shape_.first_row[node], shape_.first_row[node + 1] - shape_.first_row[node]);
   }
   /// Puts a finished supernode into the queue of the next panel that needs it. Its rows before
-  /// `row` were used already.
+  /// `row` have been used already.
   void Queue(int32_t node, int32_t row);
   void SubtractFrom(int32_t node, int32_t earlier);
   bool FactorPanel(int32_t node);
@@ -61,7 +64,7 @@ class SupernodalFactor {
   void SolveUp(int32_t node, double* x, std::vector<double>* known) const;
 
   SupernodalShape shape_;
-  /// First number of each supernode, and the number of all numbers.
+  /// Index of the first number of each supernode; the last entry is the number of all numbers.
   std::vector<int64_t> first_number_;
   std::vector<int32_t> node_of_;  ///< supernode of each column
   std::vector<double> numbers_;

@@ -12,7 +12,7 @@ struct DisplacedOptions {
   double edge_mm = 0.2;  ///< longest edge; triangles are divided until no edge is longer
 };
 
-/// Returns the surface with the texture on it, for manufacturing by other methods. Triangles are
+/// Returns the surface with the texture applied, for manufacturing by other methods. Triangles are
 /// divided, and their points are moved by the texture's height along interpolated vertex normals.
 /// Within the margin, outside of the mask and at a boundary, the surface stays unchanged. A surface
 /// that was closed is closed again: the texture is interrupted at its seam.

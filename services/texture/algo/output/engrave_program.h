@@ -17,7 +17,8 @@ using slicefarm::ToolKind;
 struct ProgramOptions {
   AxisOptions axes = {};
   ToolKind tool = ToolKind::kBeam;
-  double power = 1000;          ///< S word: power of a beam, or turns per minute
+  /// S word of the program: power of a beam, or turns per minute of a spindle
+  double power = 1000;
   double feed_mm_min = 1200;    ///< feed of the tip over the part
   double link_mm_min = 6000;    ///< feed of the tip between lines
   double turn_deg_min = 7200;   ///< largest speed of a rotary axis
@@ -26,19 +27,19 @@ struct ProgramOptions {
   /// Height above the highest point, before the first and after the last move.
   double safe_mm = 20;
   double filament_mm = 1.75;  ///< diameter of the filament
-  double layer_mm = 0.05;     ///< height of a layer from an extruder
+  double layer_mm = 0.05;     ///< height of a layer that an extruder deposits
 };
 
 /// Returns a Z height at which the tool is above the part for all angles of the rotary axes.
 double SafeHeight(const EngravePlan& plan, const ProgramOptions& options);
 
 /// Writes a program in RS-274 (LinuxCNC and most controllers with five axes), layer by layer. With
-/// rotary axes, each move has its own time (G93), so the tip keeps its speed over the part for all
-/// movements of the axes. Moves are divided until the tip stays on its path.
+/// rotary axes, each move has its own time (G93), so that the tip keeps its speed over the part
+/// even if axes turn. Moves are divided until the tip stays on its path.
 ///
-/// Angles continue from the previous ones; where C is arbitrary, it does not turn. A layer begins
-/// and ends at the safe height, with the angles closest to 0, so its text depends on no other
-/// layer.
+/// Angles continue from the previous ones; at positions where any C is possible, C does not turn. A
+/// layer begins and ends at the safe height, with the angles closest to 0, so its text depends on
+/// no other layer.
 class EngraveProgram {
  public:
   EngraveProgram(const ProgramOptions& options, double safe_z_mm)

@@ -14,7 +14,7 @@ using slicefarm::MapReport;
 using slicefarm::Spread;
 
 /// Returns the spread of weighted values. REQUIRES: equally many values and weights, at least one.
-/// Cost: O(n log n).
+/// Cost: O(n log n) for n values.
 Spread SpreadOf(const std::vector<double>& values, const std::vector<double>& weights);
 
 /// Returns the report of a map: its distortion and the distances of lines.

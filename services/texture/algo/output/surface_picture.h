@@ -14,8 +14,9 @@ namespace slicefarm::texture {
 struct PictureLine {
   Eigen::Vector3d from_mm;
   Eigen::Vector3d to_mm;
-  Eigen::Vector3d normal;  ///< normal of the surface: lines on its far side are left out
-  double shade = 0;        ///< 0 to 1 on the colour scale
+  /// normal of the surface at the line; lines on the far side of the surface are left out
+  Eigen::Vector3d normal;
+  double shade = 0;  ///< 0 to 1 on the colour scale
 };
 
 /// Options for DrawSurface.

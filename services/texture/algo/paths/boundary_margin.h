@@ -10,7 +10,8 @@
 
 namespace slicefarm::texture {
 
-/// Area at a distance from the map's boundary and holes, in mm of the map.
+/// Area of the map that is at least a margin away from the map's boundary and holes, in mm of the
+/// map.
 class BoundaryMargin {
  public:
   /// REQUIRES: margin_mm > 0.
@@ -18,7 +19,8 @@ class BoundaryMargin {
 
   /// Returns true if a point is at least the margin away from the boundary.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Adds the relative positions on a line where it may enter or leave the area, in any order.
+  /// Appends to `shares` the relative positions on the line from `a` to `b` where the line may
+  /// enter or leave the area, in any order.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:

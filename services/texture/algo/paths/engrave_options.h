@@ -11,7 +11,7 @@ namespace slicefarm::texture {
 /// Style of a layer's lines.
 struct LineStyle {
   double spacing_mm = 0.1;
-  double angle_deg = 0;  ///< counter-clockwise from the texture's x axis
+  double angle_deg = 0;  ///< angle of the lines, counter-clockwise from the texture's x axis
 
   friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
@@ -20,25 +20,27 @@ struct LineStyle {
 struct EngraveOptions {
   PlacementOptions placement = {};
   double layer_height_mm = 0.05;
-  /// Styles of the first layer, the next layer, ...; repeated.
+  /// Styles of the layers, from the first layer; after the last style they are repeated from the
+  /// start.
   std::vector<LineStyle> lines = {{}};
   bool equidistant = false;  ///< true: lines bend so that their distance on the surface is even
-  bool engraved = false;     ///< true: into the surface; false: onto it
+  bool engraved = false;  ///< true: the texture is worked into the surface; false: onto it
   bool outside = false;      ///< true: the area outside of the texture is worked, from its top down
-  double margin_mm = 0;      ///< distance to the boundary
+  double margin_mm = 0;  ///< distance of lines from the boundary
   NormalKind normals = NormalKind::kFaces;
-  bool connect = true;  ///< connects neighbouring lines if the path between them is in the area
+  /// true: connects neighbouring lines if the path between them is in the area
+  bool connect = true;
   double clearance_mm =
-      0;                    ///< height of links above surface and texture; 0: at the layer's height
-  double least_run_mm = 0;  ///< shorter parts of lines are left out
+      0;  ///< height of links above surface and texture; 0: links are at the layer's height
+  double least_run_mm = 0;  ///< minimum length; shorter parts of lines are left out
 };
 
 /// Returns the heights at which a texture is cut, ascending. They are the middles of equal layers.
 /// There are as few layers as possible without exceeding the requested height.
 std::vector<double> LayerHeights(double texture_mm, double layer_height_mm);
 
-/// Returns the offset from the surface at which a layer of this height is worked; negative: below
-/// the surface.
+/// Returns the offset from the surface at which a layer is worked; negative: below the surface.
+/// `texture_mm`: height of the texture; `height_mm`: height of the layer in the texture.
 double OffsetOf(const EngraveOptions& options, double texture_mm, double height_mm);
 
 }  // namespace slicefarm::texture

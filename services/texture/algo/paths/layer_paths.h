@@ -19,7 +19,7 @@ struct ToolPoint {
 
 /// Path of the tool in one layer.
 struct LayerPath {
-  int32_t layer = 0;     ///< index from the texture's base
+  int32_t layer = 0;     ///< number of the layer, counted from the texture's base
   double height_mm = 0;  ///< height in the texture
   double offset_mm = 0;  ///< offset from the surface
   double spacing_mm = 0;
@@ -28,23 +28,23 @@ struct LayerPath {
   double on_mm = 0;
   double off_mm = 0;
   double section_mm2 = 0;  ///< area of the section of one tile
-  /// Number of places where lifting reverses a path, because the surface bends more than the offset
-  /// allows.
+  /// Number of positions where lifting reverses a path, because the surface bends more than the
+  /// offset allows.
   int64_t folds = 0;
-  double folds_mm = 0;  ///< length of these places on the surface
+  double folds_mm = 0;  ///< length on the surface of the path at these positions
   Eigen::Vector3d first_fold_mm = Eigen::Vector3d::Zero();
 };
 
-/// Returns the layers [first, end) in the order of work. Their lines run to and fro over the
-/// surface, lifted along its normals. Each layer is independent of the other layers of the call.
-/// Errors: REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill or more points in a layer
-/// than limits::kMaxPointsPerLayer; Cancelled. Cost: O(triangles that each line passes + sides of
-/// the section near it).
+/// Returns the paths of the layers [first, end) in the order of work. Their lines run back and
+/// forth over the surface, lifted along its normals. Each layer is independent of the other layers
+/// of the call. Errors: REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill or more
+/// points in a layer than limits::kMaxPointsPerLayer; Cancelled. Cost: O(triangles that each line
+/// passes + sides of the section near the line).
 absl::StatusOr<std::vector<LayerPath>> LayerPaths(const EngravePlan& plan, int32_t first,
                                                   int32_t end, const CancelToken& cancel = {});
 
-/// Returns the distances between neighbouring lines on the surface, per triangle, for the first
-/// layer. Weighted by the surface's area, they show how even the lines are.
+/// Returns the distance between neighbouring lines of the first layer on the surface, for each
+/// triangle. Weighted by the surface's area, the distances show how even the lines are.
 absl::StatusOr<std::vector<double>> LineDistances(const EngravePlan& plan,
                                                   const CancelToken& cancel = {});
 

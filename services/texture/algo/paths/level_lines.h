@@ -11,7 +11,8 @@
 
 namespace slicefarm::texture {
 
-/// Point on an edge between two vertices of the opened mesh, the lower number first.
+/// Point on an edge between two vertices of the opened mesh; the vertex with the lower index is
+/// first.
 struct EdgePlace {
   int32_t low = 0;
   int32_t high = 0;
@@ -31,15 +32,15 @@ struct LevelLine {
 };
 
 /// All lines of one level: the points where a field that is linear on triangles has a given value.
-/// The field grows to the left of a line. Vertices at the level count as above it, so a line always
-/// continues from triangle to triangle.
+/// The field increases to the left of a line. Vertices at the level count as above it, so a line
+/// always continues from triangle to triangle.
 struct LevelSet {
   std::vector<LevelLine> lines;
 };
 
-/// Returns the lines of all levels. `field`: value per vertex of the map's mesh. `levels` ascend.
-/// The lines of a level are ordered by their first triangle. Errors: Cancelled. Cost: O(t log t +
-/// steps) for t triangles.
+/// Returns the lines of all levels. `field`: value per vertex of the map's mesh. `levels`:
+/// ascending values. The lines of a level are sorted by their first triangle. Errors: Cancelled.
+/// Cost: O(t log t) for t triangles, plus O(triangles that the lines pass).
 absl::StatusOr<std::vector<LevelSet>> LevelLines(const SurfaceMap& map,
                                                  std::span<const double> field,
                                                  std::span<const double> levels,

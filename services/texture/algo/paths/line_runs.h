@@ -7,12 +7,12 @@
 
 namespace slicefarm::texture {
 
-/// Worked part of a line: points on edges, and its two ends.
+/// Worked part of a line: its start, points on edges, and its end.
 using Run = std::vector<SurfacePoint>;
 
 /// Returns the parts of a line in the area, in the line's order, without parts shorter than
-/// `least_mm` in the map. Each piece between two cuts or edges is tested by its middle. Cost:
-/// O(steps + cuts).
+/// `least_mm` in the map. Of each piece between two cuts or edges, the middle is tested. Cost:
+/// O(triangles that the line passes + cuts).
 std::vector<Run> RunsOf(const SurfaceMap& map, const LevelLine& line, const WorkArea& area,
                         double least_mm);
 

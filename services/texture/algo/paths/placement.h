@@ -10,20 +10,21 @@ namespace slicefarm::texture {
 
 /// Options for placing a texture on a surface.
 struct PlacementOptions {
-  /// Position of its origin; none: the map's middle.
+  /// Position of the texture's origin on the surface; nullopt: the map's middle.
   std::optional<Eigen::Vector3d> anchor_mm = {};
   std::optional<Eigen::Vector3d> direction =
-      {};               ///< direction of its x axis there; none: the map's x
-  double turn_deg = 0;  ///< additional rotation, counter-clockwise
-  double scale = 1;     ///< scale of its width and length, not of its height
+      {};  ///< direction of the texture's x axis at the anchor; nullopt: the x axis of the map
+  double turn_deg = 0;  ///< additional rotation of the texture, counter-clockwise
+  double scale = 1;     ///< scale factor of the texture's width and length, not of its height
   bool repeat = true;   ///< true: over the whole surface; false: one tile
-  bool middle = false;  ///< true: its middle is at the anchor instead of its corner
+  bool middle = false;  ///< true: the middle of the tile is at the anchor; false: its corner
 };
 
 /// Conversion from the map to the texture's plane.
 struct Placement {
-  Eigen::Vector2d anchor_mm = Eigen::Vector2d::Zero();  ///< position in the map
-  Eigen::Vector2d origin_mm = Eigen::Vector2d::Zero();  ///< position in the texture at the anchor
+  Eigen::Vector2d anchor_mm = Eigen::Vector2d::Zero();  ///< position of the anchor in the map
+  /// position in the texture that is at the anchor
+  Eigen::Vector2d origin_mm = Eigen::Vector2d::Zero();
   Eigen::Vector2d x_axis = Eigen::Vector2d(1, 0);  ///< direction of the texture's x axis in the map
   double scale = 1;
   bool repeat = true;

@@ -26,16 +26,17 @@ using slicefarm::NormalKind;
 /// closed surface was cut open, it keeps the normals of the closed surface.
 class SurfaceMap {
  public:
-  /// `points_mm`: the map, per vertex of the opened mesh (Flatten).
+  /// `points_mm`: position in the map of each vertex of the opened mesh (Flatten).
   SurfaceMap(OpenedSurface opened, std::vector<Eigen::Vector2d> points_mm);
 
   const SurfaceMesh& mesh() const { return mesh_; }
   std::span<const Eigen::Vector2d> map_mm() const { return map_mm_; }
   std::span<const int32_t> vertex_of() const { return vertex_of_; }
-  /// Returns the triangle across the side from corner k to the next corner; -1 if there is none.
+  /// Returns the neighbour across the side of a triangle from corner k to the next corner; -1 if
+  /// there is none.
   int32_t Neighbour(int32_t triangle, int k) const { return neighbours_[triangle][k]; }
-  /// Returns the vertices around the map and its holes, with the map on the left; the outer loop is
-  /// first.
+  /// Returns the loops of vertices around the map and its holes, with the map on the left; the
+  /// outer loop is first.
   std::span<const std::vector<int32_t>> loops() const { return loops_; }
   /// Side of a triangle on the boundary, beginning at its corner.
   struct BoundarySide {
@@ -49,7 +50,8 @@ class SurfaceMap {
     int32_t loop = -1;
     int32_t index = 0;
   };
-  /// Returns the position of a vertex in its loop; loop -1 inside.
+  /// Returns the position of a vertex in its loop; loop -1 for a vertex that is not on the
+  /// boundary.
   LoopPlace InLoop(int32_t vertex) const { return in_loop_[vertex]; }
 
   /// Returns a point's position in the map.
@@ -66,7 +68,7 @@ class SurfaceMap {
   Eigen::Vector2d low_mm() const { return low_mm_; }  ///< corner of the map's box
   Eigen::Vector2d high_mm() const { return high_mm_; }
 
-  /// Returns the point of the surface closest to a position in space. Cost: O(n).
+  /// Returns the point of the surface closest to a position in space. Cost: O(n) for n triangles.
   SurfacePoint NearestTo(const Eigen::Vector3d& place_mm) const;
 
  private:
@@ -79,7 +81,8 @@ class SurfaceMap {
   std::vector<LoopPlace> in_loop_;       ///< position of each vertex in its loop
   std::vector<Eigen::Vector3d> face_normals_;
   std::vector<Eigen::Vector3d> vertex_normals_;  ///< normals of the opened mesh's vertices
-  std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;  ///< normal of the side from corner k
+  /// normal of the side from corner k, per triangle and k
+  std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;
   Eigen::Vector2d low_mm_;
   Eigen::Vector2d high_mm_;
 };

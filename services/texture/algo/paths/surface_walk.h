@@ -9,14 +9,15 @@ namespace slicefarm::texture {
 
 /// Path between two points over a surface.
 struct SurfaceWalk {
-  std::vector<SurfacePoint> between;  ///< points on edges and, along the boundary, at vertices
-  bool straight = true;               ///< true if the path is straight in the map, without a detour
+  /// points between start and end: on edges and, along the boundary, at vertices
+  std::vector<SurfacePoint> between;
+  bool straight = true;  ///< true if the path is straight in the map, without a detour
 };
 
-/// Returns the path between two points over the surface that is straight in the map. Where it
-/// leaves the map, it follows the boundary to the next entry, in the shorter direction. Returns
-/// nothing if rounding prevents it from reaching the target. Cost: O(triangles passed + boundary,
-/// if it is met).
+/// Returns the path over the surface between two points that is straight in the map. Where the
+/// straight line leaves the map, the path follows the boundary to the next entry, in the shorter
+/// direction. Returns nullopt if the path does not reach the target because of rounding. Cost:
+/// O(triangles passed), plus O(boundary) if the line meets the boundary.
 std::optional<SurfaceWalk> WalkBetween(const SurfaceMap& map, const SurfacePoint& from,
                                        const SurfacePoint& to);
 

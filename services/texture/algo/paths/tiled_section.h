@@ -19,8 +19,8 @@ class TiledSection {
   /// Returns true if a position of the map is solid.
   bool Contains(const Eigen::Vector2d& map_mm) const;
 
-  /// Adds the relative positions on a line in the map where it may enter or leave the solid, in any
-  /// order: crossings with outlines and with borders of tiles.
+  /// Appends to `shares` the relative positions on a line in the map where the line may enter or
+  /// leave the solid, in any order: crossings with outlines and with the sides of tiles.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:

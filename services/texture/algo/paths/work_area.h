@@ -19,7 +19,8 @@ struct WorkArea {
 
   /// Returns true if a position is in the area.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Adds the relative positions on a line where it may enter or leave the area, in any order.
+  /// Appends to `shares` the relative positions on the line from `a` to `b` where the line may
+  /// enter or leave the area, in any order.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
   /// Returns true if a whole straight line is in the area.
   bool ContainsAll(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;

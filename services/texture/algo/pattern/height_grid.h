@@ -6,13 +6,14 @@
 
 namespace slicefarm::texture {
 
-/// Heights over a rectangle that repeats in both directions. They are linear on two triangles for
-/// each cell.
+/// Heights over a rectangle that repeats in both directions. Each cell between four nodes is
+/// divided into two triangles, on which the height is linear.
 struct HeightGrid {
-  int32_t columns = 0;  ///< nodes in a period: after the last one follows the first one
+  int32_t columns = 0;  ///< number of nodes of a period in x; the first node follows the last one
   int32_t rows = 0;
   Eigen::Vector2d size_mm = Eigen::Vector2d::Zero();
-  std::vector<double> heights_mm;  ///< rows * columns, row by row from the lower left corner
+  /// heights of the nodes: rows * columns, row by row from the lower left corner
+  std::vector<double> heights_mm;
 
   /// Returns the height of a node; indices are periodic.
   double NodeMm(int32_t column, int32_t row) const {
@@ -23,9 +24,9 @@ struct HeightGrid {
   Eigen::Vector2d NodePlace(int32_t column, int32_t row) const {
     return {size_mm.x() * column / columns, size_mm.y() * row / rows};
   }
-  /// Returns true if the cell at the upper right of a node is cut from this node to the opposite
-  /// corner. Otherwise it is cut between the two other corners. The diagonal with the smaller
-  /// height difference is used, so that ridges stay ridges.
+  /// Returns true if the cell at the upper right of a node is divided from this node to the
+  /// opposite corner. Otherwise it is divided between the two other corners. The diagonal with the
+  /// smaller height difference is used, so that ridges stay ridges.
   bool CutFromNode(int32_t column, int32_t row) const;
 
   /// Returns the height at any position. Cost: O(1).

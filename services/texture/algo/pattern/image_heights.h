@@ -10,7 +10,7 @@ namespace slicefarm::texture {
 /// Options for ImageHeights.
 struct ImageHeightOptions {
   double width_mm = 20;    ///< width of the image; its length keeps the image's proportions
-  double height_mm = 0.5;  ///< height of white; black is 0
+  double height_mm = 0.5;  ///< height at white pixels; black is 0
 };
 
 /// Returns a PNG image as heights, with one node at the middle of each pixel. The first column

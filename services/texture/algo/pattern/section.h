@@ -27,12 +27,12 @@ class Section {
   /// Returns the area of the section in one tile.
   double AreaMm2() const;
 
-  /// Returns true if a position of the tile is solid: the outlines wind around it.
+  /// Returns true if a position of the tile is solid, by the winding number of the outlines.
   bool Contains(const Eigen::Vector2d& place_mm) const;
 
-  /// Adds the relative positions on the line from `a` to `b`, both in the tile, where it crosses
-  /// outlines or runs along a side that ends. The positions are in any order and may occur twice.
-  /// Cost: O(1 + sides near the line).
+  /// Appends to `shares` the relative positions on the line from `a` to `b`, both in the tile. They
+  /// are the positions where the line crosses outlines, and the ends of sides along which the line
+  /// runs. The positions are in any order and may occur twice. Cost: O(1 + sides near the line).
   void Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                  std::vector<double>* shares) const;
 
@@ -48,7 +48,7 @@ class Section {
 };
 
 /// Returns the sections at heights, in their order; all heights must be above 0. Points exactly at
-/// a height belong above it. Cost: O(t + sides) for t triangles.
+/// a height count as above it. Cost: O(t + s) for t triangles and s sides of the results.
 std::vector<Section> SectionsOf(const Texture& texture, std::span<const double> heights_mm);
 
 }  // namespace slicefarm::texture

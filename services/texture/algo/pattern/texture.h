@@ -12,17 +12,18 @@ namespace slicefarm::texture {
 struct Texture {
   Eigen::Vector2d tile_mm = Eigen::Vector2d::Zero();
   double height_mm = 0;
-  SurfaceMesh solid;   ///< closed, but may lack its lower face, which no layer meets
-  HeightGrid heights;  ///< heights of its upper side
+  /// mesh of the solid; closed, but may lack its lower face, which no layer meets
+  SurfaceMesh solid;
+  HeightGrid heights;  ///< heights of the solid's upper side
 };
 
 /// Returns the solid between z = 0 and the heights. Errors: NOTHING_TO_PRINT if all heights are 0.
 absl::StatusOr<Texture> TextureOf(HeightGrid heights);
 
-/// Returns a solid given as a mesh, moved so that its box begins at the origin. `pitch_mm`:
-/// distance of its repetitions; 0: the size of its box. Errors: MESH_EMPTY; MESH_NOT_FINITE;
-/// MESH_MALFORMED for indices beyond the points; NOTHING_TO_PRINT for a solid without height or
-/// area; SETTING_OUT_OF_RANGE for a pitch smaller than the box.
+/// Returns a solid given as a mesh, moved so that its bounding box begins at the origin.
+/// `pitch_mm`: distance between its repetitions; 0: the size of its box. Errors: MESH_EMPTY;
+/// MESH_NOT_FINITE; MESH_MALFORMED for indices beyond the points; NOTHING_TO_PRINT for a solid
+/// without height or area; SETTING_OUT_OF_RANGE for a pitch smaller than the box.
 absl::StatusOr<Texture> TextureOf(SurfaceMesh solid, const Eigen::Vector2d& pitch_mm);
 
 }  // namespace slicefarm::texture

@@ -60,7 +60,7 @@ struct TextureSpec {
   /// Raised share of the pitch, or the width of a stroke as a share of the letter.
   double size = 0.8;
   double slope = 0.1;     ///< share of the pitch over which a flank rises
-  double cross = 0;       ///< share of the height that the second sine has
+  double cross = 0;       ///< height of the second sine, as a share of the texture's height
   double angle_deg = 30;  ///< angle of crossing grooves to the y axis
   double count = 4;       ///< number of cells or hills along a side of the tile
   /// Number of octaves of noise, each half as wide and half as high as the previous one.
@@ -86,11 +86,11 @@ struct TextureParameter {
 std::vector<TextureParameter> ParametersOf(TextureKind kind);
 
 /// Parses a kind and parameters in any order: `bumps`, `bumps:pitch=3,height=0.4`. Errors:
-/// SETTING_MALFORMED for an unknown kind, an unknown parameter of it or an invalid number;
-/// SETTING_OUT_OF_RANGE.
+/// SETTING_MALFORMED for an unknown kind, a parameter that the kind does not have, or an invalid
+/// number; SETTING_OUT_OF_RANGE.
 absl::StatusOr<TextureSpec> ParseTextureSpec(std::string_view text);
 
-/// Returns the text with all parameters, which ParseTextureSpec accepts.
+/// Returns the text of a texture with all its parameters, in the form of ParseTextureSpec.
 std::string TextureSpecText(const TextureSpec& spec);
 
 }  // namespace slicefarm::texture

@@ -9,8 +9,8 @@
 namespace slicefarm::texture {
 
 /// Returns the sets of corners that are connected around their vertices across all edges except the
-/// seam's: a fan of triangles is one set. Corner k of triangle t has the number 3t + k. `seam` is
-/// sorted. Cost: O(n log n) for n triangles.
+/// edges of the seam: a fan of triangles is one set. Corner k of triangle t has the index 3t + k.
+/// `seam` is sorted. Cost: O(n log n) for n triangles.
 DisjointSets CornerFans(const SurfaceMesh& mesh, std::span<const SeamEdge> seam);
 
 }  // namespace slicefarm::texture

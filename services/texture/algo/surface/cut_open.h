@@ -12,11 +12,11 @@ namespace slicefarm::texture {
 /// Surface after cutting.
 struct OpenedSurface {
   SurfaceMesh mesh;                ///< triangles in their original order
-  std::vector<int32_t> vertex_of;  ///< original vertex of each vertex
+  std::vector<int32_t> vertex_of;  ///< vertex before the cut, per vertex of `mesh`
 };
 
 /// Cuts a surface along edges. A vertex becomes one vertex for each sector that the cuts leave
-/// around it; the first sector keeps the vertex's number. `seam` is sorted. Cost: O(n log n) for n
+/// around it; the first sector keeps the vertex's index. `seam` is sorted. Cost: O(n log n) for n
 /// triangles.
 OpenedSurface CutOpen(const SurfaceMesh& mesh, std::span<const SeamEdge> seam);
 

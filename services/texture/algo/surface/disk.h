@@ -29,8 +29,8 @@ struct SurfaceTopology {
 /// Cost: O(n log n) for n triangles.
 absl::StatusOr<SurfaceTopology> TopologyOf(const SurfaceMesh& mesh);
 
-/// Returns the boundary of a disk with holes: the longest loop first, then the holes. Errors: the
-/// errors of TopologyOf; MESH_MALFORMED for a closed surface and for one with a handle, which
+/// Returns the boundary of a disk with holes: the longest loop first, then the holes. Errors: any
+/// error of TopologyOf; MESH_MALFORMED for a closed surface and for a surface with a handle, which
 /// require CutOpen.
 absl::StatusOr<std::vector<BoundaryLoop>> BoundaryOfDisk(const SurfaceMesh& mesh);
 

@@ -9,7 +9,7 @@
 
 namespace slicefarm::texture {
 
-/// Edge given by its vertices, the lower number first.
+/// Edge given by its two vertices, the lower index first.
 using SeamEdge = std::array<int32_t, 2>;
 
 /// Returns the edges along which to cut a surface so that it becomes a disk; its holes stay. The
@@ -19,8 +19,9 @@ using SeamEdge = std::array<int32_t, 2>;
 /// candidates. A closed surface without handles is cut along shortest paths between its
 /// extremities: points far from each other, where a map would be stretched most.
 ///
-/// REQUIRES: `topology` is the mesh's. Cost: O(n log n) for n edges, a few times. Source: Erickson
-/// and Whittlesey, "Greedy Optimal Homotopy and Homology Generators", SODA 2005.
+/// REQUIRES: `topology` is the result of TopologyOf(mesh). Cost: O(n log n) for n edges, a few
+/// times. Source: Erickson and Whittlesey, "Greedy Optimal Homotopy and Homology Generators", SODA
+/// 2005.
 std::vector<SeamEdge> SeamOf(const SurfaceMesh& mesh, const SurfaceTopology& topology);
 
 }  // namespace slicefarm::texture

@@ -9,7 +9,7 @@ namespace slicefarm::texture {
 
 using slicefarm::SurfaceMesh;
 
-/// Returns the normal of a triangle with twice its area as length.
+/// Returns the normal of a triangle. The length of the normal is twice the triangle's area.
 inline Eigen::Vector3d DoubleAreaVector(const SurfaceMesh& mesh, size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   const Eigen::Vector3d& origin = mesh.points_mm[a];
