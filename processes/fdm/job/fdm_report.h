@@ -21,13 +21,15 @@ namespace slicefarm::coordinator {
 /// - `times`: parts of print_time_s that are not features, and the total time per layer
 /// - `seams`
 struct FdmReport : OwnReport {
-  std::string file_name;       ///< as in JobReport
-  FilamentUse filament;        ///< as in JobReport
-  ProgramStats stats;          ///< sum over all layers
-  PrintTimes times;            ///< `print_time_s`, divided by cause
-  double travel_mm = 0;        ///< includes travel between layers
-  std::vector<FillUse> fills;  ///< sum over all copies, one entry per kind: see AddUse
-  SeamQuality seams;  ///< counts each loop of an object once, independent of the number of copies
+  std::string file_name;  ///< name of the file, equal to JobReport's
+  FilamentUse filament;   ///< used filament, equal to JobReport's
+  ProgramStats stats;     ///< sum over all layers
+  PrintTimes times;       ///< `print_time_s`, divided by cause
+  double travel_mm = 0;   ///< length of travels, including travels between layers
+  /// totals of the infill over all copies, one entry per kind: see AddUse
+  std::vector<FillUse> fills;
+  /// quality of the seams; each loop of an object counts once, independent of the number of copies
+  SeamQuality seams;
 
   void AddTo(nlohmann::ordered_json& json) const override;
 };

@@ -14,30 +14,29 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Returns the G-code of a layer and its cost, for each pass that prints something in it (and pass
-/// 0 of a layer that prints nothing). Steps:
+/// Returns the G-code of a layer and its cost, for each pass that prints something in it (and for
+/// pass 0 of a layer that prints nothing). Steps:
 ///   1 moves of each block, once for all its copies (toolpath_builder.h, flow_smoothing.h).
 ///   2 slow-down over the whole layer, and fan (cooling.h).
 ///   3 times (layer_timing.h), and the moves at both ends (edge_moves.h).
 ///   4 text, each copy with its shift and label (layer_writer.h, object_labels.h).
 ///
-/// A program starts retracted, or ready to print if the layer begins so. It starts at the height of
-/// the layer below or above its entry, with relative E and absolute coordinates. It ends in the
-/// same state, and so does each copy in it. It depends on its arguments only, so programs are
-/// joined by concatenation. The text of a copy depends on its position only by the shift. A layer
-/// without paths moves nothing but is still marked as a layer.
+/// A program starts retracted, or ready to print if OrderedLayer::begins_ready is true. It starts
+/// at the height of the layer below or above its entry, with relative E and absolute coordinates.
+/// It ends in this state, and so does each copy in it. It depends on its arguments only, so
+/// programs are joined by concatenation. The text of a copy depends on the copy's position only by
+/// the shift. A layer without paths moves nothing but is still marked as a layer.
 ///
-/// Times: the layer begins and ends at rest. The travel to its entry is not counted, but the move
-/// up to its height is (print_clock.h corrects both).
+/// Times: the machine stands still before and after the layer. The travel to its entry is not
+/// counted, but the move up to its height is (print_clock.h corrects both).
 ///
 /// With a pass for each copy, the layers of a pass are counted as the copy's own (layer_place.h).
-/// The travel between passes belongs to neither (pass_change.h).
+/// The travel between passes belongs to neither pass (pass_change.h).
 ///
 /// `code`: the options' parsed templates. Templates that depend on earlier layers are left out, and
-/// their positions are returned (LayerProgram::code_at).
-/// `materials`: options.material_field as a field; null turns mixing off.
-/// Errors: errors of the settings' templates (template_run.h). REQUIRES: CheckOptions and
-/// CheckLayer succeed.
+/// their positions are returned (LayerProgram::code_at). `materials`: options.material_field as a
+/// field; null turns mixing off. Errors: any error of the settings' templates (template_run.h).
+/// REQUIRES: CheckOptions and CheckLayer succeed.
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
                                                        const MotionOptions& options,

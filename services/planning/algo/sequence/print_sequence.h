@@ -17,10 +17,12 @@ struct SequenceItem {
   std::string name;  ///< name for messages
 };
 
-/// Dimensions of the head, as PrusaSlicer's settings of these names define them.
+/// Dimensions of the head, as defined by PrusaSlicer's settings with these names.
 struct SequenceOptions {
-  Coord clearance_radius_nm = 20 * kNmPerMm;  ///< `extruder_clearance_radius`: around the nozzle
-  Coord clearance_height_nm = 20 * kNmPerMm;  ///< `extruder_clearance_height`: gantry above nozzle
+  /// `extruder_clearance_radius`: free radius around the nozzle
+  Coord clearance_radius_nm = 20 * kNmPerMm;
+  /// `extruder_clearance_height`: height of the gantry above the nozzle
+  Coord clearance_height_nm = 20 * kNmPerMm;
   /// Reach of the gantry, a bar along x, to both sides of the nozzle in y. Without a value the
   /// gantry covers the whole plate.
   std::optional<Coord> gantry_reach_nm = {};
@@ -31,8 +33,12 @@ struct SequenceOptions {
 ///
 /// An order is good if no finished object causes one of these conflicts while another object is
 /// printed:
-///  - The finished object is within clearance_radius_nm of the other object's hull. So the hulls of any two objects must be this far apart, in either order. The tolerance is 1 um, so an arrangement at exactly this distance is accepted.
-///  - The finished object is taller than clearance_height_nm and within reach of the gantry in y. Without gantry_reach_nm only the last object may be taller.
+/// - The finished object is within clearance_radius_nm of the other object's hull. So the hulls of
+///   any two objects must be this far apart, in either order. The tolerance is 1 um, so an
+///   arrangement at exactly this distance is accepted.
+/// - The finished object is taller than clearance_height_nm and within reach of the gantry in y.
+///   Without gantry_reach_nm only the last object may be taller.
+///
 /// Both are PrusaSlicer's rules up to 2.8: sequential_print_horizontal_clearance_valid grows each
 /// hull by half the radius less 0.1 um, and sequential_print_vertical_clearance_valid. PrusaSlicer
 /// keeps the given order and only checks it. Version 2.9 models the head in slices and uses an SMT
@@ -44,15 +50,19 @@ struct SequenceOptions {
 /// nearest neighbour, then 2-opt on the distance of the boxes' middles. The writer must make
 /// travels between objects above all finished objects.
 ///
-/// Errors:  OBJECTS_COLLIDE, INVALID_ARGUMENT, for the first pair that is in conflict in any order:
-///          metadata `first`, `second` (names), `first_index`, `second_index`, `rule` (`clearance` or
-///          `gantry`). REQUEST_MALFORMED for no footprint or a negative height, OUT_OF_RANGE for
-///          coordinates beyond kMaxCoord, REQUEST_TOO_LARGE for more than kMaxObjects,
-///          SETTING_OUT_OF_RANGE for negative options.
-/// Cost:    O(n^2), plus O(corners) for each two objects near each other; 1,000 objects: 20 ms. The
-///          order depends on positions, not on the order of the input, except for equal objects.
-/// Source:  G. A. Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6
-///          (1958): 2-opt.
+/// Errors:
+/// - OBJECTS_COLLIDE, INVALID_ARGUMENT, for the first pair that is in conflict in any order:
+///   metadata `first`, `second` (names), `first_index`, `second_index`, `rule` (`clearance` or
+///   `gantry`).
+/// - REQUEST_MALFORMED for no footprint or a negative height.
+/// - OUT_OF_RANGE for coordinates beyond kMaxCoord.
+/// - REQUEST_TOO_LARGE for more than kMaxObjects.
+/// - SETTING_OUT_OF_RANGE for negative options.
+///
+/// Cost: O(n^2) for n objects, plus O(corners) for each two objects near each other; 1,000 objects:
+/// 20 ms. The order depends on positions, not on the order of the input, except for equal objects.
+/// Source: G. A. Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6
+/// (1958): 2-opt.
 absl::StatusOr<std::vector<size_t>> PrintSequence(std::span<const SequenceItem> items,
                                                   const SequenceOptions& options);
 
