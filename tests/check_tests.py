@@ -17,7 +17,7 @@ TEST = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\) \{", re.M)
 CHECK = re.compile(r"\b(?:EXPECT|ASSERT)_\w+\(|\bADD_FAILURE\(|\bFAIL\(\)|\bASSIGN_OR_FAIL\(")
 RANGE_FOR = re.compile(r"\bfor \(((?:[^();]|\((?:[^()]|\([^()]*\))*\))*?) : ((?:[^();]|\((?:[^()]|\([^()]*\))*\))*)\) ?")
 # A constant, a list of values or a container that the test fills by hand: its elements can be seen.
-VISIBLE = re.compile(r"^(?:\{|k[A-Z]|std::(?:vector|array|initializer_list|pair|tuple|string_view)\b.*\{|all\w*$|cases$|GetParam)")
+VISIBLE = re.compile(r"^(?:\{|k[A-Z]|[A-Z]\w*\{\s*[^}\s]|std::string\(\s{3,}\)|std::(?:vector|array|initializer_list|pair|tuple|string_view)\b.*\{|all\w*$|cases$|GetParam)")
 CLOCK = re.compile(r"\b(?:EXPECT|ASSERT)_(?:LT|LE|GT|GE|NEAR)\([^;]*\b(?:steady_clock|high_resolution_clock)::now\(\)")
 SLEEP = re.compile(r"\bstd::this_thread::sleep_(?:for|until)\(|\babsl::SleepFor\(|\b(?:usleep|nanosleep)\(")
 TEXT = re.compile(r'R"\((?:.|\n)*?\)"|"(?:[^"\\\n]|\\.)*"|//[^\n]*|\'(?:[^\'\\\n]|\\.)\'')
@@ -48,11 +48,21 @@ def declared_by_hand(body, name):
     return re.search(rf"\b{re.escape(name)}(?:\[\])? ?(?:= ?)?\{{[^}}]", body) is not None
 
 
-def unseen_loops(body):
+def listed_by_function(code, call):
+    """Returns true if the call is of a function of this file, without arguments, that returns a list of values."""
+    name = re.fullmatch(r"(\w+)\(\)", call)
+    found = name and re.search(rf"^(?:const )?std::vector<.*>&? {name[1]}\(\) \{{", code, re.M)
+    if not found:
+        return False
+    body = code[found.end() - 1 : end_of_block(code, found.end() - 1)]
+    return re.search(r"(?:\breturn |= new std::vector<[^;{]*>)\{\s*[^}\s]", body) is not None
+
+
+def unseen_loops(body, code):
     """Returns (begin, end) of each loop over a result that may be empty."""
     for found in RANGE_FOR.finditer(body):
         over = found[2].strip()
-        if not VISIBLE.match(over) and not declared_by_hand(body, over):
+        if not (VISIBLE.match(over) or declared_by_hand(body, over) or listed_by_function(code, over)):
             yield found.end(), end_of_block(body, found.end())
 
 
@@ -68,7 +78,7 @@ def faults(path, text):
     for offset, name, body in tests_of(code):
         line = code.count("\n", 0, offset) + 1
         checks = [found.start() for found in CHECK.finditer(body)]
-        loops = list(unseen_loops(body))
+        loops = list(unseen_loops(body, code))
         if checks and all(any(begin <= at < end for begin, end in loops) for at in checks):
             yield f"{path}:{line}: empty: {name} passes without results"
     for rule, pattern in (("clock", CLOCK), ("sleep", SLEEP)):

@@ -106,14 +106,19 @@ TEST(AddSettingVariables, ClockNeedsATime) {
 // Templates may use each setting of PrusaSlicer, even if a job does not have it. The setting has a
 // default here, or the effective settings always contain it (settings_table_test.cc).
 TEST(TemplateDefaults, AreOfTheirTypes) {
+  int typed = 0;
   for (const auto& [key, value] : SettingLines(TemplateDefaults())) {
     const auto type = TypeOfSetting(key);
     if (!type || type->of == SettingType::Of::kText || value.empty()) continue;
-    for (const TemplateValue& item : SettingVariable(key, value).items)
+    const auto variable = SettingVariable(key, value);
+    for (const TemplateValue& item : variable.items) {
+      ++typed;
       EXPECT_TRUE(type->of == SettingType::Of::kChoice || type->of == SettingType::Of::kPoint ||
                   !std::holds_alternative<std::string>(item))
           << key;
+    }
   }
+  EXPECT_GT(typed, 0);
 }
 
 }  // namespace

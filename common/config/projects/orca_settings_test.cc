@@ -272,12 +272,15 @@ TEST(FromOrca, WhoChoosesTheTreesHasTheirSettings) {
 TEST(FromOrca, KeepsWhoAsks) {
   const std::vector<Setting> from = {{"wall_loops", "3", Source::kProfile},
                                      {"layer_height", "0.1"}};
-  for (const Setting& setting : FromOrca(from, nullptr))
+  const std::vector<Setting> settings = FromOrca(from, nullptr);
+  ASSERT_FALSE(settings.empty());
+  for (const Setting& setting : settings)
     EXPECT_EQ(setting.source, setting.key == "perimeters" ? Source::kProfile : Source::kRequest);
 }
 
 /// Every name in the table is a setting of PrusaSlicer or of ours; this finds misspelt names.
 TEST(OrcaTable, LeadsToKnownKeys) {
+  ASSERT_FALSE(OrcaRows().empty());
   const std::set<std::string_view> of_objects = {"extruder"};  // in no config.ini
   for (const OrcaRow& row : OrcaRows()) {
     const bool known = FindSetting(row.to, Process::kFdm) >= 0 || FindKnownKey(row.to) != nullptr;
@@ -286,12 +289,16 @@ TEST(OrcaTable, LeadsToKnownKeys) {
 }
 
 TEST(OrcaTable, VariablesAreNoSettings) {
+  ASSERT_FALSE(OrcaVariables().empty());
+  ASSERT_FALSE(OrcaRows().empty());
   for (const OrcaVariable& variable : OrcaVariables()) {
     for (const OrcaRow& row : OrcaRows()) EXPECT_NE(row.from, variable.from);
   }
 }
 
 TEST(OrcaTable, ChoicesBelongToRows) {
+  ASSERT_FALSE(OrcaChoices().empty());
+  ASSERT_FALSE(OrcaRows().empty());
   for (const OrcaChoice& choice : OrcaChoices()) {
     const bool has_row = std::ranges::any_of(OrcaRows(), [&](const OrcaRow& row) {
       return row.to == choice.row && row.value == OrcaValue::kChoice;

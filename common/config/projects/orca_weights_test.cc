@@ -24,6 +24,7 @@ TEST(WeightOf, DependsOnTheValue) {
 }
 
 TEST(WeightOf, KnowsNoSettingThatHasACounterpart) {
+  ASSERT_FALSE(OrcaRows().empty());
   for (const OrcaRow& row : OrcaRows())
     EXPECT_EQ(WeightOf(row.from, "?"), OrcaWeight::kDetail) << row.from;
 }

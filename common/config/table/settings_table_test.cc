@@ -136,7 +136,9 @@ TEST_P(EverySetting, HasAStandardInItsRange) {
 }
 
 TEST_P(EverySetting, PrintsWhatItReads) {
-  for (const std::string& sample : Samples(spec())) {
+  const std::vector<std::string> samples = Samples(spec());
+  ASSERT_FALSE(samples.empty());
+  for (const std::string& sample : samples) {
     const auto value = ParseValue(spec(), sample);
     ASSERT_TRUE(value.ok()) << value.status();
     EXPECT_EQ(PrintValue(spec(), *value), sample);
@@ -194,7 +196,9 @@ TEST_P(EverySetting, RefusesWhatIsMalformed) {
 TEST_P(EverySetting, TakesTheFirstOfAList) {
   if (spec().list == List::kNone) return;
   const bool text = spec().kind == Kind::kText || spec().kind == Kind::kGcode;
-  for (const std::string& sample : Samples(spec())) {
+  const std::vector<std::string> samples = Samples(spec());
+  ASSERT_FALSE(samples.empty());
+  for (const std::string& sample : samples) {
     const auto one = ParseValue(spec(), sample);
     const auto two = ParseValue(spec(), sample + (text ? ";other" : " ,9999"));
     ASSERT_TRUE(two.ok()) << two.status();
@@ -215,17 +219,21 @@ TEST(SettingsTable, IsSortedWithoutRepetition) {
 }
 
 TEST(SettingsTable, RelatesToSettingsOfItsOwn) {
+  int related = 0;
   for (const ProcessInfo& info : kProcesses) {
     for (const SettingSpec& spec : SettingsTable(info.process)) {
       if (spec.relative_to.empty()) continue;
+      ++related;
       EXPECT_GE(FindSetting(spec.relative_to, info.process), 0) << spec.key;
     }
   }
+  EXPECT_GT(related, 0);
 }
 
 class EveryTable : public testing::TestWithParam<Process> {};
 
 TEST_P(EveryTable, HasNoTwoSettingsForOneField) {
+  ASSERT_FALSE(SettingsTable(GetParam()).empty());
   // Each setting changes only its own text.
   for (const SettingSpec& changed : SettingsTable(GetParam())) {
     if (changed.field.set == nullptr) continue;

@@ -39,6 +39,7 @@ TEST(NearestSetting, FindsWhatWasMeant) {
 }
 
 TEST(NearestSetting, FindsOneLetterAnywhereInAnyKey) {
+  ASSERT_FALSE(SettingsTable(Process::kFdm).empty());
   for (const SettingSpec& spec : SettingsTable(Process::kFdm)) {
     const std::string key(spec.key);
     for (size_t i = 0; i < key.size(); ++i) {

@@ -213,6 +213,7 @@ TEST_P(SkeletalShape, FeaturesFollowEachOtherAgainstTheRing) { ExpectFeaturesInO
 TEST_P(SkeletalShape, FeetLieOnTheirFeatures) { ExpectFeet(graph_, kErrorNm); }
 
 TEST_P(SkeletalShape, ConvexCornersAreNodes) {
+  ASSERT_FALSE(graph_.boundary.empty());
   for (const BoundaryEdge& edge : graph_.boundary) {
     const Point in = edge.from - graph_.boundary[edge.previous].from;
     const auto ends = std::ranges::count_if(graph_.nodes, [&](const SkeletalNode& node) {

@@ -254,7 +254,9 @@ TEST(FillSection, FollowsWhatIsPlanned) {
 TEST(FillSection, LeavesOutWhatIsPlannedSo) {
   PlannedInfill plan;
   plan.left_out = P("(0 0, 10 0, 10 20, 0 20)");
-  for (const Path& path : PathsOf(Thin(), std::span(&plan, 1)))
+  const std::vector<Path> paths = PathsOf(Thin(), std::span(&plan, 1));
+  ASSERT_FALSE(paths.empty());
+  for (const Path& path : paths)
     for (const Point p : path.points) EXPECT_GE(p.x, FromMm(10));
 }
 
@@ -367,18 +369,23 @@ TEST(FillSection, ATemplateSaysWhichWayLinesRun) {
   options.angle_template = "0,90#2";
   for (const int32_t layer : {3, 4, 5}) {
     const bool across = layer % 3 != 0;
-    for (const Path& path : PathsOf(options, {}, layer)) {
+    const std::vector<Path> paths = PathsOf(options, {}, layer);
+    ASSERT_FALSE(paths.empty()) << layer;
+    for (const Path& path : paths) {
       const Point way = EndOf(path) - StartOf(path);
       EXPECT_EQ(across ? way.x : way.y, 0) << layer;
     }
   }
   options.solid_angle_template = "0";
   options.density = 1;
-  for (const int32_t layer : {3, 4})
-    for (const Path& path : PathsOf(options, {}, layer)) {
+  for (const int32_t layer : {3, 4}) {
+    const std::vector<Path> paths = PathsOf(options, {}, layer);
+    ASSERT_FALSE(paths.empty()) << layer;
+    for (const Path& path : paths) {
       const Point way = path.points[1] - path.points[0];
       EXPECT_EQ(way.y, 0) << layer;
     }
+  }
 }
 
 TEST(FillSection, IroningGoesOverWhatIsAskedFor) {

@@ -32,6 +32,7 @@ TEST(SampleMeshes, TorusHasItsVolume) {
 
 TEST(SampleMeshes, SnappedTorusLiesOnThePlanes) {
   const RawMesh torus = TorusMesh({.snap_to_layer = 0.2});
+  ASSERT_FALSE(torus.positions.empty());
   for (const Vector3& p : torus.positions) {
     const double halves = p.z() / 0.1;
     EXPECT_NEAR(halves, std::round(halves), 1e-9);

@@ -87,7 +87,9 @@ TEST_P(Shape, IsFilledByWallsAndInfillTogether) {
 }
 
 TEST_P(Shape, HasBeadsOfTheWidthsAskedFor) {
-  for (const WallLine& wall : WallsOrDie(Island()).lines) {
+  const VariableWalls walls = WallsOrDie(Island());
+  ASSERT_FALSE(walls.lines.empty());
+  for (const WallLine& wall : walls.lines) {
     ASSERT_EQ(wall.line.points.size(), wall.line.thickness_nm.size());
     ASSERT_GE(wall.line.points.size(), wall.line.closed ? 3u : 2u);
     for (const Coord width : wall.line.thickness_nm) {

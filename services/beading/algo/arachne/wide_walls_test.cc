@@ -233,6 +233,7 @@ TEST_P(WideIsland, BeadsAreWhereVariableOnesAre) {
 
 TEST_P(WideIsland, BeadsAreClosedAndOfTheOptimalWidth) {
   for (const VariableWalls* walls : {&wide_, &variable_}) {
+    ASSERT_FALSE(walls->lines.empty());
     for (const WallLine& wall : walls->lines) {
       EXPECT_FALSE(wall.is_middle);
       EXPECT_TRUE(wall.line.closed);

@@ -198,16 +198,20 @@ TEST_P(Property, WidthsAreContinuousAndDoNotDecrease) {
 }
 
 TEST_P(Property, OptimalWidthsAreWithinBounds) {
+  int beads = 0;
   for (Coord d = 0; d < kThickest; d += kStep) {
     const int n = strategy_->OptimalCount(d);
-    for (const Coord width : strategy_->Compute(d, n).widths_nm) {
+    const auto beading = strategy_->Compute(d, n);
+    for (const Coord width : beading.widths_nm) {
       if (width == 0) continue;
+      ++beads;
       if (n > 2 || options_.widen_thin_places) {
         ASSERT_GE(width, options_.min_width_nm - 1) << d;
       }
       ASSERT_LE(width, std::max(options_.max_width_nm, options_.inner_width_nm)) << d;
     }
   }
+  EXPECT_GT(beads, 0);
 }
 
 TEST_P(Property, CountsFollowTheTransitionThicknesses) {

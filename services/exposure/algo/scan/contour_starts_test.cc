@@ -46,12 +46,15 @@ TEST(StartedContour, BeginsWhereItIsTo) {
 
 TEST(StartedContour, KeepsItsCourse) {
   std::mt19937 random(5);
+  int lines = 0;
   for (int i = 0; i < 200; ++i)
     for (const PolygonWithHoles& island : RandomIsland(random, {}, 5))
       for (const ContourStart start :
            {ContourStart::kScattered, ContourStart::kNearest, ContourStart::kRear}) {
         const double share = static_cast<double>(random() % 1000) / 1000;
         const Polyline line = StartedContour(island.outer, start, share, {});
+        ASSERT_FALSE(line.empty());
+        ++lines;
         EXPECT_EQ(line.front(), line.back());
         EXPECT_GE(line.size(), island.outer.size() + 1);
         EXPECT_LE(line.size(), island.outer.size() + 2);
@@ -59,6 +62,7 @@ TEST(StartedContour, KeepsItsCourse) {
         EXPECT_NEAR(area, SignedArea(island.outer), 1e-6 * std::abs(area) + 1e9);
         EXPECT_NEAR(Length(line), Perimeter(island.outer), 2);
       }
+  EXPECT_GE(lines, 3 * 200);
 }
 
 }  // namespace

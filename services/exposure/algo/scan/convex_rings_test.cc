@@ -149,6 +149,7 @@ TEST(ConvexRings, AThinPieceIsScannedOnce) {
 
 TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
   std::mt19937 random(4);
+  int points = 0;
   for (int i = 0; i < 500; ++i) {
     const Polygon hull = ConvexHull(RandomStar(random, 3, Uniform(random, 0.1, 1)));
     if (hull.size() < 3) continue;
@@ -156,29 +157,35 @@ TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
     for (const Polyline& ring : rings) {
       if (ring.size() < 4) continue;
       for (const Point p : ring) {
+        ++points;
         EXPECT_EQ(Locate(p, hull), Side::kInside);
         EXPECT_GE(DistanceToBoundary(p, {{hull, {}}}), 40'000 - 2);
       }
     }
   }
+  EXPECT_GT(points, 1'000);
 }
 
 /// With every turn, rings and the tips of spurs keep the first ring's distance from a random
 /// piece's border.
 TEST(ConvexRings, OfATurnStayInside) {
   std::mt19937 random(11);
+  int points = 0;
   for (int i = 0; i < 400; ++i) {
     const Polygon hull = ConvexHull(RandomStar(random, 9, Uniform(random, 0.1, 1)));
     if (hull.size() < 3) continue;
     RingFill fill{.pitch_nm = 8e4, .first_nm = 3e4, .corners = true, .spurs = {.spot_nm = 8e4}};
     fill.turn = RingTurnOf(i);
-    for (const Polyline& ring : ConvexRings(hull, 1, fill))
+    const std::vector<Polyline> rings = ConvexRings(hull, 1, fill);
+    for (const Polyline& ring : rings)
       for (const Point p : ring) {
+        ++points;
         ASSERT_TRUE(Inside(p, {{hull, {}}})) << i;
         if (ring.size() == 2) continue;
         ASSERT_GE(DistanceToBoundary(p, {{hull, {}}}), 29'998) << i;
       }
   }
+  EXPECT_GT(points, 1'000);
 }
 
 }  // namespace

@@ -101,8 +101,9 @@ TEST(WithOuterSpurs, DoNotCrossAGap) {
   const double gap = 1e6;
   const ConvexRing ring = {{10e6, 9e6}, {28.9e6, 10e6}, {10e6, 11e6}};
   const BorderGrid border = BorderOf(region);
-  for (const Vector2& tip : WithOuterSpurs(ring, gap, border, {.spot_nm = 2e6}))
-    EXPECT_LE(tip.x(), 29e6 + 1'000);
+  const ConvexRing spurred = WithOuterSpurs(ring, gap, border, {.spot_nm = 2e6});
+  ASSERT_FALSE(spurred.empty());
+  for (const Vector2& tip : spurred) EXPECT_LE(tip.x(), 29e6 + 1'000);
 }
 
 TEST(WithOuterSpurs, AreNoLongerThanThat) {

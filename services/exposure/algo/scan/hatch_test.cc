@@ -56,7 +56,9 @@ TEST(Hatch, DistancesAreExact) {
     for (const double angle : {0.0, 30.0, 90.0, 112.5, 293.0}) {
       const ExposureOptions options = With(strategy);
       const double pitch = static_cast<double>(options.hatch_distance_nm);
-      for (const Point p : HatchOrDie(region, angle, options)) {
+      const std::vector<Point> points = HatchOrDie(region, angle, options);
+      ASSERT_FALSE(points.empty());
+      for (const Point p : points) {
         const double x = static_cast<double>(p.x), y = static_cast<double>(p.y);
         const double v = std::cos(angle * kRadians) * y - std::sin(angle * kRadians) * x;
         const double u = std::cos(angle * kRadians) * x + std::sin(angle * kRadians) * y;

@@ -39,6 +39,7 @@ TEST(RelaxedCells, ThreeEdgesMeetInEachVertex) {
 
 TEST(RelaxedCells, NoEdgeIsLongerThanThreeCells) {
   const VoronoiTile tile = RelaxedCells(16, 0);
+  ASSERT_FALSE(tile.edges.empty());
   for (const TileEdge& edge : tile.edges) {
     const Vector2 way = WayOf(tile, edge);
     EXPECT_LT(std::max(std::abs(way.x()), std::abs(way.y())), 3.0 / 16);

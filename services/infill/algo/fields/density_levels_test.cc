@@ -69,9 +69,12 @@ TEST(LevelParts, PartTheRegionWithNothingTwice) {
 TEST(LevelParts, AreWholeWhereTheFieldIsSmooth) {
   const DensityField density =
       GridField(3, 80, [](double x, double) { return 0.1 + 0.4 * x / 80; });
-  for (double z = 0.1; z < 4; z += 0.4)
-    for (const DensityPart& part : PartsAt(Square(0, 80), density, z))
+  for (double z = 0.1; z < 4; z += 0.4) {
+    const std::vector<DensityPart> parts = PartsAt(Square(0, 80), density, z);
+    ASSERT_FALSE(parts.empty()) << z;
+    for (const DensityPart& part : parts)
       EXPECT_EQ(part.area.size(), 1u) << "level " << part.density << " at " << z;
+  }
 }
 
 TEST(LevelParts, AreNoneWhereNothingIsAsked) {

@@ -28,8 +28,12 @@ TEST(EvenGaps, LeaveEvenLinesAlone) {
   std::vector<StreamLine> lines;
   for (int i = 0; i < 8; ++i) lines.push_back(Along(2 * i, 0, 60));
   Even(2, lines);
-  for (int i = 0; i < 8; ++i)
-    for (const Vector2& p : lines[static_cast<size_t>(i)].points) EXPECT_NEAR(p.y(), 2 * i, 1e-9);
+  ASSERT_EQ(lines.size(), 8u);
+  for (int i = 0; i < 8; ++i) {
+    const StreamLine& line = lines[static_cast<size_t>(i)];
+    ASSERT_FALSE(line.points.empty()) << i;
+    for (const Vector2& p : line.points) EXPECT_NEAR(p.y(), 2 * i, 1e-9);
+  }
 }
 
 TEST(EvenGaps, ShareOutAGapThatIsTooWide) {

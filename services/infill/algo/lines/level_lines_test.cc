@@ -26,6 +26,7 @@ TEST(LevelLines, AStraightLineGoesOnForEver) {
 
 TEST(LevelLines, PlusLiesToTheLeft) {
   const auto lines = LevelLines([](Vector2 p) { return std::sin(kTurn * (p.y() - 0.3)); }, 12);
+  ASSERT_FALSE(lines.empty());
   for (const LevelLine& line : lines) {
     const bool rises = std::abs(line.points[0].y() - 0.3) < 0.01;  // minus below, plus above
     EXPECT_EQ(line.step_u, rises ? 1 : -1);

@@ -58,8 +58,10 @@ TEST(Smoothed, ACircleIsPinnedWhereItIs) {
     const double turn = 2 * std::numbers::pi * i / 400;
     circle.points.push_back({FromMm(20 * Cos(turn)), FromMm(20 * Sin(turn))});
   }
+  const Curve smoothed = Smoothed(circle, kLength);
+  ASSERT_FALSE(smoothed.points.empty());
   // The expected radius follows from the same formula, with a = (l / r)^2.
-  for (const Point p : Smoothed(circle, kLength).points)
+  for (const Point p : smoothed.points)
     EXPECT_NEAR(ToMm(Distance(p, Point{0, 0})), 20 / (1 + 1.0 / 400), 0.02);
 }
 

@@ -64,6 +64,7 @@ double WayToPrinted(const Path& path, size_t point, const MultiPolygon& there) {
 // This is the purpose of the fill: each bead is on the part below or beside an earlier bead. Where
 // lines turn, the path's own last millimetres count as the earlier bead.
 TEST_P(FillOverhangTest, EachLineLiesBesideWhatIsThere) {
+  ASSERT_FALSE(group_.paths.empty());
   MultiPolygon there = below_;
   const auto spacing = static_cast<double>(Spacing(fill_.width_nm, fill_.height_nm));
   for (const Path& path : group_.paths) {

@@ -42,21 +42,28 @@ TEST(CellCover, BoxOnTheGrid) {
 }
 
 TEST(CellCover, HasTheCellsThatLieInside) {
-  for (const MultiPolygon& region : RandomRegions(40)) {
+  const std::vector<MultiPolygon> regions = RandomRegions(40);
+  ASSERT_EQ(regions.size(), 40u);
+  int inside = 0;
+  for (const MultiPolygon& region : regions) {
     const CellCover cover = CoverOf(region, kCell, 2);
     for (int32_t row = 0; row < cover.rows; ++row) {
       for (int32_t column = 0; column < cover.columns; ++column) {
         const MultiPolygon cell = {{SquareOf(cover, column, row), {}}};
         const double covered = Area(Intersection(region, cell)) / Area(cell);
         EXPECT_EQ(cover.Has(column, row), covered > 1 - 1e-9) << column << " " << row;
+        inside += cover.Has(column, row) ? 1 : 0;
       }
     }
   }
+  EXPECT_GT(inside, 0);
 }
 
 TEST(CellCover, BlocksAreTheCellsAndAligned) {
+  const std::vector<MultiPolygon> regions = RandomRegions(40);
+  ASSERT_EQ(regions.size(), 40u);
   for (const uint32_t base : {2U, 3U}) {
-    for (const MultiPolygon& region : RandomRegions(40)) {
+    for (const MultiPolygon& region : regions) {
       const CellCover cover = CoverOf(region, kCell, base);
       std::vector<char> left = cover.inside;
       for (const CellBlock& block : LargestBlocks(cover, base)) {
@@ -89,7 +96,9 @@ TEST(CellCover, AFullSquareIsOneBlock) {
 }
 
 TEST(CellCover, OutlineIsTheCellsUnion) {
-  for (const MultiPolygon& region : RandomRegions(40)) {
+  const std::vector<MultiPolygon> regions = RandomRegions(40);
+  ASSERT_EQ(regions.size(), 40u);
+  for (const MultiPolygon& region : regions) {
     const CellCover cover = CoverOf(region, kCell, 2);
     std::vector<Polygon> squares;
     for (int32_t row = 0; row < cover.rows; ++row)

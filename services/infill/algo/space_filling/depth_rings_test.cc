@@ -22,7 +22,9 @@ TEST(DepthRings, ASquare) {
 
 TEST(DepthRings, LieAtTheirDepth) {
   const PolygonWithHoles plate = Shape("plate");
-  for (const StepRing& ring : RingsFrom({plate}, kSpacing)) {
+  const std::vector<StepRing> rings = RingsFrom({plate}, kSpacing);
+  ASSERT_FALSE(rings.empty());
+  for (const StepRing& ring : rings) {
     for (const Point p : ring.points) {
       // Lines are mitered at corners of holes, and pulled together where a narrow part is omitted.
       const double depth = DistanceToBoundary(p, {plate});

@@ -15,7 +15,9 @@ size_t CountOf(const std::string& text, std::string_view what) {
 
 TEST(LevelSvg, DrawsStockAreasAndWays) {
   const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor("cyl:1.5"));
-  for (const MilledStep& level : AllSteps(job)) {
+  const std::vector<MilledStep> steps = AllSteps(job);
+  ASSERT_FALSE(steps.empty());
+  for (const MilledStep& level : steps) {
     const std::string svg = LevelSvg(job, level);
     size_t ways = 0;
     for (const CutArea& area : level.areas) ways += area.ways.size();

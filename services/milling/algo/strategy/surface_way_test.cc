@@ -24,7 +24,9 @@ TEST(SurfaceWay, FindsTheFootOfAStep) {
       return p.x() <= foot ? 0 : std::min(0.3, std::sqrt(0.25 - d * d));
     };
     Eigen::Vector3d last(0, 0, 0);
-    for (const Eigen::Vector3d& p : SurfaceWay(last, {1, 0, 0.3}, 0.01, height)) {
+    const std::vector<Eigen::Vector3d> way = SurfaceWay(last, {1, 0, 0.3}, 0.01, height);
+    ASSERT_FALSE(way.empty()) << foot;
+    for (const Eigen::Vector3d& p : way) {
       for (double share = 0; share < 1; share += 0.1) {
         const Eigen::Vector3d q = last + share * (p - last);
         // The path may be as low as one 0.005 mm to the side.

@@ -40,6 +40,7 @@ TEST(Refined, FollowsBendsOnly) {
 }
 
 TEST(Refined, TouchesWhereItPutsPoints) {
+  int points = 0;
   const TriangleMesh mesh = Waves(6, 8);
   for (const std::string_view text : kAllCutters) {
     const Cutter cutter = CutterOf(text);
@@ -48,6 +49,7 @@ TEST(Refined, TouchesWhereItPutsPoints) {
         {.sampling_mm = 0.5, .tolerance_mm = 0.005, .least_sampling_mm = 0.01, .contacts = true});
     for (const WaterlineLoop& loop : levels[0]) {
       for (size_t i = 0; i < loop.points_mm.size(); i += 5) {
+        ++points;
         const Eigen::Vector3d tip(loop.points_mm[i].x(), loop.points_mm[i].y(), loop.z_mm);
         EXPECT_GE(SampledClearance(mesh, cutter, tip, 24), -1e-8) << text;
         const Eigen::Vector3d contact = loop.contacts_mm[i] - tip;
@@ -56,6 +58,7 @@ TEST(Refined, TouchesWhereItPutsPoints) {
       }
     }
   }
+  EXPECT_GT(points, 0);
 }
 
 }  // namespace

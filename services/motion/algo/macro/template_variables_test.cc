@@ -74,6 +74,7 @@ TEST(VariablesOfThePrint, AreThoseThatAreFilledIn) {
   facts.layer_count = 1;
   filled.merge(LayerVariables({}, facts));
   const TemplateVariables checked = macro::VariablesOfThePrint();
+  ASSERT_FALSE(filled.empty());
   for (const auto& [name, variable] : filled) {
     ASSERT_TRUE(checked.contains(name)) << name;
     EXPECT_EQ(checked.at(name).is_list, variable.is_list) << name;

@@ -71,6 +71,7 @@ TEST(SpiralTurn, LeadsOverFromTheTurnBelow) {
   const Path path = TurnIn(10);
   const Point from{FromMm(9.475), 0};  // start of a turn with a radius 0.3 mm smaller
   const auto pieces = TurnOf(path, {.start = path.points[0], .from = from}, {{Ring(9.7), {}}});
+  ASSERT_FALSE(pieces.empty());
   // The radius grows as evenly as the height.
   for (const TurnPiece& piece : pieces)
     EXPECT_THAT(ToMm(Norm(piece.to)), DoubleNear(9.475 + .3 * piece.rise, .002));

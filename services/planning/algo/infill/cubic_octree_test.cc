@@ -198,7 +198,9 @@ int Missing(const CubicOctree& full, const CubicOctree& tree, const MultiPolygon
 // A roof on this sparse infill gets the same support as on cubic infill.
 TEST(CubicOctree, CarriesRoofsLikeCubicInfill) {
   const CubicOctree full = FullTree(0.2);
-  for (const Shape& shape : Shapes()) {
+  const std::vector<Shape> shapes = Shapes();
+  ASSERT_FALSE(shapes.empty());
+  for (const Shape& shape : shapes) {
     const auto areas =
         SparseAreas(shape.stack, InnerAreas(shape.stack, 1'350'000), {kSkins, kSkins});
     for (const bool roofs_alone : {false, true}) {

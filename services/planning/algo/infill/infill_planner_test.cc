@@ -145,8 +145,9 @@ TEST(InfillPlanner, GivesPlacesForLayersThatArePrintedAtOnce) {
 TEST(InfillPlanner, NoDensityNoLines) {
   InfillOptions options = Options(FillPattern::kLightning);
   options.density = 0;
-  for (const LayerPlan& layer : PlanFor(options, Block()).layers)
-    EXPECT_TRUE(layer.infill[0].lines.empty());
+  const JobPlan plan = PlanFor(options, Block());
+  ASSERT_EQ(plan.layers.size(), kLayers);
+  for (const LayerPlan& layer : plan.layers) EXPECT_TRUE(layer.infill[0].lines.empty());
 }
 
 }  // namespace

@@ -191,7 +191,9 @@ std::vector<ObjectStack> Decks() {
 // the distance of docs/algorithms/planned-infill.md to a wall, a line, or solid infill as wide as
 // the line distance. Narrower strips may have no support.
 TEST(LightningLines, CarrySkinsOfSlopesByARastersMeasure) {
-  for (const ObjectStack& stack : Decks()) {
+  const std::vector<ObjectStack> decks = Decks();
+  ASSERT_FALSE(decks.empty());
+  for (const ObjectStack& stack : decks) {
     const Sample sample = SampleOf(stack);
     const auto inner = [&](size_t i) {
       const Raster whole([&](Point p) { return Inside(p, stack[i].whole); });

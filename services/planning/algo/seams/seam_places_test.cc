@@ -98,11 +98,16 @@ TEST(PlaceFinder, MeasuresOverhangsInHeightsOfTheLayer) {
   finder.Next(SectionOrDie(0, 0, "(0 0, 30 0, 30 30, 0 30)"));
   const auto rings =
       finder.Next(SectionOrDie(0, 1, "(0 0, 30.3 0, 30.3 30, 0 30) ; (12 70, 15 70, 15 75)"));
+  ASSERT_EQ(rings.size(), 2u);
+  ASSERT_FALSE(rings[0].places.empty());
+  ASSERT_FALSE(rings[1].places.empty());
   for (const SeamPlace& place : rings[0].places)
     EXPECT_NEAR(place.overhang, place.at.x > FromMm(30) ? 1.5 : 0, 1e-6);
   for (const SeamPlace& place : rings[1].places)
     EXPECT_EQ(place.overhang, 10) << "2 mm: the end of what is looked at";
   const auto top = finder.Next(SectionOrDie(0, 2, "(12 12, 18 12, 18 18, 12 18)"));
+  ASSERT_EQ(top.size(), 1u);
+  ASSERT_FALSE(top[0].places.empty());
   for (const SeamPlace& place : top[0].places) EXPECT_EQ(place.overhang, 0) << "far inside";
 }
 
@@ -127,7 +132,10 @@ TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
   section.marks = {{PartRole::kSeamEnforcer,
                    MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)")}};
   const auto rings = PlaceFinder().Next(section);
+  ASSERT_EQ(rings.size(), 1u);
+  int enforced = 0;
   for (const SeamPlace& place : rings[0].places) {
+    enforced += place.enforced ? 1 : 0;
     if (!place.enforced) {
       EXPECT_EQ(place.off_middle_mm, 0);
     } else if (place.at.y > FromMm(19)) {
@@ -136,9 +144,12 @@ TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
       EXPECT_NEAR(place.off_middle_mm, ToMm(place.at.x + place.at.y), 0.3);
     }
   }
+  EXPECT_GT(enforced, 0);
   section.marks = {{PartRole::kSeamEnforcer,
                    MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)")}};
   const auto all_around = PlaceFinder().Next(section);
+  ASSERT_EQ(all_around.size(), 1u);
+  ASSERT_FALSE(all_around[0].places.empty());
   for (const SeamPlace& place : all_around[0].places) EXPECT_EQ(place.off_middle_mm, 0);
 }
 

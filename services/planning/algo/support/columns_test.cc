@@ -74,6 +74,8 @@ TEST(Columns, DoNotStandOnOthers) {
   SupportProblem problem = kNothing.Problem();
   problem.others.push_back(plate.Layers());
   const auto columns = ColumnsUnder(problem, BoxOf(0, 0, 5, 5), Style(SupportStyle::kSnug));
+  ASSERT_TRUE(columns.ok());
+  ASSERT_FALSE(columns->empty());
   for (const MultiPolygon& column : *columns)
     EXPECT_NEAR(AreaMm2(column), 5.7 * (5.35 - 2.725), 1.7);
 }

@@ -201,6 +201,7 @@ double LongestOff(const Polygon& ring, const MultiPolygon& region) {
 TEST_P(SupportsTest, BeadsLieOnBeads) {
   const SupportProblem problem = stack_.Problem();
   const SupportPlan plan = Plan(problem, options_);
+  ASSERT_EQ(plan.layers.empty(), !has_room());
   for (size_t i = 1; i < plan.layers.size(); ++i) {
     const SupportLayer& layer = plan.layers[i];
     const Coord bottom = layer.top_nm - layer.height_nm;

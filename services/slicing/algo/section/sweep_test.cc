@@ -198,6 +198,7 @@ TEST(Sweep, CubesThatTouchInAnEdgeStayApart) {
   for (const uint32_t seed : {0u, 1u, 2u, 3u, 4u}) {
     const std::vector<Section> sections =
         CutAll(Connected(Shuffled(cubes, seed)), {3 * kMm, 10 * kMm});
+    ASSERT_EQ(sections.size(), 2u);
     for (const Section& section : sections) {
       EXPECT_TRUE(section.chains.empty());
       ASSERT_EQ(section.loops.size(), 2u);
