@@ -17,7 +17,10 @@ TEST = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+), (\w+)\) \{", re.M)
 CHECK = re.compile(r"\b(?:EXPECT|ASSERT)_\w+\(|\bADD_FAILURE\(|\bFAIL\(\)|\bASSIGN_OR_FAIL\(")
 RANGE_FOR = re.compile(r"\bfor \(((?:[^();]|\((?:[^()]|\([^()]*\))*\))*?) : ((?:[^();]|\((?:[^()]|\([^()]*\))*\))*)\) ?")
 # A constant, a list of values or a container that the test fills by hand: its elements can be seen.
-VISIBLE = re.compile(r"^(?:\{|k[A-Z]|[A-Z]\w*\{\s*[^}\s]|std::string\(\s{3,}\)|std::(?:vector|array|initializer_list|pair|tuple|string_view)\b.*\{|all\w*$|cases$|GetParam)")
+VISIBLE = re.compile(
+    r"^(?:\{|k[A-Z]|[A-Z]\w*\{\s*[^}\s]|std::string\(\s{3,}\)|all\w*$|cases$|GetParam"
+    r"|std::(?:vector|array|initializer_list|pair|tuple|string_view)\b.*\{)"
+)
 CLOCK = re.compile(r"\b(?:EXPECT|ASSERT)_(?:LT|LE|GT|GE|NEAR)\([^;]*\b(?:steady_clock|high_resolution_clock)::now\(\)")
 SLEEP = re.compile(r"\bstd::this_thread::sleep_(?:for|until)\(|\babsl::SleepFor\(|\b(?:usleep|nanosleep)\(")
 TEXT = re.compile(r'R"\((?:.|\n)*?\)"|"(?:[^"\\\n]|\\.)*"|//[^\n]*|\'(?:[^\'\\\n]|\\.)\'')
