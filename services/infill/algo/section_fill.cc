@@ -80,10 +80,9 @@ class RegionFill {
         angles_(AnglesOf(options, view.layer)),
         flows_(FlowsOf(options)) {}
 
-  /// Fills an area. `bare`: the area has no walls. `field`: the fields of the layer; null if there
-  /// are none.
-  absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field,
-                    Fills& fills) {
+  /// `bare`: no wall holds the area. `field`: what the region's fields say about the layer; null:
+  /// there are none.
+  absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field, Fills& fills) {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
     Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
@@ -268,13 +267,7 @@ class RegionFill {
         BridgeMiddles(skins.solid, SparsePitchNm(options_, view_.height_nm), width_nm);
     if (middles.empty()) return SparseBridges{};
     if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
-    SparseBelow below = under_->Within(fill_area, middles);
-    MultiPolygon unheld = UnheldParts(below, width_nm, skins);
-    if (unheld.empty()) return SparseBridges{};
-    auto beads = under_->BeadsIn(below);
-    if (!beads.ok()) return beads.status();
-    below.beads = *std::move(beads);
-    return TakeSparseBridges(std::move(unheld), below, width_nm, skins);
+    return under_->TakeBridges(fill_area, middles, width_nm, skins);
   }
 
   /// Appends threads between the lines of the sparse infill below. They are thick for every value

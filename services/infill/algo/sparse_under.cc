@@ -39,7 +39,8 @@ MultiPolygon BeadsOf(const std::vector<Piece>& pieces, Coord width_nm) {
 
 SectionView Below(SectionView view) {
   --view.layer;
-  if (const ObjectSection* section = view.stacks.Find(view.stack.id, view.layer); section != nullptr) {
+  if (const ObjectSection* section = view.stacks.Find(view.stack.id, view.layer);
+      section != nullptr) {
     view.z_nm = section->z_nm - section->height_nm / 2;
     view.height_nm = section->height_nm;
   }
@@ -54,7 +55,9 @@ double SparsePitchNm(const InfillOptions& options, Coord height_nm) {
 }
 
 SparseUnder::SparseUnder(const RegionView& region)
-    : region_(region), below_(Below(region.section)), outline_(below_.OutlineAt(below_.layer, region.row)) {
+    : region_(region),
+      below_(Below(region.section)),
+      outline_(below_.OutlineAt(below_.layer, region.row)) {
   if (outline_ == nullptr) return;
   const MultiPolygon* above = below_.OutlineAt(region.section.layer, region.row);
   same_outline_ = above != nullptr && *above == *outline_;
@@ -77,7 +80,8 @@ SparseBelow SparseUnder::Within(const MultiPolygon& fill_area, const MultiPolygo
                               .all_solid = IsSolidLayer(options, below_.layer),
                               .shells = options.shells},
                              wanted);
-  if (!sparse.region.empty() && !same_outline_) sparse.region = Intersection(sparse.region, WithinWalls());
+  if (!sparse.region.empty() && !same_outline_)
+    sparse.region = Intersection(sparse.region, WithinWalls());
   return sparse;
 }
 
@@ -86,15 +90,27 @@ absl::StatusOr<MultiPolygon> SparseUnder::BeadsIn(const SparseBelow& sparse) con
   const FillPattern pattern = region_.plan == nullptr ? options.pattern : region_.plan->pattern;
   if (!HasLaw(pattern, region_)) return MultiPolygon{};
   const FillLineAngles angles = AnglesOf(options, below_.layer);
-  const auto pieces =
-      PatternOf(pattern)(sparse.region, {.z_nm = below_.z_nm,
-                                         .layer = angles.sparse_planned ? 0 : below_.layer,
-                                         .pitch_nm = sparse.pitch_nm,
-                                         .angle_rad = angles.sparse_rad,
-                                         .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
-                                         .smoothing_nm = options.smoothing_nm});
+  const auto pieces = PatternOf(pattern)(
+      sparse.region, {.z_nm = below_.z_nm,
+                      .layer = angles.sparse_planned ? 0 : below_.layer,
+                      .pitch_nm = sparse.pitch_nm,
+                      .angle_rad = angles.sparse_rad,
+                      .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
+                      .smoothing_nm = options.smoothing_nm});
   if (!pieces.ok()) return pieces.status();
   return BeadsOf(*pieces, options.sparse_width_nm);
+}
+
+absl::StatusOr<SparseBridges> SparseUnder::TakeBridges(const MultiPolygon& fill_area,
+                                                       const MultiPolygon& middles, Coord width_nm,
+                                                       Skins& skins) {
+  SparseBelow below = Within(fill_area, middles);
+  MultiPolygon unheld = UnheldParts(below, width_nm, skins);
+  if (unheld.empty()) return SparseBridges{};
+  auto beads = BeadsIn(below);
+  if (!beads.ok()) return beads.status();
+  below.beads = *std::move(beads);
+  return TakeSparseBridges(std::move(unheld), below, width_nm, skins);
 }
 
 }  // namespace slicefarm::infill

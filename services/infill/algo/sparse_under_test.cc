@@ -42,7 +42,8 @@ SparseBelow UnderOrDie(const std::vector<std::string_view>& outlines, InfillOpti
       .stack = 0, .layer = 4, .height_nm = 200'000, .stacks = stacks, .carried = nothing};
   const MultiPolygon fill_area = MakePolygonsOrDie("(1 1, 19 1, 19 19, 1 19)");
   SparseUnder under({.section = view, .options = options});
-  SparseBelow sparse = under.Within(fill_area, wanted.empty() ? fill_area : MakePolygonsOrDie(wanted));
+  SparseBelow sparse =
+      under.Within(fill_area, wanted.empty() ? fill_area : MakePolygonsOrDie(wanted));
   auto beads = under.BeadsIn(sparse);
   EXPECT_TRUE(beads.ok()) << beads.status();
   sparse.beads = *std::move(beads);
@@ -74,9 +75,10 @@ TEST(SparseUnder, NotOverTheWallsOfASmallerLayer) {
 }
 
 TEST(SparseUnder, NothingWhereWhatIsWantedIsSolid) {
-  // The layer above layer 4 is missing at x > 10: layer 3 is solid there, and the skin's anchor beyond.
-  const std::vector<std::string_view> step = {kSquare, kSquare, kSquare, kSquare, "(0 0, 10 0, 10 20, 0 20)",
-                                              kSquare};
+  // The layer above layer 4 is missing at x > 10: layer 3 is solid there, and the skin's anchor
+  // beyond.
+  const std::vector<std::string_view> step = {
+      kSquare, kSquare, kSquare, kSquare, "(0 0, 10 0, 10 20, 0 20)", kSquare};
   EXPECT_TRUE(UnderOrDie(step, {}, "(12 5, 15 5, 15 15, 12 15)").region.empty());
   const SparseBelow whole = UnderOrDie(step, {});
   EXPECT_GT(Mm2(whole.region), 18 * 7);

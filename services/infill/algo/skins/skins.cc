@@ -225,7 +225,8 @@ bool PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, const SkinO
     if (!complete) skins.sparse = Difference(skins.sparse, narrow);
   }
   const double least_area = options.solid_below_area_mm2 * kNmPerMm * kNmPerMm;
-  return std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; }) == 0 &&
+  return std::erase_if(skins.sparse,
+                       [&](const auto& region) { return Area(region) < least_area; }) == 0 &&
          complete;
 }
 
@@ -283,7 +284,8 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
                    const SkinOptions& options) {
   Skins skins;
   if (fill_area.empty()) return skins;
-  const bool complete = PartSparse(fill_area, CoveredPart(fill_area, outline, cover, options), options, skins);
+  const bool complete =
+      PartSparse(fill_area, CoveredPart(fill_area, outline, cover, options), options, skins);
   if (skins.sparse == fill_area) return skins;
   if (!complete)
     skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
@@ -293,8 +295,9 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
   return skins;
 }
 
-MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
-                        const SkinOptions& options, const MultiPolygon& wanted) {
+MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                        const Cover& cover, const SkinOptions& options,
+                        const MultiPolygon& wanted) {
   Skins skins;
   MultiPolygon covered = CoveredPart(fill_area, outline, cover, options, &wanted);
   if (Meets(covered, &wanted)) PartSparse(fill_area, std::move(covered), options, skins);

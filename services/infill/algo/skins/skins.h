@@ -64,10 +64,10 @@ struct Skins {
 Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
                    const SkinOptions& options);
 
-/// Returns the sparse part of the partition that PartFillArea makes, or nothing if it does not meet
-/// `wanted`. Cost: less than PartFillArea, because the skins are not divided into kinds. The work
-/// stops at the first layer that leaves nothing of the sparse part in `wanted`.
-MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
-                        const SkinOptions& options, const MultiPolygon& wanted);
+/// Returns the sparse part of the same partition, or nothing if it does not meet `wanted`. Cost:
+/// that of PartFillArea without the kinds of skins; it stops at the first layer that takes all of
+/// `wanted`.
+MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                        const Cover& cover, const SkinOptions& options, const MultiPolygon& wanted);
 
 }  // namespace slicefarm::infill

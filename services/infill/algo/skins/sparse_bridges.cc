@@ -56,7 +56,8 @@ MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& 
   return WidePart(Intersection(skins.solid, below.region), LeastBridgeNm(below.pitch_nm, width_nm));
 }
 
-SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm, Skins& skins) {
+SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm,
+                                Skins& skins) {
   const MultiPolygon room = Union(skins.solid, skins.sparse);
   if (!below.beads.empty()) bridged = ToBeads(bridged, below, room, width_nm);
   skins.solid = Difference(skins.solid, bridged);

@@ -37,7 +37,8 @@ Skins SkinsOf(std::string_view solid, std::string_view all) {
 
 SparseBridges TakeUnheld(const SparseBelow& below, Skins& skins) {
   MultiPolygon unheld = UnheldParts(below, kWidth, skins);
-  return unheld.empty() ? SparseBridges{} : TakeSparseBridges(std::move(unheld), below, kWidth, skins);
+  return unheld.empty() ? SparseBridges{}
+                        : TakeSparseBridges(std::move(unheld), below, kWidth, skins);
 }
 
 constexpr std::string_view kAll = "(-20 -20, 20 -20, 20 20, -20 20)";
