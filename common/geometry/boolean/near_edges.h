@@ -74,12 +74,11 @@ inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(e, f) for all pairs of edges with intersecting boxes. Stops and returns false if
-/// visit returns false, or if there are too many pairs. Reorders the edges. Cost: O(n log n + pairs
-/// that overlap along the axis), n edges.
+/// Calls visit(edge of e, edge) for the spans from `from` on whose boxes meet that of e. Returns
+/// false as soon as visit does, or if there are more than `budget` pairs, which it counts down.
 template <typename Visit>
-bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from, size_t& budget,
-                    const Visit& visit) {
+bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from,
+                    size_t& budget, const Visit& visit) {
   for (size_t i = from; i < spans.size() && spans[i].from <= e.to; ++i) {
     if (budget-- == 0) return false;
     const SweepSpan& f = spans[i];
@@ -104,7 +103,8 @@ bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
 /// Calls visit(e, f) in the same manner for pairs of an edge of `a` and an edge of `b`, in either
 /// order.
 template <typename Visit>
-bool ForEachNearPair(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b, const Visit& visit) {
+bool ForEachNearPair(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b,
+                     const Visit& visit) {
   Coord Point::*const along = SweepAxis(a, b);
   const std::vector<SweepSpan> of_a = SweepSpans(a, along), of_b = SweepSpans(b, along);
   size_t budget = kPairsAnyway + kPairsPerEdge * (a.size() + b.size());

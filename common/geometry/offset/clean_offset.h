@@ -19,16 +19,16 @@ struct CleanOffset {
 /// distance and cut square beyond, as in Offset. Returns nullopt if a ring would vanish, split,
 /// join another ring, or change its shape otherwise; use Offset for these cases.
 ///
-/// The result equals the result of Offset to within 2 nm across its edges. Along the edges, the
-/// tips of acute corners may differ more. Cost: O(n log n), n points, about a tenth of the cost of
-/// Offset.
+/// The result equals that of Offset to within 2 nm across its edges; along them, the tips of acute
+/// corners lie farther apart.
+/// Cost: O(n log n), about a tenth of a sweep's.
 std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distance_nm);
 
-/// Shrinks an island, which may split or vanish in parts. Each edge sweeps a rectangle, and each
-/// reflex corner its miter. The result is the part of the island that no rectangle and no miter
-/// covers; it is found from the winding numbers of one curve. Returns nullopt if this curve is not
-/// in general position. REQUIRES: distance_nm > 0; the island is simple. Cost: see
-/// TryWindingRegion; about a fifth of the cost of Offset.
+/// Shrinks an island whatever happens to it: it may split, and parts of it vanish. Each edge sweeps
+/// a rectangle, each reflex corner its miter, and what none of them covers is left; that is read
+/// off the winding numbers of one curve. nullopt where that curve is not in general position.
+/// REQUIRES: distance_nm > 0; the island is simple. Cost: see TryWindingRegion; about a fifth of a
+/// sweep's.
 std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm);
 
 /// Returns Offset(polygons, distance_nm), calculated by TryOffset or TryErode if they succeed.

@@ -39,7 +39,8 @@ bool AreSimple(std::span<const Polygon* const> rings) {
   for (const BoxedEdge& edge : edges)
     if (edge.from == edge.to) return false;
   return internal::ForEachNearPair(
-      std::span<const BoxedEdge>(edges), [](const BoxedEdge& e, const BoxedEdge& f) { return !Collide(e, f); });
+      std::span<const BoxedEdge>(edges),
+      [](const BoxedEdge& e, const BoxedEdge& f) { return !Collide(e, f); });
 }
 
 }  // namespace slicefarm

@@ -16,8 +16,10 @@ double SquareToEdge(const Vector2& place, const EdgeIndex::Edge& edge) {
   const Vector2 from = ToVector(edge.a), to = ToVector(edge.b), along = to - from;
   const double dot = Dot(place - from, along), square = Dot(along, along);
   Vector2 nearest = from;
-  if (dot >= square) nearest = to;
-  else if (dot > 0) nearest = from + dot / square * along;
+  if (dot >= square)
+    nearest = to;
+  else if (dot > 0)
+    nearest = from + dot / square * along;
   const Vector2 apart = place - nearest;
   return Dot(apart, apart);
 }

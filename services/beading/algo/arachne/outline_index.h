@@ -13,8 +13,8 @@ class OutlineIndex {
   /// Builds the index. Cost: O(n), n edges.
   explicit OutlineIndex(const MultiPolygon& outlines);
 
-  /// Returns the distance in nm from the point (x, y) to the nearest outline; infinity if there is
-  /// none within `limit_nm`. Cost: O(edges in the square of side 2 `limit_nm` around the point).
+  /// Returns how far the nearest outline is, in nm; infinity if there is none within `limit_nm`.
+  /// Cost: that of the edges in a square of the limit around the place.
   double DistanceFrom(double x, double y, double limit_nm) const;
 
  private:

@@ -97,8 +97,9 @@ TEST(OutlineIndex, AgreesWithAllEdgesOneByOne) {
         nearest =
             std::min(nearest, DistanceToSegment(place, ring[edge], ring[(edge + 1) % corners]));
       }
-      EXPECT_NEAR(index.DistanceFrom(static_cast<double>(place.x), static_cast<double>(place.y), kFar),
-                  nearest, 0.01);
+      EXPECT_NEAR(
+          index.DistanceFrom(static_cast<double>(place.x), static_cast<double>(place.y), kFar),
+          nearest, 0.01);
     }
   }
 }

@@ -38,7 +38,8 @@ bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
 /// wall.
 MultiPolygon Regrown(const MultiPolygon& core, Coord distance_nm) {
   constexpr double kMiterLimit = 3;
-  if (auto clean = TryOffset(core, distance_nm); clean && !clean->has_tips) return std::move(clean->polygons);
+  if (auto clean = TryOffset(core, distance_nm); clean && !clean->has_tips)
+    return std::move(clean->polygons);
   return Offset(core, distance_nm, {.miter_limit = kMiterLimit});
 }
 
