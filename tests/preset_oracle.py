@@ -4,12 +4,13 @@
 usage: preset_oracle.py SOURCE SLICEFARM [--jobs N] [--seed N] [--machines]
 
 SOURCE is a folder of OrcaSlicer's or Bambu Studio's vendors (resources/profiles), or a vendor's .ini bundle of PrusaSlicer. Each job is a
-random printer with a random process and filament that are made for it. All values that presets give must be equal, and no further key
+random printer of OrcaSlicer with a random process and filament that name it, or one of PrusaSlicer with its defaults. All values that presets give must be equal, and no further key
 may come from a preset. --machines: one job for each printer, with its default process and filament, instead of random ones.
 
 Prints a row `jobs N equal N refused N different N`, and the first differences. Exit 0: all jobs are equal, and there is at least one.
 """
 import argparse
+import itertools
 import json
 import os
 import random
@@ -81,7 +82,7 @@ class Orca:
     def jobs(self, rng, count, machines):
         vendors = [v for v in self.vendors if self.vendors[v]["machine"]]
         printers = [(v, n) for v in vendors for n, p in self.vendors[v]["machine"].items() if p.get("instantiation") == "true"]
-        for vendor, printer in printers if machines else (rng.choice(printers) for _ in range(count)):
+        for vendor, printer in printers if machines else (rng.choice(printers) for _ in range(20 * count)):
             machine = self.flat(vendor, "machine", printer)
             if machines:
                 yield vendor, printer, "", ""
@@ -91,7 +92,8 @@ class Orca:
                 names = [n for n, p in self.vendors[vendor][kind].items() if p.get("instantiation") == "true"
                          and printer in (self.flat(vendor, kind, n) or {}).get("compatible_printers", [])]
                 fitting[kind] = rng.choice(names) if names else ""
-            if machine and all(fitting.values()):
+            prints = (self.flat(vendor, "filament", fitting["filament"]) or {}).get("compatible_prints")
+            if machine and all(fitting.values()) and fitting["process"] in (prints or [fitting["process"]]):
                 yield vendor, printer, fitting["process"], fitting["filament"]
 
     def sources(self, vendor):
@@ -137,9 +139,8 @@ class Prusa:
 
     def jobs(self, rng, count, machines):
         printers = [n for n in self.presets["printer"] if not n.startswith("*") and self.flat("printer", n).get("printer_technology") != "SLA"]
-        for printer in printers if machines else (rng.choice(printers) for _ in range(count)):
-            process = self.flat("printer", printer).get("default_print_profile", "")
-            yield None, printer, process, self.flat("printer", printer).get("default_filament_profile", "").strip('"')
+        for printer in printers if machines else (rng.choice(printers) for _ in range(20 * count)):
+            yield None, printer, "", ""
 
     def sources(self, _vendor):
         return [self.path]
@@ -179,7 +180,8 @@ def main():
     options = parser.parse_args()
     resolver = Prusa(options.source) if options.source.endswith(".ini") else Orca(options.source)
     count = {"jobs": 0, "equal": 0, "refused": 0, "different": 0}
-    for vendor, printer, process, filament in resolver.jobs(random.Random(options.seed), options.jobs, options.machines):
+    jobs = resolver.jobs(random.Random(options.seed), options.jobs, options.machines)
+    for vendor, printer, process, filament in itertools.islice(jobs, None if options.machines else options.jobs):
         command = [options.slicefarm, "presets", "show", "--json", "--printer", printer]
         command += ["--process", process] * bool(process) + ["--filament", filament] * bool(filament)
         for source in resolver.sources(vendor):

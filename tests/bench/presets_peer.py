@@ -21,6 +21,9 @@ import sys
 IGNORED = {"inherits", "alias", "renamed_from", "printer_settings_id", "print_settings_id", "filament_settings_id", "physical_printer_settings_id",
            "compatible_printers", "compatible_printers_condition", "compatible_prints", "compatible_prints_condition"}
 
+# Older writings that PrusaSlicer converts when it reads them.
+MEANING = {"1": ("enabled", "octoprint"), "0": ("disabled",), "": ("0",)}
+
 
 def install(bundle, folder):
     """Makes PrusaSlicer's data folder, with all models and filaments of the bundle."""
@@ -52,7 +55,9 @@ def plain(value):
 
 
 def same(ours, theirs):
-    ours, theirs = plain(ours), plain(theirs)
+    if ours == theirs or theirs in MEANING.get(ours, ()):
+        return True
+    ours, theirs = plain(ours.replace("%", "")), plain(theirs.replace("%", ""))
     # One value stands for each tool; a list of one item for all.
     return ours == theirs or (len(set(theirs)) == 1 and ours[:1] == theirs[:1]) or ours[: len(theirs)] == theirs
 
@@ -73,16 +78,16 @@ def main():
     peer = [options.prusa_slicer, "--datadir", options.folder]
     ours = [options.slicefarm, "presets"]
     out = os.path.join(options.folder, "out")
-    run(peer + ["--query-printer-models", "--output", out])
-    with open(out, encoding="utf-8") as text:
+    run(peer + ["--query-printer-models", "--output", out + ".json"])
+    with open(out + ".json", encoding="utf-8") as text:
         models = json.load(text)["printer_models"]
     names = [p["name"] for m in models if m["technology"] == "FFF" for v in m["variants"] for p in v["printer_profiles"]
              if p.get("extruders_cnt", 1) == 1]
     rng = random.Random(options.seed)
     lists, jobs, count = 0, [], collections.Counter()
     for printer in rng.sample(names, min(options.printers, len(names))):
-        run(peer + ["--printer-profile", printer, "--query-print-filament-profiles", "--output", out])
-        with open(out, encoding="utf-8") as text:
+        run(peer + ["--printer-profile", printer, "--query-print-filament-profiles", "--output", out + ".json"])
+        with open(out + ".json", encoding="utf-8") as text:
             theirs = json.load(text)["print_profiles"]
         listed = json.loads(run(ours + ["list", "--json", "--presets", options.bundle, "--printer", printer]).stdout)
         mine = {kind: {p["name"] for p in listed if p["kind"] == kind} for kind in ("process", "filament")}

@@ -99,6 +99,42 @@ TEST(JobPresetsTest, HaveTheirSettingsInPrusaSlicersNames) {
   EXPECT_EQ(pattern->from, nullptr);
 }
 
+struct KindCase {
+  std::string name;
+  std::string text;  ///< of a bundle with a printer P, a process Q and a filament F
+  std::string key;
+  std::string value;
+};
+
+class KindOfKeyTest : public testing::TestWithParam<KindCase> {};
+
+TEST_P(KindOfKeyTest, DecidesWhoseValueCounts) {
+  const auto set = ReadPresets(Files({{"a.ini", GetParam().text}}));
+  ASSERT_TRUE(set.ok()) << set.status();
+  const auto chosen = ChoosePresets(*set, {"P", "Q", "F"});
+  ASSERT_TRUE(chosen.ok()) << chosen.status();
+  const auto job = SettingsOfPresets(*set, *chosen);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(ValueIn(job->settings, GetParam().key), GetParam().value);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Presets, KindOfKeyTest,
+    testing::Values(
+        KindCase{"OwnKind", "[printer:P]\na = 1\n[print:Q]\nlayer_height = 0.3\n[filament:F]\n",
+                 "layer_height", "0.3"},
+        KindCase{"WrongKindIsIgnored",
+                 "[printer:P]\na = 1\n[print:Q]\nlayer_height = 0.3\n[filament:F]\n"
+                 "layer_height = 0.1\n",
+                 "layer_height", "0.3"},
+        KindCase{"UnknownKeyCounts", "[printer:P]\na = 1\n[print:Q]\n[filament:F]\nb = 2\n", "b",
+                 "2"},
+        KindCase{"SuperSlicersPrinterHasClearances",
+                 "[printer:P]\nextruder_clearance_radius = 40\n[print:Q]\ndefault_speed = 60\n"
+                 "[filament:F]\n",
+                 "extruder_clearance_radius", "40"}),
+    [](const auto& info) { return info.param.name; });
+
 TEST(CompatibleTest, LibraryGivesWayToTheVendorsFilament) {
   std::vector<PresetFile> files = OrcaFolder();
   for (PresetFile& file : files)

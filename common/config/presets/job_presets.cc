@@ -29,8 +29,10 @@ void AddDefaults(PresetKind kind, ByKey& values) {
 absl::Status AddPreset(const PresetSet& set, const Preset& preset, ByKey& values) {
   const auto flat = set.Flatten(preset);
   if (!flat.ok()) return flat.status();
+  // SuperSlicer has settings in presets of other kinds than PrusaSlicer.
+  const bool any_key = preset.dialect == PresetDialect::kSuper && !preset.whole_job;
   for (const auto& [key, value] : *flat)
-    if (!DescribesPreset(key) && MayHaveKey(preset.kind, preset.dialect, key))
+    if (!DescribesPreset(key) && (any_key || MayHaveKey(preset.kind, preset.dialect, key)))
       values[key] = {key, value.value, value.from};
   return absl::OkStatus();
 }

@@ -15,6 +15,7 @@
 #include "common/config/projects/ini.h"
 #include "common/config/projects/super_settings.h"
 #include "common/config/table/setting_limits.h"
+#include "common/macro/setting_types.h"
 
 namespace slicefarm::config::presets {
 namespace {
@@ -119,6 +120,22 @@ PresetDialect DialectOfIni(std::string_view text, const std::vector<Section>& se
   return super ? PresetDialect::kSuper : PresetDialect::kPrusa;
 }
 
+/// Returns the value of a setting with one value as a config.ini has it. Bundles also escape
+/// quotes.
+std::string PlainValue(const Setting& setting) {
+  const auto type = macro::TypeOfSetting(setting.key);
+  if ((type && type->is_list) || setting.value.find("\\\"") == std::string::npos)
+    return setting.value;
+  std::string plain;
+  for (size_t i = 0; i < setting.value.size(); ++i) {
+    const bool escape = setting.value[i] == '\\' && i + 1 < setting.value.size();
+    if (escape && setting.value[i + 1] != '"') plain += setting.value[i];
+    if (escape) ++i;
+    plain += setting.value[i];
+  }
+  return plain;
+}
+
 /// Fills the members of a preset that are keys in the file, and keeps the remaining settings.
 void TakeSettings(std::vector<Setting> settings, Preset& preset) {
   for (Setting& setting : settings) {
@@ -129,6 +146,7 @@ void TakeSettings(std::vector<Setting> settings, Preset& preset) {
     } else if (setting.key == "alias") {
       preset.alias = setting.value;
     } else {
+      setting.value = PlainValue(setting);
       preset.settings.push_back(std::move(setting));
     }
   }
@@ -219,6 +237,7 @@ void AddFlat(const PresetFile& file, PresetDialect dialect, std::vector<Setting>
   preset.file = file.path;
   TakeSettings(std::move(settings), preset);
   preset.complete = true;
+  preset.whole_job = !KindOfFolder(file.path);
   const auto add = [&](PresetKind kind, std::string_view id) {
     Preset one = preset;
     one.kind = kind;

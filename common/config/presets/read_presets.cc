@@ -130,10 +130,12 @@ class Reader {
   }
 
   void Add(const std::string& path, FlatJson json, int32_t scope, bool of_vendor) {
-    for (const std::string& key : json.ignored)
+    const std::vector<std::string> ignored = std::move(json.ignored);
+    OrcaFile file = ReadOrcaFile(path, std::move(json), of_vendor);
+    if (file.is == OrcaFile::Is::kOther) return;
+    for (const std::string& key : ignored)
       set_.AddProblem(fmt::format("{}: {} is neither a text nor a list of texts, and is ignored",
                                   path, ReplaceControls(key, '?')));
-    OrcaFile file = ReadOrcaFile(path, std::move(json), of_vendor);
     if (file.is == OrcaFile::Is::kModel) {
       file.model.scope = scope;
       set_.Add(std::move(file.model));

@@ -103,6 +103,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"PrusaBase", PrusaBundle(), kProcess, "*fast*", "perimeters", "(no preset)"},
         Case{"PrusaTextAsItIs", PrusaBundle(), kFilament, "Acme PLA", "start_filament_gcode",
              R"("M900 K0.05")"},
+        Case{"PrusaEscapedQuotes",
+             Files({{"a.ini",
+                     "[printer:P]\nstart_gcode = M117 \\\"a\\\"\\n\\\\\n[vendor]\nname = a\n"}}),
+             kPrinter, "P", "start_gcode", R"(M117 "a"\n\\)"},
         Case{"PrusaTemplate",
              Files({{"Templates.ini",
                      "[vendor]\nname = Templates\ntemplates_profile = 1\n[filament:*PLA*]\n"
