@@ -286,6 +286,8 @@ class OrcaReader {
         return {first->empty() || first->ends_with('%') ? *first : *first + "%"};
       case OrcaValue::kPercentOf:
         return {PercentOf(*first, row.detail)};
+      case OrcaValue::kShareOf:
+        return {ShareOf(*first, row.detail)};
       case OrcaValue::kOrAuto:
         return ToNumber(*first).value_or(0) < 0 || *first == row.detail ? Converted{""}
                                                                         : Converted{first};
@@ -417,6 +419,14 @@ class OrcaReader {
     const std::optional<double> number = of ? ToNumber(*of) : std::nullopt;
     if (!number) return std::nullopt;
     return PrintNumber(Quantise(*percent / 100 * *number));
+  }
+
+  /// Returns a number as a percentage of the setting `whole`; a percentage is unchanged.
+  std::optional<std::string> ShareOf(std::string_view text, std::string_view whole) const {
+    if (text.ends_with('%')) return std::string(text);
+    const std::optional<double> number = ToNumber(Trim(text)), all = NumberOf(whole);
+    if (!number || (*number != 0 && all.value_or(0) <= 0)) return std::nullopt;
+    return PrintNumber(*number == 0 ? 0 : Quantise(100 * *number / *all)) + "%";
   }
 
   /// Returns the complement to 100%: 0.5% for 99.5% or 99.5.

@@ -41,7 +41,6 @@ constexpr Weighty kWeighty[] = {
     {"activate_air_filtration", "0"},
     {"slow_down_layers", "0"},
     {"resonance_avoidance", "0"},
-    {"printing_by_object_gcode", ""},
     {"change_extrusion_role_gcode", ""},
     {"process_change_extrusion_role_gcode", ""},
     {"filament_change_extrusion_role_gcode", ""},

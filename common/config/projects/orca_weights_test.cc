@@ -17,8 +17,8 @@ TEST(WeightOf, DependsOnTheValue) {
                         Case{"print_flow_ratio", "0.95", OrcaWeight::kPrint},
                         Case{"top_surface_density", R"(["100%", "100%"])", OrcaWeight::kNothing},
                         Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
-                        Case{"printing_by_object_gcode", "", OrcaWeight::kNothing},
-                        Case{"printing_by_object_gcode", R"(["G28"])", OrcaWeight::kPrint},
+                        Case{"file_start_gcode", "", OrcaWeight::kNothing},
+                        Case{"file_start_gcode", R"(["G28"])", OrcaWeight::kPrint},
                         Case{"nozzle_volume", "92", OrcaWeight::kDetail}})
     EXPECT_EQ(WeightOf(c.key, c.value), c.weight) << c.key << " = " << c.value;
 }

@@ -9,6 +9,7 @@ enum class OrcaValue {
   kSame,
   kPercent,    ///< number that is a percentage, with or without its sign
   kPercentOf,  ///< percentage of `detail`, which is another setting of OrcaSlicer
+  kShareOf,    ///< percentage of `detail`, or a number that becomes one
   kOrAuto,     ///< number; if it is negative or `detail`, the slicer chooses the value
   kRest,       ///< percentage; PrusaSlicer has its complement to 100%
   kNot,        ///< flag with the opposite meaning

@@ -265,9 +265,11 @@ std::vector<SettingSpec> CustomGcode() {
        .doc = "G-code that takes a time-lapse picture at each layer: before layer_gcode; with "
               "gcode_flavor = bambu after it",
        .orca = {{"time_lapse_gcode", OrcaValue::kGcode}}},
-      gcode("between_objects_gcode", "",
-            "G-code between objects that are printed one after the other; runs high above them",
-            Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()),
+      Orca({"printing_by_object_gcode", OrcaValue::kGcode},
+           gcode("between_objects_gcode", "",
+                 "G-code between objects that are printed one after the other; runs high above "
+                 "them",
+                 Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>())),
   };
 }
 

@@ -77,7 +77,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .standard = "32x32,300x300",
        .doc = "Pictures of the part at the head of the G-code: WIDTHxHEIGHT or "
               "WIDTHxHEIGHT/FORMAT, separated by commas",
-       .field = Bind<&JobSlicingOptions::thumbnails>()},
+       .field = Bind<&JobSlicingOptions::thumbnails>(),
+       .orca = {{"thumbnails", OrcaValue::kPoints}}},
       {.key = "thumbnails_format",
        .kind = Kind::kChoice,
        .standard = "PNG",
@@ -86,7 +87,8 @@ std::vector<SettingSpec> SlicingSettings() {
                    {"QOI", static_cast<int>(PictureFormat::kQoi)},
                    {"JPG", static_cast<int>(PictureFormat::kJpg)},
                    {"BTT_TFT", static_cast<int>(PictureFormat::kPng), "made as PNG"},
-                   {"COLPIC", static_cast<int>(PictureFormat::kPng), "made as PNG"}}},
+                   {"COLPIC", static_cast<int>(PictureFormat::kPng), "made as PNG"}},
+       .orca = {{"thumbnails_format"}}},
   };
 }
 

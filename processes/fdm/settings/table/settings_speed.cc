@@ -113,7 +113,8 @@ SettingSpec FlowSlope(std::string_view key, std::string_view doc, Field field) {
           .max = 1e6,
           .standard = "0",
           .doc = doc,
-          .field = field};
+          .field = field,
+          .orca = {{"max_volumetric_extrusion_rate_slope"}}};
 }
 
 /// Returns the speed of infill over bridges. This infill is a separate feature only if it has its
