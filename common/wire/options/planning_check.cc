@@ -113,7 +113,10 @@ absl::Status CheckOptions(const PlanningOptions& options) {
   if (!options.infill.empty()) status.Update(CheckOptions(options.infill));
   status.Update(
       CheckNotNegative({{"sequence.clearance_radius_nm", options.sequence.clearance_radius_nm},
-                        {"sequence.clearance_height_nm", options.sequence.clearance_height_nm}}));
+                        {"sequence.clearance_height_nm", options.sequence.clearance_height_nm},
+                        {"sequence.lid_height_nm", options.sequence.lid_height_nm},
+                        {"sequence.gantry_reach_nm", options.sequence.gantry_reach_nm},
+                        {"sequence.nozzle_height_nm", options.sequence.nozzle_height_nm}}));
   status.Update(CheckRow("skirt_settings", options.skirt_settings));
   status.Update(CheckSkirt(options.skirt));
   return status;

@@ -128,7 +128,8 @@ constexpr Need kNeeds[] = {
      [](const JobRows& s) {
        return FdmOf(s).tool.cooling.enabled || FdmOf(s).tool.cooling.fan_always_on;
      }},
-    {"extruder_clearance_radius extruder_clearance_height between_objects_gcode",
+    {"extruder_clearance_radius extruder_clearance_height extruder_clearance_height_to_lid "
+     "extruder_clearance_dist_to_rod nozzle_height between_objects_gcode",
      "complete_objects = 1",
      [](const JobRows& s) { return FdmOf(s).machine.plan.sequence.complete_objects; }},
     {"ironing_type ironing_flowrate ironing_spacing ironing_speed", "ironing = 1",

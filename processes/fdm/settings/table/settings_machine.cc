@@ -318,10 +318,44 @@ std::vector<SettingSpec> Sequence() {
        .max = 1000,
        .standard = "20",
        .doc = "Height of the gantry above the nozzle tip; with complete_objects, only the last "
-              "copy may be higher",
+              "copy may be higher, or only copies that the gantry does not pass "
+              "(extruder_clearance_height_to_lid)",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_height_nm>(),
        .orca = {{"extruder_clearance_height_to_rod"}}},
+      {.key = "extruder_clearance_height_to_lid",
+       .unit = "mm",
+       .min = 0,
+       .max = 2000,
+       .standard = "0",
+       .doc = "Height of the printer's lid above the nozzle tip. With complete_objects, only the "
+              "last copy may be higher, and a copy higher than extruder_clearance_height may stand "
+              "where the gantry, a rod along x, does not pass while later copies are printed. 0: "
+              "the gantry covers the whole bed",
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
+                     &SequencePlanOptions::lid_height_nm>(),
+       .orca = {{"extruder_clearance_height_to_lid"}}},
+      {.key = "extruder_clearance_dist_to_rod",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "Distance in y from the nozzle to the far side of the gantry, used with "
+              "extruder_clearance_height_to_lid",
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
+                     &SequencePlanOptions::gantry_reach_nm>(),
+       .orca = {{"extruder_clearance_dist_to_rod"}}},
+      {.key = "nozzle_height",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "0",
+       .doc = "Height of the nozzle below the print head. With complete_objects, copies that are "
+              "lower may stand within extruder_clearance_radius of later copies, 2 mm or more "
+              "apart. Automatic arrangement always keeps extruder_clearance_radius",
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
+                     &SequencePlanOptions::nozzle_height_nm>(),
+       .orca = {{"nozzle_height"}}},
   };
 }
 

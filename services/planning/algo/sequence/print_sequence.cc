@@ -3,9 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "common/base/error.h"
@@ -18,7 +19,10 @@ namespace {
 
 constexpr auto kInvalid = absl::StatusCode::kInvalidArgument;
 constexpr Coord kTolerance = 1'000;
+constexpr size_t kGroups = 4;
 constexpr int kMostPasses = 50;
+/// Radius of the widest nozzles.
+constexpr Coord kNozzleRadius = 2 * kNmPerMm;
 
 /// Object as an obstacle for the head.
 struct Standing {
@@ -26,7 +30,11 @@ struct Standing {
   Polygon hull;
   Box box;
   Point middle;
-  bool tall = false;
+  bool meets_head = false, meets_gantry = false, meets_lid = false;  ///< taller than their height
+
+  /// Number of the heights that the object exceeds. A higher object is in the same group or a
+  /// later one.
+  int Group() const { return int{meets_head} + int{meets_gantry} + int{meets_lid}; }
 };
 
 bool InRange(Coord c) { return std::abs(c) <= limits::kMaxCoord; }
@@ -49,7 +57,9 @@ absl::Status Check(std::span<const SequenceItem> items, const SequenceOptions& o
   const std::pair<std::string_view, Coord> lengths[] = {
       {"extruder_clearance_radius", options.clearance_radius_nm},
       {"extruder_clearance_height", options.clearance_height_nm},
-      {"gantry_reach", options.gantry_reach_nm.value_or(0)}};
+      {"extruder_clearance_dist_to_rod", options.gantry_reach_nm.value_or(0)},
+      {"extruder_clearance_height_to_lid", options.lid_height_nm.value_or(0)},
+      {"nozzle_height", options.nozzle_height_nm}};
   for (const auto& [setting, value] : lengths)
     if (value < 0 || !InRange(value))
       return MakeError(kInvalid, Reason::kSettingOutOfRange,
@@ -70,28 +80,36 @@ std::vector<Standing> AllStanding(std::span<const SequenceItem> items,
     Polygon hull = ConvexHull(items[i].footprint);
     const Box box = Bounds(hull);
     const Point middle = {(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
-    all.push_back(
-        {i, std::move(hull), box, middle, items[i].height_nm > options.clearance_height_nm});
+    const Coord height = items[i].height_nm;
+    all.push_back({i, std::move(hull), box, middle,
+                   options.nozzle_height_nm == 0 || height > options.nozzle_height_nm,
+                   height > options.clearance_height_nm,
+                   options.lid_height_nm && height > *options.lid_height_nm});
   }
   return all;
 }
 
 bool TooNear(const Standing& a, const Standing& b, const SequenceOptions& options) {
-  const Coord least = options.clearance_radius_nm - kTolerance;
+  const Coord radius = a.meets_head && b.meets_head
+                           ? options.clearance_radius_nm
+                           : std::min(options.clearance_radius_nm, kNozzleRadius);
+  const Coord least = radius - kTolerance;
   return least > 0 ? a.box.Grown(least).Intersects(b.box) && ConvexDistance(a.hull, b.hull) < least
                    : StrictlyInside({0, 0}, ConvexSum(a.hull, Negated(b.hull)));
 }
 
 bool GantryMeets(const Standing& a, const Standing& b, const SequenceOptions& options) {
-  if (!a.tall || !b.tall) return false;
+  if (!a.meets_gantry || !b.meets_gantry) return false;
   const Coord reach = options.gantry_reach_nm.value_or(4 * limits::kMaxCoord);
   return a.box.min.y < b.box.max.y + reach && b.box.min.y < a.box.max.y + reach;
 }
 
 absl::Status Collide(std::span<const SequenceItem> items, size_t a, size_t b,
                      std::string_view rule) {
-  const std::string_view why = rule == "gantry" ? "are both higher than extruder_clearance_height"
-                                                : "are closer than extruder_clearance_radius";
+  const std::string_view why =
+      rule == "gantry" ? "are both higher than extruder_clearance_height"
+      : rule == "lid"  ? "are both higher than extruder_clearance_height_to_lid"
+                       : "are closer than extruder_clearance_radius";
   return MakeError(kInvalid, Reason::kObjectsCollide,
                    fmt::format("'{}' and '{}' cannot be printed one after the other: they {}",
                                items[a].name, items[b].name, why),
@@ -108,6 +126,7 @@ absl::Status CheckPairs(std::span<const SequenceItem> items, const std::vector<S
     for (size_t j = i + 1; j < all.size(); ++j) {
       if (TooNear(all[i], all[j], options)) return Collide(items, i, j, "clearance");
       if (GantryMeets(all[i], all[j], options)) return Collide(items, i, j, "gantry");
+      if (all[i].meets_lid && all[j].meets_lid) return Collide(items, i, j, "lid");
     }
   return absl::OkStatus();
 }
@@ -165,23 +184,27 @@ class Tour {
   std::vector<Standing> stops_;
 };
 
-/// Returns the order: first the short objects, then the tall ones.
-std::vector<size_t> Ordered(std::vector<Standing> all, Point start) {
-  std::sort(all.begin(), all.end(), [](const Standing& a, const Standing& b) {
-    return std::tie(a.tall, a.middle, a.index) < std::tie(b.tall, b.middle, b.index);
-  });
-  const auto tall_begin =
-      std::find_if(all.begin(), all.end(), [](const Standing& s) { return s.tall; });
-  std::vector<Standing> tall(tall_begin, all.end());
-  all.erase(tall_begin, all.end());
-  // The start of the tall objects is known in advance only if there is just one.
-  const std::optional<Point> end = tall.size() == 1 ? std::optional(tall[0].middle) : std::nullopt;
-  all = Tour(start, end).Through(std::move(all));
-  const Point between = all.empty() ? start : all.back().middle;
-  tall = Tour(between, std::nullopt).Through(std::move(tall));
+/// Returns the order: by groups of ascending height.
+std::vector<size_t> Ordered(const std::vector<Standing>& all, Point start) {
+  std::array<std::vector<Standing>, kGroups> groups;
+  for (const Standing& standing : all)
+    groups[static_cast<size_t>(standing.Group())].push_back(standing);
   std::vector<size_t> order;
-  for (const std::vector<Standing>* group : {&all, &tall})
-    for (const Standing& stop : *group) order.push_back(stop.index);
+  Point at = start;
+  for (size_t i = 0; i < groups.size(); ++i) {
+    std::ranges::sort(groups[i], {},
+                      [](const Standing& s) { return std::pair(s.middle, s.index); });
+    // The start of the next group is known in advance only if it has just one object.
+    const auto next = std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                   groups.end(), [](const auto& group) { return !group.empty(); });
+    const std::optional<Point> end = next != groups.end() && next->size() == 1
+                                         ? std::optional(next->front().middle)
+                                         : std::nullopt;
+    for (const Standing& stop : Tour(at, end).Through(std::move(groups[i]))) {
+      order.push_back(stop.index);
+      at = stop.middle;
+    }
+  }
   return order;
 }
 
@@ -192,7 +215,7 @@ absl::StatusOr<std::vector<size_t>> PrintSequence(std::span<const SequenceItem> 
   if (absl::Status status = Check(items, options); !status.ok()) return status;
   std::vector<Standing> all = AllStanding(items, options);
   if (absl::Status status = CheckPairs(items, all, options); !status.ok()) return status;
-  return Ordered(std::move(all), options.start);
+  return Ordered(all, options.start);
 }
 
 }  // namespace slicefarm::planning

@@ -130,6 +130,31 @@ TEST(PrintSequence, NamesTwoTallOnesUnlessTheGantryPassesBetween) {
   EXPECT_FALSE(PrintSequence(items, {.gantry_reach_nm = FromMm(80.1)}).ok());
 }
 
+TEST(PrintSequence, OnlyTheLastOneReachesTheLid) {
+  const SequenceOptions options = {.gantry_reach_nm = 0, .lid_height_nm = FromMm(100)};
+  const std::vector<SequenceItem> items = {Item("tower", 0, 0, 120), Item("a", 0, 100, 90),
+                                           Item("b", 0, 200, 90)};
+  EXPECT_EQ(PrintSequence(items, options)->back(), 0u);
+  std::vector<SequenceItem> two = items;
+  two[2].height_nm = FromMm(101);
+  EXPECT_EQ(DetailOf(PrintSequence(two, options).status()).metadata.at("rule"), "lid");
+}
+
+TEST(PrintSequence, TheHeadPassesOverWhatIsLowerThanTheNozzle) {
+  const SequenceOptions options = {.nozzle_height_nm = FromMm(4)};
+  const auto rule = [&](double gap_mm, double first_mm, double second_mm) -> std::string {
+    const std::vector<SequenceItem> items = {Item("a", 0, 0, first_mm),
+                                             Item("b", 20 + gap_mm, 0, second_mm)};
+    const auto order = PrintSequence(items, options);
+    return order.ok() ? std::to_string(order->front())
+                      : DetailOf(order.status()).metadata.at("rule");
+  };
+  EXPECT_EQ(rule(5, 4, 4), "0");
+  EXPECT_EQ(rule(5, 9, 4), "1") << "the low one first";
+  EXPECT_EQ(rule(5, 9, 9), "clearance");
+  EXPECT_EQ(rule(1.9, 4, 4), "clearance") << "the nozzle itself";
+}
+
 TEST(PrintSequence, RefusesWhatCannotBe) {
   const auto reason = [](const std::vector<SequenceItem>& items, const SequenceOptions& options) {
     return DetailOf(PrintSequence(items, options).status()).reason;

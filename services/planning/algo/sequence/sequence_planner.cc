@@ -58,8 +58,14 @@ absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
     items.push_back({FootprintOf(copies_[i], plan.stacks), printed->second.top_nm, NameOfCopy(i, copies_, object_names_)});
     copy_of.push_back(i);
   }
-  const auto order = PrintSequence(items, {.clearance_radius_nm = options_.clearance_radius_nm,
-                                           .clearance_height_nm = options_.clearance_height_nm});
+  SequenceOptions sequence{.clearance_radius_nm = options_.clearance_radius_nm,
+                           .clearance_height_nm = options_.clearance_height_nm,
+                           .nozzle_height_nm = options_.nozzle_height_nm};
+  if (options_.lid_height_nm > 0) {
+    sequence.lid_height_nm = options_.lid_height_nm;
+    sequence.gantry_reach_nm = options_.gantry_reach_nm;
+  }
+  const auto order = PrintSequence(items, sequence);
   if (!order.ok()) return order.status();
   int32_t pass = 0;
   for (const size_t item : *order) plan.copies[copy_of[item]].pass = pass++;
