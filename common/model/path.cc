@@ -18,11 +18,13 @@ std::string_view FeatureName(Feature feature) {
       "Support material",
       "Support material interface",
       "Ironing",
-      "Solid infill over bridge"};
+      "Solid infill over bridge",
+      "Internal bridge"};
   return kNames[static_cast<size_t>(feature)];
 }
 
 std::string_view FeatureType(Feature feature) {
+  if (feature == Feature::kInternalBridge) return FeatureName(Feature::kBridgeInfill);
   return FeatureName(feature == Feature::kSolidOverBridge ? Feature::kSolidInfill : feature);
 }
 

@@ -24,14 +24,21 @@ enum class Feature : uint8_t {
   kSupportInterface,
   kIroning,
   kSolidOverBridge,
+  kInternalBridge,
 };
-inline constexpr int kFeatureCount = 13;
+inline constexpr int kFeatureCount = 14;
+
+/// Returns true for infill that is a bridge: over air, or over sparse infill.
+inline bool IsBridge(Feature feature) {
+  return feature == Feature::kBridgeInfill || feature == Feature::kInternalBridge;
+}
 
 /// Returns the name of a feature for reports: "External perimeter", "Perimeter", ...
 std::string_view FeatureName(Feature feature);
 
 /// Returns the text of the `;TYPE:` comment that PrusaSlicer's previewers read. It is FeatureName,
-/// except that solid infill over bridges is reported as solid infill.
+/// except that solid infill over bridges is reported as solid infill, and bridges over sparse
+/// infill as bridges.
 std::string_view FeatureType(Feature feature);
 
 /// Bead to print: a line with a width at each point and the height of its layer. Between two points

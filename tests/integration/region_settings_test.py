@@ -35,6 +35,7 @@ VALUES = {
     "fill_angle_template": ["10,70"], "solid_fill_angle_template": ["10,70"], "bridge_angle": ["30"], "fill_angle": ["20"],
     "small_area_infill_flow_compensation_model": ["0,0;5,0.5;20,1"], "infill_every_layers": ["2"], "solid_infill_every_layers": ["3"],
     "top_solid_min_thickness": ["1.2"], "bottom_solid_min_thickness": ["1.2"], "solid_infill_below_area": ["0", "300"], "over_bridge_speed": ["33"],
+    "internal_bridge_speed": ["33"], "internal_bridge_flow": ["0.8"], "ironing_inset": ["1"],
     "perimeters": ["5"], "infill_anchor_max": ["2"], "top_solid_layers": ["5"], "bottom_solid_layers": ["5"], "scarf_seam_start_height": ["50%"],
     "automatic_infill_combination_max_layer_height": ["50%"], "gap_fill_max_width": ["0.3"], "gap_fill_min_width": ["0.4"]}
 

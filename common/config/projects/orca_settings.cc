@@ -15,6 +15,7 @@
 #include "common/base/text.h"
 #include "common/config/projects/orca_dialect.h"
 #include "common/config/projects/orca_mesh.h"
+#include "common/config/projects/orca_percent.h"
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_weights.h"
 #include "common/config/table/known_keys.h"
@@ -287,7 +288,7 @@ class OrcaReader {
       case OrcaValue::kPercentOf:
         return {PercentOf(*first, row.detail)};
       case OrcaValue::kShareOf:
-        return {ShareOf(*first, row.detail)};
+        return {ShareOf(*first, NumberOf(row.detail))};
       case OrcaValue::kOrAuto:
         return ToNumber(*first).value_or(0) < 0 || *first == row.detail ? Converted{""}
                                                                         : Converted{first};
@@ -419,22 +420,6 @@ class OrcaReader {
     const std::optional<double> number = of ? ToNumber(*of) : std::nullopt;
     if (!number) return std::nullopt;
     return PrintNumber(Quantise(*percent / 100 * *number));
-  }
-
-  /// Returns a number as a percentage of the setting `whole`; a percentage is unchanged.
-  std::optional<std::string> ShareOf(std::string_view text, std::string_view whole) const {
-    if (text.ends_with('%')) return std::string(text);
-    const std::optional<double> number = ToNumber(Trim(text)), all = NumberOf(whole);
-    if (!number || (*number != 0 && all.value_or(0) <= 0)) return std::nullopt;
-    return PrintNumber(*number == 0 ? 0 : Quantise(100 * *number / *all)) + "%";
-  }
-
-  /// Returns the complement to 100%: 0.5% for 99.5% or 99.5.
-  static std::optional<std::string> RestOf(std::string_view text) {
-    if (text.ends_with('%')) text.remove_suffix(1);
-    const std::optional<double> percent = ToNumber(Trim(text));
-    if (!percent) return std::nullopt;
-    return PrintNumber(Quantise(100 - *percent)) + "%";
   }
 
   static Converted Choice(std::string_view row, std::string_view text) {

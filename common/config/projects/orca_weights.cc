@@ -16,7 +16,6 @@ struct Weighty {
 constexpr Weighty kWeighty[] = {
     // Settings that change the material or sizes.
     {"print_flow_ratio", "1"},
-    {"bottom_solid_infill_flow_ratio", "1"},
     {"hole_to_polyhole", "0"},
     {"make_overhang_printable", "0"},
     {"zaa_enabled", "0"},
@@ -39,7 +38,6 @@ constexpr Weighty kWeighty[] = {
     {"print_order", "default"},
     // Settings for temperatures, fans and the machine.
     {"activate_air_filtration", "0"},
-    {"slow_down_layers", "0"},
     {"resonance_avoidance", "0"},
     {"change_extrusion_role_gcode", ""},
     {"process_change_extrusion_role_gcode", ""},

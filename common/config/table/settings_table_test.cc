@@ -331,7 +331,7 @@ TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
     regions += spec.scope() == Scope::kRegion;
     objects += spec.scope() == Scope::kObject;
   }
-  EXPECT_EQ(regions, 80);
+  EXPECT_EQ(regions, 86);
   EXPECT_EQ(objects, 64);
 }
 

@@ -26,6 +26,7 @@ struct IroningOptions {
   IroningType type = IroningType::kTop;  ///< setting ironing_type
   double flow = 0.15;  ///< `ironing_flowrate`: share of the plastic that would fill the layer
   Coord spacing_nm = 100'000;  ///< `ironing_spacing`: distance of the ironing lines
+  Coord inset_nm = 0;          ///< `ironing_inset`: distance from the part's edge; 0: half a nozzle
 
   friend bool operator==(const IroningOptions&, const IroningOptions&) = default;
 };
@@ -84,9 +85,17 @@ struct InfillOptions {
   double bridge_flow = 1;     ///< `bridge_flow_ratio`: factor on the plastic of bridges
   double top_flow = 1;        ///< `top_solid_infill_flow_ratio`: factor on the plastic of top skins
   bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+  /// `bottom_solid_infill_flow_ratio`: factor on the plastic of bottom skins
+  double bottom_flow = 1;
   Coord walls_nm = 0;         ///< total thickness of the walls around the infill
   /// `over_bridge_speed`: solid infill over bridges is a separate feature
   bool over_bridges = false;
+  /// `internal_bridge_speed`: bridges over sparse infill are a separate feature
+  bool internal_bridges = false;
+  /// `internal_bridge_flow`: factor on the plastic of bridges over sparse infill; 0: bridge_flow
+  double internal_bridge_flow = 0;
+  /// `thick_internal_bridges`: bridges over sparse infill are round strands as wide as the nozzle
+  bool thick_internal_bridges = true;
   /// `interface_shells`: adds skins at the boundaries to other regions
   bool interface_shells = false;
   Coord nozzle_nm = 400'000;  ///< setting nozzle_diameter

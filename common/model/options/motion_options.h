@@ -69,7 +69,13 @@ struct MachineMotion {
   /// Used if first_layer_speed_over_raft is a percentage: share of the feature's speed; 1 means 100
   /// %.
   double over_raft_speed_ratio = 1;
+  /// slow_down_layers: number of layers over which speeds rise from those of the first layer
+  int32_t slow_down_layers = 0;
   double max_print_speed_mm_s = 80;  ///< setting max_print_speed
+  /// wipe_speed as a ratio to travel_speed; used without role_based_wipe_speed
+  double wipe_speed_ratio = 0.8;
+  bool wipe_as_printed =
+      false;  ///< role_based_wipe_speed: wipes run at the speed of the bead before
   /// max_volumetric_extrusion_rate_slope_positive and _negative: largest rise and fall of the flow
   /// per time. 0: unlimited.
   double flow_rise_mm3_s2 = 0;
@@ -146,10 +152,15 @@ struct MotionOptions : MachineMotion {
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };
 
+/// Returns true if the fan depends on the share of a wall's width with something below.
+inline bool CoolsByRest(const CoolingOptions& cooling) {
+  return cooling.overhang_fan_share > 0 && cooling.overhang_fan_share < 1;
+}
+
 /// Returns true if walls or travels depend on the area that the layer below covers
 /// (PathBlock::below).
 inline bool LooksBelow(const MotionOptions& options) {
-  return options.tool().cooling.dynamic_fan ||
+  return options.tool().cooling.dynamic_fan || CoolsByRest(options.tool().cooling) ||
          (options.tool().retraction.ramping && options.tool().retraction.before_obstacles) ||
          std::ranges::any_of(options.speeds, [](const RegionSpeeds& region) {
            return region.dynamic_overhangs || region.bridging_walls;

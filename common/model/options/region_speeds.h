@@ -34,10 +34,11 @@ struct ScarfOptions {
 
 /// Speeds, scarf seams and bridges of one region.
 struct RegionSpeeds {
-  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15,
-                                                  60, 60, 60, 60, 15, 0};  ///< speed per Feature
-  /// `small_perimeter_speed`: speed of loops with a radius below 6.5 mm
-  double small_perimeter_speed_mm_s = 15;
+  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15, 60,
+                                                  60, 60, 60, 15, 0,  0};  ///< speed per Feature
+  double small_perimeter_speed_mm_s = 15;  ///< `small_perimeter_speed`: speed of small loops
+  /// `small_perimeter_threshold`: radius of the largest small loop
+  double small_perimeter_radius_mm = 6.5;
   bool dynamic_overhangs = false;  ///< setting enable_dynamic_overhang_speeds
   /// overhang_speed_0 to _3, per overhang degree.
   std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
@@ -45,6 +46,7 @@ struct RegionSpeeds {
   /// overhangs: walls without support below are bridges, with the speed, fan and flow of bridges.
   bool bridging_walls = false;
   double bridge_flow = 1;     ///< setting bridge_flow_ratio
+  double internal_bridge_flow = 0;  ///< setting internal_bridge_flow; 0: bridge_flow
   bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
 
   friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;

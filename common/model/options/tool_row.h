@@ -39,6 +39,8 @@ struct RetractionOptions {
   bool wipe = false;  ///< wipe: the nozzle continues along the path while retracting
   /// `retract_before_wipe`: share of the length that is retracted before the wipe begins
   double before_wipe = 0;
+  /// wipe_distance: length of the wipe; 0: as long as the retraction takes at the wipe's speed
+  double wipe_distance_mm = 0;
 
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
 };
@@ -64,6 +66,11 @@ struct CoolingOptions {
   bool dynamic_fan = false;  ///< setting enable_dynamic_fan_speeds
   /// overhang_fan_speed_0 to _3, per overhang degree.
   std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};
+  /// overhang_fan_threshold: smallest unsupported share of a wall's width that bridge_fan_percent
+  /// cools; 0: all outer walls; 1: only walls that are bridges
+  double overhang_fan_share = 1;
+  /// support_material_interface_fan_speed; -1: the layer's fan
+  int32_t interface_fan_percent = -1;
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };

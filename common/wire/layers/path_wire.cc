@@ -23,6 +23,7 @@ static_assert(v1::FEATURE_SUPPORT == static_cast<int>(Feature::kSupport) + 1);
 static_assert(v1::FEATURE_SUPPORT_INTERFACE == static_cast<int>(Feature::kSupportInterface) + 1);
 static_assert(v1::FEATURE_IRONING == static_cast<int>(Feature::kIroning) + 1);
 static_assert(v1::FEATURE_SOLID_OVER_BRIDGE == static_cast<int>(Feature::kSolidOverBridge) + 1);
+static_assert(v1::FEATURE_INTERNAL_BRIDGE == static_cast<int>(Feature::kInternalBridge) + 1);
 static_assert(v1::Feature_MAX == kFeatureCount);
 
 absl::Status PackWidths(const std::vector<Coord>& widths_nm, v1::Path* proto) {

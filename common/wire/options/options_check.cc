@@ -114,17 +114,22 @@ absl::Status CheckInfill(const InfillOptions& infill) {
   status.Update(CheckLengths({{"overlap_nm", infill.overlap_nm}}, -limits::kMaxCoord));
   status.Update(CheckNotNegative({{"anchor_nm", infill.anchor_nm},
                                   {"anchor_max_nm", infill.anchor_max_nm},
-                                  {"smoothing_nm", infill.smoothing_nm}}));
+                                  {"smoothing_nm", infill.smoothing_nm},
+                                  {"ironing.inset_nm", infill.ironing.inset_nm}}));
   status.Update(CheckNoLessThanZero("solid_every_layers", infill.solid_every_layers));
   status.Update(CheckAboveZero("every_layers", infill.every_layers));
   status.Update(CheckAboveZero("bridge_flow", infill.bridge_flow));
   status.Update(CheckAboveZero("top_flow", infill.top_flow));
+  status.Update(CheckAboveZero("bottom_flow", infill.bottom_flow));
+  status.Update(CheckNoLessThanZero("internal_bridge_flow", infill.internal_bridge_flow));
   status.Update(CheckNoLessThanZero("ironing.flow", infill.ironing.flow));
   return status;
 }
 
 absl::Status CheckSpeeds(const RegionSpeeds& speeds) {
   absl::Status status = CheckAboveZero("bridge_flow", speeds.bridge_flow);
+  status.Update(CheckNoLessThanZero("internal_bridge_flow", speeds.internal_bridge_flow));
+  status.Update(CheckNoLessThanZero("small_perimeter_radius_mm", speeds.small_perimeter_radius_mm));
   for (const double speed : speeds.speed_mm_s)
     status.Update(CheckNoLessThanZero("speed_mm_s", speed));
   for (const double speed : speeds.overhang_speed_mm_s)
@@ -142,6 +147,8 @@ absl::Status CheckCooling(const CoolingOptions& cooling) {
   status.Update(CheckRange(kFans, cooling.bridge_fan_percent, 0, 100));
   for (const int32_t percent : cooling.overhang_fan_percent)
     status.Update(CheckRange(kFans, percent, 0, 100));
+  status.Update(CheckRange(kFans, cooling.interface_fan_percent, -1, 100));
+  status.Update(CheckRange("overhang_fan_share", cooling.overhang_fan_share, 0, 1));
   return status;
 }
 

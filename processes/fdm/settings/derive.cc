@@ -81,9 +81,9 @@ void LimitInfillSpeed(Draft& draft) {
 void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key :
        {"external_perimeter_speed", "small_perimeter_speed", "solid_infill_speed",
-        "top_solid_infill_speed", "over_bridge_speed", "support_material_interface_speed",
-        "first_layer_infill_speed", "overhang_speed_0", "overhang_speed_1", "overhang_speed_2",
-        "overhang_speed_3"}) {
+        "top_solid_infill_speed", "over_bridge_speed", "internal_bridge_speed",
+        "support_material_interface_speed", "first_layer_infill_speed", "overhang_speed_0",
+        "overhang_speed_1", "overhang_speed_2", "overhang_speed_3"}) {
     TakePercentage(draft, key);
   }
   for (const std::string_view key : kSpeeds) {
@@ -126,9 +126,9 @@ void DeriveFilament(Draft& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
         "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below",
-        "retract_lift_enforce",
-        "retract_lift_enforce", "travel_ramping_lift", "travel_max_lift", "travel_slope", "travel_lift_before_obstacle",
-        "seam_gap_distance", "wipe", "retract_before_wipe", "retract_layer_change"}) {
+        "retract_lift_enforce", "retract_lift_enforce", "travel_ramping_lift", "travel_max_lift",
+        "travel_slope", "travel_lift_before_obstacle", "seam_gap_distance", "wipe",
+        "retract_before_wipe", "wipe_distance", "retract_layer_change"}) {
     const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.At(key).value = own.value;
   }

@@ -128,6 +128,10 @@ INSTANTIATE_TEST_SUITE_P(
                    {{"over_bridge_speed", "40%"}, {"solid_infill_speed", "50"}},
                    "over_bridge_speed",
                    20},
+        NumberCase{"InternalBridgesOfBridges",
+                   {{"internal_bridge_speed", "150%"}, {"bridge_speed", "20"}},
+                   "internal_bridge_speed",
+                   30},
         NumberCase{"OverBridgesAsSolids", {{"solid_infill_speed", "50"}}, "over_bridge_speed", 0},
         NumberCase{"Own", {{"gap_fill_speed", "11"}}, "gap_fill_speed", 11}),
     NameOf);

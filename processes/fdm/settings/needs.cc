@@ -55,8 +55,11 @@ constexpr Need kNeeds[] = {
      [](const JobRows& s) { return FdmOf(s).tool.cooling.consistent_surface; }},
     {"fuzzy_skin_thickness fuzzy_skin_point_dist", "a fuzzy_skin other than none",
      [](const JobRows& s) { return FdmOf(s).region.walls.fuzzy != FuzzySkin::kNone; }},
-    {"retract_before_wipe filament_retract_before_wipe", "wipe = 1",
-     [](const JobRows& s) { return FdmOf(s).tool.retraction.wipe; }},
+    {"retract_before_wipe filament_retract_before_wipe wipe_distance filament_wipe_distance "
+     "wipe_speed role_based_wipe_speed",
+     "wipe = 1", [](const JobRows& s) { return FdmOf(s).tool.retraction.wipe; }},
+    {"wipe_speed", "role_based_wipe_speed = 0",
+     [](const JobRows& s) { return !FdmOf(s).machine.motion.wipe_as_printed; }},
     // slicefarm either sends all accelerations to the firmware or none.
     {"perimeter_acceleration external_perimeter_acceleration infill_acceleration "
      "solid_infill_acceleration top_solid_infill_acceleration bridge_acceleration "
@@ -132,7 +135,7 @@ constexpr Need kNeeds[] = {
      "extruder_clearance_dist_to_rod nozzle_height between_objects_gcode",
      "complete_objects = 1",
      [](const JobRows& s) { return FdmOf(s).machine.plan.sequence.complete_objects; }},
-    {"ironing_type ironing_flowrate ironing_spacing ironing_speed", "ironing = 1",
+    {"ironing_type ironing_flowrate ironing_spacing ironing_inset ironing_speed", "ironing = 1",
      [](const JobRows& s) { return FdmOf(s).region.infill.ironing.enabled; }},
     {"small_area_infill_flow_compensation_model", "small_area_infill_flow_compensation = 1",
      [](const JobRows& s) { return FdmOf(s).region.infill.small_area_flow; }},

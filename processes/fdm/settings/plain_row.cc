@@ -37,7 +37,9 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.bridge_angle_rad = 0;
   infill.every_layers = 1;
   infill.only_where_needed = false;
-  infill.over_bridges = false;
+  infill.over_bridges = infill.internal_bridges = false;
+  infill.internal_bridge_flow = 0;
+  infill.bottom_flow = 1;
   infill.interface_shells = false;
   infill.ironing = {};
   infill.small_area_flow = false;

@@ -16,6 +16,7 @@ RegionRow WallsOf(const RegionRow& region) {
   RegionRow walls = region;
   walls.walls.wall_class = 0;
   walls.infill = {};
+  walls.motion.internal_bridge_flow = 0;
   for (int i = 0; i < kFeatureCount; ++i)
     if (!IsOfWalls(static_cast<Feature>(i))) walls.motion.speed_mm_s[static_cast<size_t>(i)] = 0;
   return walls;

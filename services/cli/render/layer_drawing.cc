@@ -43,6 +43,7 @@ constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
     {"Internal solid infill", {0.59, 0.33, 0.80}},
     {"Top surface", {0.94, 0.25, 0.25}},
     {"Bridge", {0.30, 0.50, 0.73}},
+    {"Internal Bridge", {0.30, 0.50, 0.73}},
     {"Support", {0.20, 0.75, 0.20}},
     {"contour", {1.00, 0.49, 0.22}},
     {"hatch", {0.59, 0.33, 0.80}},

@@ -100,16 +100,17 @@ class RegionFill {
     }
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
-                                      options_.top_width_nm, fills);
+                                      options_.top_width_nm, options_.top_flow, fills);
     if (status.ok()) status = AppendBridges(skins.bridge, fills);
     if (status.ok()) status = AppendSparseBridges(over_sparse, fills);
-    const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern) {
+    const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern,
+                            double flow) {
       if (status.ok())
-        status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, fills);
+        status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, flow, fills);
     };
-    append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern);
-    append(skins.over_bridge, Feature::kSolidOverBridge, inner);
-    append(skins.solid, Feature::kSolidInfill, inner);
+    append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern, options_.bottom_flow);
+    append(skins.over_bridge, Feature::kSolidOverBridge, inner, 1);
+    append(skins.solid, Feature::kSolidInfill, inner, cover_.on_bed ? options_.bottom_flow : 1);
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
     if (status.ok() && bare && fill_area.role == Role::kSupport && fills.groups.empty())
       AppendMiddle(skins.sparse, PlainDensity(field), fills);
@@ -148,13 +149,12 @@ class RegionFill {
   }
 
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                           Coord width_nm, Fills& fills) const {
+                           Coord width_nm, double flow, Fills& fills) const {
     for (const PolygonWithHoles& region : regions) {
       auto group = SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm));
       if (!group.ok()) return group.status();
       if (!flows_.empty())
         for (Path& path : group->paths) ThinShortLines(flows_, view_.height_nm, path);
-      const double flow = feature == Feature::kTopSolidInfill ? options_.top_flow : 1;
       ScaleSections(flow, view_.height_nm, view_.height_nm, group->paths);
       Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm, flow}, fills);
     }
@@ -162,8 +162,8 @@ class RegionFill {
   }
 
   /// Adds the walls around `ironed`: the parts that are also open, or all walls if the whole layer
-  /// is solid. The result ends half a nozzle from the part's edge, so that no plastic is pushed
-  /// over the edge.
+  /// is solid. The result ends half a nozzle or the inset of the settings from the part's edge, so
+  /// that no plastic is pushed over the edge.
   MultiPolygon WithWallsIroned(MultiPolygon ironed, bool all) const {
     const MultiPolygon* whole = view_.OutlineAt(view_.layer);
     const MultiPolygon* own = view_.OutlineAt(view_.layer, settings_);
@@ -174,7 +174,9 @@ class RegionFill {
       if (above != nullptr) walls = Difference(walls, *above);
       ironed = Union(ironed, walls);
     }
-    return Intersection(ironed, FastOffset(*whole, -options_.nozzle_nm / 2));
+    const Coord inset =
+        options_.ironing.inset_nm > 0 ? options_.ironing.inset_nm : options_.nozzle_nm / 2;
+    return Intersection(ironed, FastOffset(*whole, -inset));
   }
 
   /// Adds ironing of the areas that are open after this layer. If only the topmost layer is to be
@@ -213,11 +215,10 @@ class RegionFill {
   BridgeBead BridgeBeadOf(bool carried) const {
     if (!options_.thick_bridges || carried)
       return {Width(options_.solid_width_nm), options_.bridge_flow};
-    return ThreadBead();
+    return ThreadBead(options_.bridge_flow);
   }
-  BridgeBead ThreadBead() const {
-    const double thread_nm =
-        static_cast<double>(options_.nozzle_nm) * std::sqrt(options_.bridge_flow);
+  BridgeBead ThreadBead(double flow) const {
+    const double thread_nm = static_cast<double>(options_.nozzle_nm) * std::sqrt(flow);
     const double spacing_nm = thread_nm + kThreadGapNm;
     const double room = spacing_nm * static_cast<double>(view_.height_nm);
     return {WidthForSpacing(std::llround(spacing_nm), view_.height_nm),
@@ -270,20 +271,29 @@ class RegionFill {
     return under_->TakeBridges(fill_area, middles, width_nm, skins);
   }
 
-  /// Appends threads between the lines of the sparse infill below. They are thick for every value
-  /// of thick_bridges: they are invisible from outside and must not tear.
+  /// Returns the bead of a bridge over sparse infill. thick_bridges has no effect on it: it is
+  /// invisible from outside and must not tear.
+  BridgeBead InternalBridgeBead() const {
+    const double flow =
+        options_.internal_bridge_flow > 0 ? options_.internal_bridge_flow : options_.bridge_flow;
+    if (options_.thick_internal_bridges) return ThreadBead(flow);
+    return {Width(options_.solid_width_nm), flow};
+  }
+
+  /// Appends bridges between the lines of the sparse infill below.
   absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
-    const BridgeBead bead = ThreadBead();
+    const BridgeBead bead = InternalBridgeBead();
+    const bool own = options_.internal_bridges || options_.internal_bridge_flow > 0;
+    const Feature feature = own ? Feature::kInternalBridge : Feature::kBridgeInfill;
     for (const PolygonWithHoles& region : bridges.regions) {
       const auto span = BridgeAngle(region, bridges.bearers, options_.solid_width_nm);
       auto lines =
-          SolidLines(region, Feature::kBridgeInfill, FillPattern::kRectilinear,
+          SolidLines(region, feature, FillPattern::kRectilinear,
                      span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear), bead.width_nm);
       if (!lines.ok()) return lines.status();
       ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines->paths);
       Append(*std::move(lines),
-             {Feature::kBridgeInfill, FillPattern::kRectilinear, Area(region), view_.height_nm,
-              bead.share},
+             {feature, FillPattern::kRectilinear, Area(region), view_.height_nm, bead.share},
              fills);
     }
     return absl::OkStatus();

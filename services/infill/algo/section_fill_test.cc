@@ -404,21 +404,26 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
-// The tops of walls are visible too: ironing ends half a nozzle from the part's edge.
+// The tops of walls are visible too: ironing ends half a nozzle from the part's edge, or by the
+// inset of the settings.
 TEST(FillSection, IroningGoesOverWallsToo) {
   InfillOptions options = Thin();
   options.ironing.enabled = true;
   options.walls_nm = 1'000'000;
   options.nozzle_nm = 400'000;
-  Box reach;
-  for (const Path& path : PathsOf(options, {}, 9))
-    if (path.feature == Feature::kIroning)
-      for (const Point point : path.points) reach.Add(point);
-  const Coord edge_nm = 200'000 + options.ironing.spacing_nm / 2;
-  EXPECT_NEAR(reach.min.x, edge_nm, 100'000);
-  EXPECT_NEAR(reach.max.y, 20'000'000 - edge_nm, 100'000);
-  EXPECT_GE(reach.min.x, 200'000);
-  EXPECT_LE(reach.max.y, 19'800'000);
+  for (const auto& [inset_nm, want_nm] :
+       {std::pair<Coord, Coord>{0, 200'000}, {700'000, 700'000}}) {
+    options.ironing.inset_nm = inset_nm;
+    Box reach;
+    for (const Path& path : PathsOf(options, {}, 9))
+      if (path.feature == Feature::kIroning)
+        for (const Point point : path.points) reach.Add(point);
+    const Coord edge_nm = want_nm + options.ironing.spacing_nm / 2;
+    EXPECT_NEAR(reach.min.x, edge_nm, 100'000);
+    EXPECT_NEAR(reach.max.y, 20'000'000 - edge_nm, 100'000);
+    EXPECT_GE(reach.min.x, want_nm);
+    EXPECT_LE(reach.max.y, 20'000'000 - want_nm);
+  }
 }
 
 TEST(FillSection, IroningIsAUse) {
@@ -452,7 +457,7 @@ TEST(FillSection, ShortSolidLinesGetThePlasticThatTheTableSays) {
   EXPECT_NEAR(volumes(9)[0], top[0], 0.01 * top[0]);
 }
 
-TEST(FillSection, TopSkinsGetTheFlowOfTheirOwn) {
+TEST(FillSection, SurfacesGetTheirOwnFlow) {
   InfillOptions options = Thin();
   const auto volume = [&](int32_t layer, Feature feature) {
     return VolumeOf(PathsIn(SquareOf(options, {}, layer)), feature);
@@ -464,6 +469,9 @@ TEST(FillSection, TopSkinsGetTheFlowOfTheirOwn) {
   options.top_flow = 1.2;
   EXPECT_NEAR(volume(9, Feature::kTopSolidInfill), 1.2 * top, 0.001 * top);
   EXPECT_EQ(volume(0, Feature::kSolidInfill), bottom);
+  options.bottom_flow = 1.1;
+  EXPECT_NEAR(volume(9, Feature::kTopSolidInfill), 1.2 * top, 0.001 * top);
+  EXPECT_NEAR(volume(0, Feature::kSolidInfill), 1.1 * bottom, 0.001 * bottom);
 }
 
 TEST(FillSection, RefusesATableOfFlowsThatIsNone) {
@@ -656,6 +664,31 @@ TEST(FillSection, SkinsOverSparseInfillAreBridges) {
       EXPECT_NEAR(LengthOf(*filled, Feature::kBridgeInfill), 18 * 18 / .45, 60);
     }
   }
+}
+
+TEST(FillSection, BridgesOverSparseInfillHaveTheirOwnFlow) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(1);
+  regions[0].top_solid_layers = 3;
+  regions[0].bottom_solid_layers = 0;
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+  const auto volume = [&](Feature feature) {
+    return VolumeOf(PathsIn(*FillPlain({0, 7, 200'000, {island}}, false, objects, regions)),
+                    feature);
+  };
+  const double thick = volume(Feature::kBridgeInfill);
+  ASSERT_GT(thick, 0);
+  regions[0].internal_bridges = true;
+  EXPECT_EQ(volume(Feature::kBridgeInfill), 0);
+  EXPECT_EQ(volume(Feature::kInternalBridge), thick);
+  // Plastic per area is flow * pi / 4 * d^2 / (d * sqrt(flow) + 0.05) with threads of 0.4 mm.
+  regions[0].internal_bridge_flow = 0.64;
+  EXPECT_NEAR(volume(Feature::kInternalBridge) / thick, 0.64 * 0.45 / 0.37, 0.03);
+  // As lines of 0.45 mm in a layer of 0.2 mm, they fill the layer by their flow.
+  regions[0].thick_internal_bridges = false;
+  EXPECT_NEAR(volume(Feature::kInternalBridge), 0.64 * 18 * 18 * 0.2, 0.05 * 18 * 18 * 0.2);
 }
 
 }  // namespace

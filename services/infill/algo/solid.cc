@@ -42,9 +42,7 @@ Coord EndDistance(Coord spacing, Coord overlap) {
 
 /// Returns true if straight lines are fitted to the space between walls. A thread in the air keeps
 /// the thickness with which it leaves the nozzle. Without walls, the lines' ends form the edge.
-bool FitsWalls(const SolidFill& fill) {
-  return fill.beside_walls && fill.feature != Feature::kBridgeInfill;
-}
+bool FitsWalls(const SolidFill& fill) { return fill.beside_walls && !IsBridge(fill.feature); }
 
 /// Returns the distance of straight lines' ends from the region's edge.
 Coord LineEndDistance(Coord spacing, const SolidFill& fill) {

@@ -348,6 +348,8 @@ LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   if (PrintsNoPart(visits, layer) && layer.frame.index > 0) state.fan_percent = kFanAsBefore;
   state.bridge_fan_percent = BridgeFanPercent(cooling, index, state.fan_percent);
   state.overhang_fan_percent = OverhangFanPercent(cooling, index, state.fan_percent);
+  state.cooled_rest = CooledRest(cooling);
+  state.interface_fan_percent = InterfaceFanPercent(cooling, index);
   return state;
 }
 

@@ -97,6 +97,30 @@ std::vector<SettingSpec> Cooling() {
       Orca({"overhang_fan_speed"},
            whole("bridge_fan_speed", "%", 100, "100", "Fan speed at bridges",
                  Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan_percent>())),
+      PerExtruder(
+          {.key = "overhang_fan_threshold",
+           .kind = Kind::kPercent,
+           .unit = "%",
+           .min = 0,
+           .max = 100,
+           .standard = "100%",
+           .doc =
+               "Smallest share of a wall's width without support below at which bridge_fan_speed "
+               "cools the wall. 0%: all outer walls. 100%: only walls that are bridges",
+           .field = Bind<Scale::kPercent, &ToolRow::cooling, &CoolingOptions::overhang_fan_share>(),
+           .orca = {{"overhang_fan_threshold", OrcaValue::kPercent}}}),
+      PerExtruder(
+          {.key = "support_material_interface_fan_speed",
+           .kind = Kind::kInteger,
+           .unit = "%",
+           .min = -1,
+           .max = 100,
+           .standard = "-1",
+           .doc =
+               "Fan speed at support interfaces, after disable_fan_first_layers; -1: as at other "
+               "lines",
+           .field = Bind<&ToolRow::cooling, &CoolingOptions::interface_fan_percent>(),
+           .orca = {{"support_material_interface_fan_speed"}}}),
       Orca({"close_fan_the_first_x_layers"},
            whole("disable_fan_first_layers", "layers", 1000, "3",
                  "Number of first layers that are printed with the fan off",

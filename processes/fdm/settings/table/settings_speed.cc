@@ -131,6 +131,22 @@ SettingSpec OverBridgeSpeed() {
   return spec;
 }
 
+/// Returns the speed of bridges over sparse infill. These bridges are a separate feature only if
+/// they have their own speed.
+SettingSpec InternalBridgeSpeed() {
+  SettingSpec spec = Orca(
+      {"internal_bridge_speed"},
+      RelativeSpeed("internal_bridge_speed", "0", "bridge_speed",
+                    "Speed of bridges over sparse infill, in the first solid layer above it; 0: "
+                    "bridge_speed",
+                    SpeedOf<Feature::kInternalBridge>()));
+  spec.also = Convert<RegionRow>(
+      [](RegionRow& row, const Value& value) { row.infill.internal_bridges = value.number > 0; },
+      [](const RegionRow&) { return Value(); });
+  spec.also.get = spec.field.get;
+  return spec;
+}
+
 std::vector<SettingSpec> Speeds() {
   return {
       Orca({"inner_wall_speed"},
@@ -142,8 +158,18 @@ std::vector<SettingSpec> Speeds() {
       Orca({"small_perimeter_speed"},
            RelativeSpeed(
                "small_perimeter_speed", "15", "perimeter_speed",
-               "Speed of walls that are loops with a radius below 6.5 mm; 0: max_print_speed",
+               "Speed of walls that are loops with a radius of small_perimeter_threshold or less; "
+               "0: max_print_speed",
                Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>())),
+      {.key = "small_perimeter_threshold",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "6.5",
+       .doc = "Radius of the largest loops that are printed at small_perimeter_speed; 0: none. The "
+              "default of OrcaSlicer is 0",
+       .field = Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_radius_mm>(),
+       .orca = {{"small_perimeter_threshold"}}},
       Orca({"sparse_infill_speed"},
            Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
                  SpeedOf<Feature::kInternalInfill>())),
@@ -162,6 +188,7 @@ std::vector<SettingSpec> Speeds() {
       Orca({"bridge_speed"},
            Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
                  SpeedOf<Feature::kBridgeInfill>(), SpeedOf<Feature::kOverhangPerimeter>())),
+      InternalBridgeSpeed(),
       InScope(Scope::kObject,
               Orca({"support_speed"},
                    Speed("support_material_speed", "60",
@@ -192,6 +219,17 @@ std::vector<SettingSpec> Speeds() {
           "first_layer_speed_over_raft",
           "Speed of all extrusion in an object's first layer on a raft; a percentage is taken of "
           "the speed in other layers. 0: as in other layers"),
+      {.key = "slow_down_layers",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "Number of layers over which the speed rises evenly from first_layer_speed to the "
+              "speed in other layers; walls start from first_layer_speed, all else from "
+              "first_layer_infill_speed if it is set. 0 and 1: from the second layer on at full "
+              "speed",
+       .field = Bind<&MachineRow::motion, &MachineMotion::slow_down_layers>(),
+       .orca = {{"slow_down_layers"}}},
       {.key = "max_print_speed",
        .unit = "mm/s",
        .min = 1,
@@ -232,6 +270,18 @@ std::vector<SettingSpec> Speeds() {
   };
 }
 
+/// Returns the field for the acceleration of walls over air and of bridges over sparse infill.
+Field OtherBridgesAcceleration() {
+  constexpr auto kWalls = static_cast<size_t>(Feature::kOverhangPerimeter);
+  constexpr auto kInternal = static_cast<size_t>(Feature::kInternalBridge);
+  return Convert<MachineRow>(
+      [](MachineRow& row, const Value& value) {
+        row.motion.acceleration_mm_s2[kWalls] = row.motion.acceleration_mm_s2[kInternal] =
+            value.number;
+      },
+      [](const MachineRow& row) { return Value{.number = row.motion.acceleration_mm_s2[kWalls]}; });
+}
+
 std::vector<SettingSpec> Accelerations() {
   return {
       Orca({"default_acceleration"},
@@ -262,8 +312,7 @@ std::vector<SettingSpec> Accelerations() {
                         AccelerationOf<Feature::kTopSolidInfill>())),
       Orca({"bridge_acceleration", OrcaValue::kPercentOf, "outer_wall_acceleration"},
            Acceleration("bridge_acceleration", "Acceleration of bridges; 0: default_acceleration",
-                        AccelerationOf<Feature::kBridgeInfill>(),
-                        AccelerationOf<Feature::kOverhangPerimeter>())),
+                        AccelerationOf<Feature::kBridgeInfill>(), OtherBridgesAcceleration())),
       Orca({"initial_layer_acceleration"},
            Acceleration(
                "first_layer_acceleration",

@@ -131,6 +131,16 @@ std::vector<SettingSpec> Retraction() {
        .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>(),
        .orca = {{"retract_before_wipe"}}},
       "filament_retract_before_wipe");
+  AddRetraction(settings,
+                {.key = "wipe_distance",
+                 .unit = "mm",
+                 .min = 0,
+                 .max = 100,
+                 .standard = "0",
+                 .doc = "Length of the move of wipe. Filament that retract_speed cannot retract "
+                        "within it is retracted before it. 0: as long as the retraction takes",
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>()},
+                "filament_wipe_distance");
   return settings;
 }
 
@@ -183,6 +193,21 @@ std::vector<SettingSpec> Travels() {
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_crossing>(),
        .orca = {{"reduce_crossing_wall"}}},
       MaxDetour(),
+      {.key = "wipe_speed",
+       .kind = Kind::kPercent,
+       .unit = "%",
+       .min = 1,
+       .max = 1000,
+       .standard = "80%",
+       .doc = "Speed of the move of wipe as a percentage of travel_speed",
+       .field = Bind<Scale::kPercent, &MachineRow::motion, &MachineMotion::wipe_speed_ratio>(),
+       .orca = {{"wipe_speed", OrcaValue::kShareOf, "travel_speed"}}},
+      {.key = "role_based_wipe_speed",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Wipe at the speed of the line before it, at least 10 mm/s, instead of wipe_speed",
+       .field = Bind<&MachineRow::motion, &MachineMotion::wipe_as_printed>(),
+       .orca = {{"role_based_wipe_speed"}}},
       {.key = "avoid_crossing_curled_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",

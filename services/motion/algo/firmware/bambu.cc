@@ -34,7 +34,8 @@ constexpr std::array<std::string_view, kFeatureCount> kFeatures = {"Outer wall",
                                                                    "Support",
                                                                    "Support interface",
                                                                    "Ironing",
-                                                                   "Internal solid infill"};
+                                                                   "Internal solid infill",
+                                                                   "Internal Bridge"};
 
 /// Number of objects that can be skipped. Each one is a bit of a mask, which is written as base64
 /// of its bytes, the lowest byte first.

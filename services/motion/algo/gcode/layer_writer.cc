@@ -41,10 +41,6 @@ ModeLine LineSince(size_t begin, MachineMode mode, const GcodeText& out) {
 
 std::string PlaceText(PlaceUm place) { return absl::StrCat(place.x, " ", place.y); }
 
-bool NeedsBridgeFan(Feature feature) {
-  return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;
-}
-
 }  // namespace
 
 void WriteFan(int32_t percent, GcodeText& out) {
@@ -151,8 +147,17 @@ void LayerWriter::EndBlock(GcodeText& out) {
   SetHeight(state_.height_um, out);
 }
 
+bool LayerWriter::HasBridgeFan(const Move& move) const {
+  if (IsBridge(move.feature) || move.feature == Feature::kOverhangPerimeter) return true;
+  // A limit of a full rest selects the outer walls, and no other bead.
+  if (state_.cooled_rest >= kFullRest) return move.feature == Feature::kExternalPerimeter;
+  return move.rest <= state_.cooled_rest;
+}
+
 int32_t LayerWriter::FanFor(const Move& move) const {
-  if (NeedsBridgeFan(move.feature)) return state_.bridge_fan_percent;
+  if (HasBridgeFan(move)) return state_.bridge_fan_percent;
+  if (move.feature == Feature::kSupportInterface && state_.interface_fan_percent >= 0)
+    return state_.interface_fan_percent;
   if (move.rest == kFullRest || !state_.overhang_fan_percent) return state_.fan_percent;
   return static_cast<int32_t>(
       std::lround(ByRest(*state_.overhang_fan_percent, state_.fan_percent, move.rest)));

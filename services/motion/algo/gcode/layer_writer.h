@@ -29,6 +29,9 @@ struct LayerState {
   int32_t bridge_fan_percent = 0;  ///< fan for bridges and overhangs
   /// fans for walls over air, indexed by overhang degree
   std::optional<OverhangFans> overhang_fan_percent = {};
+  /// Largest rest, in percent, of walls with bridge_fan_percent; -1: no such wall
+  int32_t cooled_rest = -1;
+  int32_t interface_fan_percent = -1;  ///< fan for support interfaces; -1: fan_percent
   ShiftUm to_plate = {};  ///< shift from G-code coordinates to plate coordinates
 };
 
@@ -96,6 +99,7 @@ class LayerWriter {
   void TellWipe(bool wipes, GcodeText& out);
   void WritePlace(PlaceUm to, GcodeText& out);
   void WriteEnd(const Move& move, std::string_view comment, GcodeText& out);
+  bool HasBridgeFan(const Move& move) const;
   int32_t FanFor(const Move& move) const;
   void SetFan(int32_t percent, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);

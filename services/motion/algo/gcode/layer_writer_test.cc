@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace slicefarm::motion::layer_writer_test {
 namespace {
 
@@ -138,6 +140,41 @@ TEST(LayerWriter, FanForBridges) {
             ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\nG1 X2 E.03\n"
             ";TYPE:Overhang perimeter\n;WIDTH:0.45\nG1 X3 E.03\n"
             ";TYPE:Perimeter\nM106 S89\n;WIDTH:0.45\nG1 X4 E.03\n");
+}
+
+TEST(LayerWriter, FanByFeatureAndRest) {
+  const auto fans = [](const LayerState& state, Feature feature, uint8_t rest) {
+    Move wall = Print(2'000, feature);
+    wall.rest = rest;
+    const std::string text =
+        Written({Print(1'000, Feature::kInternalInfill), wall}, GcodeFlavor::kMarlin2, {}, state);
+    const size_t at = text.find("M106 S");
+    return at == std::string::npos ? 35.0 : std::round(std::stoi(text.substr(at + 6)) / 2.55);
+  };
+  const LayerState state{.height_um = 200, .fan_percent = 35, .bridge_fan_percent = 100};
+  LayerState cools = state;
+  cools.cooled_rest = 75;
+  LayerState all = state;
+  all.cooled_rest = kFullRest;
+  LayerState interface = state;
+  interface.interface_fan_percent = 60;
+  struct Case {
+    const LayerState& state;
+    Feature feature;
+    uint8_t rest;
+    double fan;
+  };
+  for (const Case& c : {Case{state, Feature::kExternalPerimeter, 0, 35},
+                        {cools, Feature::kExternalPerimeter, 75, 100},
+                        {cools, Feature::kPerimeter, 20, 100},
+                        {cools, Feature::kPerimeter, 76, 35},
+                        {cools, Feature::kSolidInfill, kFullRest, 35},
+                        {all, Feature::kExternalPerimeter, kFullRest, 100},
+                        {all, Feature::kPerimeter, kFullRest, 35},
+                        {interface, Feature::kSupportInterface, kFullRest, 60},
+                        {interface, Feature::kSupport, kFullRest, 35}})
+    EXPECT_EQ(fans(c.state, c.feature, c.rest), c.fan)
+        << FeatureName(c.feature) << " " << int{c.rest};
 }
 
 TEST(LayerWriter, FanIsOnFromTheStartOfABridge) {

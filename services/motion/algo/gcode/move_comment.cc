@@ -23,7 +23,7 @@ constexpr MoveWords kIroning = {"ironing", "move to first ironing point"};
 /// Comments by Feature.
 constexpr std::array<MoveWords, kFeatureCount> kCommentWords = {
     kWall,   kWall,  kWall,    kInfill,    kInfill,  kInfill, kInfill,
-    kInfill, kSkirt, kSupport, kInterface, kIroning, kInfill,
+    kInfill, kSkirt, kSupport, kInterface, kIroning, kInfill, kInfill,
 };
 
 const MoveWords& WordsFor(const Move& bead) {

@@ -18,14 +18,15 @@ constexpr double kThreadTolerance = 0.001;
 
 double DiscMm2(double diameter_mm) { return std::numbers::pi / 4 * diameter_mm * diameter_mm; }
 
-double ThreadMm(const RegionSpeeds& region, double nozzle_mm) {
-  return nozzle_mm * std::sqrt(region.bridge_flow);
+double ThreadMm(const RegionSpeeds& region, double nozzle_mm, Feature feature) {
+  const bool own = feature == Feature::kInternalBridge && region.internal_bridge_flow > 0;
+  return nozzle_mm * std::sqrt(own ? region.internal_bridge_flow : region.bridge_flow);
 }
 
 Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& options) {
-  if (path.feature != Feature::kBridgeInfill) return 0;
-  const double thread_mm =
-      ThreadMm(options.speeds[static_cast<size_t>(path.settings)], options.tool().nozzle_diameter_mm);
+  if (!IsBridge(path.feature)) return 0;
+  const double thread_mm = ThreadMm(options.speeds[static_cast<size_t>(path.settings)],
+                                    options.tool().nozzle_diameter_mm, path.feature);
   const double off_mm2 = SectionMm2(path.widths_nm.front(), bead_height_nm) - DiscMm2(thread_mm);
   return std::abs(off_mm2) <= kThreadTolerance * DiscMm2(thread_mm) ? FromMm(thread_mm) : 0;
 }

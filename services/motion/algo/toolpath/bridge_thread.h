@@ -15,8 +15,10 @@ namespace slicefarm::motion {
 /// Returns the area of a disc, in mm2.
 double DiscMm2(double diameter_mm);
 
-/// Returns the diameter of a bridge's strand from a region's settings, in mm.
-double ThreadMm(const RegionSpeeds& region, double nozzle_mm);
+/// Returns the diameter of a bridge's strand from a region's settings, in mm. `feature`: kind of
+/// bridge.
+double ThreadMm(const RegionSpeeds& region, double nozzle_mm,
+                Feature feature = Feature::kBridgeInfill);
 
 /// Returns the diameter if the path has the plastic of a round strand; otherwise 0. The infill
 /// stage stores strands as beads of their layer's height.

@@ -28,5 +28,16 @@ TEST(BridgeThread, IsKnownByItsPlastic) {
   EXPECT_DOUBLE_EQ(ThreadMm(options.speeds[0], 0.4), 0.36);
 }
 
+TEST(BridgeThread, OverSparseInfillByItsOwnFlow) {
+  MotionOptions options;
+  const Path bead = Bead(WidthOfThread(), Feature::kInternalBridge);
+  EXPECT_EQ(ThreadNm(bead, 200'000, options), 400'000);
+  options.speeds[0].internal_bridge_flow = 0.81;
+  EXPECT_EQ(ThreadNm(bead, 200'000, options), 0);
+  options.speeds[0].internal_bridge_flow = 1;
+  options.speeds[0].bridge_flow = 0.81;
+  EXPECT_EQ(ThreadNm(bead, 200'000, options), 400'000);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::bridge_thread_test

@@ -197,6 +197,15 @@ int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int
   return std::max(fan_percent, Grown(cooling, layer_index, cooling.bridge_fan_percent));
 }
 
+int32_t CooledRest(const CoolingOptions& cooling) {
+  if (cooling.overhang_fan_share >= 1) return -1;
+  return static_cast<int32_t>(std::lround((1 - cooling.overhang_fan_share) * kFullRest));
+}
+
+int32_t InterfaceFanPercent(const CoolingOptions& cooling, int32_t layer_index) {
+  return layer_index < cooling.disable_fan_first_layers ? -1 : cooling.interface_fan_percent;
+}
+
 std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,
                                                int32_t fan_percent) {
   if (!cooling.dynamic_fan) return std::nullopt;

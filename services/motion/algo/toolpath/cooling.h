@@ -35,6 +35,13 @@ int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double la
 /// Returns the fan for bridges and overhangs.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
 
+/// Returns the largest rest, in percent, of walls with the fan for bridges, or -1 if only bridges
+/// have it.
+int32_t CooledRest(const CoolingOptions& cooling);
+
+/// Returns the fan for support interfaces, or -1 if it is the layer's.
+int32_t InterfaceFanPercent(const CoolingOptions& cooling, int32_t layer_index);
+
 /// Returns the fans for walls over air, indexed by overhang degree, each at least `fan_percent`.
 /// Returns nullopt if the setting is off.
 std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,

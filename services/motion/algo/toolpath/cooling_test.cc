@@ -211,6 +211,23 @@ TEST(FanPercent, GrowsUpToTheFullLayer) {
   EXPECT_EQ(FanPercent(cooling, 0, 1), 0);
 }
 
+TEST(CooledRest, IsWhatTheThresholdLeaves) {
+  CoolingOptions cooling;
+  EXPECT_EQ(CooledRest(cooling), -1);
+  for (const auto& [share, rest] : {std::pair{0.95, 5}, {0.75, 25}, {0.1, 90}, {0.0, 100}}) {
+    cooling.overhang_fan_share = share;
+    EXPECT_EQ(CooledRest(cooling), rest);
+  }
+}
+
+TEST(InterfaceFanPercent, AfterTheFirstLayers) {
+  CoolingOptions cooling;
+  EXPECT_EQ(InterfaceFanPercent(cooling, 5), -1);
+  cooling.interface_fan_percent = 0;
+  EXPECT_EQ(InterfaceFanPercent(cooling, 0), -1);
+  EXPECT_EQ(InterfaceFanPercent(cooling, 1), 0);
+}
+
 TEST(OverhangFanPercent, OnlyIfAskedFor) {
   CoolingOptions cooling;
   cooling.overhang_fan_percent = {100, 80, 40, 10};

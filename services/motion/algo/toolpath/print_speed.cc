@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "common/model/options/motion_options.h"
 #include "common/model/options/region_speeds.h"
+#include "services/motion/algo/toolpath/feature_groups.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
 namespace slicefarm::motion {
@@ -14,8 +16,8 @@ namespace {
 constexpr double kDefaultSpeedMmS = 60;
 constexpr double kMaxFeedRate = 1e6;
 
-bool IsSmallWall(const Path& path, double length_mm) {
-  return length_mm <= kSmallLoopMm &&
+bool IsSmallWall(const Path& path, double length_mm, double radius_mm) {
+  return length_mm <= 2 * std::numbers::pi * radius_mm &&
          (path.feature == Feature::kExternalPerimeter || path.feature == Feature::kPerimeter);
 }
 
@@ -24,19 +26,33 @@ bool IsSmallWall(const Path& path, double length_mm) {
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
   double speed = region.speed_mm_s[static_cast<size_t>(path.feature)];
-  if (IsSmallWall(path, length_mm) && region.small_perimeter_speed_mm_s > 0) {
+  if (path.feature == Feature::kInternalBridge && speed <= 0)
+    speed = region.speed_mm_s[static_cast<size_t>(Feature::kBridgeInfill)];
+  if (IsSmallWall(path, length_mm, region.small_perimeter_radius_mm) &&
+      region.small_perimeter_speed_mm_s > 0) {
     speed = region.small_perimeter_speed_mm_s;
   }
-  speed = OnGround(path.feature, speed);
-  if (speed > 0) return speed;
-  return options_.max_print_speed_mm_s > 0 ? options_.max_print_speed_mm_s : kDefaultSpeedMmS;
+  speed = OnGround(ground_, path.feature, speed);
+  if (speed <= 0)
+    speed = options_.max_print_speed_mm_s > 0 ? options_.max_print_speed_mm_s : kDefaultSpeedMmS;
+  return InFirstLayers(path.feature, speed);
 }
 
-double PrintSpeeds::OnGround(Feature feature, double speed) const {
+/// Returns the speed in a layer below slow_down_layers: it rises evenly from the first layer's
+/// speed. The first layer's speed of infill is that of all beads except walls.
+double PrintSpeeds::InFirstLayers(Feature feature, double speed) const {
+  if (ground_ != Ground::kLayers || layer_ >= options_.slow_down_layers) return speed;
+  const double first =
+      OnGround(Ground::kBed, IsWall(feature) ? feature : Feature::kSolidInfill, speed);
+  if (first >= speed) return speed;
+  return first + (speed - first) * layer_ / options_.slow_down_layers;
+}
+
+double PrintSpeeds::OnGround(Ground ground, Feature feature, double speed) const {
   const auto either = [speed](double told, double ratio) {
     return told > 0 ? told : speed * ratio;
   };
-  switch (ground_) {
+  switch (ground) {
     case Ground::kBed:
       if (feature == Feature::kSolidInfill && options_.first_layer_infill_speed_mm_s > 0)
         return options_.first_layer_infill_speed_mm_s;

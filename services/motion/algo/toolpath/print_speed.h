@@ -9,16 +9,15 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Largest length of a small wall: loops of a radius of 6.5 mm.
-inline constexpr double kSmallLoopMm = 40.840704496667314;
-
 /// Speeds of paths in mm/s, by their region's settings: the feature's speed, the speed of small
-/// walls, and the speed of the first layer on the bed or on a raft. Speeds for which the settings
-/// have no value are limited by max_print_speed. All are limited by max_volumetric_speed.
-/// `section_mm2`: section of the bead, flow included.
+/// walls, the speed of the first layer on the bed or on a raft, and the increase of speeds over the
+/// first layers. Speeds for which the settings have no value are limited by max_print_speed. All
+/// are limited by max_volumetric_speed. `section_mm2`: section of the bead, flow included.
 class PrintSpeeds {
  public:
-  PrintSpeeds(const MotionOptions& options, Ground ground) : options_(options), ground_(ground) {}
+  /// `layer`: index of the layer, for slow_down_layers.
+  PrintSpeeds(const MotionOptions& options, Ground ground, int32_t layer = 1 << 30)
+      : options_(options), ground_(ground), layer_(layer) {}
 
   /// Returns the speed of a path without the limit of the volumetric flow. `length_mm`: for a wall,
   /// the length of its contour (contour_length.h). REQUIRES: Path::settings is a valid index.
@@ -33,10 +32,12 @@ class PrintSpeeds {
   int32_t WithinFlow(int32_t feed_rate, double section_mm2) const;
 
  private:
-  double OnGround(Feature feature, double speed_mm_s) const;
+  double OnGround(Ground ground, Feature feature, double speed_mm_s) const;
+  double InFirstLayers(Feature feature, double speed_mm_s) const;
 
   const MotionOptions& options_;
   Ground ground_;
+  int32_t layer_;
 };
 
 /// Return the speeds of travels and of z moves, in mm/s. `first_layer`: selects the travel speed of

@@ -30,6 +30,14 @@ TEST(PrintSpeeds, ByFeature) {
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kSolidOverBridge), 1), 33);
 }
 
+TEST(PrintSpeeds, BridgesOverSparseInfill) {
+  MotionOptions options = Options();
+  const PrintSpeeds speeds(options, Ground::kLayers);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kInternalBridge), 1), 45) << "as other bridges";
+  options.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kInternalBridge)] = 22;
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kInternalBridge), 1), 22);
+}
+
 TEST(PrintSpeeds, SmallWalls) {
   const MotionOptions options = Options();
   const PrintSpeeds speeds(options, Ground::kLayers);
@@ -37,6 +45,37 @@ TEST(PrintSpeeds, SmallWalls) {
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.9), 60);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, false), 10), 15);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kGapFill, true), 10), 20);
+}
+
+TEST(PrintSpeeds, SmallWallsByRadius) {
+  MotionOptions options = Options();
+  const PrintSpeeds speeds(options, Ground::kLayers);
+  options.speeds[0].small_perimeter_radius_mm = 2;
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 12.5), 15);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 12.6), 60);
+  options.speeds[0].small_perimeter_radius_mm = 0;
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 1), 60);
+}
+
+TEST(PrintSpeeds, RiseOverTheFirstLayers) {
+  MotionOptions options = Options();
+  options.first_layer_infill_speed_mm_s = 40;
+  options.slow_down_layers = 5;
+  struct Case {
+    int32_t layer;
+    Feature feature;
+    double want;
+  };
+  for (const auto& [layer, feature, want] : {Case{0, Feature::kPerimeter, 25},
+                                             {1, Feature::kPerimeter, 32},
+                                             {4, Feature::kPerimeter, 53},
+                                             {5, Feature::kPerimeter, 60},
+                                             {1, Feature::kInternalInfill, 48},
+                                             {1, Feature::kGapFill, 20}}) {
+    const Ground ground = layer == 0 ? Ground::kBed : Ground::kLayers;
+    EXPECT_DOUBLE_EQ(PrintSpeeds(options, ground, layer).Of(OfFeature(feature), 100), want)
+        << layer << FeatureName(feature);
+  }
 }
 
 TEST(PrintSpeeds, FirstLayersInfill) {

@@ -31,9 +31,6 @@ constexpr int64_t kMostFilament = 1'000'000'000;
 /// which are inside the part. Above it, more than ten flow changes per metre would exceed 30 %.
 constexpr double kFillWidthShare = 0.085;
 
-/// Share of the full wipe length above which a wipe retracts everything. Steps make wipes shorter.
-constexpr double kWholeWipe = 0.9;
-
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
 }
@@ -45,7 +42,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
                                  const LayerBelow* carried)
     : options_(options),
       first_layer_(frame.index == 0),
-      speeds_(options, ground),
+      speeds_(options, ground, frame.index),
       accelerations_(AccelerationsFor(options, ground)),
       filament_area_mm2_(std::numbers::pi / 4 * options.tool().filament_diameter_mm *
                          options.tool().filament_diameter_mm),
@@ -228,7 +225,9 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
 std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
   const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
-  if (region.dynamic_overhangs || options_.tool().cooling.dynamic_fan) return RestSteps::kAll;
+  const CoolingOptions& cooling = options_.tool().cooling;
+  if (region.dynamic_overhangs || cooling.dynamic_fan || CoolsByRest(cooling))
+    return RestSteps::kAll;
   if (!region.bridging_walls) return std::nullopt;
   return RestSteps::kAirAlone;
 }
@@ -418,64 +417,11 @@ void ToolpathBuilder::MoveZ(int32_t z_um) {
   Push(MoveKind::kLift, accelerations_.Travel(set_acceleration_));
 }
 
-void ToolpathBuilder::Retract() {
-  if (retracted_ || retract_units_ == 0) return;
-  retracted_ = true;
-  ++stats_.retractions;
-  const int32_t before =
-      wipe_way_.empty()
-          ? retract_units_
-          : static_cast<int32_t>(std::lround(options_.tool().retraction.before_wipe * retract_units_));
-  PullBack(before);
-  if (before < retract_units_)
-    PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
-}
-
-void ToolpathBuilder::PullBack(int32_t units) {
-  if (units <= 0) return;
-  at_.filament = -units;
-  at_.feed_rate = FeedRate(options_.tool().retraction.speed_mm_s);
-  Push(MoveKind::kRetract, accelerations_.Retract(set_acceleration_));
-  path_.moves.back().if_needed = std::exchange(as_left_, false);
-}
-
-/// Retracts `units` during the wipe, or the corresponding share on a path much shorter than the
-/// wipe. Returns the retracted units.
-int32_t ToolpathBuilder::WipeBack(int32_t units) {
-  const double reach_mm = WayMm(wipe_way_);
-  const double whole_mm = reach_mm > kWholeWipe * wipe_.length_mm ? reach_mm : wipe_.length_mm;
-  int32_t pulled = 0;
-  double gone_mm = 0;
-  for (const PlaceUm place : wipe_way_) {
-    gone_mm += WayMm({&place, 1});
-    const auto until = static_cast<int32_t>(std::lround(gone_mm / whole_mm * units));
-    at_.x_um = place.x;
-    at_.y_um = place.y;
-    at_.filament = pulled - until;
-    at_.feed_rate = FeedRate(wipe_.speed_mm_s);
-    Push(MoveKind::kWipe, accelerations_.Wipe(set_acceleration_));
-    pulled = until;
-  }
-  return pulled;
-}
-
-void ToolpathBuilder::Restart() {
-  if (!retracted_ && !as_left_) return;
-  MoveZ(z_um_);
-  retracted_ = false;
-  const bool if_needed = std::exchange(as_left_, false);
-  if (restart_units_ == 0) return;
-  at_.filament = restart_units_;
-  at_.feed_rate = FeedRate(options_.tool().retraction.restart_speed_mm_s);
-  if (!if_needed) filament_ += restart_units_ - retract_units_;
-  Push(MoveKind::kRestart, accelerations_.Retract(set_acceleration_));
-  path_.moves.back().if_needed = if_needed;
-}
-
 void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   at_.kind = kind;
   at_.acceleration_mm_s2 = static_cast<float>(acceleration_mm_s2);
   const bool of_travel = kind == MoveKind::kTravel || kind == MoveKind::kLift;
+  if (kind == MoveKind::kPrint) print_feed_rate_ = at_.feed_rate;
   if (kind == MoveKind::kPrint || (of_travel && accelerations_.one))
     set_acceleration_ = acceleration_mm_s2;
   path_.moves.push_back(at_);

@@ -109,6 +109,8 @@ class ToolpathBuilder {
   double WayMm(std::span<const PlaceUm> way) const;
   void Retract();
   void PullBack(int32_t units);
+  int32_t UnitsBeforeWipe() const;
+  double WipeSpeed() const;
   int32_t WipeBack(int32_t units);
   void Restart();
   void MoveZ(int32_t z_um);
@@ -139,6 +141,7 @@ class ToolpathBuilder {
   double flow_ = 1;      ///< flow factor of the current path's bead sections
   Coord thread_nm_ = 0;  ///< diameter of the current path, if it is a round strand
   double print_acceleration_ = 0;  ///< acceleration of the current path
+  int32_t print_feed_rate_ = 0;    ///< feed rate of the last bead; 0: none so far
   /// acceleration set in the machine; 0: unchanged since the layer before
   double set_acceleration_ = 0;
   bool retracted_ = true;

@@ -543,6 +543,45 @@ TEST(ToolpathBuilder, PullsBackAsMuchWhateverTheWay) {
     }
 }
 
+// 2 mm at 120 mm/s take the time of 0.583 mm at 35 mm/s: the rest is retracted before.
+TEST(ToolpathBuilder, WipesAsFarAsAskedFor) {
+  MotionOptions options = Wiping();
+  options.tool().retraction.before_wipe = 0;
+  options.tool().retraction.wipe_distance_mm = 2;
+  const auto moves = [&] { return Build({Line("(0 0, 10 0)")}, options).path.moves; };
+  const auto pulls = moves();
+  EXPECT_EQ(pulls.end()[-1].kind, MoveKind::kWipe);
+  EXPECT_EQ(pulls.end()[-1].x_um, 8'000);
+  EXPECT_EQ(pulls.end()[-1].filament, -58'333);
+  EXPECT_EQ(pulls.end()[-2].filament, -11'667);
+  options.wipe_as_printed = true;
+  const auto slow = moves();
+  EXPECT_EQ(slow.end()[-1].feed_rate, slow[3].feed_rate) << "the bead's";
+  EXPECT_EQ(slow.end()[-1].filament, -70'000);
+  options.tool().retraction.before_wipe = 1;
+  EXPECT_EQ(moves().end()[-1].filament, 0);
+  EXPECT_EQ(moves().end()[-1].x_um, 8'000);
+}
+
+// The fan needs the rest of a wall in steps, the speed of bridges only over air.
+TEST(ToolpathBuilder, WallsHaveARestForTheFan) {
+  MotionOptions options;
+  const LayerBelow below(
+      {{{{0, FromMm(-5)}, {FromMm(30), FromMm(-5)}, {FromMm(30), 0}, {0, 0}}, {}}});
+  Path wall = Line("(1 0, 29 0)");
+  wall.feature = Feature::kExternalPerimeter;
+  const auto rest = [&] {
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below);
+    builder.Add(wall);
+    return builder.Finish().moves[3].rest;
+  };
+  EXPECT_EQ(rest(), kFullRest);
+  options.tool().cooling.overhang_fan_share = 0.5;
+  EXPECT_EQ(rest(), 50);
+  options.tool().cooling.overhang_fan_share = 0;
+  EXPECT_EQ(rest(), kFullRest) << "all outer walls, whatever they rest on";
+}
+
 TEST(ToolpathBuilder, RisesBetweenTwoHeightsOnly) {
   MotionOptions options;
   options.tool().retraction.lift_mm = 0.3;

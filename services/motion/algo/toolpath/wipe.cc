@@ -2,19 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "common/gcode/gcode_text.h"
 #include "common/geometry/between.h"
 #include "common/geometry/measure.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
+#include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion {
 namespace {
 
-constexpr double kSpeedShare = 0.8;
 constexpr double kLeastStepNm = 200'000;
+/// Share of the full wipe length above which a wipe retracts everything. Steps make wipes shorter.
+constexpr double kWholeWipe = 0.9;
+/// Least speed of a wipe at the speed of the bead before it.
+constexpr double kLeastWipeMmS = 10;
 
 /// Returns the points after the end of the path.
 std::vector<Point> WayOn(const Path& path) {
@@ -32,8 +38,9 @@ std::vector<Point> WayOn(const Path& path) {
 Wipe WipeOf(const MotionOptions& options) {
   const RetractionOptions& retraction = options.tool().retraction;
   const double pulled_mm = retraction.length_mm * (1 - retraction.before_wipe);
-  if (!retraction.wipe || pulled_mm <= 0 || retraction.speed_mm_s <= 0) return {};
-  const double speed_mm_s = kSpeedShare * TravelSpeed(options);
+  if (!retraction.wipe || retraction.length_mm <= 0 || retraction.speed_mm_s <= 0) return {};
+  const double speed_mm_s = options.wipe_speed_ratio * TravelSpeed(options);
+  if (retraction.wipe_distance_mm > 0) return {speed_mm_s, retraction.wipe_distance_mm};
   return {speed_mm_s, pulled_mm / retraction.speed_mm_s * speed_mm_s};
 }
 
@@ -51,6 +58,76 @@ std::vector<PlaceUm> WipeWay(const Path& path, double length_mm) {
     add(last);
   }
   return places;
+}
+
+void ToolpathBuilder::Retract() {
+  if (retracted_ || retract_units_ == 0) return;
+  retracted_ = true;
+  ++stats_.retractions;
+  const int32_t before = UnitsBeforeWipe();
+  PullBack(before);
+  if (!wipe_way_.empty()) PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
+}
+
+void ToolpathBuilder::PullBack(int32_t units) {
+  if (units <= 0) return;
+  at_.filament = -units;
+  at_.feed_rate = FeedRate(options_.tool().retraction.speed_mm_s);
+  Push(MoveKind::kRetract, accelerations_.Retract(set_acceleration_));
+  path_.moves.back().if_needed = std::exchange(as_left_, false);
+}
+
+/// Returns the units to retract before the wipe. A wipe of a given length may be too short for the
+/// rest at the speed of retractions.
+int32_t ToolpathBuilder::UnitsBeforeWipe() const {
+  if (wipe_way_.empty()) return retract_units_;
+  const RetractionOptions& retraction = options_.tool().retraction;
+  const auto before = static_cast<int32_t>(std::lround(retraction.before_wipe * retract_units_));
+  if (retraction.wipe_distance_mm <= 0) return before;
+  const double most_mm = WayMm(wipe_way_) / WipeSpeed() * retraction.speed_mm_s;
+  const auto most = static_cast<int32_t>(std::lround(most_mm * kFilamentUnitsPerMm));
+  return std::max(before, retract_units_ - most);
+}
+
+double ToolpathBuilder::WipeSpeed() const {
+  if (!options_.wipe_as_printed || print_feed_rate_ <= 0) return wipe_.speed_mm_s;
+  return std::max(kLeastWipeMmS, SpeedOf(print_feed_rate_));
+}
+
+/// Retracts `units` during the wipe, or the corresponding share on a path much shorter than the
+/// wipe. Returns the retracted units.
+int32_t ToolpathBuilder::WipeBack(int32_t units) {
+  const double reach_mm = WayMm(wipe_way_);
+  const bool whole =
+      reach_mm > kWholeWipe * wipe_.length_mm || options_.tool().retraction.wipe_distance_mm > 0;
+  const double whole_mm = whole ? reach_mm : wipe_.length_mm;
+  const int32_t feed_rate = FeedRate(WipeSpeed());
+  int32_t pulled = 0;
+  double gone_mm = 0;
+  for (const PlaceUm place : wipe_way_) {
+    gone_mm += WayMm({&place, 1});
+    const auto until = static_cast<int32_t>(std::lround(gone_mm / whole_mm * units));
+    at_.x_um = place.x;
+    at_.y_um = place.y;
+    at_.filament = pulled - until;
+    at_.feed_rate = feed_rate;
+    Push(MoveKind::kWipe, accelerations_.Wipe(set_acceleration_));
+    pulled = until;
+  }
+  return pulled;
+}
+
+void ToolpathBuilder::Restart() {
+  if (!retracted_ && !as_left_) return;
+  MoveZ(z_um_);
+  retracted_ = false;
+  const bool if_needed = std::exchange(as_left_, false);
+  if (restart_units_ == 0) return;
+  at_.filament = restart_units_;
+  at_.feed_rate = FeedRate(options_.tool().retraction.restart_speed_mm_s);
+  if (!if_needed) filament_ += restart_units_ - retract_units_;
+  Push(MoveKind::kRestart, accelerations_.Retract(set_acceleration_));
+  path_.moves.back().if_needed = if_needed;
 }
 
 }  // namespace slicefarm::motion

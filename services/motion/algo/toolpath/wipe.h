@@ -17,8 +17,8 @@ struct Wipe {
   double length_mm = 0;  ///< length of the movement; 0: no wipe
 };
 
-/// Returns the wipe as in PrusaSlicer: at 0.8 of the travel speed, with the length that the
-/// retraction speed needs.
+/// Returns the wipe: at wipe_speed, with the length wipe_distance; without this setting, with the
+/// length that the retraction speed needs, as in PrusaSlicer.
 Wipe WipeOf(const MotionOptions& options);
 
 /// Returns the points of the wipe after the end of the path. A loop is followed once more, which

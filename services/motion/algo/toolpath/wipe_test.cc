@@ -38,6 +38,15 @@ TEST(WipeOf, IsShorterByWhatIsPulledBackBefore) {
   EXPECT_DOUBLE_EQ(WipeOf(options).length_mm, 0.6);
 }
 
+TEST(WipeOf, HasTheLengthAndTheSpeedOfTheSettings) {
+  MotionOptions options = Wiping();
+  options.tool().retraction.wipe_distance_mm = 2;
+  options.tool().retraction.before_wipe = 1;
+  options.wipe_speed_ratio = 0.5;
+  EXPECT_DOUBLE_EQ(WipeOf(options).length_mm, 2) << "though nothing is left to retract";
+  EXPECT_DOUBLE_EQ(WipeOf(options).speed_mm_s, 75);
+}
+
 TEST(WipeOf, NoneWithoutTheSettingOrARetraction) {
   for (const auto& spoil : {+[](RetractionOptions& r) { r.wipe = false; },
                             +[](RetractionOptions& r) { r.length_mm = 0; },
