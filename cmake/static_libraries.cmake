@@ -1,6 +1,6 @@
 # Links gRPC, Abseil and Protobuf into the programs: to load 50 libraries takes a short job a tenth of its CPU time. Their packages
-# have archives, but name only shared libraries to CMake. The sanitizers' suppressions name the shared libraries: those builds keep
-# them.
+# have archives, but name only shared libraries to CMake. Builds with sanitizers keep the shared libraries, which the sanitizers'
+# suppressions name.
 if(SLICEFARM_SANITIZE OR SLICEFARM_FUZZ)
   return()
 endif()

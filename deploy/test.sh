@@ -14,6 +14,9 @@ python3 tests/check_includes.py
 python3 tests/check_types.py
 python3 tests/check_cycles.py
 python3 tests/check_docs.py
+python3 tests/check_prose.py
+python3 tests/check_tests.py
+python3 tests/check_format.py
 docs/make_api.py --check
 [[ -f build/CMakeCache.txt ]] || cmake --preset cold
 cmake --build --preset release

@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 # Findings that are allowed in the whole repository. Lower a limit when texts have been corrected; never raise one.
-LIMITS = {"headless": 3320, "wh": 3970, "private": 1277, "long": 197, "setting": 0}
+LIMITS = {"headless": 0, "wh": 0, "private": 0, "long": 0, "setting": 0}
 
 LONGEST_SENTENCE = 30  # words
 HEADLESS = set(

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <vector>
 
-
 namespace slicefarm {
 
 /// Partition of the numbers from 0 to n - 1 into disjoint sets, which are joined step by step.

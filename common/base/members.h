@@ -36,11 +36,11 @@ constexpr size_t CountMembers() {
   }
 }
 
-#define SLICEFARM_TIE(z, n, unused)                               \
-  template <typename T>                                           \
+#define SLICEFARM_TIE(z, n, unused)                                 \
+  template <typename T>                                             \
   constexpr auto Tie(T& value, std::integral_constant<size_t, n>) { \
-    auto& [BOOST_PP_ENUM_PARAMS(n, m)] = value;                   \
-    return std::tie(BOOST_PP_ENUM_PARAMS(n, m));                  \
+    auto& [BOOST_PP_ENUM_PARAMS(n, m)] = value;                     \
+    return std::tie(BOOST_PP_ENUM_PARAMS(n, m));                    \
   }
 BOOST_PP_REPEAT_FROM_TO(1, 97, SLICEFARM_TIE, ~)
 #undef SLICEFARM_TIE

@@ -94,7 +94,8 @@ absl::StatusOr<std::string> SpooledText::Read(int64_t offset, int64_t limit) con
   int64_t begin = 0;  // of the piece
   for (const Piece& piece : pieces_) {
     const auto* part = std::get_if<std::string>(&piece);
-    const int64_t size = part != nullptr ? std::ssize(*part) : std::get<SpoolFile::Place>(piece).size;
+    const int64_t size =
+        part != nullptr ? std::ssize(*part) : std::get<SpoolFile::Place>(piece).size;
     const int64_t from = offset + std::ssize(text) - begin;
     const int64_t count = std::min(size - from, limit - std::ssize(text));
     begin += size;

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "absl/status/status.h"
-#include "common/config/draft.h"
+#include "common/config/setting_values.h"
 
 namespace slicefarm::config {
 
@@ -14,16 +14,16 @@ double Absolute(const Value& value, double whole);
 
 /// Replaces a percentage in setting `key` by the absolute number. The setting to which the
 /// percentage refers must already be an absolute number.
-void TakePercentage(Draft& draft, std::string_view key);
+void TakePercentage(SettingValues& draft, std::string_view key);
 
 /// Replaces a value of 0 in setting `key` by the value of setting `to`.
-void FallBack(Draft& draft, std::string_view key, std::string_view to);
+void FallBack(SettingValues& draft, std::string_view key, std::string_view to);
 
 /// Raises the value of setting `key` to the value of setting `least`, if `key` is smaller.
-void RaiseTo(Draft& draft, std::string_view key, std::string_view least);
+void RaiseTo(SettingValues& draft, std::string_view key, std::string_view least);
 
 /// Checks that the numbers computed from percentages are in the ranges of their settings. Errors:
 /// SETTING_OUT_OF_RANGE.
-absl::Status CheckPercentages(const Draft& draft);
+absl::Status CheckPercentages(const SettingValues& draft);
 
 }  // namespace slicefarm::config

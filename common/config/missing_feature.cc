@@ -37,7 +37,8 @@ absl::Status CheckAllowed(std::span<const std::string> allowed) {
     std::map<std::string, std::string> metadata = {{"field", "allow"}};
     if (!nearest.empty()) metadata["suggestion"] = nearest;
     std::string list;
-    for (const std::string_view each : names) list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
+    for (const std::string_view each : names)
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
         fmt::format("allow: there is no feature '{}'{}; the features are: {}", name,

@@ -80,7 +80,7 @@ class Resolver {
     return absl::OkStatus();
   }
 
-  const Growth& growth() const { return growth_; }
+  const ShrinkageCompensation& growth() const { return growth_; }
   const JobRows& job_rows() const { return job_rows_; }
   const ProcessSettings& process() const { return SettingsOf(process_); }
 
@@ -171,10 +171,10 @@ class Resolver {
   const Process process_;
   const CancelToken& cancel_;
   ResolvedPlate& plate_;
-  Growth growth_;
+  ShrinkageCompensation growth_;
   JobRows job_rows_;  ///< rows of the job's own settings
   std::set<std::string> told_, warned_;
-  std::set<std::string> of_job_;  ///< notes on the job's own settings
+  std::set<std::string> of_job_;             ///< notes on the job's own settings
   std::map<Settings, JobRows, Less> known_;  ///< resolved rows per set of own settings
   ParsedTexts parsed_;
   ResolvedBytes bytes_;  ///< size of all sets in `known_`
@@ -234,8 +234,8 @@ class ObjectResolver {
       if (!own.ok()) return own.status();
       absl::StatusOr<JobRows> settings = resolver_.With(object_.name, Joined(own_, *own));
       if (!settings.ok()) return settings.status();
-      input.ranges.push_back({FromMm(range.from_mm), FromMm(range.to_mm),
-                              settings->object.layer_height_nm});
+      input.ranges.push_back(
+          {FromMm(range.from_mm), FromMm(range.to_mm), settings->object.layer_height_nm});
       ranges_.push_back(*std::move(own));
     }
     ranges_.push_back({});  // all other heights
@@ -331,7 +331,7 @@ std::string ObjectsText(std::span<const SceneObject> objects) {
 }
 
 /// Scales copies in place: the position in x and y stays, and z grows from the bed.
-void Grow(const Growth& growth, std::vector<Instance>& copies) {
+void Grow(const ShrinkageCompensation& growth, std::vector<Instance>& copies) {
   for (Instance& copy : copies) {
     copy.to_plate.topRows<2>().leftCols<3>() *= growth.xy;
     copy.to_plate.row(2) *= growth.z;
@@ -392,7 +392,8 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   if (plate.objects.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                      "no object has a printable copy");
-  if (absl::Status ok = own.FinishPlate(resolver.job_rows(), *rows, plate.settings); !ok.ok()) return ok;
+  if (absl::Status ok = own.FinishPlate(resolver.job_rows(), *rows, plate.settings); !ok.ok())
+    return ok;
   plate.region_rows = rows->size();
   // Texts of the default process contain no process, because such texts are older than processes.
   if (process != kDefaultProcess)

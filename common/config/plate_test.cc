@@ -132,7 +132,8 @@ TEST(ResolvePlate, TellsOfEnforcersWithoutSupports) {
   SceneObject object = ObjectNamed("cup");
   object.parts.push_back(PartOf(1, PartRole::kSupportEnforcer, {}));
   object.parts.push_back(PartOf(2, PartRole::kSupportBlocker, {}));
-  const std::string note = "cup: support enforcers, painted or as parts: needs support_material = 1";
+  const std::string note =
+      "cup: support enforcers, painted or as parts: needs support_material = 1";
   const ResolvedPlate without = PlateOrDie({}, {object});
   EXPECT_THAT(without.no_effect, ElementsAre(note));
   EXPECT_THAT(without.warnings, ElementsAre(note));

@@ -9,9 +9,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/config/draft.h"
 #include "common/config/resolve.h"
 #include "common/config/setting_need.h"
+#include "common/config/setting_values.h"
 #include "common/config/table/setting_spec.h"
 #include "common/model/scene/scene.h"
 
@@ -34,12 +34,13 @@ class RegionRows {
   virtual void PutInto(JobSettings& /*plate*/) const {}
 };
 
-/// Arguments of ProcessSettings::Settle: one resolved set of settings, after all values are stored.
-struct Settling {
-  const Draft& draft;
+/// Arguments of ProcessSettings::DeriveOptions: one resolved set of settings, after all values are
+/// stored.
+struct OptionSources {
+  const SettingValues& draft;
   std::span<const Setting> given;
   ResolvedSettings& result;  ///< resolved settings; receives notes and warnings
-  ToldSettings& told;
+  ReportedSettings& told;
 };
 
 /// Format of a job's output file, identified by the file name's suffix.
@@ -90,13 +91,15 @@ class ProcessSettings {
   virtual size_t ListItem(std::span<const Setting> /*given*/) const { return 0; }
   /// Replaces values that refer to other settings by absolute values. Requests that cannot be
   /// fulfilled are reported in `result`.
-  virtual absl::Status Derive(Draft& draft, ResolvedSettings& result) const = 0;
+  virtual absl::Status Derive(SettingValues& draft, ResolvedSettings& result) const = 0;
   /// Checks that the values are consistent with each other.
-  virtual absl::Status Check(const Draft& draft) const = 0;
+  virtual absl::Status Check(const SettingValues& draft) const = 0;
   /// Sets the options that depend on several settings.
-  virtual absl::Status Settle(const Settling& /*settling*/) const { return absl::OkStatus(); }
+  virtual absl::Status DeriveOptions(const OptionSources& /*settling*/) const {
+    return absl::OkStatus();
+  }
   /// Checks the complete settings, including their text.
-  virtual absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& /*result*/) const {
+  virtual absl::Status Finish(const SettingValues& /*draft*/, ResolvedSettings& /*result*/) const {
     return absl::OkStatus();
   }
 

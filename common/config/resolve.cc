@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "common/base/text.h"
-#include "common/config/draft.h"
 #include "common/config/process_settings.h"
 #include "common/config/setting_need.h"
 #include "common/config/setting_reader.h"
+#include "common/config/setting_values.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
 
@@ -53,7 +53,7 @@ absl::Status ReadAll(std::span<const Setting> given, SettingReader& reader) {
 }
 
 /// Stores each value in its row.
-void PutInto(JobRows& settings, const Draft& draft) {
+void PutInto(JobRows& settings, const SettingValues& draft) {
   const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i)
     for (const Field& field : {table[i].field, table[i].also})
@@ -75,13 +75,14 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   result.settings = own.Standards();
   SettingReader reader(process, own.ListItem(given), parsed);
   if (absl::Status status = ReadAll(given, reader); !status.ok()) return status;
-  ToldSettings told = reader.Told();
-  Draft draft = reader.Finish(result);
+  ReportedSettings told = reader.Told();
+  SettingValues draft = reader.Finish(result);
   TellDerived(draft, told);
   if (absl::Status status = own.Derive(draft, result); !status.ok()) return status;
   if (absl::Status status = own.Check(draft); !status.ok()) return status;
   PutInto(result.settings, draft);
-  if (absl::Status status = own.Settle({draft, given, result, told}); !status.ok()) return status;
+  if (absl::Status status = own.DeriveOptions({draft, given, result, told}); !status.ok())
+    return status;
   for (std::string& note : UnmetNeeds(own.Needs(), draft, result.settings))
     result.no_effect.push_back(std::move(note));
   result.effective_text = EffectiveText(result.settings, told);
@@ -103,8 +104,8 @@ bool IsRare(const SettingSpec& spec) {
 
 }  // namespace
 
-std::string EffectiveText(const JobRows& settings, const ToldSettings& told) {
-  ToldSettings all = told;
+std::string EffectiveText(const JobRows& settings, const ReportedSettings& told) {
+  ReportedSettings all = told;
   for (const SettingSpec& spec : SettingsTable(settings.process())) {
     if (spec.field.get == nullptr) continue;
     const Value value = spec.field.get(settings);

@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/missing_feature.h"
-#include "common/config/told_settings.h"
+#include "common/config/reported_settings.h"
 #include "common/model/options/settings.h"
 #include "common/model/setting.h"
 
@@ -18,7 +18,7 @@ using slicefarm::Source;
 class ParsedTexts;
 
 /// Factors by which parts are scaled, because their filament shrinks.
-struct Growth {
+struct ShrinkageCompensation {
   double xy = 1;
   double z = 1;
 };
@@ -26,7 +26,7 @@ struct Growth {
 /// Result of Resolve: the settings, their text, and notes for the report.
 struct ResolvedSettings {
   JobRows settings;
-  Growth growth;
+  ShrinkageCompensation growth;
   /// Text of the settings by EffectiveText, including given settings that no stage uses
   /// (told_settings.h). Resolve of these lines gives the same `settings` and the same text.
   std::string effective_text;
@@ -61,6 +61,6 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 /// Returns the settings that have an effect on the job's process as `key = value` lines sorted by
 /// key. The lines include `told`: given settings that no stage uses. Two texts are equal if and
 /// only if the settings are equal.
-std::string EffectiveText(const JobRows& settings, const ToldSettings& told = {});
+std::string EffectiveText(const JobRows& settings, const ReportedSettings& told = {});
 
 }  // namespace slicefarm::config

@@ -35,7 +35,6 @@ FdmSettings OneRegion(const JobRows& rows) {
   return {fdm.machine, {fdm.object}, {fdm.region}, {fdm.tool}};
 }
 
-
 using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
@@ -174,9 +173,11 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.slicing.thumbnails.clear();
   FdmOf(ours).machine.motion.writing.relative_e = false;
   FdmOf(ours).tool.start_filament_gcode = "; Filament gcode\n";
-  FdmOf(ours).machine.motion.end_gcode = "; Filament-specific end gcode \n;END gcode for filament\n" +
-                                 FdmOf(ours).machine.motion.end_gcode.str();
-  const std::optional<MachineLimits>& silent = FdmOf(resolved.settings).machine.motion.silent_limits;
+  FdmOf(ours).machine.motion.end_gcode =
+      "; Filament-specific end gcode \n;END gcode for filament\n" +
+      FdmOf(ours).machine.motion.end_gcode.str();
+  const std::optional<MachineLimits>& silent =
+      FdmOf(resolved.settings).machine.motion.silent_limits;
   ASSERT_TRUE(silent.has_value());  // silent_mode = 1, with second values of the limits
   EXPECT_THAT(silent->max_feedrate_mm_s, ElementsAre(200, 200, 12, 120));
   FdmOf(ours).machine.motion.silent_limits = silent;
@@ -489,16 +490,16 @@ TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {
 
 TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   const JobRows settings = ResolveOrDie(Settings({{"first_layer_height", "0.25"},
-                                                      {"first_layer_extrusion_width", "0.5"},
-                                                      {"layer_height", "0.2"},
-                                                      {"nozzle_diameter", "0.6"},
-                                                      {"filament_diameter", "2"},
-                                                      {"bed_shape", "0x0,90x0,90x90"},
-                                                      {"raft_layers", "3"},
-                                                      {"raft_contact_distance", "0.15"},
-                                                      {"skirts", "2"},
-                                                      {"brim_width", "4"}}))
-                                   .settings;
+                                                  {"first_layer_extrusion_width", "0.5"},
+                                                  {"layer_height", "0.2"},
+                                                  {"nozzle_diameter", "0.6"},
+                                                  {"filament_diameter", "2"},
+                                                  {"bed_shape", "0x0,90x0,90x90"},
+                                                  {"raft_layers", "3"},
+                                                  {"raft_contact_distance", "0.15"},
+                                                  {"skirts", "2"},
+                                                  {"brim_width", "4"}}))
+                               .settings;
   const SkirtOptions& skirt = FdmOf(settings).machine.plan.skirt;
   EXPECT_EQ(skirt.loops, 2);
   EXPECT_EQ(skirt.width_nm, 500'000);
@@ -540,8 +541,7 @@ TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
   EXPECT_EQ(FdmOf(settings).region.infill.field_halo_layers, 21);
   EXPECT_GE(HaloLayers(OneRegion(settings)), 21);
   EXPECT_EQ(FdmOf(Job({{"density_field", R"({"kind":"constant","density":1})"}}))
-                .region.infill
-                .field_halo_layers,
+                .region.infill.field_halo_layers,
             0);
   const absl::Status far = Refusal({{"density_field", field}, {"layer_height", "0.02"}});
   EXPECT_EQ(DetailOf(far).reason, Reason::kSettingOutOfRange);
@@ -581,11 +581,13 @@ TEST(Resolve, EveryPatternHasItsNameInSettings) {
   for (const FillPatternInfo& info : kFillPatterns) {
     const std::string name(info.name);
     if (info.sparse) {
-      EXPECT_EQ(FdmOf(ResolveOrDie(Settings({{"fill_pattern", name}})).settings).region.infill.pattern,
-                info.pattern);
+      EXPECT_EQ(
+          FdmOf(ResolveOrDie(Settings({{"fill_pattern", name}})).settings).region.infill.pattern,
+          info.pattern);
     }
     for (const char* key : {"top_fill_pattern", "bottom_fill_pattern", "solid_fill_pattern"})
-      EXPECT_EQ(Refusal({{key, name}}).ok(), info.solid != SolidWay::kNone) << key << ' ' << name;
+      EXPECT_EQ(Refusal({{key, name}}).ok(), info.solid != SolidFillStyle::kNone)
+          << key << ' ' << name;
   }
 }
 
@@ -632,9 +634,8 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_FALSE(infill.thick_bridges);
   EXPECT_TRUE(infill.interface_shells);
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
-  EXPECT_EQ(
-      FdmOf(given.settings).region.motion.speed_mm_s[static_cast<size_t>(Feature::kIroning)],
-      22);
+  EXPECT_EQ(FdmOf(given.settings).region.motion.speed_mm_s[static_cast<size_t>(Feature::kIroning)],
+            22);
   EXPECT_THAT(given.no_effect, IsEmpty());
   // Reading the effective text gives the same values.
   EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
@@ -728,13 +729,14 @@ TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
 }
 
 TEST(Resolve, SlowsOverhangsDownByDegree) {
-  const MotionOptions motion = MotionOf(FdmOf(ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
-                                                            {"enable_dynamic_overhang_speeds", "1"},
-                                                            {"overhang_speed_1", "50%"},
-                                                            {"overhang_fan_speed_3", "70"},
-                                                            {"first_layer_infill_speed", "25%"},
-                                                            {"solid_infill_speed", "60"}}))
-                                         .settings));
+  const MotionOptions motion =
+      MotionOf(FdmOf(ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
+                                            {"enable_dynamic_overhang_speeds", "1"},
+                                            {"overhang_speed_1", "50%"},
+                                            {"overhang_fan_speed_3", "70"},
+                                            {"first_layer_infill_speed", "25%"},
+                                            {"solid_infill_speed", "60"}}))
+                         .settings));
   EXPECT_TRUE(motion.speeds[0].dynamic_overhangs);
   EXPECT_EQ(motion.speeds[0].overhang_speed_mm_s, (std::array<double, 4>{15, 20, 20, 25}));
   EXPECT_EQ(motion.tool().cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
@@ -762,12 +764,11 @@ TEST(Resolve, SaysThatOnlyTheFirstExtruderCounts) {
 }
 
 TEST(Resolve, SilentModeHasTheSecondValues) {
-  Pairs given = {
-      {"gcode_flavor", "marlin"},
-      {"silent_mode", "1"},
-      {"machine_max_feedrate_x", "500,200"},
-      {"machine_max_acceleration_extruding", "1250,960"},
-      {"machine_max_jerk_e", "7"}};
+  Pairs given = {{"gcode_flavor", "marlin"},
+                 {"silent_mode", "1"},
+                 {"machine_max_feedrate_x", "500,200"},
+                 {"machine_max_acceleration_extruding", "1250,960"},
+                 {"machine_max_jerk_e", "7"}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(given));
   EXPECT_THAT(resolved.no_effect, IsEmpty());
   const MotionOptions motion = MotionOf(FdmOf(resolved.settings));
@@ -778,7 +779,8 @@ TEST(Resolve, SilentModeHasTheSecondValues) {
   expected.max_acceleration_extruding_mm_s2 = 960;
   EXPECT_EQ(*motion.silent_limits, expected) << "a list of one value holds for both";
   given[0].second = "klipper";
-  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).machine.motion.silent_limits) << "has no such mode";
+  EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).machine.motion.silent_limits)
+      << "has no such mode";
   given[0].second = "marlin";
   given[1].second = "0";
   EXPECT_FALSE(FdmOf(ResolveOrDie(Settings(given)).settings).machine.motion.silent_limits);

@@ -162,7 +162,7 @@ absl::Status SettingReader::Read(const Setting& setting) {
 }
 
 /// Reports the settings without effect, after all settings are read.
-Draft SettingReader::Finish(ResolvedSettings& result) {
+SettingValues SettingReader::Finish(ResolvedSettings& result) {
   const auto table = SettingsTable(process_);
   for (size_t i = 0; i < table.size(); ++i) {
     if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i]);
@@ -180,13 +180,13 @@ Draft SettingReader::Finish(ResolvedSettings& result) {
 }
 
 /// Returns the settings that no stage uses.
-ToldSettings SettingReader::Told() const {
-  ToldSettings told;
+ReportedSettings SettingReader::Told() const {
+  ReportedSettings told;
   for (const auto& [key, other] : others_) Tell(key, other.second, told);
   return told;
 }
 
-absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry& entry,
+absl::Status SettingReader::ReadEffective(const SettingSpec& spec, SettingValues::Entry& entry,
                                           const Setting& setting, std::string_view all) {
   const std::string item = ItemOf(spec, all, tool_);
   const std::string value = setting.source == Source::kRequest ? item : Readable(spec, item);
@@ -215,11 +215,10 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry&
 /// Removes text after a number that vendors' files contain, such as a comment or a percent sign
 /// without a base. PrusaSlicer ignores such text, too.
 std::string SettingReader::Readable(const SettingSpec& spec, const std::string& value) {
-  const bool has_corners = spec.kind == Kind::kBedShape || spec.kind == Kind::kAreas ||
-                           spec.kind == Kind::kPoint;
+  const bool has_corners =
+      spec.kind == Kind::kBedShape || spec.kind == Kind::kAreas || spec.kind == Kind::kPoint;
   if (!(has_corners || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
-  const std::string read =
-      has_corners ? WithAllCorners(value) : std::string(NumberAtFront(value));
+  const std::string read = has_corners ? WithAllCorners(value) : std::string(NumberAtFront(value));
   if (read.empty() || read == value) return value;
   Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), read));
   return read;
@@ -241,7 +240,7 @@ void SettingReader::Warn(std::string text) {
   warnings_.push_back(std::move(text));
 }
 
-void SettingReader::NoteEffective(const SettingSpec& spec, const Draft::Entry& entry) {
+void SettingReader::NoteEffective(const SettingSpec& spec, const SettingValues::Entry& entry) {
   const std::string_view value = entry.written;
   if (const Choice* choice = StandIn(spec, value)) {
     Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
@@ -261,7 +260,7 @@ bool SettingReader::HasSilentMode() const {
 
 /// Notes the items of a list that have no effect. Only one item counts: the item of the tool, or of
 /// the machine's normal mode.
-void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry) {
+void SettingReader::NoteOtherItems(const SettingSpec& spec, const SettingValues::Entry& entry) {
   const std::string_view separator =
       spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
   const std::string_view all = entry.all;

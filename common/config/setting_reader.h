@@ -8,11 +8,11 @@
 
 #include "absl/status/status.h"
 #include "common/base/text.h"
-#include "common/config/draft.h"
+#include "common/config/reported_settings.h"
 #include "common/config/resolve.h"
+#include "common/config/setting_values.h"
 #include "common/config/table/known_keys.h"
 #include "common/config/table/setting_spec.h"
-#include "common/config/told_settings.h"
 
 namespace slicefarm::config {
 
@@ -42,21 +42,21 @@ class SettingReader {
   void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
 
   /// Returns the settings that no stage uses.
-  ToldSettings Told() const;
+  ReportedSettings Told() const;
 
   /// Returns the values after all settings are read. Reports the settings without effect in
   /// `result`: changes of the print first, descriptions of profiles last.
-  Draft Finish(ResolvedSettings& result);
+  SettingValues Finish(ResolvedSettings& result);
 
  private:
-  absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry, const Setting& setting,
-                             std::string_view all);
+  absl::Status ReadEffective(const SettingSpec& spec, SettingValues::Entry& entry,
+                             const Setting& setting, std::string_view all);
   std::string Readable(const SettingSpec& spec, const std::string& value);
 
   void NoteOverridden(const Setting& setting, std::string_view value);
-  void NoteEffective(const SettingSpec& spec, const Draft::Entry& entry);
+  void NoteEffective(const SettingSpec& spec, const SettingValues::Entry& entry);
   bool HasSilentMode() const;
-  void NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry);
+  void NoteOtherItems(const SettingSpec& spec, const SettingValues::Entry& entry);
   void NoteMissingPercent(const SettingSpec& spec, std::string_view value);
   void NoteOther(const std::string& key, const KnownKey* known, const std::string& value);
   void Warn(std::string text);
@@ -65,7 +65,7 @@ class SettingReader {
   const Process process_;
   const size_t tool_;
   ParsedTexts& parsed_;
-  Draft draft_;
+  SettingValues draft_;
   std::vector<std::string> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;

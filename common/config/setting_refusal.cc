@@ -10,8 +10,8 @@
 
 namespace slicefarm::config {
 
-absl::Status Refuse(const Draft& draft, std::string_view key, std::string_view rule, double min,
-                    double max) {
+absl::Status Refuse(const SettingValues& draft, std::string_view key, std::string_view rule,
+                    double min, double max) {
   std::map<std::string, std::string> metadata = {{"setting", std::string(key)},
                                                  {"value", PrintNumber(draft.Number(key))}};
   if (min > 0) metadata["min"] = PrintNumber(min);

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "absl/status/status.h"
-#include "common/config/draft.h"
+#include "common/config/setting_values.h"
 
 namespace slicefarm::config {
 
@@ -12,7 +12,7 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Returns SETTING_OUT_OF_RANGE for setting `key`, a length in mm that is inconsistent with other
 /// settings. `rule`: text "it must ..."; `min`, `max`: the bounds; 0 and kUnbounded mean no bound.
-absl::Status Refuse(const Draft& draft, std::string_view key, std::string_view rule, double min,
-                    double max);
+absl::Status Refuse(const SettingValues& draft, std::string_view key, std::string_view rule,
+                    double min, double max);
 
 }  // namespace slicefarm::config

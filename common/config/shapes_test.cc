@@ -20,14 +20,14 @@ JobRows Job(const Pairs& pairs) {
 
 TEST(ResolveShapes, ReadsWhatShapesWalls) {
   const JobRows settings = Job({{"slicing_mode", "close_holes"},
-                                    {"overhangs", "0"},
-                                    {"top_one_perimeter_type", "top"},
-                                    {"fuzzy_skin", "all"},
-                                    {"fuzzy_skin_thickness", "0.2"},
-                                    {"fuzzy_skin_point_dist", "0.5"},
-                                    {"prefer_clockwise_movements", "1"},
-                                    {"seam_gap_distance", "15%"},
-                                    {"nozzle_diameter", "0.6"}});
+                                {"overhangs", "0"},
+                                {"top_one_perimeter_type", "top"},
+                                {"fuzzy_skin", "all"},
+                                {"fuzzy_skin_thickness", "0.2"},
+                                {"fuzzy_skin_point_dist", "0.5"},
+                                {"prefer_clockwise_movements", "1"},
+                                {"seam_gap_distance", "15%"},
+                                {"nozzle_diameter", "0.6"}});
   EXPECT_TRUE(settings.object.close_holes);
   EXPECT_EQ(settings.object.fill_rule, FillRule::kNonZero);
   EXPECT_FALSE(FdmOf(settings).region.motion.bridging_walls);
@@ -43,8 +43,7 @@ TEST(ResolveShapes, ReadsWhatShapesWalls) {
 TEST(ResolveShapes, ExtraWallsNeedInfill) {
   const auto extra = [](const char* density) {
     return FdmOf(Job({{"extra_perimeters", "1"}, {"fill_density", density}}))
-        .region.walls
-        .extra_perimeters;
+        .region.walls.extra_perimeters;
   };
   EXPECT_TRUE(extra("5%"));
   EXPECT_FALSE(extra("0"));
@@ -52,15 +51,15 @@ TEST(ResolveShapes, ExtraWallsNeedInfill) {
 
 TEST(ResolveShapes, FilamentsOverrideRampsAndGaps) {
   const JobRows settings = Job({{"travel_ramping_lift", "0"},
-                                    {"filament_travel_ramping_lift", "1"},
-                                    {"travel_max_lift", "0.4"},
-                                    {"filament_travel_max_lift", "1.5"},
-                                    {"travel_slope", "3"},
-                                    {"filament_travel_slope", "nil"},
-                                    {"filament_travel_lift_before_obstacle", "1"},
-                                    {"seam_gap_distance", "0.1"},
-                                    {"filament_seam_gap_distance", "25%"},
-                                    {"nozzle_diameter", "0.4"}});
+                                {"filament_travel_ramping_lift", "1"},
+                                {"travel_max_lift", "0.4"},
+                                {"filament_travel_max_lift", "1.5"},
+                                {"travel_slope", "3"},
+                                {"filament_travel_slope", "nil"},
+                                {"filament_travel_lift_before_obstacle", "1"},
+                                {"seam_gap_distance", "0.1"},
+                                {"filament_seam_gap_distance", "25%"},
+                                {"nozzle_diameter", "0.4"}});
   const RetractionOptions& retraction = FdmOf(settings).tool.retraction;
   EXPECT_TRUE(retraction.ramping);
   EXPECT_EQ(retraction.ramp_lift_mm, 1.5);
@@ -75,8 +74,7 @@ TEST(ResolveShapes, AutomaticBrimsKnowTheMaterial) {
                       {"filament_type", filament},
                       {"perimeter_speed", "90"},
                       {"infill_speed", "120"}}))
-        .object
-        .brim;
+        .object.brim;
   };
   EXPECT_EQ(brim("auto_brim", "PLA").automatic, (AutomaticBrim{true, 200, 1, 120}));
   EXPECT_EQ(brim("auto_brim", "ABS").automatic, (AutomaticBrim{true, 100, 1, 120}));

@@ -9,11 +9,36 @@ namespace slicefarm::gcode {
 namespace {
 
 /// Commands for waits, temperatures, messages, progress, objects, extruder modes and limits.
-constexpr std::array<std::string_view, 30> kHarmless = {
-    "G4",   "G21",  "G90",  "M73",  "M74",  "M82",  "M83",
-    "M104", "M105", "M109", "M117", "M118", "M140", "M141",
-    "M190", "M191", "M220", "M221", "M300", "M400", "M486",
-    "M201", "M203", "M205", "M566", "M572", "M900", "SET_PRINT_STATS_INFO", "SET_PRESSURE_ADVANCE", "SET_DISPLAY_TEXT"};
+constexpr std::array<std::string_view, 30> kHarmless = {"G4",
+                                                        "G21",
+                                                        "G90",
+                                                        "M73",
+                                                        "M74",
+                                                        "M82",
+                                                        "M83",
+                                                        "M104",
+                                                        "M105",
+                                                        "M109",
+                                                        "M117",
+                                                        "M118",
+                                                        "M140",
+                                                        "M141",
+                                                        "M190",
+                                                        "M191",
+                                                        "M220",
+                                                        "M221",
+                                                        "M300",
+                                                        "M400",
+                                                        "M486",
+                                                        "M201",
+                                                        "M203",
+                                                        "M205",
+                                                        "M566",
+                                                        "M572",
+                                                        "M900",
+                                                        "SET_PRINT_STATS_INFO",
+                                                        "SET_PRESSURE_ADVANCE",
+                                                        "SET_DISPLAY_TEXT"};
 
 /// Returns true if the line changes no tracked state. G92 does not change the position if it
 /// concerns only the filament.

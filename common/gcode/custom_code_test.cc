@@ -6,9 +6,9 @@ namespace slicefarm::gcode::custom_code_test {
 namespace {
 
 TEST(LeavesModes, CommentsMessagesAndFilament) {
-  for (const char* code : {"", "\n\n", ";AFTER_LAYER_CHANGE\n;0.4\n", "G92 E0.0\n",
-                           "  M117 layer 7 X9 ; Y\n", "M73 P3\nM104 S200\r\n",
-                           "M201 X3995.13 Y3995.13"})
+  for (const char* code :
+       {"", "\n\n", ";AFTER_LAYER_CHANGE\n;0.4\n", "G92 E0.0\n", "  M117 layer 7 X9 ; Y\n",
+        "M73 P3\nM104 S200\r\n", "M201 X3995.13 Y3995.13"})
     EXPECT_TRUE(LeavesModes(code)) << code;
 }
 

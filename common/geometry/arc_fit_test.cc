@@ -38,9 +38,7 @@ TEST(FitArcs, ACircleIsTwoArcs) {
   EXPECT_EQ(pieces.back().last, 100);
 }
 
-TEST(FitArcs, KnowsTheWayRound) {
-  EXPECT_TRUE(FitArcs(Circle(5'000, -kPi, 50))[0].clockwise);
-}
+TEST(FitArcs, KnowsTheWayRound) { EXPECT_TRUE(FitArcs(Circle(5'000, -kPi, 50))[0].clockwise); }
 
 TEST(FitArcs, LinesAndCornersStay) {
   const std::vector<PlaceUm> square = {{0, 0}, {20'000, 0}, {20'000, 20'000}, {0, 20'000}, {0, 0}};
@@ -66,7 +64,8 @@ TEST(FitArcs, StaysWithinTheTolerance) {
   int arcs = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const double radius = 500 + random() % 40'000;
-    auto points = Circle(radius, (random() % 2 ? 1 : -1) * (0.3 + random() % 5), 20 + random() % 200);
+    auto points =
+        Circle(radius, (random() % 2 ? 1 : -1) * (0.3 + random() % 5), 20 + random() % 200);
     const int noise = static_cast<int>(random() % 25);
     for (PlaceUm& point : points) {
       if (noise > 0) point.x += static_cast<int32_t>(random() % noise);

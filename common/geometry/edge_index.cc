@@ -19,8 +19,8 @@ EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
   int32_t ring_number = 0;
   ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
-      edges_.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], ring_number,
-                        static_cast<int32_t>(i)});
+      edges_.push_back(
+          {ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], ring_number, static_cast<int32_t>(i)});
       box_.Add(ring[i]);
     }
     ++ring_number;

@@ -44,9 +44,9 @@ void JerkPlanner::FindBends() {
     double change = 0;  // change of the curvature along the moves on both sides
     if (!bends_[i].sharp) {
       for (const size_t side : {i - 1, i + 1}) {
-        const double way = moves_[side < i ? i - 1 : i].length_mm;
+        const double path = moves_[side < i ? i - 1 : i].length_mm;
         if (!bends_[side].sharp)
-          change = std::max(change, std::abs(bends_[side].curvature - bends_[i].curvature) / way);
+          change = std::max(change, std::abs(bends_[side].curvature - bends_[i].curvature) / path);
       }
     }
     const double a = std::min(moves_[i - 1].acceleration_mm_s2, moves_[i].acceleration_mm_s2);
@@ -106,12 +106,12 @@ void JerkPlanner::Run(const Span& span, double exit_mm_s) {
                             LimitsOf(span));
   ProfileWalk walk(profile);
   ProfileWalk::Passing at = {0, span.entry_mm_s};
-  double way_mm = 0;
+  double move_mm = 0;
   for (size_t i = span.first; i < span.last; ++i) {
-    way_mm += moves_[i].length_mm;
+    move_mm += moves_[i].length_mm;
     const bool last = i + 1 == span.last;
     const ProfileWalk::Passing next =
-        last ? ProfileWalk::Passing{profile.time_s(), exit_mm_s} : walk.At(way_mm);
+        last ? ProfileWalk::Passing{profile.time_s(), exit_mm_s} : walk.At(move_mm);
     const double cruise = span.last - span.first == 1 ? profile.peak_mm_s()
                                                       : std::max(at.speed_mm_s, next.speed_mm_s);
     profiles_[i] = {at.speed_mm_s, cruise, next.speed_mm_s, next.time_s - at.time_s};

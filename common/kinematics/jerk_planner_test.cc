@@ -100,7 +100,7 @@ TEST(JerkPlanner, RandomWaysKeepTheirLimits) {
   const auto in = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() % 100'001) / 100'000;
   };
-  for (int way = 0; way < 300; ++way) {
+  for (int path = 0; path < 300; ++path) {
     std::vector<KinematicMove> moves;
     double angle = 0;
     for (int i = 0; i < 60; ++i) {

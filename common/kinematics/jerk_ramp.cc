@@ -110,10 +110,10 @@ void JerkProfile::Add(double time_s, double speed, double acceleration, double j
   time_s_ += time_s;
 }
 
-ProfileWalk::Passing ProfileWalk::At(double way_mm) {
+ProfileWalk::Passing ProfileWalk::At(double move_mm) {
   while (phases_.size() > 1) {
     const double end_mm = phase_start_mm_ + phases_.front().LengthAt(phases_.front().time_s);
-    if (way_mm <= end_mm) break;
+    if (move_mm <= end_mm) break;
     phase_start_mm_ = end_mm;
     phase_start_s_ += phases_.front().time_s;
     in_phase_s_ = 0;
@@ -121,12 +121,12 @@ ProfileWalk::Passing ProfileWalk::At(double way_mm) {
   }
   if (phases_.empty()) return {};
   const JerkPhase& phase = phases_.front();
-  const double way = way_mm - phase_start_mm_;
+  const double path = move_mm - phase_start_mm_;
   // The position increases with time: Newton's step, or bisection if the step leaves the bounds.
   double low = in_phase_s_, high = phase.time_s, t = low;
   for (int i = 0; i < kMostSteps && high - low > kPrecision * phase.time_s; ++i) {
-    const double off = phase.LengthAt(t) - way;
-    if (std::abs(off) <= kPrecision * (way + 1)) break;
+    const double off = phase.LengthAt(t) - path;
+    if (std::abs(off) <= kPrecision * (path + 1)) break;
     (off < 0 ? low : high) = t;
     const double speed = phase.SpeedAt(t);
     const double next = t - off / speed;

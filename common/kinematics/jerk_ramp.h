@@ -78,8 +78,8 @@ class ProfileWalk {
     double time_s = 0;
     double speed_mm_s = 0;
   };
-  /// Returns time and speed at a position. `way_mm`: distance from the start, in mm.
-  Passing At(double way_mm);
+  /// Returns time and speed at a position. `move_mm`: distance from the start, in mm.
+  Passing At(double move_mm);
 
  private:
   std::span<const JerkPhase> phases_;

@@ -93,7 +93,7 @@ TEST(JerkProfile, KeepsItsLimits) {
     if (RampLength(entry, exit, limits) > length) continue;
     const JerkProfile profile(length, entry, top, exit, limits);
     ASSERT_LE(profile.peak_mm_s(), top);
-    double speed = entry, acceleration = 0, way = 0;
+    double speed = entry, acceleration = 0, path = 0;
     for (const JerkPhase& phase : profile.phases()) {
       ASSERT_NEAR(phase.speed_mm_s, speed, 1e-6 * top);
       ASSERT_NEAR(phase.acceleration_mm_s2, acceleration, 1e-6 * limits.acceleration_mm_s2);
@@ -101,10 +101,10 @@ TEST(JerkProfile, KeepsItsLimits) {
       ASSERT_LE(std::abs(phase.acceleration_mm_s2), limits.acceleration_mm_s2 * (1 + 1e-12));
       speed = phase.SpeedAt(phase.time_s);
       acceleration += phase.jerk_mm_s3 * phase.time_s;
-      way += phase.LengthAt(phase.time_s);
+      path += phase.LengthAt(phase.time_s);
     }
     ASSERT_NEAR(speed, exit, 1e-6 * top);
-    ASSERT_NEAR(way, length, 1e-6 * (length + 1));
+    ASSERT_NEAR(path, length, 1e-6 * (length + 1));
   }
 }
 
@@ -112,13 +112,13 @@ TEST(ProfileWalk, PassesPlacesWhenTheProfileDoes) {
   const JerkProfile profile(12, 20, 100, 40, kLimits);
   ProfileWalk walk(profile);
   double before_s = 0, before_mm = 0;
-  for (double way = 0.1; way < 12; way += 0.1) {
-    const auto [time_s, speed] = walk.At(way);
+  for (double path = 0.1; path < 12; path += 0.1) {
+    const auto [time_s, speed] = walk.At(path);
     ASSERT_GT(time_s, before_s);
     // The speed hardly changes over 0.1 mm.
-    ASSERT_NEAR((way - before_mm) / (time_s - before_s), speed, 4);
+    ASSERT_NEAR((path - before_mm) / (time_s - before_s), speed, 4);
     before_s = time_s;
-    before_mm = way;
+    before_mm = path;
   }
   EXPECT_NEAR(walk.At(12).time_s, profile.time_s(), 1e-9);
   EXPECT_NEAR(walk.At(12).speed_mm_s, 40, 1e-4);

@@ -26,9 +26,9 @@ double CornerV2(const KinematicMove& before, const KinematicMove& move) {
   if (sin_half >= 1 || cos_half == 0) return std::numeric_limits<double>::infinity();
   const double deviation_v2 =
       std::min(before.corner_v2, move.corner_v2) * sin_half / (1 - sin_half);
-  const double way = std::min(before.length_mm * before.acceleration_mm_s2,
-                              move.length_mm * move.acceleration_mm_s2);
-  return std::min(deviation_v2, way * sin_half / cos_half / 2);
+  const double path = std::min(before.length_mm * before.acceleration_mm_s2,
+                               move.length_mm * move.acceleration_mm_s2);
+  return std::min(deviation_v2, path * sin_half / cos_half / 2);
 }
 
 void LimitByExtruder(KinematicMove& move, const MachineLimits& limits) {

@@ -15,8 +15,8 @@ KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 /// It is the smallest of these limits, which depend on the directions:
 ///   junction deviation by the square corner velocity, v^2 = scv^2 (sqrt(2) - 1) s / (1 - s),
 ///   s the sine of half the angle between the moves;
-///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2,
-///   theta the angle between the moves, L the move's length, a its acceleration;
+///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
+///   theta is the angle between the moves, L the move's length, a its acceleration;
 ///   the extruder's speed may change by 1 mm/s at once.
 /// Returns 0 if one of the moves is of the extruder alone, because the toolhead stops. REQUIRES:
 /// both moves are results of LimitedByKlipper. Source: Klipper's documentation, "Kinematics".

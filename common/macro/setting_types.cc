@@ -63,7 +63,8 @@ constexpr std::string_view kNumber =
     "support_tree_angle support_tree_angle_slow support_tree_branch_diameter "
     "support_tree_branch_diameter_angle support_tree_branch_diameter_double_wall "
     "support_tree_branch_distance support_tree_tip_diameter top_solid_infill_acceleration "
-    "top_solid_infill_flow_ratio top_solid_min_thickness travel_acceleration travel_short_distance_acceleration travel_speed "
+    "top_solid_infill_flow_ratio top_solid_min_thickness travel_acceleration "
+    "travel_short_distance_acceleration travel_speed "
     "travel_speed_z wall_transition_angle wipe_tower_acceleration wipe_tower_bridging "
     "wipe_tower_brim_width wipe_tower_cone_angle wipe_tower_width xy_size_compensation z_offset";
 

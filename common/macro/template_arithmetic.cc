@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "absl/strings/str_format.h"
-#include "common/macro/text_pattern.h"
+#include "common/macro/regex.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::macro {

@@ -18,9 +18,8 @@ Instance InstanceAt(double x, double z_scale, bool placed, bool by_middle = fals
 }
 
 TEST(CopyGroups, AreOfCopiesThatDifferByAShiftAlone) {
-  std::vector<Instance> instances = {
-      InstanceAt(10, 1, true), InstanceAt(20, 2, false), InstanceAt(30, 1, true, true),
-      InstanceAt(40, 1, true)};
+  std::vector<Instance> instances = {InstanceAt(10, 1, true), InstanceAt(20, 2, false),
+                                     InstanceAt(30, 1, true, true), InstanceAt(40, 1, true)};
   instances[3].printable = false;
   const std::vector<CopyGroup> groups = GroupsOf(instances);
   ASSERT_EQ(groups.size(), 2u);

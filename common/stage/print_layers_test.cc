@@ -70,8 +70,8 @@ TEST(PrintLayers, APartOnARaftIsLifted) {
 }
 
 TEST(PrintLayers, ALayerMayEndBetweenTwoOfThePart) {
-  const AddedStack support{kSupportStack, 5,
-                           {SectionOf(kSupportStack, 0, 15, 15), SectionOf(kSupportStack, 1, 25, 10)}};
+  const AddedStack support{
+      kSupportStack, 5, {SectionOf(kSupportStack, 0, 15, 15), SectionOf(kSupportStack, 1, 25, 10)}};
   EXPECT_THAT(TextOf(PrintLayers(Parts({2}, 20), {}, {support})),
               ElementsAre("0 20/20: 0.0 3.0", "1 30/10: 3.1", "2 40/10: 0.1"));
 }

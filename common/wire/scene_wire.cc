@@ -69,8 +69,7 @@ absl::StatusOr<HeightRange> FromProto(const v1::HeightRange& proto) {
 class SceneReader {
  public:
   absl::Status Add(const v1::Object& proto) {
-    absl::StatusOr<SceneObject> object =
-        proto.parts().empty() ? OfOneMesh(proto) : OfParts(proto);
+    absl::StatusOr<SceneObject> object = proto.parts().empty() ? OfOneMesh(proto) : OfParts(proto);
     if (!object.ok()) return object.status();
     object->settings = SettingsFromProto(proto.settings());
     for (int i = 0; i < proto.height_ranges_size(); ++i) {
@@ -100,12 +99,11 @@ class SceneReader {
 
   absl::StatusOr<int32_t> FileOf(const std::string& sha256, v1::MeshFormat proto_format,
                                  const std::string& name, std::string_view field) {
-    if (!IsSha256Hex(sha256))
-      return Malformed(field, "is not a SHA-256, 64 lower-case hex digits");
+    if (!IsSha256Hex(sha256)) return Malformed(field, "is not a SHA-256, 64 lower-case hex digits");
     const auto format = slicefarm::FromProto(proto_format);
     if (!format.ok()) return format.status();
-    const auto [mesh, is_new] = known_.try_emplace({sha256, *format},
-                                                   static_cast<int32_t>(scene_.meshes.size()));
+    const auto [mesh, is_new] =
+        known_.try_emplace({sha256, *format}, static_cast<int32_t>(scene_.meshes.size()));
     if (is_new) scene_.meshes.push_back({sha256, name, *format});
     return mesh->second;
   }

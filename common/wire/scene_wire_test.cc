@@ -24,7 +24,10 @@ SubmittedScene RichScene() {
   object.settings = {{"perimeters", "4", Source::kProfile}};
   Part body{"body", {0, 2, 12, 24}, PartRole::kSolid, Transform::Identity(), {}};
   body.to_object(1, 3) = -0.1;
-  Part modifier{"denser", {1, kOnlyMesh, 0, -1}, PartRole::kModifier, Transform::Identity(),
+  Part modifier{"denser",
+                {1, kOnlyMesh, 0, -1},
+                PartRole::kModifier,
+                Transform::Identity(),
                 {{"fill_density", "80%", Source::kRequest}}};
   object.parts = {body, modifier};
   object.ranges = {{1.5, 2.5, {{"layer_height", "0.1", Source::kProfile}}}};
@@ -131,12 +134,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "objects[0].parts[0].to_object"},
         Refused{"NanHeight", [](auto& o) { o.mutable_height_ranges(0)->set_to_mm(kNan); },
                 "objects[0].height_ranges[0].from_mm, to_mm"},
-        Refused{"UnknownPlace",
-                [](auto& o) {
-                  o.mutable_instances(0)->set_place(static_cast<v1::Instance::Place>(9));
-                },
-                "objects[0].instances[0].place"},
-        Refused{"BothForms", [](auto& o) { o.set_mesh_sha256(Sha256Hex("a")); }, "objects[0].parts"},
+        Refused{
+            "UnknownPlace",
+            [](auto& o) { o.mutable_instances(0)->set_place(static_cast<v1::Instance::Place>(9)); },
+            "objects[0].instances[0].place"},
+        Refused{"BothForms", [](auto& o) { o.set_mesh_sha256(Sha256Hex("a")); },
+                "objects[0].parts"},
         Refused{"CopiesOfParts", [](auto& o) { o.set_copies(2); }, "objects[0].parts"},
         Refused{"InstancesOfAMesh",
                 [](auto& o) {
@@ -179,8 +182,7 @@ TEST(SceneWire, HasBounds) {
   EXPECT_EQ(DetailOf(FromProto(copies).status()).metadata.at("got"), "1002");
 
   Objects many;
-  for (int64_t i = 0; i <= limits::kMaxObjects; ++i)
-    many.Add()->set_mesh_sha256(Sha256Hex("a"));
+  for (int64_t i = 0; i <= limits::kMaxObjects; ++i) many.Add()->set_mesh_sha256(Sha256Hex("a"));
   EXPECT_EQ(DetailOf(FromProto(many).status()).reason, Reason::kRequestTooLarge);
 }
 

@@ -47,8 +47,8 @@ absl::Status CheckRowsOf(const v1::SlicePart& proto) {
   for (const auto& [outside, inside] : proto.changes())
     if (outside < 0 || inside < 0) return Malformed("changes", "are negative");
   if (proto.changes_size() > limits::kMaxRegionSettings) {
-    return LimitError(Reason::kRequestTooLarge, "changes of a modifier",
-                      limits::kMaxRegionSettings, proto.changes_size());
+    return LimitError(Reason::kRequestTooLarge, "changes of a modifier", limits::kMaxRegionSettings,
+                      proto.changes_size());
   }
   return absl::OkStatus();
 }

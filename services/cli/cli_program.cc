@@ -36,8 +36,10 @@ constexpr char kFooter[] =
     "findings\n  2  wrong command line, or an input file that cannot be read\n  3  a setting is "
     "unknown, malformed or out of range\n  4  the model cannot be read, does not fit or has "
     "nothing to print\n  5  the server cannot be reached, or did not answer in time\n  6  the job "
-    "failed on the server, or its result is damaged there\n  7  cancelled\n  8  no such job or preset, or "
-    "the job has no result\n  9  the output cannot be written\n  10 the farm accepts no more jobs now "
+    "failed on the server, or its result is damaged there\n  7  cancelled\n  8  no such job or "
+    "preset, or "
+    "the job has no result\n  9  the output cannot be written\n  10 the farm accepts no more jobs "
+    "now "
     "(--patience S waits): quota, queue or disk";
 
 constexpr AddCommand kCommands[] = {

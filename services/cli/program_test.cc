@@ -21,7 +21,7 @@
 #include "services/cli/console/files.h"
 #include "services/cli/console/program_fixture_test.h"
 #include "services/cli/farm/fake_coordinator_test.h"
-#include "services/cli/render/gcode_layer.h"
+#include "services/cli/render/gcode_reader.h"
 #include "services/cli/render/layer_drawing.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"

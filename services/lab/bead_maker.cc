@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "services/beading/algo/arachne/wide_walls.h"
+#include "services/beading/algo/arachne/constant_width_walls.h"
 #include "services/beading/algo/classic/classic_island.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 

@@ -102,7 +102,7 @@ absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPatte
                                           double density, const FillOptions& options) {
   const double angle = options.angle_degrees * std::numbers::pi / 180;
   const Coord width = FromMm(options.width_mm);
-  if (density >= 1 && InfoOf(pattern).solid != SolidWay::kNone) {
+  if (density >= 1 && InfoOf(pattern).solid != SolidFillStyle::kNone) {
     return SolidPaths(islands, {.pattern = pattern,
                                 .angle_rad = angle,
                                 .width_nm = width,

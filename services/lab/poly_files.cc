@@ -202,24 +202,24 @@ absl::StatusOr<std::vector<ReadRing>> ReadRings(const LineWords& words) {
 /// area are removed.
 std::vector<Polygon> Loops(const Polygon& ring) {
   std::vector<Polygon> loops;
-  Polygon way;
-  std::map<Point, size_t> places;  // index in `way` of each of its points
+  Polygon path;
+  std::map<Point, size_t> places;  // index in `path` of each of its points
   const auto add = [&](Polygon loop) {
     if (loop.size() > 2 && SignedArea(loop) != 0) loops.push_back(std::move(loop));
   };
   for (const Point p : ring) {
     if (const auto seen = places.find(p); seen != places.end()) {
-      const auto start = way.begin() + static_cast<ptrdiff_t>(seen->second);
-      for (auto q = start; q != way.end(); ++q)
+      const auto start = path.begin() + static_cast<ptrdiff_t>(seen->second);
+      for (auto q = start; q != path.end(); ++q)
         if (*q != p) places.erase(*q);
-      add(Polygon(start, way.end()));
-      way.erase(start + 1, way.end());
+      add(Polygon(start, path.end()));
+      path.erase(start + 1, path.end());
     } else {
-      places.emplace(p, way.size());
-      way.push_back(p);
+      places.emplace(p, path.size());
+      path.push_back(p);
     }
   }
-  add(std::move(way));
+  add(std::move(path));
   return loops;
 }
 

@@ -18,7 +18,7 @@
 #include "services/lab/support/lab_pictures.h"
 #include "services/lab/support/lab_program.h"
 #include "services/lab/support/sliced_model.h"
-#include "services/planning/algo/support/support_planner.h"
+#include "services/planning/algo/supports/generator/support_planner.h"
 
 namespace slicefarm::lab {
 namespace {

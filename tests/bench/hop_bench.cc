@@ -278,13 +278,13 @@ class Farm {
 
 /// Prints one row. `once_cpu_s`: CPU time of the hops that a job makes once, to slicing and to
 /// planning.
-void Print(const char* way, double bytes, const Cost& hops, double once_cpu_s, double job_cpu_s,
+void Print(const char* path, double bytes, const Cost& hops, double once_cpu_s, double job_cpu_s,
            int32_t layers) {
   const double transport_s = hops.cpu_s + once_cpu_s;
-  std::printf("%s_kbytes_per_layer %.2f\n", way, bytes / 1000 / layers);
-  std::printf("%s_wall_ms_per_layer %.4f\n", way, hops.wall_s * 1000 / layers);
-  std::printf("%s_cpu_ms_per_layer %.4f\n", way, hops.cpu_s * 1000 / layers);
-  std::printf("%s_transport_share %.4f\n", way, transport_s / (transport_s + job_cpu_s));
+  std::printf("%s_kbytes_per_layer %.2f\n", path, bytes / 1000 / layers);
+  std::printf("%s_wall_ms_per_layer %.4f\n", path, hops.wall_s * 1000 / layers);
+  std::printf("%s_cpu_ms_per_layer %.4f\n", path, hops.cpu_s * 1000 / layers);
+  std::printf("%s_transport_share %.4f\n", path, transport_s / (transport_s + job_cpu_s));
 }
 
 /// Measures the cost of hops between processes on the benchy: bytes, time and CPU time per layer,

@@ -107,9 +107,10 @@ bool PlanThere(int32_t layers, int islands) {
     std::fprintf(stderr, "%s\n", end.ToString().c_str());
     return false;
   }
-  std::printf("there_layers %d\nthere_islands %d\nthere_plans_before_the_end %.3f\n"
-              "there_peak_mb %.0f\n",
-              layers, islands, static_cast<double>(plans_before_the_end) / layers, PeakMb(pid));
+  std::printf(
+      "there_layers %d\nthere_islands %d\nthere_plans_before_the_end %.3f\n"
+      "there_peak_mb %.0f\n",
+      layers, islands, static_cast<double>(plans_before_the_end) / layers, PeakMb(pid));
   return plans == layers;
 }
 

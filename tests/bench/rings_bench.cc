@@ -6,10 +6,10 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
-#include "services/lab/poly_files.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 #include "services/exposure/algo/scan/ring_scan.h"
 #include "services/exposure/algo/scan/scan_pieces.h"
+#include "services/lab/poly_files.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/polygon_folder.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
+#include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/section/sweep.h"
 #include "services/slicing/algo/topology/topology.h"
 #include "tests/bench/benchmarks.h"

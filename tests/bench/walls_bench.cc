@@ -68,8 +68,7 @@ Outline Prepare(MultiPolygon islands) {
       continue;
     }
     for (const PolygonWithHoles& part : Offset({island}, -kOpenNm))
-      if (const auto boundary = MakeBoundary(part))
-        outline.segments.push_back(Segments(*boundary));
+      if (const auto boundary = MakeBoundary(part)) outline.segments.push_back(Segments(*boundary));
   }
   outline.islands = std::move(islands);
   return outline;

@@ -25,8 +25,7 @@ bool Fits(const SectionPlan& plan, const SlicedLayer& layer) {
 }
 
 void Check(const JobPlan& plan, const PlanStart& start, std::vector<SlicedLayer> parts) {
-  const std::vector<SlicedLayer> layers =
-      PrintLayers(std::move(parts), plan.lifts_nm, plan.stacks);
+  const std::vector<SlicedLayer> layers = PrintLayers(std::move(parts), plan.lifts_nm, plan.stacks);
   if (plan.layers.size() != layers.size() || plan.copies.size() != start.copies.size()) {
     std::abort();
   }
@@ -53,8 +52,8 @@ void Run(const PlanCall& given) {
   const auto start = ReadStart<v1::PlanRequest>(requests, WithDeadline());
   if (!start.ok()) return;
   std::vector<SlicedLayer> layers;
-  const absl::Status read = ReadEach<v1::PlanRequest>(
-      requests, [&](const v1::PlanRequest& request) {
+  const absl::Status read =
+      ReadEach<v1::PlanRequest>(requests, [&](const v1::PlanRequest& request) {
         return AppendNext(FromProto(request.layer()), &layers);
       });
   if (!read.ok()) return;

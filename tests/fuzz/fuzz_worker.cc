@@ -7,7 +7,7 @@
 #include "common/stage/motion_job.h"
 #include "common/stage/ordering_job.h"
 #include "common/wire/engraving/engrave_input_wire.h"
-#include "common/wire/layers/fill_use_wire.h"
+#include "common/wire/layers/fill_stats_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/milling/mill_input_wire.h"
@@ -109,7 +109,7 @@ void Run(const WorkCall& given) {
   }
   for (const LayerWarning& warning : result->warnings)
     CheckRoundTrip(Encoded<v1::LayerWarning>(warning));
-  for (const FillUse& use : result->fills) CheckRoundTrip(Encoded<v1::FillUse>(use));
+  for (const FillStats& use : result->fills) CheckRoundTrip(Encoded<v1::FillUse>(use));
 }
 
 }  // namespace

@@ -312,8 +312,8 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
   const JobSettings& settings = resolved.settings;
   std::mt19937 random(34);
   Plate plate = PlateOf(RandomIsland(random, {}, 9), RandomPlaces(random), 8, settings);
-  auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
-                                                  MayOverlap(settings));
+  auto plan =
+      planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies}, MayOverlap(settings));
   ASSERT_TRUE(plan.ok()) << plan.status();
   TakePlan(*plan, plate.layers);
   const auto beading = beading::MakeLocalBeading();

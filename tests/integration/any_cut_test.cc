@@ -39,8 +39,10 @@ std::vector<Setting> SettingsOf(const Pairs& pairs) {
 std::string Frustum(Eigen::Vector3d a, Eigen::Vector3d b, double more_mm = 0) {
   std::string text;
   for (const auto& [z, more] : {std::pair(a.z(), 0.0), std::pair(b.z(), more_mm)})
-    for (const auto& [x, y] : {std::pair(a.x() - more, a.y() - more), {b.x() + more, a.y() - more},
-                               {b.x() + more, b.y() + more}, {a.x() - more, b.y() + more}})
+    for (const auto& [x, y] : {std::pair(a.x() - more, a.y() - more),
+                               {b.x() + more, a.y() - more},
+                               {b.x() + more, b.y() + more},
+                               {a.x() - more, b.y() + more}})
       text += fmt::format("v {} {} {}\n", x, y, z);
   for (const char* face : {"4 3 2 1", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"})
     text += fmt::format("f {}\n", face);
@@ -102,13 +104,20 @@ class Plate {
   std::vector<SceneObject> objects_;
 };
 
-const Pairs kJob = {{"support_material", "1"}, {"layer_height", "0.06"},
-                    {"first_layer_height", "0.2"}, {"avoid_crossing_perimeters", "1"},
+const Pairs kJob = {{"support_material", "1"},
+                    {"layer_height", "0.06"},
+                    {"first_layer_height", "0.2"},
+                    {"avoid_crossing_perimeters", "1"},
                     {"avoid_crossing_curled_overhangs", "1"},
-                    {"enable_dynamic_overhang_speeds", "1"}, {"skirts", "1"},
-                    {"fill_pattern", "lightning"}, {"seam_position", "aligned"},
-                    {"infill_every_layers", "2"}, {"wipe", "1"}, {"thumbnails", ""},
-                    {"gcode_label_objects", "octoprint"}, {"thick_bridges", "1"}};
+                    {"enable_dynamic_overhang_speeds", "1"},
+                    {"skirts", "1"},
+                    {"fill_pattern", "lightning"},
+                    {"seam_position", "aligned"},
+                    {"infill_every_layers", "2"},
+                    {"wipe", "1"},
+                    {"thumbnails", ""},
+                    {"gcode_label_objects", "octoprint"},
+                    {"thick_bridges", "1"}};
 
 /// A job between planning and its ranges.
 class PlannedPrint {
@@ -121,9 +130,9 @@ class PlannedPrint {
     settings_ = FdmOf(resolved->settings);
     StageCall call;
     call.threads = threads;
-    auto sliced = slicing::MakeLocalSlicing(slicing::MakeDirectMeshSource())
-                      ->Slice(call, {plate.files(), resolved->objects, false},
-                              resolved->settings.slicing);
+    auto sliced =
+        slicing::MakeLocalSlicing(slicing::MakeDirectMeshSource())
+            ->Slice(call, {plate.files(), resolved->objects, false}, resolved->settings.slicing);
     EXPECT_TRUE(sliced.ok()) << sliced.status();
     if (!sliced.ok()) return;
     auto plan = planning::MakeLocalPlanning()->Plan(
@@ -149,11 +158,10 @@ class PlannedPrint {
   std::string GcodeOf(const LayerRange& range) const {
     const auto at = [](int32_t index) { return static_cast<size_t>(index); };
     const LayerRange halo = WithHalo(layers_, range, HaloLayers(settings_));
-    const FdmTask task{
-        .range = range,
-        .layers = std::span(layers_).subspan(at(halo.first), at(halo.size())),
-        .plans = std::span(plan_.layers).subspan(at(range.first), at(range.size())),
-        .job = FdmShared{settings_, plan_.copies, JobFacts{layers(), {}, {}}}};
+    const FdmTask task{.range = range,
+                       .layers = std::span(layers_).subspan(at(halo.first), at(halo.size())),
+                       .plans = std::span(plan_.layers).subspan(at(range.first), at(range.size())),
+                       .job = FdmShared{settings_, plan_.copies, JobFacts{layers(), {}, {}}}};
     const auto result = LayerChain{*beading_, *infill_, *ordering_, *motion_}.Run({}, task);
     EXPECT_TRUE(result.ok()) << result.status();
     std::string gcode;

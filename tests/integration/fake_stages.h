@@ -11,7 +11,7 @@
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
 #include "common/model/options/planning_options.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/rpc/server/server_stream.h"
 #include "common/stage/beading_stage.h"
 #include "common/stage/exposure_stage.h"
@@ -81,7 +81,7 @@ struct Sample {
   JobFacts facts;
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
-  std::vector<FillUse> fills;
+  std::vector<FillStats> fills;
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramEnvelope frame;
@@ -105,7 +105,7 @@ class FakeSlicing : public SlicingStage {
 /// Planning has its algorithm within its service, so the fake is the service.
 class FakePlanning final : public v1::Planning::Service {
  public:
-  FakePlanning(FakeStages& fakes, rpc::CallGate& gate) : fakes_(fakes), gate_(gate) {}
+  FakePlanning(FakeStages& fakes, rpc::CallLimiter& gate) : fakes_(fakes), gate_(gate) {}
   grpc::Status PlanJob(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) override;
@@ -115,7 +115,7 @@ class FakePlanning final : public v1::Planning::Service {
   absl::Status Plan(rpc::Call& call, Stream& stream);
 
   FakeStages& fakes_;
-  rpc::CallGate& gate_;
+  rpc::CallLimiter& gate_;
 };
 
 class FakeBeading : public BeadingStage {

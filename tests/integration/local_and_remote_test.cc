@@ -225,8 +225,8 @@ TEST_F(LocalAndRemote, PlanningStopsWhenItIsCancelled) {
   const SlicedOutlines outlines{job_.layers, job_.copies};
   EXPECT_TRUE(
       absl::IsCancelled(planning_->Plan(call, outlines, PlanningOf(FdmOf(settings_))).status()));
-  EXPECT_TRUE(
-      absl::IsCancelled(remote_.planning.Plan(call, outlines, PlanningOf(FdmOf(settings_))).status()));
+  EXPECT_TRUE(absl::IsCancelled(
+      remote_.planning.Plan(call, outlines, PlanningOf(FdmOf(settings_))).status()));
 }
 
 TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
@@ -283,7 +283,7 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
   ASSERT_TRUE(whole.ok()) << whole.status();
   for (const int32_t size : {1, 7, 20}) {
     std::vector<LayerProgram> programs;
-    std::vector<FillUse> fills;
+    std::vector<FillStats> fills;
     for (int32_t first = 0; first < LayerCount(); first += size) {
       const auto part =
           RunFdm(remote_.worker, call_, TaskOf({first, std::min(first + size, LayerCount())}));
@@ -391,7 +391,8 @@ TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
 
 TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
   job_.copies[1] = job_.copies[0];
-  const absl::Status here = planning_->Plan(call_, Outlines(), PlanningOf(FdmOf(settings_))).status();
+  const absl::Status here =
+      planning_->Plan(call_, Outlines(), PlanningOf(FdmOf(settings_))).status();
   const absl::Status there =
       remote_.planning.Plan(call_, Outlines(), PlanningOf(FdmOf(settings_))).status();
   EXPECT_EQ(DetailOf(here).reason, Reason::kObjectsCollide) << here;
@@ -402,7 +403,8 @@ TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
 
 TEST_F(OneAfterTheOther, RangesElsewhereGiveWhatTheWholeGivesHere) {
   plan_ = *planning_->Plan(call_, Outlines(), PlanningOf(FdmOf(settings_)));
-  FdmOf(settings_).machine.motion.layer_gcode = ";{layer_num} of {total_layer_count}, {max_layer_z}";
+  FdmOf(settings_).machine.motion.layer_gcode =
+      ";{layer_num} of {total_layer_count}, {max_layer_z}";
   facts_ = {2 * LayerCount(), {}, {{}, {LayerCount(), 0, 5'000'000}}};
   const auto whole = chain_.Run(call_, TaskOf({0, LayerCount()}));
   ASSERT_TRUE(whole.ok()) << whole.status();

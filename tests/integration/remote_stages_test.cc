@@ -34,7 +34,7 @@ using std::chrono::seconds;
 struct FakeHost {
   FakeHost(const rpc::CallGateOptions& gate, const rpc::ServerOptions& options)
       : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner,
-              [this](rpc::CallGate& its) { return std::make_unique<FakePlanning>(fakes, its); },
+              [this](rpc::CallLimiter& its) { return std::make_unique<FakePlanning>(fakes, its); },
               &fake_exposure},
              gate, options) {}
 
@@ -97,7 +97,8 @@ TEST(RemoteStages, SlicingGivesAndTakesAll) {
 TEST(RemoteStages, PlanningGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto plan = farm.planning.Plan(NewCall(), TheOutlines(), PlanningOf(FdmOf(sample.settings)));
+  const auto plan =
+      farm.planning.Plan(NewCall(), TheOutlines(), PlanningOf(FdmOf(sample.settings)));
   ASSERT_TRUE(plan.ok()) << plan.status();
   EXPECT_EQ(*plan, sample.plan);
   EXPECT_EQ(farm.fakes.layers, sample.job.layers);
@@ -184,8 +185,8 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
 TEST(RemoteStages, MotionGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto programs = farm.motion.Program(NewCall(), sample.ordered,
-                                            MotionJob{MotionOf(FdmOf(sample.settings)), sample.facts});
+  const auto programs = farm.motion.Program(
+      NewCall(), sample.ordered, MotionJob{MotionOf(FdmOf(sample.settings)), sample.facts});
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
@@ -196,7 +197,8 @@ TEST(RemoteStages, MotionGivesAndTakesAll) {
 TEST(RemoteStages, FrameGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto frame = farm.motion.Envelope(NewCall(), sample.summary, MotionOf(FdmOf(sample.settings)));
+  const auto frame =
+      farm.motion.Envelope(NewCall(), sample.summary, MotionOf(FdmOf(sample.settings)));
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(*frame, sample.frame);
   EXPECT_EQ(farm.fakes.summary, sample.summary);
@@ -476,7 +478,8 @@ TEST(StageServices, NameTheFieldOfALayerThatIsMalformed) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[2].frame.height_nm = 0;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, BeadingOf(FdmOf(TheSample().settings)))
+      farm.beading
+          .Bead(NewCall(), {Sample::kRange, outlines}, BeadingOf(FdmOf(TheSample().settings)))
           .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[2].frame.height_nm");
@@ -506,7 +509,8 @@ TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[1].sections[1].regions[0].outlines[0].outer[0].x = Coord{1} << 31;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, BeadingOf(FdmOf(TheSample().settings)))
+      farm.beading
+          .Bead(NewCall(), {Sample::kRange, outlines}, BeadingOf(FdmOf(TheSample().settings)))
           .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange) << status;
 }

@@ -280,7 +280,7 @@ std::map<Feature, double> AreasOf(const std::vector<FilledLayer>& layers) {
   std::map<Feature, double> areas;
   for (const FilledLayer& layer : layers)
     for (const FilledSection& section : layer.sections)
-      for (const FillUse& use : section.uses) areas[use.feature] += use.area_mm2;
+      for (const FillStats& use : section.uses) areas[use.feature] += use.area_mm2;
   return areas;
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/rpc/observe/metrics.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/rpc/server/server.h"
-#include "common/rpc/server/shared_keeper.h"
+#include "common/rpc/server/shared_store.h"
 #include "common/stage/beading_stage.h"
 #include "common/stage/exposure_stage.h"
 #include "common/stage/infill_stage.h"
@@ -33,7 +33,7 @@ struct HostedStages {
   const MotionStage& motion;
   const TaskRunner& runner;
   /// Planning has its algorithm within its service.
-  std::function<std::unique_ptr<grpc::Service>(rpc::CallGate&)> planning =
+  std::function<std::unique_ptr<grpc::Service>(rpc::CallLimiter&)> planning =
       planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: not served
   const MillingStage* milling = nullptr;    ///< null: not served
@@ -55,8 +55,8 @@ class StageHost {
  private:
   rpc::Metrics metrics_;
   rpc::CallMetrics call_metrics_{metrics_.registry()};
-  rpc::CallGate gate_;
-  rpc::SharedKeeper keeper_;
+  rpc::CallLimiter gate_;
+  rpc::SharedStore keeper_;
   MemoryBudget memory_{int64_t{1} << 30};
   const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
   const std::unique_ptr<PlacingStage> placing_ = slicing::MakeLocalPlacing();

@@ -19,8 +19,7 @@ SliceInput TextBox();
 
 /// Runs a whole job, from the text box to its G-code.
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
-                                    const MotionStage& motion,
-                                    coordinator::Dispatcher& dispatcher,
+                                    const MotionStage& motion, coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done = {});
 
 /// Returns the G-code of this process, by one runner with one slot. All other configurations must

@@ -14,10 +14,10 @@
 #include "absl/strings/str_join.h"
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/observe/metrics.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/rpc/server/open_files.h"
 #include "common/rpc/server/server.h"
-#include "common/rpc/server/shared_keeper.h"
+#include "common/rpc/server/shared_store.h"
 #include "common/rpc/server/shutdown_signal.h"
 #include "processes/fdm/task/fdm_task.h"
 #include "services/worker/server/worker_service.h"
@@ -56,8 +56,8 @@ struct VirtualWorker {
         service(worker::MakeWorkerService(runner, gate, keeper.cache())),
         server(*rpc::Server::Start({}, {service.get(), &keeper.service()}, metrics)) {}
 
-  rpc::CallGate gate;
-  rpc::SharedKeeper keeper;
+  rpc::CallLimiter gate;
+  rpc::SharedStore keeper;
   std::unique_ptr<grpc::Service> service;
   std::unique_ptr<rpc::Server> server;
 };

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "services/coordinator/store/jobs/forwarding_job_store.h"
 #include "tests/sim/claim_order.h"
 #include "tests/sim/world.h"
-#include "services/coordinator/store/jobs/forwarding_job_store.h"
 #include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::sim {

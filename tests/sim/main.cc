@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "services/coordinator/store/jobs/sql_job_store.h"
 #include "tests/sim/simulation.h"
 #include "tests/sim/twin_store.h"
-#include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

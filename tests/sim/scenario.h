@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "services/coordinator/algo/dispatch/range_scheduler.h"
+#include "services/coordinator/store/jobs/job_store.h"
 #include "tests/sim/random.h"
 #include "tests/sim/sim_blobs.h"
 #include "tests/sim/work.h"
-#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

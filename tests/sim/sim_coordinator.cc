@@ -244,7 +244,7 @@ void SimCoordinator::EndOverdue() {
 void SimCoordinator::CheckHeard(const SimRun& run) {
   const JobRecord* job = store_.Find(run.lease().job_id);
   const bool held = job && job->owner_epoch == run.lease().epoch && job->owner == Owner();
-  const RunWishes& wishes = *run.wishes();
+  const RunRequests& wishes = *run.wishes();
   std::string news;
   if (!held && !wishes.lost()) news = "not its own any more";
   if (held && job->cancel_requested && !wishes.GivenUp(NowUs())) news = "to be cancelled";

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "services/coordinator/run/lease_book.h"
+#include "services/coordinator/run/lease_table.h"
 #include "tests/sim/checked_store.h"
 #include "tests/sim/sim_run.h"
 
@@ -98,7 +98,7 @@ class SimCoordinator {
   std::map<int64_t, Work> works_;  ///< works by id, which is the spec of a job
 
   // State of the current life:
-  std::optional<LeaseBook> leases_;
+  std::optional<LeaseTable> leases_;
   int64_t calm_since_us_ = 0;
   std::map<Lease, std::shared_ptr<SimRun>> runs_;
   /// News that a run could have learned at the last renewal.

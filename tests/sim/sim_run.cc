@@ -30,8 +30,8 @@ SimRun::SimRun(RunDesk& desk, Work work, JobRecord job, int64_t calm_us)
       job_(std::move(job)),
       lost_runs_(job_, calm_us),
       lease_{job_.id, job_.owner_epoch},
-      wishes_(std::make_shared<RunWishes>(desk.world.variant.deadlines_unread ? kNoDeadlineUs
-                                                                              : job_.deadline_us)),
+      wishes_(std::make_shared<RunRequests>(
+          desk.world.variant.deadlines_unread ? kNoDeadlineUs : job_.deadline_us)),
       told_{work_.layers, 0} {
   if (job_.cancel_requested && !desk.world.variant.cancels_unread) wishes_->Cancel();
 }

@@ -43,7 +43,7 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   /// Returns the lease of the job.
   const Lease& lease() const { return lease_; }
   /// Returns the requests to end the run.
-  const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
+  const std::shared_ptr<RunRequests>& wishes() const { return wishes_; }
 
  private:
   using Then = std::function<void(const absl::Status&)>;
@@ -67,7 +67,7 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   const JobRecord job_;
   const LostRuns lost_runs_;
   const Lease lease_;
-  const std::shared_ptr<RunWishes> wishes_;
+  const std::shared_ptr<RunRequests> wishes_;
   std::function<void()> over_;
   RunSteps steps_{lost_runs_};
   PipelineProgress told_;

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
 #include "tests/sim/flawed_store_test.h"
 #include "tests/sim/twin_store.h"
 #include "tests/support/memory_job_store.h"
-#include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::sim::simulation_test {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "absl/status/statusor.h"
+#include "services/coordinator/store/jobs/job_store.h"
 #include "tests/sim/process.h"
 #include "tests/sim/world.h"
-#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "services/coordinator/store/jobs/job_changes.h"
 #include "tests/sim/event_queue.h"
 #include "tests/sim/random.h"
 #include "tests/sim/scenario.h"
 #include "tests/sim/sim_blobs.h"
 #include "tests/sim/totals.h"
-#include "services/coordinator/store/jobs/job_changes.h"
 
 namespace slicefarm::coordinator::sim {
 

@@ -5,9 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "google/protobuf/descriptor.h"
-
 #include "common/model/layers/job_plan.h"
+#include "google/protobuf/descriptor.h"
 
 namespace slicefarm {
 namespace {

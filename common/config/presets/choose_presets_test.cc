@@ -101,7 +101,7 @@ TEST(JobPresetsTest, HaveTheirSettingsInPrusaSlicersNames) {
 
 struct KindCase {
   std::string name;
-  std::string text;  ///< of a bundle with a printer P, a process Q and a filament F
+  std::string text;  ///< text of a bundle with a printer P, a process Q and a filament F
   std::string key;
   std::string value;
 };

@@ -36,7 +36,7 @@ struct Preset {
   std::vector<std::string> parents;
   /// True if the file has all settings, so that a parent that is not there does not matter.
   bool complete = false;
-  bool whole_job = false;  ///< true if the settings are those of a job, of all kinds
+  bool whole_job = false;  ///< true if the preset has all settings of a job
   std::vector<std::string> old_names;
   std::vector<Setting> settings;  ///< own settings; of equal keys the last one counts
 };

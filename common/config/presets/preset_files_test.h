@@ -69,7 +69,7 @@ inline std::vector<PresetFile> OrcaFolder() {
        R"({"type": "process", "name": "0.30mm @One 0.6", "instantiation": "true", "inherits": "fdm",
            "layer_height": "0.3", "compatible_printers_condition": "nozzle_diameter[0]==0.6"})"},
       {"system/Acme/process/unlisted.json",
-       R"({"type": "process", "name": "Draft", "instantiation": "true", "inherits": "fdm"})"},
+       R"({"type": "process", "name": "SettingValues", "instantiation": "true", "inherits": "fdm"})"},
       {"system/Acme/filament/pla.json",
        R"({"type": "filament", "name": "Acme PLA @One", "instantiation": "true",
            "inherits": "lib_pla", "nozzle_temperature": ["225", "230"],

@@ -95,9 +95,9 @@ std::string_view QuotedPart(std::string_view text) {
 absl::Status CheckNotOrca(std::string_view text) {
   constexpr std::string_view kUse = "; save the project as 3MF and slice that file";
   if (Trim(text).starts_with('{')) {
-      return Malformed(1,
-                       "this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini; pass "
-                       "it with --presets and choose its presets by name");
+    return Malformed(1,
+                     "this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini; pass "
+                     "it with --presets and choose its presets by name");
   }
   if (HasLine(text, "; CONFIG_BLOCK_START")) {
     return Malformed(

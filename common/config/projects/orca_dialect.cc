@@ -32,12 +32,11 @@ std::vector<Setting> DialectOf(const OrcaLookup& given) {
   // Projects of Bambu Studio and of older versions of OrcaSlicer have limits, but lack this
   // setting.
   if (IsMarlinOrRepRap(flavor) && given("machine_max_speed_x"))
-    set("machine_limits_usage", given("emit_machine_limits_to_gcode") == "0" ? "time_estimate_only"
-                                                                             : "emit_to_gcode");
+    set("machine_limits_usage",
+        given("emit_machine_limits_to_gcode") == "0" ? "time_estimate_only" : "emit_to_gcode");
   // Without this setting the temperature would only be a variable of templates.
   if (given("chamber_temperature").value_or("0") != "0")
-    set("activate_chamber_temp_control",
-        given("activate_chamber_temp_control") == "1" ? "1" : "0");
+    set("activate_chamber_temp_control", given("activate_chamber_temp_control") == "1" ? "1" : "0");
   return settings;
 }
 

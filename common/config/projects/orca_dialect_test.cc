@@ -97,15 +97,14 @@ TEST(OrcaDialect, GcodeNamesWhatItsProgramWorksOut) {
 }
 
 TEST(OrcaDialect, ReadsTheTimeLapseAndExcludedAreas) {
-  const std::vector<Setting> from = {
-      {"time_lapse_gcode", "M971 S11"},
-      {"bed_exclude_area", R"(["0x0","18x0","18x28","0x28"])"},
-      {"extruder_offset", R"(["0x2"])"},
-      {"wall_sequence", "inner-outer-inner wall"},
-      {"travel_speed", "500"},
-      {"initial_layer_travel_speed", "50%"},
-      {"retract_lift_enforce", R"(["Top and Bottom"])"},
-      {"filament_retract_lift_enforce", R"(["nil"])"}};
+  const std::vector<Setting> from = {{"time_lapse_gcode", "M971 S11"},
+                                     {"bed_exclude_area", R"(["0x0","18x0","18x28","0x28"])"},
+                                     {"extruder_offset", R"(["0x2"])"},
+                                     {"wall_sequence", "inner-outer-inner wall"},
+                                     {"travel_speed", "500"},
+                                     {"initial_layer_travel_speed", "50%"},
+                                     {"retract_lift_enforce", R"(["Top and Bottom"])"},
+                                     {"filament_retract_lift_enforce", R"(["nil"])"}};
   EXPECT_EQ(ValueOf(from, "time_lapse_gcode"), "M971 S11");
   EXPECT_EQ(ValueOf(from, "bed_exclude_area"), "0x0,18x0,18x28,0x28");
   EXPECT_EQ(ValueOf(from, "extruder_offset"), "0x2");

@@ -242,7 +242,8 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
   };
   for (const Case& c : cases) {
     OrcaUnused unused;
-    EXPECT_THAT(Lines(FromOrca(c.from, &unused)), testing::UnorderedElementsAreArray(c.to)) << c.name;
+    EXPECT_THAT(Lines(FromOrca(c.from, &unused)), testing::UnorderedElementsAreArray(c.to))
+        << c.name;
     std::ranges::move(unused.others, std::back_inserter(unused.of_print));
     EXPECT_EQ(unused.of_print, c.unknown) << c.name;
   }

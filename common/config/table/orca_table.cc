@@ -231,10 +231,14 @@ constexpr OrcaVariable kVariables[] = {
 
 // Default values of OrcaSlicer 2.2. Source: PrintConfig.
 constexpr OrcaStandard kStandards[] = {
-    {"activate_air_filtration", "0"}, {"enable_pressure_advance", "0"},
-    {"filament_notes", ""},           {"print_sequence", "by layer"},
-    {"printer_notes", ""},            {"scan_first_layer", "0"},
-    {"support_air_filtration", "1"},  {"timelapse_type", "0"},
+    {"activate_air_filtration", "0"},
+    {"enable_pressure_advance", "0"},
+    {"filament_notes", ""},
+    {"print_sequence", "by layer"},
+    {"printer_notes", ""},
+    {"scan_first_layer", "0"},
+    {"support_air_filtration", "1"},
+    {"timelapse_type", "0"},
 };
 
 }  // namespace

@@ -181,10 +181,10 @@ absl::StatusOr<Polygon> ParseCorners(std::string_view text) {
 
 /// Returns true if four corners form an axis-parallel rectangle, in order.
 bool IsRectangle(const Polygon& four) {
-  const bool x_first = four[0].y == four[1].y && four[1].x == four[2].x &&
-                       four[2].y == four[3].y && four[3].x == four[0].x;
-  const bool y_first = four[0].x == four[1].x && four[1].y == four[2].y &&
-                       four[2].x == four[3].x && four[3].y == four[0].y;
+  const bool x_first = four[0].y == four[1].y && four[1].x == four[2].x && four[2].y == four[3].y &&
+                       four[3].x == four[0].x;
+  const bool y_first = four[0].x == four[1].x && four[1].y == four[2].y && four[2].x == four[3].x &&
+                       four[3].y == four[0].y;
   return x_first || y_first;
 }
 
@@ -226,7 +226,8 @@ absl::StatusOr<std::vector<Polygon>> ParseAreas(std::string_view text) {
     areas = {*corners};
   for (Polygon& area : areas)
     if (SignedArea(area) < 0) std::ranges::reverse(area);
-  std::erase_if(areas, [](const Polygon& area) { return area.size() < 3 || SignedArea(area) == 0; });
+  std::erase_if(areas,
+                [](const Polygon& area) { return area.size() < 3 || SignedArea(area) == 0; });
   return areas;
 }
 

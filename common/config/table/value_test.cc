@@ -186,15 +186,14 @@ TEST(ParseAreas, ReadsRectanglesByFoursAndElseOnePolygon) {
     size_t areas;
     const char* printed;
   };
-  for (const Case& each :
-       {Case{"", 0, ""}, Case{"0x0", 0, ""}, Case{"0x0,0x0,0x0,0x0", 0, ""},
-        Case{"0x0, 18x0, 18x28, 0x28", 1, "0x0,18x0,18x28,0x28"},
-        Case{"0x28,18x28,18x0,0x0", 1, "0x0,18x0,18x28,0x28"},
-        Case{"25x245,25x240,115x240,115x245,208x245,208x240,245x240,245x245", 2,
-             "25x245,25x240,115x240,115x245,208x245,208x240,245x240,245x245"},
-        Case{"0x0,9x0,9x9,0x9,0x0,2x2,2x7,7x7,7x2,2x2", 1,
-             "0x0,9x0,9x9,0x9,0x0,2x2,2x7,7x7,7x2,2x2"},
-        Case{"0x0,5x0,3x4", 1, "0x0,5x0,3x4"}}) {
+  for (const Case& each : {Case{"", 0, ""}, Case{"0x0", 0, ""}, Case{"0x0,0x0,0x0,0x0", 0, ""},
+                           Case{"0x0, 18x0, 18x28, 0x28", 1, "0x0,18x0,18x28,0x28"},
+                           Case{"0x28,18x28,18x0,0x0", 1, "0x0,18x0,18x28,0x28"},
+                           Case{"25x245,25x240,115x240,115x245,208x245,208x240,245x240,245x245", 2,
+                                "25x245,25x240,115x240,115x245,208x245,208x240,245x240,245x245"},
+                           Case{"0x0,9x0,9x9,0x9,0x0,2x2,2x7,7x7,7x2,2x2", 1,
+                                "0x0,9x0,9x9,0x9,0x0,2x2,2x7,7x7,7x2,2x2"},
+                           Case{"0x0,5x0,3x4", 1, "0x0,5x0,3x4"}}) {
     const auto areas = ParseAreas(each.text);
     ASSERT_TRUE(areas.ok()) << each.text << ": " << areas.status();
     EXPECT_EQ(areas->size(), each.areas) << each.text;

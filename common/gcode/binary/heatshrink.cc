@@ -184,7 +184,8 @@ absl::StatusOr<std::string> Unheatshrink(std::string_view stream, size_t size, i
     if (is_literal < 0 || back < 0 || length < 0) return broken();
     if (static_cast<size_t>(back) + 1 > bytes.size()) return broken();
     if (bytes.size() + static_cast<size_t>(length) + 1 > size) return broken();
-    for (int32_t i = 0; i <= length; ++i) bytes += bytes[bytes.size() - static_cast<size_t>(back) - 1];
+    for (int32_t i = 0; i <= length; ++i)
+      bytes += bytes[bytes.size() - static_cast<size_t>(back) - 1];
   }
   return bytes;
 }

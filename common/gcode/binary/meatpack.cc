@@ -140,8 +140,8 @@ class Unpacker {
   bool Obey(char command) {
     if (command == kEnable || command == kDisable || command == kReset) packs_ = command == kEnable;
     if (command == kNoSpaces || command == kSpaces) spaces_ = command == kSpaces;
-    return command == kEnable || command == kDisable || command == kReset ||
-           command == kNoSpaces || command == kSpaces;
+    return command == kEnable || command == kDisable || command == kReset || command == kNoSpaces ||
+           command == kSpaces;
   }
 
   char Character(int number) const {

@@ -85,8 +85,8 @@ class Arrangement {
     });
   }
 
-  /// Returns the number of edges of one group's rings if they come first and the others are all of
-  /// another group, as the operands of a boolean operation do; else 0.
+  /// Returns the number of edges of the first group if the rings are of exactly two groups, one
+  /// after the other, like the operands of a boolean operation. Otherwise returns 0.
   size_t FirstOfTwoGroups() const {
     size_t first = 0;
     while (first < rings_.size() && rings_[first].group == rings_[0].group) ++first;

@@ -74,8 +74,8 @@ inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(edge of e, edge) for the spans from `from` on whose boxes meet that of e. Returns
-/// false as soon as visit does, or if there are more than `budget` pairs, which it counts down.
+/// Calls visit(edge of e, edge) for each span from index `from` on with a box that meets the box of
+/// e. Returns false as soon as visit returns false, or if `budget`, which it counts down, is spent.
 template <typename Visit>
 bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from,
                     size_t& budget, const Visit& visit) {

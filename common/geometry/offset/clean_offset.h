@@ -24,11 +24,10 @@ struct CleanOffset {
 /// Cost: O(n log n), about a tenth of a sweep's.
 std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distance_nm);
 
-/// Shrinks an island whatever happens to it: it may split, and parts of it vanish. Each edge sweeps
-/// a rectangle, each reflex corner its miter, and what none of them covers is left; that is read
-/// off the winding numbers of one curve. nullopt where that curve is not in general position.
-/// REQUIRES: distance_nm > 0; the island is simple. Cost: see TryWindingRegion; about a fifth of a
-/// sweep's.
+/// Shrinks an island, which may split or lose parts. Each edge sweeps a rectangle and each reflex
+/// corner its miter. The uncovered rest is the result, found by the winding numbers of one curve.
+/// Returns nullopt if this curve is not in general position. REQUIRES: distance_nm > 0; the island
+/// is simple. Cost: see TryWindingRegion; about a fifth of a sweep's.
 std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm);
 
 /// Returns Offset(polygons, distance_nm), calculated by TryOffset or TryErode if they succeed.

@@ -135,12 +135,12 @@ void ExpectConsistent(const SkeletalGraph& graph, int holes) {
   EXPECT_EQ(halves / 2 - nodes + 1, holes);
 
   std::vector<char> seen(halves);
-  int ways = 0;
+  int paths = 0;
   for (int half = 0; half < halves; ++half) {
-    ways += !seen[half];
+    paths += !seen[half];
     for (int at = half; !seen[at]; at = graph.half_edges[at].next) seen[at] = true;
   }
-  EXPECT_EQ(ways, holes + 1);
+  EXPECT_EQ(paths, holes + 1);
 
   int visited = 0;
   const std::vector<int> leaving = graph.Leaving();

@@ -104,8 +104,6 @@ double DensityField::Least() const {
   return DensityOf(*std::ranges::min_element(all), law, steepness, threshold);
 }
 
-double DensityField::ReachMm() const {
-  return kind == Kind::kSurfaceDistance ? at_mm.back() : 0;
-}
+double DensityField::ReachMm() const { return kind == Kind::kSurfaceDistance ? at_mm.back() : 0; }
 
 }  // namespace slicefarm

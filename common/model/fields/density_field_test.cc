@@ -32,8 +32,8 @@ TEST(DensityOf, IsWhatEachLawSays) {
 }
 
 TEST(DensityOf, RisesWithItsValue) {
-  for (const DensityLaw law : {DensityLaw::kLinear, DensityLaw::kSimp, DensityLaw::kRamp,
-                               DensityLaw::kHeaviside}) {
+  for (const DensityLaw law :
+       {DensityLaw::kLinear, DensityLaw::kSimp, DensityLaw::kRamp, DensityLaw::kHeaviside}) {
     double last = -1;
     for (int i = 0; i <= 100; ++i) {
       const double density = DensityOf(i / 100.0, law, 4, 0.4);
@@ -56,9 +56,8 @@ TEST(DensityField, ByHeightIsTheSameAllOverALayer) {
 }
 
 TEST(DensityField, ByDistanceReachesAsFarAsItsTable) {
-  const DensityField field{.kind = DensityField::Kind::kSurfaceDistance,
-                           .at_mm = {0, 4},
-                           .values = {0.6, 0.2}};
+  const DensityField field{
+      .kind = DensityField::Kind::kSurfaceDistance, .at_mm = {0, 4}, .values = {0.6, 0.2}};
   EXPECT_FALSE(field.UniformAt(1).has_value());
   EXPECT_DOUBLE_EQ(field.At({0, 0, 0}, 1), 0.5);
   EXPECT_DOUBLE_EQ(field.At({0, 0, 0}, 50), 0.2);

@@ -26,8 +26,7 @@ double Mix(double a, double b, double share) { return a + (b - a) * share; }
 
 double FieldGrid::At(const PlaceMm& place_mm) const {
   std::array<Between, 3> at;
-  for (size_t i = 0; i < 3; ++i)
-    at[i] = Locate(place_mm[i], origin_mm[i], spacing_mm[i], count[i]);
+  for (size_t i = 0; i < 3; ++i) at[i] = Locate(place_mm[i], origin_mm[i], spacing_mm[i], count[i]);
   const auto row = [&](int64_t y, int64_t z) {
     const int64_t first = (z * count[1] + y) * count[0];
     return Mix(values[static_cast<size_t>(first + at[0].below)],

@@ -10,13 +10,14 @@ namespace slicefarm::field_text_test {
 namespace {
 
 TEST(FieldText, CanonicalTextsComeBackAsTheyAre) {
-  for (const char* text : {
-           R"({"kind":"height","table":[[0,0.2]]})",
-           R"({"kind":"height","table":[[-1,0.2],[5.5,1]],"law":"simp","steepness":2})",
-           R"({"kind":"surface_distance","near":0.6,"far":0.15,"length":8})",
-           R"({"kind":"voxels","count":[2,1,1],"origin":[0,1,2],"spacing":[1,2,3],"values":[0,1]})",
-           R"({"kind":"height","table":[[0,1]],"law":"heaviside","threshold":0.3,"dither":"floyd_steinberg","cell":1.5})",
-       }) {
+  for (
+      const char* text : {
+          R"({"kind":"height","table":[[0,0.2]]})",
+          R"({"kind":"height","table":[[-1,0.2],[5.5,1]],"law":"simp","steepness":2})",
+          R"({"kind":"surface_distance","near":0.6,"far":0.15,"length":8})",
+          R"({"kind":"voxels","count":[2,1,1],"origin":[0,1,2],"spacing":[1,2,3],"values":[0,1]})",
+          R"({"kind":"height","table":[[0,1]],"law":"heaviside","threshold":0.3,"dither":"floyd_steinberg","cell":1.5})",
+      }) {
     const auto field = ParseDensityField(text);
     ASSERT_TRUE(field.ok()) << field.status() << text;
     EXPECT_EQ(PrintDensityField(*field), text);
@@ -87,12 +88,13 @@ TEST(FieldText, SaysWhichRuleADensityFieldBreaks) {
 }
 
 TEST(FieldText, StressesAreThreeForEachNode) {
-  for (const char* text : {
-           R"({"kind":"constant","stress":[1,2]})",
-           R"({"kind":"constant","stress":[1,2,3],"smoothing":1.5})",
-           R"({"kind":"constant","stress":[1,2,3],"smoothing":101})",
-           R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,2,3]})",
-       })
+  for (
+      const char* text : {
+          R"({"kind":"constant","stress":[1,2]})",
+          R"({"kind":"constant","stress":[1,2,3],"smoothing":1.5})",
+          R"({"kind":"constant","stress":[1,2,3],"smoothing":101})",
+          R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,2,3]})",
+      })
     EXPECT_FALSE(ParseStressField(text).ok()) << text;
 }
 

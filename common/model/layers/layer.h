@@ -9,7 +9,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
-#include "common/model/layers/fill_use.h"
+#include "common/model/layers/fill_stats.h"
 #include "common/model/path.h"
 #include "common/model/print_times.h"
 #include "common/model/region.h"
@@ -156,7 +156,7 @@ struct FilledSection {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<FilledIsland> islands;
-  std::vector<FillUse> uses = {};  ///< totals of the infill of `islands`: see AddUse
+  std::vector<FillStats> uses = {};  ///< totals of the infill of `islands`: see AddUse
 
   friend bool operator==(const FilledSection&, const FilledSection&) = default;
 };

@@ -6,7 +6,7 @@
 #include "common/geometry/point.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/options/flow_table.h"
-#include "common/model/options/skin_spare.h"
+#include "common/model/options/shell_extra.h"
 
 namespace slicefarm {
 
@@ -49,7 +49,7 @@ struct InfillOptions {
   int32_t top_solid_layers = 5;     ///< setting top_solid_layers
   int32_t bottom_solid_layers = 5;  ///< setting bottom_solid_layers
   /// top and bottom solid layers that may be left out
-  SkinSpare top_spare = {}, bottom_spare = {};
+  ShellExtra top_spare = {}, bottom_spare = {};
   double density = 0.2;                      ///< setting fill_density, in [0, 1]
   FillPattern pattern = FillPattern::kGrid;  ///< setting fill_pattern
   /// `fill_pattern = auto`: planning chooses a pattern for each object
@@ -87,7 +87,7 @@ struct InfillOptions {
   bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
   /// `bottom_solid_infill_flow_ratio`: factor on the plastic of bottom skins
   double bottom_flow = 1;
-  Coord walls_nm = 0;         ///< total thickness of the walls around the infill
+  Coord walls_nm = 0;  ///< total thickness of the walls around the infill
   /// `over_bridge_speed`: solid infill over bridges is a separate feature
   bool over_bridges = false;
   /// `internal_bridge_speed`: bridges over sparse infill are a separate feature

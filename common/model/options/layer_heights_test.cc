@@ -8,8 +8,8 @@ namespace {
 TEST(LayerHeights, AreReadAndWritten) {
   const auto heights = ParseLayerHeights("0.000000;0.200000;5.5;0.1;5.5;0.3");
   ASSERT_TRUE(heights.ok()) << heights.status();
-  EXPECT_EQ(*heights, (std::vector<LayerHeightAt>{
-                          {0, 200'000}, {5'500'000, 100'000}, {5'500'000, 300'000}}));
+  EXPECT_EQ(*heights,
+            (std::vector<LayerHeightAt>{{0, 200'000}, {5'500'000, 100'000}, {5'500'000, 300'000}}));
   EXPECT_EQ(PrintLayerHeights(*heights), "0;0.2;5.5;0.1;5.5;0.3");
   EXPECT_EQ(ParseLayerHeights(PrintLayerHeights(*heights)).value(), *heights);
   EXPECT_TRUE(ParseLayerHeights("")->empty());

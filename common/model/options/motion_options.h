@@ -11,7 +11,7 @@
 #include "common/base/shared/shared_text.h"
 #include "common/geometry/polygon.h"
 #include "common/model/options/machine_limits.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "common/model/options/tool_row.h"
 #include "common/model/path.h"
 
@@ -69,7 +69,7 @@ struct MachineMotion {
   /// Used if first_layer_speed_over_raft is a percentage: share of the feature's speed; 1 means 100
   /// %.
   double over_raft_speed_ratio = 1;
-  /// slow_down_layers: number of layers over which speeds rise from those of the first layer
+  /// slow_down_layers: number of layers over which speeds rise from first-layer speeds
   int32_t slow_down_layers = 0;
   double max_print_speed_mm_s = 80;  ///< setting max_print_speed
   /// wipe_speed as a ratio to travel_speed; used without role_based_wipe_speed
@@ -138,7 +138,7 @@ struct MachineMotion {
 /// Options of the motion stage.
 struct MotionOptions : MachineMotion {
   std::vector<ToolRow> tools = {{}};        ///< options of each tool
-  std::vector<RegionSpeeds> speeds = {{}};  ///< options of each region
+  std::vector<RegionMotion> speeds = {{}};  ///< options of each region
 
   /// Returns the tool that prints.
   const ToolRow& tool() const { return tools.front(); }
@@ -162,7 +162,7 @@ inline bool CoolsByRest(const CoolingOptions& cooling) {
 inline bool LooksBelow(const MotionOptions& options) {
   return options.tool().cooling.dynamic_fan || CoolsByRest(options.tool().cooling) ||
          (options.tool().retraction.ramping && options.tool().retraction.before_obstacles) ||
-         std::ranges::any_of(options.speeds, [](const RegionSpeeds& region) {
+         std::ranges::any_of(options.speeds, [](const RegionMotion& region) {
            return region.dynamic_overhangs || region.bridging_walls;
          });
 }

@@ -6,7 +6,7 @@
 
 #include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 
 namespace slicefarm {
 

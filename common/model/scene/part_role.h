@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-
 namespace slicefarm {
 
 /// Purpose of a part of an object.

@@ -9,9 +9,9 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/process.h"
+#include "common/rpc/observe/json_log.h"
 #include "common/rpc/security/authz_policy.h"
 #include "common/rpc/security/file_watch.h"
-#include "common/rpc/observe/json_log.h"
 
 namespace slicefarm::rpc {
 

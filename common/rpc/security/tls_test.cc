@@ -13,14 +13,14 @@
 #include <thread>
 
 #include "common/base/error.h"
+#include "common/rpc/client/channel.h"
+#include "common/rpc/client/client_call.h"
+#include "common/rpc/observe/metrics.h"
 #include "common/rpc/security/authorizer.h"
 #include "common/rpc/security/bearer_token.h"
 #include "common/rpc/security/certificate_metrics.h"
-#include "common/rpc/client/channel.h"
-#include "common/rpc/client/client_call.h"
 #include "common/rpc/security/dev_certs_test.h"
 #include "common/rpc/security/identity.h"
-#include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/server.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 

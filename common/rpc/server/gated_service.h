@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/rpc/server/server_stream.h"
 
 namespace slicefarm::rpc {
@@ -25,7 +25,7 @@ template <typename Api>
 class GatedService : public grpc::Service {
  public:
   /// REQUIRES: `gate` outlives the service.
-  explicit GatedService(CallGate& gate) : gate_(gate) {}
+  explicit GatedService(CallLimiter& gate) : gate_(gate) {}
 
   /// Adds a method with streams in both directions. `method`: method of the generated service,
   /// which only provides the message types. `handle`: absl::Status(Call&, ServerStream<Response,
@@ -70,7 +70,7 @@ class GatedService : public grpc::Service {
     AddMethod(new grpc::internal::RpcServiceMethod(paths_.back().c_str(), type, handler));
   }
 
-  CallGate& gate_;
+  CallLimiter& gate_;
   /// Paths of the methods; gRPC's methods contain pointers to them.
   std::deque<std::string> paths_;
 };

@@ -21,7 +21,7 @@
 #include "common/rpc/server/accept_watch.h"
 #include "common/rpc/server/gate_metrics.h"
 #include "common/rpc/server/open_files.h"
-#include "common/rpc/server/shared_keeper.h"
+#include "common/rpc/server/shared_store.h"
 #include "common/rpc/server/stage_command_line.h"
 
 namespace slicefarm::rpc {
@@ -103,7 +103,7 @@ CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
   return options;
 }
 
-void ServerProgram::Show(const CallGate& gate) {
+void ServerProgram::Show(const CallLimiter& gate) {
   metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
 }
 
@@ -206,7 +206,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make) {
   return Serve(argc, argv, name, about, [&](ServerProgram& program, const ServeFlags& flags) {
-    CallGate gate(program.GateOptions(flags), program.log());
+    CallLimiter gate(program.GateOptions(flags), program.log());
     program.Show(gate);
     const std::unique_ptr<grpc::Service> service = make(gate);
     return program.Run(flags, {service.get()});
@@ -216,9 +216,9 @@ int ServeStage(int argc, char** argv, const std::string& name, const std::string
 int ServeSharingStage(int argc, char** argv, const std::string& name, const std::string& about,
                       const MakeSharingService& make) {
   return Serve(argc, argv, name, about, [&](ServerProgram& program, const ServeFlags& flags) {
-    SharedKeeper keeper(program.log());
+    SharedStore keeper(program.log());
     program.Show(keeper.cache());
-    CallGate gate(program.GateOptions(flags), program.log());
+    CallLimiter gate(program.GateOptions(flags), program.log());
     program.Show(gate);
     const std::unique_ptr<grpc::Service> service = make(gate, keeper.cache());
     return program.Run(flags, {service.get(), &keeper.service()});

@@ -14,7 +14,7 @@
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/security/authorizer.h"
 #include "common/rpc/security/tls.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/rpc/server/server.h"
 #include "common/rpc/server/shutdown_signal.h"
 
@@ -68,7 +68,7 @@ class ServerProgram {
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
   /// Adds the load metrics of the gate (GateMetrics). The gate must outlive Run.
-  void Show(const CallGate& gate);
+  void Show(const CallLimiter& gate);
 
   /// Adds the metrics of the cache of shared values (SharedMetrics). The cache must outlive Run.
   void Show(const SharedCache& cache);
@@ -99,7 +99,7 @@ class ServerProgram {
 };
 
 /// Function that creates a service behind a gate. The gate outlives the service.
-using MakeService = std::function<std::unique_ptr<grpc::Service>(CallGate& gate)>;
+using MakeService = std::function<std::unique_ptr<grpc::Service>(CallLimiter& gate)>;
 
 /// main() of the server program of one stage.
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
@@ -108,10 +108,10 @@ int ServeStage(int argc, char** argv, const std::string& name, const std::string
 /// Function that creates a service behind a gate. The service's calls refer to values in `shared`
 /// by their digests. The gate and `shared` outlive the service.
 using MakeSharingService =
-    std::function<std::unique_ptr<grpc::Service>(CallGate& gate, SharedCache& shared)>;
+    std::function<std::unique_ptr<grpc::Service>(CallLimiter& gate, SharedCache& shared)>;
 
 /// main() of the server program of a stage with values that all calls of a job share. The program
-/// receives each shared value only once (SharedKeeper).
+/// receives each shared value only once (SharedStore).
 int ServeSharingStage(int argc, char** argv, const std::string& name, const std::string& about,
                       const MakeSharingService& make);
 

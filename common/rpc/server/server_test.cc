@@ -12,11 +12,11 @@
 #include <thread>
 
 #include "common/base/error.h"
-#include "common/rpc/server/call_gate.h"
 #include "common/rpc/client/channel.h"
 #include "common/rpc/client/client_call.h"
 #include "common/rpc/event_test.h"
 #include "common/rpc/observe/metrics.h"
+#include "common/rpc/server/call_limiter.h"
 #include "prometheus/text_serializer.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 
@@ -55,7 +55,7 @@ class TestService final : public v1::Motion::Service {
   }
 
  private:
-  CallGate gate_;
+  CallLimiter gate_;
   Work work_ = [](Call&) { return absl::OkStatus(); };
 };
 

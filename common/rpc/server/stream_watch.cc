@@ -50,10 +50,9 @@ StreamWatch::Clock::time_point StreamWatch::CutWhatIsDue() {
 
 StreamWatch::Guard::Guard(StreamWatch& watch, grpc::ServerContext& context) : watch_(watch) {
   const Clock::time_point now = Clock::now();
-  const Clock::time_point deadline =
-      now +
-      // gRPC enforces the client's deadline
-      (HasDeadline(context) ? kFar : watch.times_.default_deadline);
+  const Clock::time_point deadline = now +
+                                     // gRPC enforces the client's deadline
+                                     (HasDeadline(context) ? kFar : watch.times_.default_deadline);
   {
     const std::lock_guard lock(watch_.mutex_);
     entry_ =

@@ -90,12 +90,12 @@ absl::StatusOr<EngraveLayout> FromProto(const v1::EngraveLayout& proto) {
   if (proto.layer_count() < 0 || proto.layer_count() > limits::kMaxLayers)
     return Malformed("layer_count", "is no number of layers");
   const v1::MapReport& map = proto.map();
-  return EngraveLayout{proto.layer_count(),
-                       proto.header(),
-                       proto.footer(),
-                       {map.faces(), map.area_mm2(), map.energy_mean(), map.energy_max(),
-                        SpreadIn(map.stretch()), SpreadIn(map.line_distance_mm()),
-                        map.line_even()}};
+  return EngraveLayout{
+      proto.layer_count(),
+      proto.header(),
+      proto.footer(),
+      {map.faces(), map.area_mm2(), map.energy_mean(), map.energy_max(), SpreadIn(map.stretch()),
+       SpreadIn(map.line_distance_mm()), map.line_even()}};
 }
 
 absl::Status ToProto(const EngravedLayer& layer, v1::EngravedLayer* proto) {

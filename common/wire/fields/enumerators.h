@@ -33,7 +33,7 @@ constexpr int CountEnumerators() {
 
 /// Number of enumerators of an enumeration with the values 0, 1, 2, ... without gaps; at most 64.
 template <typename Enum>
-  requires std::is_enum_v<Enum>
+requires std::is_enum_v<Enum>
 inline constexpr int kEnumerators = internal::CountEnumerators<Enum>();
 
 }  // namespace slicefarm

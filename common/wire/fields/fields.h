@@ -57,8 +57,7 @@ void WriteField(const T& value, FieldWriter& writer) {
     writer.Write(value);
   } else if constexpr (requires { typename T::Row; }) {
     WriteField(static_cast<const typename T::Row&>(value), writer);
-    std::apply([&](const auto&... table) { (WriteField(table, writer), ...); },
-               T::TablesOf(value));
+    std::apply([&](const auto&... table) { (WriteField(table, writer), ...); }, T::TablesOf(value));
   } else {
     std::apply([&](const auto&... member) { (WriteField(member, writer), ...); }, MembersOf(value));
   }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/model/limits.h"
-#include "common/wire/layers/fill_use_wire.h"
+#include "common/wire/layers/fill_stats_wire.h"
 #include "common/wire/layers/path_wire.h"
 #include "common/wire/layers/region_wire.h"
 #include "common/wire/support/geometry_wire.h"

@@ -111,9 +111,9 @@ OrderedLayer Ordered() {
   hidden = over_wall = true;
   corners = {{1, 2}, {-3, 4}};
   travels = {travel};
-  auto& [to, way] = leave.emplace();
+  auto& [to, route] = leave.emplace();
   to = {5, -6};
-  way = {true, {{7, 8}}};
+  route = {true, {{7, 8}}};
   below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
   carried = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
   spiral = {{1, 2}, Point{3, 4}, true, false};
@@ -131,7 +131,8 @@ OrderedLayer Ordered() {
 template <typename Proto, typename Model>
 void ExpectEveryFieldReturns(const Model& model) {
   // Changes that make sizes inconsistent, or a stack not part of its object, are refused.
-  ExpectEveryChangeReturns<Proto, Model>(ProtoOf<Proto>(model), {"ring_sizes", "rings_per_island", "stack"});
+  ExpectEveryChangeReturns<Proto, Model>(ProtoOf<Proto>(model),
+                                         {"ring_sizes", "rings_per_island", "stack"});
 }
 
 TEST(LayerWire, Returns) {

@@ -87,7 +87,8 @@ ProgramSummary DistinctSummary() {
   ProgramSummary summary;
   auto& [layers, total, thumbnails, copies, settings_text] = summary;
   LayerSummary layer;
-  auto& [frame, pass, entry, exit, time, empty, edges, filament, layer_footprint, silent_time] = layer;
+  auto& [frame, pass, entry, exit, time, empty, edges, filament, layer_footprint, silent_time] =
+      layer;
   filament = 9;
   layer_footprint = {{7, 8}, {9, -10}, {11, 12}};
   silent_time = 10;

@@ -36,7 +36,7 @@ Eigen::Vector3d PointAt(const Numbers& numbers, int i) {
 absl::Status ToProto(const CutArea& area, v1::CutArea* proto) {
   absl::Status status = slicefarm::ToProto(MultiPolygon{area.area}, proto->mutable_area());
   MultiPolygon ways;
-  for (const Polygon& way : area.ways) ways.push_back({way, {}});
+  for (const Polygon& path : area.ways) ways.push_back({path, {}});
   status.Update(slicefarm::ToProto(ways, proto->mutable_ways()));
   return status;
 }
@@ -48,9 +48,9 @@ absl::StatusOr<CutArea> AreaOf(const v1::CutArea& proto) {
   absl::StatusOr<MultiPolygon> ways = FromProto(proto.ways());
   if (!ways.ok()) return Within("ways", ways.status());
   CutArea cut{std::move(area->front()), {}};
-  for (PolygonWithHoles& way : *ways) {
-    if (!way.holes.empty()) return Malformed("ways", "a way has holes");
-    cut.ways.push_back(std::move(way.outer));
+  for (PolygonWithHoles& path : *ways) {
+    if (!path.holes.empty()) return Malformed("ways", "a way has holes");
+    cut.ways.push_back(std::move(path.outer));
   }
   return cut;
 }

@@ -37,8 +37,8 @@ absl::Status CheckDistances(const ExposureOptions& region) {
     if (distance != 0 && distance < kLeastHatchNm)
       status.Update(Malformed("upskin_distance_nm, downskin_distance_nm", "too small"));
   const Coord narrowest = std::min(region.stripe_width_nm, region.island_width_nm);
-  if (narrowest < std::max({region.hatch_distance_nm, region.upskin_distance_nm,
-                            region.downskin_distance_nm}))
+  if (narrowest <
+      std::max({region.hatch_distance_nm, region.upskin_distance_nm, region.downskin_distance_nm}))
     status.Update(Malformed("stripe_width_nm, island_width_nm", "less than the hatch distance"));
   // Cells that overlap the next cell but one would be scanned three times.
   if (region.overlap_nm > narrowest / 2)

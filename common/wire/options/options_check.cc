@@ -8,7 +8,7 @@
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
 #include "common/model/options/planning_options.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "common/model/options/slicing_options.h"
 #include "common/model/options/tool_row.h"
 #include "common/wire/options/value_checks.h"
@@ -58,8 +58,8 @@ absl::Status CheckSlicedObject(const ObjectSlicingOptions& object) {
 }
 
 absl::Status CheckThumbnails(const std::vector<ThumbnailSize>& thumbnails) {
-  absl::Status status = CheckRange("thumbnails", static_cast<double>(thumbnails.size()), 0,
-                                   limits::kMaxThumbnails);
+  absl::Status status =
+      CheckRange("thumbnails", static_cast<double>(thumbnails.size()), 0, limits::kMaxThumbnails);
   for (const auto& [width, height, format] : thumbnails)
     for (const int32_t px : {width, height})
       status.Update(CheckRange("thumbnails", px, 1, limits::kMaxThumbnailPx));
@@ -92,7 +92,7 @@ absl::Status CheckSkins(const InfillOptions& infill) {
       CheckRange("top_solid_layers", infill.top_solid_layers, 0, limits::kMaxLayers);
   status.Update(
       CheckRange("bottom_solid_layers", infill.bottom_solid_layers, 0, limits::kMaxLayers));
-  for (const SkinSpare& spare : {infill.top_spare, infill.bottom_spare}) {
+  for (const ShellExtra& spare : {infill.top_spare, infill.bottom_spare}) {
     status.Update(CheckRange("spare.layers", spare.layers, 0, limits::kMaxLayers));
     status.Update(CheckNotNegative({{"spare.enough_nm", spare.enough_nm}}));
   }
@@ -101,8 +101,7 @@ absl::Status CheckSkins(const InfillOptions& infill) {
 
 absl::Status CheckInfill(const InfillOptions& infill) {
   absl::Status status = CheckSkins(infill);
-  status.Update(
-      CheckRange("field_halo_layers", infill.field_halo_layers, 0, limits::kMaxLayers));
+  status.Update(CheckRange("field_halo_layers", infill.field_halo_layers, 0, limits::kMaxLayers));
   status.Update(CheckRange("density", infill.density, 0, 1));
   status.Update(CheckNoLessThanZero("solid_below_area_mm2", infill.solid_below_area_mm2));
   status.Update(CheckPositive({{"sparse_width_nm", infill.sparse_width_nm},
@@ -126,7 +125,7 @@ absl::Status CheckInfill(const InfillOptions& infill) {
   return status;
 }
 
-absl::Status CheckSpeeds(const RegionSpeeds& speeds) {
+absl::Status CheckSpeeds(const RegionMotion& speeds) {
   absl::Status status = CheckAboveZero("bridge_flow", speeds.bridge_flow);
   status.Update(CheckNoLessThanZero("internal_bridge_flow", speeds.internal_bridge_flow));
   status.Update(CheckNoLessThanZero("small_perimeter_radius_mm", speeds.small_perimeter_radius_mm));

@@ -1,9 +1,3 @@
-#include "common/model/options/slicing_options.h"
-#include "common/wire/options/options_wire.h"
-#include "processes/fdm/model/fdm_settings.h"
-#include "processes/laser/model/exposure_settings.h"
-#include "processes/mill/model/milling_options.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,6 +5,11 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/options/slicing_options.h"
+#include "common/wire/options/options_wire.h"
+#include "processes/fdm/model/fdm_settings.h"
+#include "processes/laser/model/exposure_settings.h"
+#include "processes/mill/model/milling_options.h"
 
 namespace slicefarm::options_check_test {
 namespace {
@@ -56,8 +55,7 @@ TEST(OptionsCheck, RefusesFdmSettingsNamingTheMember) {
        "objects[0].brim.ear_max_angle_rad"},
       {"row of the brim", [](Fdm& s) { s.objects[0].brim_settings = -1; },
        "objects[0].brim_settings"},
-      {"raft", [](Fdm& s) { s.objects[0].raft.heights.layers = -1; },
-       "objects[0].raft.layers"},
+      {"raft", [](Fdm& s) { s.objects[0].raft.heights.layers = -1; }, "objects[0].raft.layers"},
       {"tree", [](Fdm& s) { s.objects[0].support.tree.branch_distance_nm = 0; },
        "objects[0].tree.branch_distance_nm"},
       {"threshold", [](Fdm& s) { s.objects[0].support.threshold_rad = 2; },
@@ -65,9 +63,9 @@ TEST(OptionsCheck, RefusesFdmSettingsNamingTheMember) {
       {"no regions", [](Fdm& s) { s.regions.clear(); }, "speeds"},
       {"no tools", [](Fdm& s) { s.tools.clear(); }, "tools"},
       {"negative detour", [](Fdm& s) { s.machine.order.travel.max_detour_mm = -1; }, "travel"},
-      {"density above one", [](Fdm& s) { s.regions[0].infill.density = 1.01; }, "infill[0].density"},
-      {"scarf below its layer",
-       [](Fdm& s) { s.regions[0].motion.scarf.start_height_ratio = -1; },
+      {"density above one", [](Fdm& s) { s.regions[0].infill.density = 1.01; },
+       "infill[0].density"},
+      {"scarf below its layer", [](Fdm& s) { s.regions[0].motion.scarf.start_height_ratio = -1; },
        "speeds[0].scarf.start_height_ratio"},
       {"scarf length", [](Fdm& s) { s.regions[0].motion.scarf.length_mm = -1; },
        "speeds[0].scarf.length_mm"},
@@ -75,9 +73,12 @@ TEST(OptionsCheck, RefusesFdmSettingsNamingTheMember) {
        "speeds[0].scarf.max_segment_mm"},
       {"negative speed", [](Fdm& s) { s.regions[0].motion.speed_mm_s[3] = -1; },
        "speeds[0].speed_mm_s"},
-      {"negative fan", [](Fdm& s) { s.tools[0].cooling.min_fan_percent = -1; }, "tools[0].cooling: a fan"},
-      {"negative perimeters", [](Fdm& s) { s.regions[0].walls.perimeters = -1; }, "walls[0].perimeters"},
-      {"no width", [](Fdm& s) { s.regions[0].walls.inner_width_nm = 0; }, "walls[0].inner_width_nm"},
+      {"negative fan", [](Fdm& s) { s.tools[0].cooling.min_fan_percent = -1; },
+       "tools[0].cooling: a fan"},
+      {"negative perimeters", [](Fdm& s) { s.regions[0].walls.perimeters = -1; },
+       "walls[0].perimeters"},
+      {"no width", [](Fdm& s) { s.regions[0].walls.inner_width_nm = 0; },
+       "walls[0].inner_width_nm"},
       {"negative spare", [](Fdm& s) { s.regions[0].infill.top_spare.layers = -1; },
        "infill[0].spare.layers"},
   });
@@ -93,7 +94,10 @@ TEST(OptionsCheck, RefusesSlicingOptionsNamingTheMember) {
        "objects[0].adaptive.max_nm"},
       {"no ratio", [](Slicing& s) { s.objects[0].adaptive.max_ratio = 0.5; },
        "objects[0].adaptive.max_ratio"},
-      {"a profile that falls", [](Slicing& s) { s.objects[0].height_profile = {{9, 1}, {8, 1}}; },
+      {"a profile that falls",
+       [](Slicing& s) {
+         s.objects[0].height_profile = {{9, 1}, {8, 1}};
+       },
        "objects[0].height_profile"},
       {"no objects", [](Slicing& s) { s.objects.clear(); }, "objects"},
       {"no layer height", [](Slicing& s) { s.objects[0].layer_height_nm = 0; },
@@ -121,8 +125,7 @@ TEST(OptionsCheck, RefusesExposureSettingsNamingTheMember) {
        "regions[0].jump: a delay"},
       {"negative power", [](Laser& s) { s.regions[0].styles[2].power_w = -1; },
        "regions[0].styles: an amount"},
-      {"no jump", [](Laser& s) { s.regions[0].jump.speed_mm_s = 0; },
-       "regions[0].jump.speed_mm_s"},
+      {"no jump", [](Laser& s) { s.regions[0].jump.speed_mm_s = 0; }, "regions[0].jump.speed_mm_s"},
       {"narrow stripes", [](Laser& s) { s.regions[0].stripe_width_nm = 1'000; },
        "regions[0].stripe_width_nm, island_width_nm"},
       {"rings over rings", [](Laser& s) { s.regions[0].ring_overlap_nm = 80'001; },

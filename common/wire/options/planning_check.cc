@@ -1,11 +1,10 @@
+#include <numbers>
+#include <string_view>
+
 #include "common/model/options/adhesion_options.h"
 #include "common/model/options/planning_options.h"
 #include "common/model/options/support_options.h"
 #include "common/wire/options/options_check.h"
-
-#include <numbers>
-#include <string_view>
-
 #include "common/wire/options/value_checks.h"
 
 namespace slicefarm {
@@ -18,8 +17,7 @@ absl::Status CheckRow(std::string_view member, int32_t row) {
 
 absl::Status CheckSkirt(const SkirtOptions& skirt) {
   absl::Status status = CheckRange("skirt.loops", skirt.loops, 0, limits::kMaxSkirtLoops);
-  status.Update(
-      CheckRange("skirt.height_layers", skirt.height_layers, 0, limits::kMaxLayers));
+  status.Update(CheckRange("skirt.height_layers", skirt.height_layers, 0, limits::kMaxLayers));
   status.Update(CheckNotNegative({{"skirt.distance_nm", skirt.distance_nm}}));
   status.Update(
       CheckPositive({{"skirt.width_nm", skirt.width_nm}, {"skirt.height_nm", skirt.height_nm}}));
@@ -61,8 +59,7 @@ absl::Status CheckTree(const TreeOptions& tree) {
   absl::Status status = CheckPositive({{"tree.branch_diameter_nm", tree.branch_diameter_nm},
                                        {"tree.tip_diameter_nm", tree.tip_diameter_nm},
                                        {"tree.branch_distance_nm", tree.branch_distance_nm}});
-  status.Update(
-      CheckNotNegative({{"tree.double_wall_diameter_nm", tree.double_wall_diameter_nm}}));
+  status.Update(CheckNotNegative({{"tree.double_wall_diameter_nm", tree.double_wall_diameter_nm}}));
   for (const double angle_rad : {tree.angle_rad, tree.slow_angle_rad, tree.diameter_angle_rad})
     if (!(0 <= angle_rad && angle_rad < std::numbers::pi / 2))
       status.Update(Malformed("tree.angle_rad", "is not of a branch"));
@@ -79,14 +76,13 @@ absl::Status CheckSupport(const SupportOptions& support) {
                         {"support.spacing_nm", support.spacing_nm},
                         {"support.interface_spacing_nm", support.interface_spacing_nm},
                         {"support.walls_nm", support.walls_nm}});
-  status.Update(
-      CheckPositive({{"support.width_nm", support.width_nm},
-                     {"support.wall_width_nm", support.wall_width_nm},
-                     {"support.layer_height_nm", support.layer_height_nm},
-                     {"support.first_layer_height_nm", support.first_layer_height_nm},
-                     {"support.min_layer_height_nm", support.min_layer_height_nm}}));
-  for (const int32_t layers : {support.enforced_layers, support.top_interface_layers,
-                               support.bottom_interface_layers})
+  status.Update(CheckPositive({{"support.width_nm", support.width_nm},
+                               {"support.wall_width_nm", support.wall_width_nm},
+                               {"support.layer_height_nm", support.layer_height_nm},
+                               {"support.first_layer_height_nm", support.first_layer_height_nm},
+                               {"support.min_layer_height_nm", support.min_layer_height_nm}}));
+  for (const int32_t layers :
+       {support.enforced_layers, support.top_interface_layers, support.bottom_interface_layers})
     status.Update(CheckRange("support: a count of layers", layers, 0, limits::kMaxLayers));
   status.Update(
       CheckRange("support.threshold_rad", support.threshold_rad, 0, std::numbers::pi / 2));

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "common/base/error.h"
-#include "tests/support/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
+#include "tests/support/every_field.h"
 
 namespace slicefarm::mesh_wire_test {
 namespace {
@@ -33,8 +33,8 @@ Placement DistinctPlacement() {
 MeshReport DistinctReport() {
   MeshReport report;
   auto& [name, triangles, vertices, bodies, open_edges, non_manifold_edges, flipped_faces,
-         degenerate_faces, repeated_faces, volume, min, max, closed, dropped, gap, length,
-         off_bed, overlapping, cracks] = report;
+         degenerate_faces, repeated_faces, volume, min, max, closed, dropped, gap, length, off_bed,
+         overlapping, cracks] = report;
   name = "part";
   triangles = 1;
   vertices = 2;

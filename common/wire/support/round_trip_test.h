@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "tests/support/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
+#include "tests/support/every_field.h"
 
 namespace slicefarm {
 
@@ -40,9 +40,8 @@ void ExpectEveryChangeReturns(const Proto& original,
                               const std::vector<std::string_view>& refused = {},
                               const std::vector<std::string_view>& apart = {}) {
   const auto is_one_of = [](const std::string& path, const std::vector<std::string_view>& fields) {
-    return std::ranges::any_of(fields, [&](std::string_view field) {
-      return path.find(field) != std::string::npos;
-    });
+    return std::ranges::any_of(
+        fields, [&](std::string_view field) { return path.find(field) != std::string::npos; });
   };
   int accepted = 0;
   ForEachChangedField(

@@ -18,7 +18,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 /// Part `engraving` of the report of an engraving job.
-struct EngraveJobReport : OwnReport {
+struct EngraveJobReport : ProcessReport {
   EngraveReport report;
 
   void AddTo(nlohmann::ordered_json& json) const override { json["engraving"] = JsonOf(report); }

@@ -35,19 +35,17 @@ class OfEngraving : public ProcessSettings {
     standards.slicing.thumbnails = {};
     return standards;
   }
-  ProcessValue PlateOf(const ProcessValue& job) const override {
-    return job.As<EngraveSettings>();
-  }
+  ProcessValue PlateOf(const ProcessValue& job) const override { return job.As<EngraveSettings>(); }
   std::vector<SettingSpec> Table() const override {
     constexpr SettingGroup kGroups[] = {{"engraving", EngraveTable}};
     return TableOf(kGroups);
   }
   std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
-  absl::Status Derive(Draft& /*draft*/, ResolvedSettings& /*result*/) const override {
+  absl::Status Derive(SettingValues& /*draft*/, ResolvedSettings& /*result*/) const override {
     return absl::OkStatus();
   }
-  absl::Status Check(const Draft& /*draft*/) const override { return absl::OkStatus(); }
-  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+  absl::Status Check(const SettingValues& /*draft*/) const override { return absl::OkStatus(); }
+  absl::Status Finish(const SettingValues& /*draft*/, ResolvedSettings& result) const override {
     return CheckTexts(EngraveOf(result.settings));
   }
   ResultWords Words() const override { return {.to_make = "to engrave"}; }
@@ -55,12 +53,9 @@ class OfEngraving : public ProcessSettings {
     return "slicefarm slice mask.obj -o mask.csv --machine engrave --texture knurl:pitch=2";
   }
   std::vector<FileFormat> FileFormats() const override {
-    return {{".csv", "output_format", "csv", true},
-            {".nc", "output_format", "gcode"},
-            {".gcode", "output_format", "gcode"},
-            {".stl", "output_format", "stl"},
-            {".obj", "output_format", "obj"},
-            {".map.png", "output_format", "map_png"},
+    return {{".csv", "output_format", "csv", true}, {".nc", "output_format", "gcode"},
+            {".gcode", "output_format", "gcode"},   {".stl", "output_format", "stl"},
+            {".obj", "output_format", "obj"},       {".map.png", "output_format", "map_png"},
             {".png", "output_format", "png"}};
   }
 };

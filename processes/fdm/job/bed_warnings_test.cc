@@ -65,9 +65,8 @@ TEST_F(BedWarningsTest, NamesTheObjectWhoseRaftIsCut) {
 }
 
 TEST_F(BedWarningsTest, WhatIsAnObjectsOwnIsNotInPlateCoordinates) {
-  EXPECT_THAT(
-      Of(With(StackKind::kRaft, MakePolygonsOrDie("(89 39, 100 39, 100 51, 89 51)"), 1)),
-      IsEmpty());
+  EXPECT_THAT(Of(With(StackKind::kRaft, MakePolygonsOrDie("(89 39, 100 39, 100 51, 89 51)"), 1)),
+              IsEmpty());
 }
 
 TEST_F(BedWarningsTest, ASkirtThatIsOpenWasCut) {

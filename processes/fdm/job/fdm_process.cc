@@ -275,7 +275,7 @@ class FdmJob : public PlannedJob {
       std::ranges::move(range.programs, std::back_inserter(all));
       report_.stage_times.Add(range.rest.times);
       std::ranges::copy(range.rest.warnings, std::back_inserter(warnings));
-      for (const FillUse& use : range.rest.fills) AddUse(use, 1, own_.fills);
+      for (const FillStats& use : range.rest.fills) AddUse(use, 1, own_.fills);
     }
     const auto programs = InPrintOrder(std::move(all), layer_count);
     if (!programs.ok()) return programs.status();
@@ -294,8 +294,7 @@ class FdmJob : public PlannedJob {
     report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    auto file = MakeFile(*std::move(frame), *programs, motion.writing,
-                         std::move(spool_), call);
+    auto file = MakeFile(*std::move(frame), *programs, motion.writing, std::move(spool_), call);
     if (!file.ok()) return file.status();
     return JobOutput{*std::move(file), std::move(report_)};
   }

@@ -333,7 +333,7 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
 TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {
   const auto output = Run("xxxxx0");
   ASSERT_TRUE(output.ok()) << output.status();
-  const std::vector<FillUse>& fills = OwnOf(*output).fills;
+  const std::vector<FillStats>& fills = OwnOf(*output).fills;
   ASSERT_EQ(fills.size(), 2u);
   EXPECT_EQ(fills[0].paths, 3);
   EXPECT_DOUBLE_EQ(fills[0].area_mm2, 0.6);

@@ -22,9 +22,9 @@ OrderedJson Features(const ProgramStats& stats) {
 
 /// Returns the infill section of the report. Sparse infill is reported with its density. Other
 /// infill is reported with its coverage, because it should cover the filled area completely.
-OrderedJson Infill(const std::vector<FillUse>& fills) {
+OrderedJson Infill(const std::vector<FillStats>& fills) {
   OrderedJson list = OrderedJson::array();
-  for (const FillUse& use : fills) {
+  for (const FillStats& use : fills) {
     const bool sparse = use.feature == Feature::kInternalInfill;
     OrderedJson json = {
         {"settings", use.settings},

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/model/layers/filament_use.h"
-#include "common/model/layers/fill_use.h"
+#include "common/model/layers/fill_stats.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/print_times.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
@@ -20,14 +20,14 @@ namespace slicefarm::coordinator {
 /// - `travel`
 /// - `times`: parts of print_time_s that are not features, and the total time per layer
 /// - `seams`
-struct FdmReport : OwnReport {
+struct FdmReport : ProcessReport {
   std::string file_name;  ///< name of the file, equal to JobReport's
   FilamentUse filament;   ///< used filament, equal to JobReport's
   ProgramStats stats;     ///< sum over all layers
   PrintTimes times;       ///< `print_time_s`, divided by cause
   double travel_mm = 0;   ///< length of travels, including travels between layers
   /// totals of the infill over all copies, one entry per kind: see AddUse
-  std::vector<FillUse> fills;
+  std::vector<FillStats> fills;
   /// quality of the seams; each loop of an object counts once, independent of the number of copies
   SeamQuality seams;
 

@@ -68,11 +68,7 @@ TEST(LayerJoin, OtherCodeMayChangeAnything) {
 TEST(LayerJoin, CodeWithinALayerStaysInItsPlace) {
   EXPECT_EQ(Joined().Add({"M107", "X1"}).Add({"M107", "X1", "M117 hi\n"}).text(),
             ";layer\nM107\nG1 X1\nbead\n;layer\nM117 hi\nbead\n");
-  EXPECT_EQ(Joined()
-                .Add({"M107", "X1"})
-                .Add({"M107", "X1", "PARK\n"})
-                .Add({"M107", "X1"})
-                .text(),
+  EXPECT_EQ(Joined().Add({"M107", "X1"}).Add({"M107", "X1", "PARK\n"}).Add({"M107", "X1"}).text(),
             ";layer\nM107\nG1 X1\nbead\n;layer\nM107\nPARK\nG1 X1\nbead\n"
             ";layer\nM107\nG1 X1\nbead\n")
       << "nothing is known after it";

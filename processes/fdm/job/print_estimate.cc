@@ -137,7 +137,7 @@ class SectionEstimate {
   const LayerShape& shape_;
   const LayerFrame& frame_;
   const FdmSettings& settings_;
-  const RegionSpeeds& speeds_;
+  const RegionMotion& speeds_;
   double time_s_ = 0;
   double volume_mm3_ = 0;
 };

@@ -1,10 +1,10 @@
 #include "processes/fdm/job/sampled_estimate.h"
 
-#include "common/model/options/motion_options.h"
-
 #include <algorithm>
 #include <numbers>
 #include <set>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -1,11 +1,11 @@
 #include "processes/fdm/job/sampled_estimate.h"
 
-#include "common/model/options/motion_options.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::coordinator::sampled_estimate_test {
 namespace {

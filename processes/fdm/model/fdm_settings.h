@@ -30,7 +30,7 @@ struct RegionRow {
   BeadingOptions walls;
   InfillOptions infill;
   WallOrder order;
-  RegionSpeeds motion;
+  RegionMotion motion;
 
   friend bool operator==(const RegionRow&, const RegionRow&) = default;
 };
@@ -61,7 +61,9 @@ struct FdmSettings {
 };
 
 // Returns the filament printing settings of a job. REQUIRES: the job is a filament printing job.
-inline const FdmSettings& FdmOf(const JobSettings& settings) { return settings.own.As<FdmSettings>(); }
+inline const FdmSettings& FdmOf(const JobSettings& settings) {
+  return settings.own.As<FdmSettings>();
+}
 inline FdmSettings& FdmOf(JobSettings& settings) { return settings.own.As<FdmSettings>(); }
 inline const FdmRows& FdmOf(const JobRows& rows) { return rows.own.As<FdmRows>(); }
 inline FdmRows& FdmOf(JobRows& rows) { return rows.own.As<FdmRows>(); }

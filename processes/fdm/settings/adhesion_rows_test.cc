@@ -27,13 +27,13 @@ JobRows Resolved(const std::vector<std::pair<std::string, std::string>>& given) 
 
 TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
   const JobRows job = Resolved({{"first_layer_extrusion_width", "0.6"},
-                                    {"perimeters", "2"},
-                                    {"only_one_perimeter_first_layer", "1"},
-                                    {"top_one_perimeter_type", "topmost"},
-                                    {"extra_perimeters", "1"},
-                                    {"fuzzy_skin", "all"},
-                                    {"perimeter_generator", "classic"},
-                                    {"fill_density", "15%"}});
+                                {"perimeters", "2"},
+                                {"only_one_perimeter_first_layer", "1"},
+                                {"top_one_perimeter_type", "topmost"},
+                                {"extra_perimeters", "1"},
+                                {"fuzzy_skin", "all"},
+                                {"perimeter_generator", "classic"},
+                                {"fill_density", "15%"}});
   const JobRows row = BrimRow(job);
   EXPECT_EQ(FdmOf(row).region.walls.external_width_nm, 600'000);
   EXPECT_EQ(FdmOf(row).region.walls.inner_width_nm, 600'000);
@@ -64,8 +64,8 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
   };
   for (const std::vector<Layer>& raft : rafts) {
     const JobRows job = Resolved({{"raft_layers", std::to_string(raft.size())},
-                                      {"support_material_angle", "30"},
-                                      {"support_material_extrusion_width", "0.4"}});
+                                  {"support_material_angle", "30"},
+                                  {"support_material_extrusion_width", "0.4"}});
     for (size_t i = 0; i < raft.size(); ++i) {
       const JobRows row = RaftRow(job, static_cast<int32_t>(i));
       const InfillOptions& infill = FdmOf(row).region.infill;
@@ -83,12 +83,11 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
 
 TEST(RaftRow, InterfacesHaveTheSupportsGaps) {
   const JobRows job = Resolved({{"raft_layers", "3"},
-                                    {"support_material_interface_spacing", "1"},
-                                    {"support_material_extrusion_width", "0.4"}});
+                                {"support_material_interface_spacing", "1"},
+                                {"support_material_extrusion_width", "0.4"}});
   EXPECT_DOUBLE_EQ(FdmOf(RaftRow(job, 0)).region.infill.density, 0.9);
   for (const int32_t layer : {1, 2})
-    EXPECT_NEAR(FdmOf(RaftRow(job, layer)).region.infill.density, kSpacing / (kSpacing + 1),
-                1e-6)
+    EXPECT_NEAR(FdmOf(RaftRow(job, layer)).region.infill.density, kSpacing / (kSpacing + 1), 1e-6)
         << layer;
 }
 

@@ -16,7 +16,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-absl::Status CheckHeight(const Draft& draft, std::string_view key) {
+absl::Status CheckHeight(const SettingValues& draft, std::string_view key) {
   const double nozzle = draft.Number("nozzle_diameter");
   if (draft.Number(key) <= nozzle) return absl::OkStatus();
   return Refuse(draft, key,
@@ -24,7 +24,8 @@ absl::Status CheckHeight(const Draft& draft, std::string_view key) {
                 nozzle);
 }
 
-absl::Status CheckWidth(const Draft& draft, std::string_view key, std::string_view height_key) {
+absl::Status CheckWidth(const SettingValues& draft, std::string_view key,
+                        std::string_view height_key) {
   constexpr double kMaxNozzles = 3;
   const double width = draft.Number(key);
   const double height = draft.Number(height_key);
@@ -43,7 +44,7 @@ absl::Status CheckWidth(const Draft& draft, std::string_view key, std::string_vi
   return absl::OkStatus();
 }
 
-absl::Status CheckWidths(const Draft& draft) {
+absl::Status CheckWidths(const SettingValues& draft) {
   for (const std::string_view key :
        {"perimeter_extrusion_width", "external_perimeter_extrusion_width", "infill_extrusion_width",
         "solid_infill_extrusion_width", "top_infill_extrusion_width"}) {
@@ -54,7 +55,7 @@ absl::Status CheckWidths(const Draft& draft) {
 }
 
 /// Checks that lines of a raft, with the layer height of the raft, have a positive spacing.
-absl::Status CheckRaft(const Draft& draft) {
+absl::Status CheckRaft(const SettingValues& draft) {
   constexpr std::string_view kWidth = "support_material_extrusion_width";
   if (draft.Number("raft_layers") == 0) return absl::OkStatus();
   const double height =
@@ -70,7 +71,7 @@ absl::Status CheckRaft(const Draft& draft) {
 
 /// Refuses a tall skirt if copies are printed one after another, because the head would hit it
 /// between copies.
-absl::Status CheckSkirt(const Draft& draft) {
+absl::Status CheckSkirt(const SettingValues& draft) {
   if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return absl::OkStatus();
   const bool shields = draft.Number("draft_shield") == static_cast<double>(DraftShield::kEnabled);
   if (!shields && draft.Number("skirt_height") <= 1) return absl::OkStatus();
@@ -83,7 +84,7 @@ absl::Status CheckSkirt(const Draft& draft) {
 }
 
 /// Refuses mixed materials for Klipper, which has no mixing extruder.
-absl::Status CheckMixing(const Draft& draft) {
+absl::Status CheckMixing(const SettingValues& draft) {
   const bool klipper = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
   if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
@@ -99,7 +100,7 @@ absl::Status RefuseWords(std::string_view key, std::string_view why) {
 
 /// Refuses commands that the firmware does not support. A firmware retraction cannot be combined
 /// with a wipe.
-absl::Status CheckWords(const Draft& draft) {
+absl::Status CheckWords(const SettingValues& draft) {
   const auto flavor = static_cast<GcodeFlavor>(std::lround(draft.Number("gcode_flavor")));
   constexpr std::string_view kByFirmware = "use_firmware_retraction";
   if (draft.Number(kByFirmware) != 0) {
@@ -118,7 +119,7 @@ absl::Status CheckWords(const Draft& draft) {
 }
 
 /// Checks the range of layer heights for adaptive layers.
-absl::Status CheckAdaptiveHeights(const Draft& draft) {
+absl::Status CheckAdaptiveHeights(const SettingValues& draft) {
   if (draft.Number("adaptive_layer_height") == 0) return absl::OkStatus();
   const double most = draft.Number("max_layer_height"), least = draft.Number("min_layer_height");
   if (most == 0 || least <= most) return absl::OkStatus();
@@ -129,7 +130,7 @@ absl::Status CheckAdaptiveHeights(const Draft& draft) {
 
 }  // namespace
 
-absl::Status CheckSettings(const Draft& draft) {
+absl::Status CheckSettings(const SettingValues& draft) {
   for (const std::string_view key : {"layer_height", "first_layer_height"}) {
     if (absl::Status status = CheckHeight(draft, key); !status.ok()) return status;
   }

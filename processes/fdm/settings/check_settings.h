@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "common/config/draft.h"
+#include "common/config/setting_values.h"
 
 namespace slicefarm::config::fdm {
 
@@ -10,6 +10,6 @@ namespace slicefarm::config::fdm {
 /// diameters (PrusaSlicer's rules). Retractions need a speed, and gap widths must be in ascending
 /// order. Errors: SETTING_OUT_OF_RANGE naming both settings, with metadata `setting`, `value`,
 /// `min`, `max`.
-absl::Status CheckSettings(const Draft& draft);
+absl::Status CheckSettings(const SettingValues& draft);
 
 }  // namespace slicefarm::config::fdm

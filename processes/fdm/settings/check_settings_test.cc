@@ -15,7 +15,7 @@ namespace {
 using Metadata = std::map<std::string, std::string>;
 
 absl::Status Check(const Pairs& given) {
-  Draft draft = DraftOf(given);
+  SettingValues draft = DraftOf(given);
   ResolvedSettings result;
   const absl::Status derived = Derive(draft, result);
   return derived.ok() ? CheckSettings(draft) : derived;

@@ -35,14 +35,14 @@ constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::k
                                      FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic,
                                      FillPattern::kQuarterCubic};
 
-void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
+void DeriveWidth(SettingValues& draft, std::string_view key, double auto_width) {
   Value width = *draft.At(key).value;
   if (width.number == 0) width = *draft.At("extrusion_width").value;
   const double mm = Absolute(width, draft.Number("layer_height"));
   draft.SetNumber(key, mm == 0 ? auto_width : mm);
 }
 
-void DeriveWidths(Draft& draft) {
+void DeriveWidths(SettingValues& draft) {
   const double nozzle = draft.Number("nozzle_diameter");
   for (const std::string_view key :
        {"perimeter_extrusion_width", "external_perimeter_extrusion_width", "infill_extrusion_width",
@@ -61,7 +61,7 @@ void DeriveWidths(Draft& draft) {
   TakePercentage(draft, "extrusion_width");
 }
 
-void DeriveVariableWalls(Draft& draft) {
+void DeriveVariableWalls(SettingValues& draft) {
   for (const std::string_view key : {"wall_transition_length", "wall_transition_filter_deviation",
                                      "min_feature_size", "min_bead_width", "max_bead_width"}) {
     TakePercentage(draft, key);
@@ -70,7 +70,7 @@ void DeriveVariableWalls(Draft& draft) {
 
 /// Limits the infill speed to the filament's limit, which may be lower for patterns with crossing
 /// lines.
-void LimitInfillSpeed(Draft& draft) {
+void LimitInfillSpeed(SettingValues& draft) {
   const auto pattern = static_cast<FillPattern>(std::lround(draft.Number("fill_pattern")));
   const bool crosses = std::ranges::find(kCrossing, pattern) != std::end(kCrossing);
   const double limit =
@@ -78,7 +78,7 @@ void LimitInfillSpeed(Draft& draft) {
   if (limit > 0) draft.SetNumber("infill_speed", std::min(draft.Number("infill_speed"), limit));
 }
 
-void DeriveSpeeds(Draft& draft) {
+void DeriveSpeeds(SettingValues& draft) {
   for (const std::string_view key :
        {"external_perimeter_speed", "small_perimeter_speed", "solid_infill_speed",
         "top_solid_infill_speed", "over_bridge_speed", "internal_bridge_speed",
@@ -92,14 +92,14 @@ void DeriveSpeeds(Draft& draft) {
   LimitInfillSpeed(draft);
 }
 
-void DeriveAccelerations(Draft& draft) {
+void DeriveAccelerations(SettingValues& draft) {
   FallBack(draft, "external_perimeter_acceleration", "perimeter_acceleration");
   FallBack(draft, "solid_infill_acceleration", "infill_acceleration");
   FallBack(draft, "top_solid_infill_acceleration", "solid_infill_acceleration");
 }
 
 /// Resets machine limits to their default values if the job ignores them.
-void DeriveLimits(Draft& draft) {
+void DeriveLimits(SettingValues& draft) {
   if (draft.Number("machine_limits_usage") != kIgnoreLimits) return;
   const auto table = SettingsTable(draft.process());
   for (const SettingSpec& spec : table) {
@@ -110,7 +110,7 @@ void DeriveLimits(Draft& draft) {
 
 /// Sets infill_every_layers to the number of layers that fit into the maximum height of combined
 /// infill and into the nozzle diameter, within the range of the setting.
-void DeriveCombination(Draft& draft) {
+void DeriveCombination(SettingValues& draft) {
   constexpr std::string_view kHeight = "automatic_infill_combination_max_layer_height";
   TakePercentage(draft, kHeight);
   if (draft.Number("automatic_infill_combination") == 0) return;
@@ -122,14 +122,14 @@ void DeriveCombination(Draft& draft) {
   draft.SetNumber(kLayers, std::clamp(layers, spec.min, spec.max));
 }
 
-void DeriveFilament(Draft& draft) {
+void DeriveFilament(SettingValues& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
         "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below",
         "retract_lift_enforce", "retract_lift_enforce", "travel_ramping_lift", "travel_max_lift",
         "travel_slope", "travel_lift_before_obstacle", "seam_gap_distance", "wipe",
         "retract_before_wipe", "wipe_distance", "retract_layer_change"}) {
-    const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
+    const SettingValues::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.At(key).value = own.value;
   }
   FallBack(draft, "deretract_speed", "retract_speed");
@@ -158,7 +158,7 @@ bool Acts(std::string_view gcode) {
 /// Enables retraction at layer changes unless nothing is inserted between layers. Inserted G-code
 /// may move the nozzle. If labelled objects are cancelled during the print, the printer must
 /// continue in the same state.
-void DeriveLayerChange(Draft& draft) {
+void DeriveLayerChange(SettingValues& draft) {
   const auto text = [&](std::string_view key) -> std::string_view {
     return draft.At(key).value->text;
   };
@@ -169,17 +169,17 @@ void DeriveLayerChange(Draft& draft) {
 }
 
 /// Disables extra walls if there is no infill, because extra walls only replace infill.
-void DeriveExtraWalls(Draft& draft) {
+void DeriveExtraWalls(SettingValues& draft) {
   const bool filled = draft.Number("fill_density") > 0 && draft.Number("perimeters") > 0;
   if (!filled) draft.SetNumber("extra_perimeters", 0);
 }
 
 /// Adds the format of thumbnails_format to thumbnails that do not name a format.
-void DeriveThumbnails(Draft& draft) {
+void DeriveThumbnails(SettingValues& draft) {
   const auto format = static_cast<PictureFormat>(std::lround(draft.Number("thumbnails_format")));
   if (format == PictureFormat::kPng) return;
   const std::string_view suffix = format == PictureFormat::kQoi ? "/QOI" : "/JPG";
-  Draft::Entry& thumbnails = draft.At("thumbnails");
+  SettingValues::Entry& thumbnails = draft.At("thumbnails");
   const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text.str();
   std::string text;
   for (const std::string_view size : Split(written, ",")) {
@@ -192,9 +192,9 @@ void DeriveThumbnails(Draft& draft) {
 /// Limits the skirt to one layer if copies are printed one after another, because the head would
 /// hit a taller one. This applies to values from profiles. A value that the request sets is checked
 /// instead (check_settings.h). Returns a note if the height changed.
-std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
+std::optional<std::string> TakeSequentialSkirt(SettingValues& draft) {
   if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return std::nullopt;
-  const Draft::Entry& height = draft.At("skirt_height");
+  const SettingValues::Entry& height = draft.At("skirt_height");
   if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
   std::string note = fmt::format(
       "skirt_height = {}: with complete_objects = 1 the skirt has only one layer, or the print "
@@ -206,13 +206,13 @@ std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
 
 /// Sets one wall, no infill and no top layers for a vase, even if profiles set other values.
 /// Returns notes about changed values.
-std::vector<std::string> DeriveVase(Draft& draft) {
+std::vector<std::string> DeriveVase(SettingValues& draft) {
   std::vector<std::string> notes;
   if (draft.Number("spiral_vase") == 0) return notes;
   constexpr std::pair<std::string_view, double> kVase[] = {
       {"perimeters", 1}, {"top_solid_layers", 0}, {"fill_density", 0}};
   for (const auto& [key, value] : kVase) {
-    const Draft::Entry& entry = draft.At(key);
+    const SettingValues::Entry& entry = draft.At(key);
     if (draft.Number(key) == value) continue;
     if (entry.given)
       notes.push_back(
@@ -224,7 +224,7 @@ std::vector<std::string> DeriveVase(Draft& draft) {
 
 }  // namespace
 
-absl::Status Derive(Draft& draft, ResolvedSettings& result) {
+absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
   if (auto note = TakeSequentialSkirt(draft)) {
     result.no_effect.push_back(*note);
     result.warnings.push_back(*std::move(note));

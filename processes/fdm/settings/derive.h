@@ -1,8 +1,8 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "common/config/draft.h"
 #include "common/config/resolve.h"
+#include "common/config/setting_values.h"
 
 namespace slicefarm::config::fdm {
 
@@ -18,6 +18,6 @@ namespace slicefarm::config::fdm {
 /// Afterwards no value depends on another setting. The only exception is a `first_layer_speed` in
 /// percent, which refers to the speed of each feature. `result` receives the requests of profiles
 /// that are not fulfilled. Errors: SETTING_OUT_OF_RANGE for the result of a percentage.
-absl::Status Derive(Draft& draft, ResolvedSettings& result);
+absl::Status Derive(SettingValues& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

@@ -10,7 +10,7 @@
 namespace slicefarm::config::fdm::derive_test {
 namespace {
 
-absl::Status Derived(Draft& draft) {
+absl::Status Derived(SettingValues& draft) {
   ResolvedSettings result;
   return Derive(draft, result);
 }
@@ -25,7 +25,7 @@ class DerivedNumber : public testing::TestWithParam<NumberCase> {};
 
 TEST_P(DerivedNumber, StandsForItself) {
   const NumberCase& c = GetParam();
-  Draft draft = DraftOf(c.given);
+  SettingValues draft = DraftOf(c.given);
   ASSERT_TRUE(Derived(draft).ok());
   EXPECT_DOUBLE_EQ(draft.Number(c.key), c.want);
   EXPECT_FALSE(draft.At(c.key).value->percent);
@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(
     NameOf);
 
 TEST(Derive, LeavesAFirstLayerSpeedInPercent) {
-  Draft draft = DraftOf({{"first_layer_speed", "40%"}});
+  SettingValues draft = DraftOf({{"first_layer_speed", "40%"}});
   ASSERT_TRUE(Derived(draft).ok());
   EXPECT_EQ(*draft.At("first_layer_speed").value, (Value{.number = 40, .percent = true}));
 }
@@ -267,7 +267,7 @@ TEST(Derive, JoinsTheGcodesOfTheEnd) {
       {"None", "", "", ""},
   };
   for (const GcodeCase& c : cases) {
-    Draft draft(Process::kFdm);
+    SettingValues draft(Process::kFdm);
     for (const char* key : {"start_gcode", "end_gcode"}) draft.At(key).value->text = c.machine;
     for (const char* key : {"start_filament_gcode", "end_filament_gcode"})
       draft.At(key).value->text = c.filament;
@@ -278,11 +278,11 @@ TEST(Derive, JoinsTheGcodesOfTheEnd) {
 }
 
 TEST(Derive, GcodesMustFitTogether) {
-  Draft draft(Process::kFdm);
+  SettingValues draft(Process::kFdm);
   const std::string most(limits::kMaxSettingBytes - 20, 'x');
   draft.At("end_gcode").value->text = most;
   EXPECT_TRUE(Derived(draft).ok());
-  draft = Draft(Process::kFdm);
+  draft = SettingValues(Process::kFdm);
   draft.At("end_gcode").value->text = most;
   draft.At("end_filament_gcode").value->text = most;
   const absl::Status status = Derived(draft);
@@ -308,7 +308,7 @@ TEST(Derive, RefusesWhatPercentagesComeTo) {
        "2000%"},
   };
   for (const RefusalCase& c : cases) {
-    Draft draft = DraftOf(c.given);
+    SettingValues draft = DraftOf(c.given);
     const absl::Status status = Derived(draft);
     const ErrorDetail detail = DetailOf(status);
     EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << c.name << status;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/config/draft.h"
+#include "common/config/setting_values.h"
 #include "common/config/table/settings_table.h"
 
 namespace slicefarm::config::fdm {
@@ -14,10 +14,10 @@ namespace slicefarm::config::fdm {
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns the default settings with these changes, as Resolve reads them.
-inline Draft DraftOf(const Pairs& given) {
-  Draft draft(Process::kFdm);
+inline SettingValues DraftOf(const Pairs& given) {
+  SettingValues draft(Process::kFdm);
   for (const auto& [key, text] : given) {
-    Draft::Entry& entry = draft.At(key);
+    SettingValues::Entry& entry = draft.At(key);
     if (text == kNotSet) {
       entry.value.reset();
     } else if (auto value =

@@ -5,11 +5,11 @@
 #include "processes/fdm/settings/check_settings.h"
 #include "processes/fdm/settings/compatibility.h"
 #include "processes/fdm/settings/derive.h"
+#include "processes/fdm/settings/derive_options.h"
 #include "processes/fdm/settings/needs.h"
 #include "processes/fdm/settings/plate_settings.h"
 #include "processes/fdm/settings/plate_tool.h"
 #include "processes/fdm/settings/region_table.h"
-#include "processes/fdm/settings/settle.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -18,10 +18,10 @@ namespace {
 constexpr std::string_view kMachineKeys[] = {"bed_shape", "nozzle_diameter", "gcode_flavor"};
 
 constexpr SettingGroup kGroups[] = {
-    {"layers", LayerSettings},     {"slicing", SlicingSettings},   {"walls", WallSettings},
-    {"seams", SeamSettings},       {"infill", InfillSettings},     {"adhesion", AdhesionSettings},
-    {"supports", SupportSettings}, {"speed", SpeedSettings},       {"filament", FilamentSettings},
-    {"machine", MachineSettings},  {"travel", TravelSettings},     {"output", WritingSettings},
+    {"layers", LayerSettings},     {"slicing", SlicingSettings}, {"walls", WallSettings},
+    {"seams", SeamSettings},       {"infill", InfillSettings},   {"adhesion", AdhesionSettings},
+    {"supports", SupportSettings}, {"speed", SpeedSettings},     {"filament", FilamentSettings},
+    {"machine", MachineSettings},  {"travel", TravelSettings},   {"output", WritingSettings},
 };
 
 class OfFdm : public ProcessSettings {
@@ -31,9 +31,7 @@ class OfFdm : public ProcessSettings {
     const auto& rows = job.As<FdmRows>();
     return FdmSettings{rows.machine, {}, {}, {rows.tool}};
   }
-  std::vector<SettingSpec> Table() const override {
-    return TableOf(kGroups);
-  }
+  std::vector<SettingSpec> Table() const override { return TableOf(kGroups); }
   /// Returns true if PrusaSlicer has the key; all its keys concern FDM.
   bool Knows(std::string_view key) const override { return FindKnownKey(key) != nullptr; }
   std::vector<Need> Needs() const override { return fdm::Needs(); }
@@ -41,12 +39,14 @@ class OfFdm : public ProcessSettings {
   std::span<const std::string_view> MachineKeys() const override { return kMachineKeys; }
 
   size_t ListItem(std::span<const Setting> given) const override { return ToolOf(given); }
-  absl::Status Derive(Draft& draft, ResolvedSettings& result) const override {
+  absl::Status Derive(SettingValues& draft, ResolvedSettings& result) const override {
     return fdm::Derive(draft, result);
   }
-  absl::Status Check(const Draft& draft) const override { return CheckSettings(draft); }
-  absl::Status Settle(const Settling& settling) const override { return fdm::Settle(settling); }
-  absl::Status Finish(const Draft& draft, ResolvedSettings& result) const override {
+  absl::Status Check(const SettingValues& draft) const override { return CheckSettings(draft); }
+  absl::Status DeriveOptions(const OptionSources& settling) const override {
+    return fdm::DeriveOptions(settling);
+  }
+  absl::Status Finish(const SettingValues& draft, ResolvedSettings& result) const override {
     return TakeGcode(draft, result);
   }
 

@@ -15,7 +15,7 @@
 namespace slicefarm::config::fdm {
 namespace {
 
-const std::string& Text(const Draft& draft, std::string_view key) {
+const std::string& Text(const SettingValues& draft, std::string_view key) {
   return draft.At(key).value->text.str();
 }
 
@@ -48,7 +48,7 @@ struct Joint {
   bool other_first = true;
 };
 
-std::array<Joint, 2> JointsOf(const Draft& draft) {
+std::array<Joint, 2> JointsOf(const SettingValues& draft) {
   const bool bambu = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kBambu);
   return {Joint{"end_gcode", "end_filament_gcode"},
           Joint{"layer_gcode", "time_lapse_gcode", !bambu}};
@@ -56,7 +56,7 @@ std::array<Joint, 2> JointsOf(const Draft& draft) {
 
 }  // namespace
 
-absl::Status JoinGcode(Draft& draft) {
+absl::Status JoinGcode(SettingValues& draft) {
   for (const Joint& joint : JointsOf(draft)) {
     SharedText& into = draft.At(joint.into).value->text;
     const std::string& other = Text(draft, joint.other);
@@ -67,7 +67,7 @@ absl::Status JoinGcode(Draft& draft) {
   return absl::OkStatus();
 }
 
-absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
+absl::Status NamingOwnGcode(const absl::Status& status, const SettingValues& draft) {
   const ErrorDetail detail = DetailOf(status);
   const auto setting = detail.metadata.find("setting"), at = detail.metadata.find("line");
   int32_t line = 0;
@@ -77,8 +77,7 @@ absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft) {
   for (const Joint& joint : JointsOf(draft)) {
     const int32_t others = LinesOf(Text(draft, joint.other));
     if (setting->second != joint.into || others == 0) continue;
-    const int32_t first =
-        joint.other_first ? others : LinesOf(Text(draft, joint.into)) - others;
+    const int32_t first = joint.other_first ? others : LinesOf(Text(draft, joint.into)) - others;
     const bool in_first = line <= first;
     return Renamed(status, detail, in_first == joint.other_first ? joint.other : joint.into,
                    in_first ? line : line - first);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "common/config/draft.h"
+#include "common/config/setting_values.h"
 
 namespace slicefarm::config::fdm {
 
@@ -13,11 +13,11 @@ namespace slicefarm::config::fdm {
 ///   layer_gcode, as in OrcaSlicer and Bambu Studio.
 ///
 /// Errors: REQUEST_TOO_LARGE if a joined text is too long (CheckSettingSize).
-absl::Status JoinGcode(Draft& draft);
+absl::Status JoinGcode(SettingValues& draft);
 
 /// Converts an error about a line of joined G-code (metadata `setting` and `line`): the result
 /// names the original setting of this line, and the line's number in that setting. Returns other
 /// errors unchanged.
-absl::Status NamingOwnGcode(const absl::Status& status, const Draft& draft);
+absl::Status NamingOwnGcode(const absl::Status& status, const SettingValues& draft);
 
 }  // namespace slicefarm::config::fdm

@@ -15,7 +15,9 @@ namespace {
 
 bool HasSupports(const JobRows& s) { return FdmOf(s).object.support.on; }
 
-bool Combines(const Draft& draft) { return draft.Number("automatic_infill_combination") != 0; }
+bool Combines(const SettingValues& draft) {
+  return draft.Number("automatic_infill_combination") != 0;
+}
 
 constexpr std::string_view kNoProfile = "no layer_height_profile, which replaces it";
 
@@ -153,7 +155,7 @@ constexpr Need kNeeds[] = {
     {"automatic_infill_combination_max_layer_height", "automatic_infill_combination = 1", nullptr,
      Combines},
     {"infill_every_layers", "automatic_infill_combination = 0", nullptr,
-     [](const Draft& draft) { return !Combines(draft); }},
+     [](const SettingValues& draft) { return !Combines(draft); }},
 };
 
 }  // namespace

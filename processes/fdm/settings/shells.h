@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/config/draft.h"
+#include "common/config/setting_values.h"
 #include "common/model/options/settings.h"
 
 namespace slicefarm::config::fdm {
@@ -9,8 +9,8 @@ namespace slicefarm::config::fdm {
 /// top_solid_layers (bottom_solid_layers). Layers are added until the actual layer heights reach
 /// top_solid_min_thickness (bottom_solid_min_thickness). The options store the largest number of
 /// layers, and how many of them can be omitted if the remaining layers are thick enough
-/// (SkinSpare).
-void TakeShells(const Draft& draft, JobRows& settings);
+/// (ShellExtra).
+void TakeShells(const SettingValues& draft, JobRows& settings);
 
 /// Returns the number of solid layers at the bottom of a hollow object. REQUIRES: TakeShells was
 /// called.

@@ -47,7 +47,7 @@ TEST(TakeShells, LayersAreAsManyAsThicknessAsksFor) {
     EXPECT_NE(resolved.effective_text.find(std::string("\nbottom_solid_layers = ") + c.layers),
               std::string::npos)
         << c.name << ": as it was given, so that the text means the same again";
-    EXPECT_EQ(infill.top_spare, SkinSpare{}) << c.name;
+    EXPECT_EQ(infill.top_spare, ShellExtra{}) << c.name;
   }
 }
 

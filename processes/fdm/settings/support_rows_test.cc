@@ -36,13 +36,13 @@ class SupportRegionRowTest : public testing::TestWithParam<Case> {};
 TEST_P(SupportRegionRowTest, HasItsLines) {
   const Case& c = GetParam();
   const JobRows row = SupportRegionRow(Resolved({{"support_material_extrusion_width", "0.4"},
-                                                     {"support_material_spacing", "2.1"},
-                                                     {"layer_height", "0.3"},
-                                                     {"support_material_interface_spacing", "0.1"},
-                                                     {"support_material_angle", "30"},
-                                                     {"perimeters", "4"},
-                                                     {"top_solid_layers", "5"}}),
-                                           c.row);
+                                                 {"support_material_spacing", "2.1"},
+                                                 {"layer_height", "0.3"},
+                                                 {"support_material_interface_spacing", "0.1"},
+                                                 {"support_material_angle", "30"},
+                                                 {"perimeters", "4"},
+                                                 {"top_solid_layers", "5"}}),
+                                       c.row);
   EXPECT_EQ(FdmOf(row).region.walls.perimeters, c.walls);
   EXPECT_EQ(FdmOf(row).region.walls.external_width_nm, 400'000);
   EXPECT_NEAR(FdmOf(row).region.infill.density, c.density, 1e-6);
@@ -50,13 +50,14 @@ TEST_P(SupportRegionRowTest, HasItsLines) {
   EXPECT_EQ(FdmOf(row).region.infill.top_solid_layers, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, SupportRegionRowTest,
-                         testing::Values(Case{"FirstLayer", SupportRow::kFirstLayer, 1, 0.9, 0},
-                                         Case{"Base", SupportRow::kBase, 1, kSpacing / (kSpacing + 2.1), 0},
-                                         Case{"Branch", SupportRow::kBranch, 1, 0, 0},
-                                         Case{"ThickBranch", SupportRow::kThickBranch, 2, 0, 0},
-                                         Case{"Interface", SupportRow::kInterface, 1, kSpacing / (kSpacing + 0.1), 1}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Rows, SupportRegionRowTest,
+    testing::Values(Case{"FirstLayer", SupportRow::kFirstLayer, 1, 0.9, 0},
+                    Case{"Base", SupportRow::kBase, 1, kSpacing / (kSpacing + 2.1), 0},
+                    Case{"Branch", SupportRow::kBranch, 1, 0, 0},
+                    Case{"ThickBranch", SupportRow::kThickBranch, 2, 0, 0},
+                    Case{"Interface", SupportRow::kInterface, 1, kSpacing / (kSpacing + 0.1), 1}),
+    [](const auto& info) { return info.param.name; });
 
 TEST(SupportRegionRow, TheSheathMayBeLeftOut) {
   const JobRows bare = Resolved({{"support_material_with_sheath", "0"}});
@@ -89,8 +90,7 @@ TEST(SupportSettings, SayAsMuchAsPrusaSlicers) {
                                                {"support_material_threshold", "45"},
                                                {"layer_height", "0.15"},
                                                {"first_layer_height", "0.25"}}))
-                                   .object
-                                   .support;
+                                   .object.support;
   EXPECT_EQ(given.style, SupportStyle::kTree);
   EXPECT_EQ(given.xy_gap_nm, 300'000);
   EXPECT_DOUBLE_EQ(given.threshold_rad, std::numbers::pi / 4);

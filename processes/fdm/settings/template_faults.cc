@@ -23,7 +23,8 @@ SharedText* TemplateOf(const std::string& setting, FdmRows& rows) {
 
 }  // namespace
 
-bool LeaveOutTemplate(const absl::Status& fault, const Draft& draft, ResolvedSettings& result) {
+bool LeaveOutTemplate(const absl::Status& fault, const SettingValues& draft,
+                      ResolvedSettings& result) {
   ErrorDetail detail = DetailOf(fault);
   const auto setting = detail.metadata.find("setting");
   if (detail.reason != Reason::kSettingMalformed || setting == detail.metadata.end()) return false;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "absl/status/status.h"
-#include "common/config/draft.h"
 #include "common/config/resolve.h"
+#include "common/config/setting_values.h"
 
 namespace slicefarm::config::fdm {
 
@@ -10,6 +10,7 @@ namespace slicefarm::config::fdm {
 /// as missing. Returns false without a change if the fault concerns no template, or a template that
 /// the request set itself. Also returns false for start_gcode and end_gcode: a machine that is not
 /// homed, or with heaters that stay on, is dangerous.
-bool LeaveOutTemplate(const absl::Status& fault, const Draft& draft, ResolvedSettings& result);
+bool LeaveOutTemplate(const absl::Status& fault, const SettingValues& draft,
+                      ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

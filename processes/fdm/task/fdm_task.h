@@ -7,7 +7,7 @@
 
 #include "common/base/shared/shared.h"
 #include "common/model/layer_warning.h"
-#include "common/model/layers/fill_use.h"
+#include "common/model/layers/fill_stats.h"
 #include "common/model/layers/job_plan.h"
 #include "common/stage/task.h"
 
@@ -33,7 +33,7 @@ struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
   /// Totals sorted by layer, summed over all copies. Within a layer they are sorted as in AddUse.
-  std::vector<FillUse> fills;
+  std::vector<FillStats> fills;
   StageTimes times;
 
   size_t Print() const;

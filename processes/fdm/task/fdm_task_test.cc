@@ -1,8 +1,8 @@
 #include "processes/fdm/task/fdm_task.h"
 
-#include "processes/fdm/task/fdm_shared.h"
-
 #include <gtest/gtest.h>
+
+#include "processes/fdm/task/fdm_shared.h"
 
 namespace slicefarm::fdm_task_test {
 namespace {

@@ -51,14 +51,14 @@ void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarni
 }
 
 /// Moves the infill figures out of the layers and returns them, summed over all copies.
-std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
+std::vector<FillStats> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
   std::map<int32_t, int64_t> count = {{kPlateObject, 1}};  // number of copies by object
   for (const Copy& copy : copies) ++count[copy.object];
-  std::vector<FillUse> all;
+  std::vector<FillStats> all;
   for (FilledLayer& layer : layers) {
-    std::vector<FillUse> uses;
+    std::vector<FillStats> uses;
     for (FilledSection& section : layer.sections)
-      for (const FillUse& use : std::exchange(section.uses, {}))
+      for (const FillStats& use : std::exchange(section.uses, {}))
         AddUse(use, count[section.stack.object], uses);
     std::ranges::move(uses, std::back_inserter(all));
   }

@@ -171,7 +171,7 @@ TEST_F(LayerChainTest, PlainIslandsAreWarnedOf) {
 // ranges.
 TEST_F(LayerChainTest, WhatInfillComesToIsCountedForEachCopy) {
   const auto use = [](int32_t settings, int64_t paths) {
-    FillUse of;
+    FillStats of;
     of.settings = settings;
     of.paths = paths;
     of.longest_mm = 9;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/stage/object_layers.h"
-#include "common/wire/layers/fill_use_wire.h"
+#include "common/wire/layers/fill_stats_wire.h"
 #include "common/wire/process_wire.h"
 #include "processes/fdm/wire/fdm_work.h"
 
@@ -39,7 +39,7 @@ struct FdmTraits {
         });
     if (!status.ok()) return status;
     return WriteEach<v1::WorkResponse>(end, result.fills,
-                                       [](const FillUse& use, v1::WorkResponse* response) {
+                                       [](const FillStats& use, v1::WorkResponse* response) {
                                          return ToProto(use, response->mutable_fill());
                                        });
   }

@@ -43,8 +43,8 @@ class FakeSlicing : public SlicingStage {
 /// Exposure stage that writes the number of the layer and its copies.
 class FakeExposure : public ExposureStage {
  public:
-  absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall&, const Neighbourhood& hood,
-                                                     const Shared<ExposureJob>& job) const override {
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(
+      const StageCall&, const Neighbourhood& hood, const Shared<ExposureJob>& job) const override {
     std::vector<ExposedProgram> programs;
     for (const SlicedLayer& layer : hood.layers) {
       const int32_t index = layer.frame.index;

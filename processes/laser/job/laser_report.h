@@ -9,7 +9,7 @@ namespace slicefarm::coordinator {
 
 /// Part `exposure` of the report of a laser job. It contains `recoating_s`, and the time of each
 /// layer as `layers_s`.
-struct LaserReport : OwnReport {
+struct LaserReport : ProcessReport {
   ExposureReport exposure;
   double recoating_s = 0;       ///< part of print_time_s that is spent on recoating
   std::vector<double> layer_s;  ///< time of each layer, including recoating

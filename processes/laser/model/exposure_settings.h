@@ -31,8 +31,12 @@ struct ExposureSettings {
 };
 
 // Returns the exposure settings of a job. REQUIRES: the job is an exposure job.
-inline const ExposureSettings& ExposureOf(const JobSettings& settings) { return settings.own.As<ExposureSettings>(); }
-inline ExposureSettings& ExposureOf(JobSettings& settings) { return settings.own.As<ExposureSettings>(); }
+inline const ExposureSettings& ExposureOf(const JobSettings& settings) {
+  return settings.own.As<ExposureSettings>();
+}
+inline ExposureSettings& ExposureOf(JobSettings& settings) {
+  return settings.own.As<ExposureSettings>();
+}
 inline const ExposureRows& ExposureOf(const JobRows& rows) { return rows.own.As<ExposureRows>(); }
 inline ExposureRows& ExposureOf(JobRows& rows) { return rows.own.As<ExposureRows>(); }
 

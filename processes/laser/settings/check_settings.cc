@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastHatchMm = 0.001;
 
 /// Returns the keys of the given hatch distances; skins may have their own distances.
-std::vector<std::string_view> HatchDistances(const Draft& draft) {
+std::vector<std::string_view> HatchDistances(const SettingValues& draft) {
   std::vector<std::string_view> keys = {"hatch_distance"};
   for (const std::string_view key : {"upskin_distance", "downskin_distance"})
     if (draft.Number(key) > 0) keys.push_back(key);
@@ -27,7 +27,7 @@ std::vector<std::string_view> HatchDistances(const Draft& draft) {
 
 /// Checks widths and overlaps. Stripes and islands must be wider than their overlaps, because
 /// otherwise each one would not advance beyond the previous one.
-absl::Status CheckScan(const Draft& draft) {
+absl::Status CheckScan(const SettingValues& draft) {
   const double overlap = draft.Number("scan_overlap");
   for (const std::string_view width : {"stripe_width", "island_width"}) {
     if (draft.Number(width) <= 2 * overlap)
@@ -59,7 +59,7 @@ absl::Status CheckScan(const Draft& draft) {
 
 /// Checks the angle window around the gas flow. Lines that run in both directions can use only half
 /// the window of lines in one direction.
-absl::Status CheckGas(const Draft& draft) {
+absl::Status CheckGas(const SettingValues& draft) {
   const bool islands = draft.Number("scan_strategy") == static_cast<double>(ScanStrategy::kIslands);
   const double window = draft.Number("gas_window"), widest = kWidestGasWindowDeg / 2;
   if (!islands || window <= widest) return absl::OkStatus();
@@ -72,7 +72,7 @@ absl::Status CheckGas(const Draft& draft) {
 }
 
 /// Checks power values. G-code contains power as a fraction of the laser's full power.
-absl::Status CheckPower(const Draft& draft) {
+absl::Status CheckPower(const SettingValues& draft) {
   const auto format = static_cast<OutputFormat>(std::lround(draft.Number("output_format")));
   if (format != OutputFormat::kGrbl && format != OutputFormat::kMarlin) return absl::OkStatus();
   const double full = draft.Number("laser_full_power");
@@ -92,7 +92,7 @@ absl::Status CheckPower(const Draft& draft) {
 
 }  // namespace
 
-absl::Status CheckSettings(const Draft& draft) {
+absl::Status CheckSettings(const SettingValues& draft) {
   absl::Status status = CheckScan(draft);
   status.Update(CheckGas(draft));
   status.Update(CheckPower(draft));

@@ -4,7 +4,7 @@
 
 namespace slicefarm::config::laser {
 
-absl::Status Derive(Draft& draft) {
+absl::Status Derive(SettingValues& draft) {
   TakePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
   return CheckPercentages(draft);

@@ -54,11 +54,11 @@ class LaserSettings : public ProcessSettings {
     return TableOf(kGroups);
   }
   std::vector<Need> Needs() const override { return laser::Needs(); }
-  absl::Status Derive(Draft& draft, ResolvedSettings& /*result*/) const override {
+  absl::Status Derive(SettingValues& draft, ResolvedSettings& /*result*/) const override {
     return laser::Derive(draft);
   }
-  absl::Status Check(const Draft& draft) const override { return CheckSettings(draft); }
-  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+  absl::Status Check(const SettingValues& draft) const override { return CheckSettings(draft); }
+  absl::Status Finish(const SettingValues& /*draft*/, ResolvedSettings& result) const override {
     return macro::CheckExposureCode(ExposureOf(result.settings).output, result.effective_text);
   }
   std::unique_ptr<RegionRows> NewRows() const override {

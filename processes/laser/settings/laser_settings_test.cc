@@ -111,12 +111,14 @@ TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
        {"jump_delay = 100: needs output_format = grbl or marlin, otherwise only the report uses "
         "it"}},
       {{{"output_format", "grbl"}, {"hatch_frequency", "20"}},
-       {"hatch_frequency = 20: needs output_format = cli or cli_binary, otherwise only the report uses "
+       {"hatch_frequency = 20: needs output_format = cli or cli_binary, otherwise only the report "
+        "uses "
         "it"}},
       {{{"output_format", "grbl"}, {"jump_speed", "3000"}},
        {"jump_speed = 3000: needs output_format = marlin, otherwise only the report uses it"}},
       {{{"output_format", "svg"}, {"hatch_focus", "1"}},
-       {"hatch_focus = 1: needs output_format = cli, cli_binary, grbl or marlin, otherwise only the "
+       {"hatch_focus = 1: needs output_format = cli, cli_binary, grbl or marlin, otherwise only "
+        "the "
         "report uses it"}},
       {{{"contours", "0"}, {"contour_power", "100"}},
        {"contour_power = 100: needs contours above 0"}},

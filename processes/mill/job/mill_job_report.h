@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator {
 
 /// Part `milling` of the report of a milling job: its phases, the stock and the check for gouges.
-struct MillJobReport : OwnReport {
+struct MillJobReport : ProcessReport {
   MillReport report;
   MillLayout layout;
   std::string cutter;

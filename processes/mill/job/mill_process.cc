@@ -152,9 +152,8 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> MillProcess::Plan(const StageCall& c
     return PlaceScene(call, placing_, {std::move(input.meshes), input.settings.slicing}, settings);
   });
   if (!scene.ok()) return scene.status();
-  const absl::Status room =
-      HoldMemory(call, JobMemory::Kind::kMeshes,
-                 BytesOf(scene->input.part) + BytesOf(scene->input.stock));
+  const absl::Status room = HoldMemory(call, JobMemory::Kind::kMeshes,
+                                       BytesOf(scene->input.part) + BytesOf(scene->input.stock));
   if (!room.ok()) return room;
   const Shared<MillInput> shared(std::move(scene->input));
   auto layout = Timed(report.stage_times[Stage::kMilling], [&] {

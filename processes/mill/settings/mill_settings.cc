@@ -63,11 +63,11 @@ class OfMilling : public ProcessSettings {
     return TableOf(kGroups);
   }
   std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
-  absl::Status Derive(Draft& /*draft*/, ResolvedSettings& /*result*/) const override {
+  absl::Status Derive(SettingValues& /*draft*/, ResolvedSettings& /*result*/) const override {
     return absl::OkStatus();
   }
-  absl::Status Check(const Draft& /*draft*/) const override { return absl::OkStatus(); }
-  absl::Status Finish(const Draft& /*draft*/, ResolvedSettings& result) const override {
+  absl::Status Check(const SettingValues& /*draft*/) const override { return absl::OkStatus(); }
+  absl::Status Finish(const SettingValues& /*draft*/, ResolvedSettings& result) const override {
     return CheckMillingOptions(MillOf(result.settings).how);
   }
   ResultWords Words() const override { return {"step", "steps", "to mill"}; }

@@ -27,8 +27,8 @@ int32_t ExtraWalls(const PolygonWithHoles& island, const MultiPolygon& above,
   if (plan.perimeters == 0 || above.empty()) return 0;
   const Coord step = plan.inner_spacing_nm;
   const auto depth = static_cast<Coord>(std::llround(kDepthInWalls * static_cast<double>(step)));
-  Coord thickness = plan.external_width_nm / 2 + plan.external_spacing_nm / 2 +
-                    (plan.perimeters - 1) * step;
+  Coord thickness =
+      plan.external_width_nm / 2 + plan.external_spacing_nm / 2 + (plan.perimeters - 1) * step;
   MultiPolygon inside = FastOffset({island}, -thickness);
   const MultiPolygon ribbons = Intersection(RibbonsOf(above), inside);
   const double least = kLeastShare * Area(RibbonsOf(above));

@@ -15,8 +15,7 @@ std::vector<SlicedLayer> Layers(const std::vector<MultiPolygon>& outlines) {
   for (size_t i = 0; i < outlines.size(); ++i) {
     const auto index = static_cast<int32_t>(i);
     layers[i].frame = {index, 200'000 * (index + 1), 200'000};
-    ObjectSection section{7,  index, static_cast<int32_t>(outlines.size()), 200'000, {}, {}, 0,
-                          {}};
+    ObjectSection section{7, index, static_cast<int32_t>(outlines.size()), 200'000, {}, {}, 0, {}};
     if (!outlines[i].empty()) section.regions = {{Role::kPart, 0, 0, outlines[i]}};
     layers[i].sections.push_back(std::move(section));
   }

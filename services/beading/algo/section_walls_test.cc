@@ -17,8 +17,7 @@ double Mm2(const MultiPolygon& area) { return Area(area) * 1e-12; }
 
 /// Returns a square of 20 mm with row 1 of the settings in its right half.
 ObjectSection Halves() {
-  ObjectSection section{0, 3,  9, 200'000, {}, MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"),
-                        0, {}};
+  ObjectSection section{0, 3, 9, 200'000, {}, MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"), 0, {}};
   section.regions = {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 10 0, 10 20, 0 20)")},
                      {Role::kPart, 1, 0, MakePolygonsOrDie("(10 0, 20 0, 20 20, 10 20)")}};
   return section;

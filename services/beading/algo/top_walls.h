@@ -6,12 +6,11 @@
 #include "common/model/path.h"
 #include "services/beading/algo/classic/constant_walls.h"
 
-
 namespace slicefarm::beading {
 
 /// Areas inside of an island's outermost wall.
 struct TopParts {
-  MultiPolygon top;  ///< part visible from above: it gets top infill, and no inner walls
+  MultiPolygon top;      ///< part visible from above: it gets top infill, and no inner walls
   MultiPolygon covered;  ///< other part, with inner walls around it
 };
 

@@ -51,9 +51,8 @@ void NameRings(const MultiPolygon& outline, std::vector<Path>& walls) {
   for (Path& wall : walls) {
     const bool outermost = wall.closed && wall.inset == 0 && wall.feature != Feature::kGapFill;
     if (!outermost) continue;
-    wall.ring = rings.size() == 1
-                    ? 0
-                    : RingAt(wall.points[0], static_cast<double>(wall.WidthAt(0)), rings);
+    wall.ring =
+        rings.size() == 1 ? 0 : RingAt(wall.points[0], static_cast<double>(wall.WidthAt(0)), rings);
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace slicefarm::beading {
 
-std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Beading>>(gate);
   service->Add("BeadLayers", &v1::Beading::Service::BeadLayers,

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/beading_stage.h"
 #include "common/stage/stages.h"
 
@@ -13,7 +13,7 @@ namespace slicefarm::beading {
 
 /// Returns the gRPC service slicefarm.v1.Beading, which calls a BeadingStage. `stage`, `gate` and
 /// `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared);
 
 }  // namespace slicefarm::beading

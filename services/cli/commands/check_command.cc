@@ -24,10 +24,10 @@ ExitCode CheckGcode(const GcodeOptions& options) {
   if (!file.ok()) return Fail(file.status());
   const motion::ProgramReport report =
       motion::CheckProgram(file->gcode, *file->firmware, file->machine.setup);
-  std::string text = fmt::format(
-      "flavor {}\nconfig {}\nlines {}\nmoves {}\nfilament_mm {:.5f}\nfindings {}\n",
-      file->firmware->name(), file->machine.source, report.lines, report.moves, report.filament_mm,
-      report.found);
+  std::string text =
+      fmt::format("flavor {}\nconfig {}\nlines {}\nmoves {}\nfilament_mm {:.5f}\nfindings {}\n",
+                  file->firmware->name(), file->machine.source, report.lines, report.moves,
+                  report.filament_mm, report.found);
   for (const motion::Finding& finding : report.findings)
     text += fmt::format("line {}: {}\n", finding.line, Shown(finding.text));
   if (report.found > static_cast<int64_t>(report.findings.size())) text += "line ...\n";

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/commands/gcode_options.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"
 #include "services/cli/render/cli_layer.h"
-#include "services/cli/render/gcode_layer.h"
+#include "services/cli/render/gcode_reader.h"
 #include "services/cli/render/layer_drawing.h"
 #include "services/cli/render/mill_layer.h"
 #include "services/motion/algo/program/program_time.h"

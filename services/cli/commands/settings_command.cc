@@ -31,14 +31,11 @@ std::string_view PlaceOf(const config::SettingSpec& spec) {
 }
 
 nlohmann::ordered_json ToJson(const config::SettingSpec& spec) {
-  nlohmann::ordered_json json = {{"key", std::string(spec.key)},
-                                 {"kind", std::string(config::KindName(spec.kind))},
-                                 {"group", std::string(spec.group)},
-                                 {"default", std::string(spec.standard)},
-                                 {"range", config::DescribeRange(spec)},
-                                 {"unit", std::string(spec.unit)},
-                                 {"scope", std::string(PlaceOf(spec))},
-                                 {"doc", std::string(spec.doc)}};
+  nlohmann::ordered_json json = {
+      {"key", std::string(spec.key)},         {"kind", std::string(config::KindName(spec.kind))},
+      {"group", std::string(spec.group)},     {"default", std::string(spec.standard)},
+      {"range", config::DescribeRange(spec)}, {"unit", std::string(spec.unit)},
+      {"scope", std::string(PlaceOf(spec))},  {"doc", std::string(spec.doc)}};
   if (spec.min < spec.max) {
     json["min"] = spec.min;
     json["max"] = spec.max;

@@ -20,7 +20,8 @@ struct TimeOptions : GcodeOptions {
 
 /// Joins a feature's words to one word.
 std::string AsKey(std::string words) {
-  std::ranges::replace_if(words, [](char c) { return c == ' ' || c == '\t'; }, '_');
+  std::ranges::replace_if(
+      words, [](char c) { return c == ' ' || c == '\t'; }, '_');
   return words;
 }
 
@@ -32,10 +33,11 @@ std::string ToText(const motion::ProgramTime& time, const GcodeFile& file) {
       time.travel_s, time.retract_s, time.heating_s);
   for (const auto& [feature, seconds] : time.feature_s)
     text += fmt::format("feature_{}_s {:.6f}\n", AsKey(feature), seconds);
-  text += fmt::format("moves {}\nhomings {}\nheat_waits {}\ntool_changes {}\nlayers {}\n"
-                      "before_layers_s {:.6f}\n",
-                      time.moves, time.homings, time.heat_waits, time.tool_changes,
-                      time.layer_s.size(), time.before_s);
+  text += fmt::format(
+      "moves {}\nhomings {}\nheat_waits {}\ntool_changes {}\nlayers {}\n"
+      "before_layers_s {:.6f}\n",
+      time.moves, time.homings, time.heat_waits, time.tool_changes, time.layer_s.size(),
+      time.before_s);
   for (size_t i = 0; i < time.layer_s.size(); ++i)
     text += fmt::format("layer_{}_s {:.6f}\n", i, time.layer_s[i]);
   return text;

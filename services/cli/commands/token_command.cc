@@ -11,8 +11,8 @@
 
 #include "absl/time/time.h"
 #include "common/base/sha256.h"
-#include "services/cli/console/choice_option.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 
 namespace slicefarm::cli {

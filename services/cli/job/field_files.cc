@@ -56,8 +56,8 @@ absl::StatusOr<std::string> TextOf(const Json& json, const std::string& key) {
 
 absl::StatusOr<std::vector<double>> Pair(const Json& json, const std::string& key) {
   const auto found = json.find(key);
-  if (found == json.end() || !found->is_array() || found->size() != 2 ||
-      !(*found)[0].is_number() || !(*found)[1].is_number())
+  if (found == json.end() || !found->is_array() || found->size() != 2 || !(*found)[0].is_number() ||
+      !(*found)[1].is_number())
     return NotField(fmt::format("the entry '{}' must be two numbers", key));
   return found->get<std::vector<double>>();
 }
@@ -215,8 +215,8 @@ absl::StatusOr<Setting> SettingOf(const Json& json, FieldKind kind) {
   if (!text.ok()) return text.status();
   const auto size = static_cast<int64_t>(key.size() + text->size());
   if (size > limits::kMaxFieldBytes)
-    return LimitError(Reason::kRequestTooLarge, "bytes of the field as text", limits::kMaxFieldBytes,
-                      size);
+    return LimitError(Reason::kRequestTooLarge, "bytes of the field as text",
+                      limits::kMaxFieldBytes, size);
   return Setting{key, *std::move(text), Source::kRequest};
 }
 

@@ -49,8 +49,8 @@ TEST_F(FieldFiles, RawFilesOfAllTypesGiveTheSameGrid) {
   Write("a.raw", Raw<uint8_t>({0, 51, 255}));
   Write("b.raw", Raw<uint16_t>({0, 13107, 65535}));
   Write("c.raw", Raw<float>({0, 0.2F, 1}));
-  for (const auto& [file, type] : {std::pair("a.raw", "uint8"), std::pair("b.raw", "uint16"),
-                                   std::pair("c.raw", "float32")}) {
+  for (const auto& [file, type] :
+       {std::pair("a.raw", "uint8"), std::pair("b.raw", "uint16"), std::pair("c.raw", "float32")}) {
     const DensityField field = Density(std::string(R"({"kind":"voxels","count":[3,1,1],)") +
                                        R"("origin":[0,0,0],"spacing":[1,1,1],"file":")" + file +
                                        R"(","type":")" + type + "\"}");

@@ -14,7 +14,7 @@
 #include "common/config/missing_feature.h"
 #include "common/config/process_settings.h"
 #include "common/config/projects/ini.h"
-#include "common/config/told_settings.h"
+#include "common/config/reported_settings.h"
 #include "common/model/limits.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/console/choice_option.h"
@@ -37,9 +37,10 @@ absl::Status CheckText(const config::Setting& setting) {
 void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
-      app.add_option("--printer", options.printer,
-                     "Printer preset of --presets; --config and --set override its settings, and it "
-                     "overrides the settings of a project")
+      app.add_option(
+             "--printer", options.printer,
+             "Printer preset of --presets; --config and --set override its settings, and it "
+             "overrides the settings of a project")
           ->needs(sources)
           ->type_name("NAME");
   sources->needs(printer);

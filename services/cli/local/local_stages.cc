@@ -26,9 +26,8 @@ LocalStages::LocalStages()
       texture_(texture::MakeLocalTexture()) {}
 
 Stages LocalStages::all() const {
-  return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(), ordering_.get(),
-          motion_.get(),  exposure_.get(), placing_.get(), milling_.get(),
-          texture_.get()};
+  return {slicing_.get(), planning_.get(), beading_.get(), infill_.get(),  ordering_.get(),
+          motion_.get(),  exposure_.get(), placing_.get(), milling_.get(), texture_.get()};
 }
 
 }  // namespace slicefarm::cli

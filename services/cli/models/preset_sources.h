@@ -16,8 +16,8 @@ namespace slicefarm::cli {
 absl::StatusOr<config::presets::PresetSet> ReadPresetSources(
     const std::vector<std::string>& sources);
 
-/// Adds the settings of the chosen presets to the settings of all plates, including settings without
-/// effect. Errors: see ReadPresetSources and config::presets::ChoosePresets.
+/// Adds the settings of the chosen presets to the settings of all plates, including settings
+/// without effect. Errors: see ReadPresetSources and config::presets::ChoosePresets.
 absl::Status TakePresets(const PresetOptions& options, GivenModels& models);
 
 }  // namespace slicefarm::cli

@@ -57,9 +57,8 @@ OrderedJson ToJson(const SceneObject& object) {
   for (const Part& part : object.parts) json["parts"].push_back(ToJson(part));
   json["height_ranges"] = OrderedJson::array();
   for (const HeightRange& range : object.ranges)
-    json["height_ranges"].push_back({{"from_mm", range.from_mm},
-                                     {"to_mm", range.to_mm},
-                                     {"settings", ToJson(range.settings)}});
+    json["height_ranges"].push_back(
+        {{"from_mm", range.from_mm}, {"to_mm", range.to_mm}, {"settings", ToJson(range.settings)}});
   json["copies"] = OrderedJson::array();
   for (const Instance& instance : object.instances)
     json["copies"].push_back({{"printable", instance.printable},

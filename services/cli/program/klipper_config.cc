@@ -71,8 +71,8 @@ void ReadExtruder(Values& values, motion::CheckSetup& setup) {
   MachineLimits& limits = setup.machine.limits;
   limits.max_feedrate_mm_s[kE] =
       values.Number("extruder.max_extrude_only_velocity", limits.max_feedrate_mm_s[kX] * ratio);
-  limits.max_acceleration_mm_s2[kE] = values.Number("extruder.max_extrude_only_accel",
-                                                    limits.max_acceleration_mm_s2[kX] * ratio);
+  limits.max_acceleration_mm_s2[kE] =
+      values.Number("extruder.max_extrude_only_accel", limits.max_acceleration_mm_s2[kX] * ratio);
   limits.max_acceleration_retracting_mm_s2 = 0;
 }
 
@@ -89,8 +89,7 @@ void ReadSpace(Values& values, motion::CheckSetup& setup) {
                      FromMm(values.Number("stepper_y.position_min", 0))};
   const Point high = {FromMm(values.Number("stepper_x.position_max", 0)),
                       FromMm(values.Number("stepper_y.position_max", 0))};
-  if (high.x > low.x && high.y > low.y)
-    setup.bed = {low, {high.x, low.y}, high, {low.x, high.y}};
+  if (high.x > low.x && high.y > low.y) setup.bed = {low, {high.x, low.y}, high, {low.x, high.y}};
   setup.max_height_mm = values.Number("stepper_z.position_max", 0);
   setup.z_offset_mm = values.Number("stepper_z.position_min", 0);
 }

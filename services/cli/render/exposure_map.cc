@@ -32,8 +32,7 @@ bool AddPasses(const std::vector<const BeadRun*>& runs, const Layout& layout, do
                std::vector<double>& values) {
   const int width = layout.part_width_px;
   const int height = layout.height_px;
-  const CairoSurface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return false;
   const CairoContext cairo(cairo_create(surface.get()));
   AddRuns(cairo.get(), runs, layout);

@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/geometry/vector.h"
 #include "common/picture/colour.h"
-#include "services/cli/render/gcode_layer.h"
+#include "services/cli/render/gcode_reader.h"
 
 namespace slicefarm::cli {
 

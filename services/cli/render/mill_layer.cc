@@ -19,10 +19,10 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr std::string_view kFirstWords = "; tool ";
-constexpr double kFarthestWayMm = 1e9;
+constexpr double kFarthestTravelMm = 1e9;
 constexpr double kChordMm = 0.2;
 /// Width of a drawn toolpath, as a share of the picture's longer side.
-constexpr double kWayShare = 1.0 / 800;
+constexpr double kPathShare = 1.0 / 800;
 /// Heights are whole micrometres.
 constexpr double kUmPerMm = 1000;
 /// Least length of toolpaths on a level. A ramp's chord that falls by less than a micrometre seems
@@ -37,11 +37,11 @@ struct Way {
   std::vector<Vector2> points;
 };
 
-class WayReader {
+class PathReader {
  public:
   void Line(std::string_view line) {
     if (line.starts_with('(')) {
-      EndWay();
+      EndRoute();
       phase_ = line.substr(1, line.find(')') - 1);
       return;
     }
@@ -52,14 +52,14 @@ class WayReader {
     const double z = word('Z').value_or(z_);
     const bool arc = kind_ >= 2 && (word('I') || word('J'));
     if (to != at_ || arc) Move(to, z, {word('I').value_or(0), word('J').value_or(0)}, arc);
-    if (z != z_) EndWay();
+    if (z != z_) EndRoute();
     at_ = to;
     z_ = z;
   }
 
   std::vector<Way> Finish() {
-    EndWay();
-    return std::move(ways_);
+    EndRoute();
+    return std::move(paths_);
   }
 
  private:
@@ -72,7 +72,7 @@ class WayReader {
       if (letter < 'A' || letter > 'Z') continue;
       double number = 0;
       const auto [after, error] = std::from_chars(at, end, number);
-      if (error != std::errc() || !(std::abs(number) <= kFarthestWayMm)) continue;
+      if (error != std::errc() || !(std::abs(number) <= kFarthestTravelMm)) continue;
       at = after;
       if (letter == 'G' && number >= 0 && number <= 3) kind_ = static_cast<int>(number);
       words[static_cast<size_t>(letter - 'A')] = number;
@@ -82,15 +82,15 @@ class WayReader {
   void Move(Vector2 to, double z, Vector2 centre, bool arc) {
     const bool rapid = kind_ == 0;
     const bool level = z == z_;
-    if (way_.points.empty() || way_.rapid != rapid || way_.height_um.has_value() != level) {
-      EndWay();
-      way_.phase = phase_;
-      way_.rapid = rapid;
-      if (level) way_.height_um = std::llround(z * kUmPerMm);
-      way_.points.push_back(at_);
+    if (path_.points.empty() || path_.rapid != rapid || path_.height_um.has_value() != level) {
+      EndRoute();
+      path_.phase = phase_;
+      path_.rapid = rapid;
+      if (level) path_.height_um = std::llround(z * kUmPerMm);
+      path_.points.push_back(at_);
     }
     if (arc) AddArc(to, at_ + centre);
-    way_.points.push_back(to);
+    path_.points.push_back(to);
   }
 
   /// Adds the chords of an arc without the end of the last one.
@@ -103,29 +103,30 @@ class WayReader {
     const double chords = std::clamp(std::ceil(std::abs(turn) * radius / kChordMm), 1.0, 1000.0);
     for (double k = 1; k < chords; ++k) {
       const double angle = from + turn * k / chords;
-      way_.points.push_back(
+      path_.points.push_back(
           {centre.x() + radius * std::cos(angle), centre.y() + radius * std::sin(angle)});
     }
   }
 
-  void EndWay() {
-    if (way_.points.size() > 1) ways_.push_back(std::move(way_));
-    way_ = {};
+  void EndRoute() {
+    if (path_.points.size() > 1) paths_.push_back(std::move(path_));
+    path_ = {};
   }
 
-  std::vector<Way> ways_;
-  Way way_;
+  std::vector<Way> paths_;
+  Way path_;
   std::string phase_ = "entry";
   int kind_ = 0;
   Vector2 at_ = Vector2::Zero();
   double z_ = 0;
 };
 
-double LongerSide(const std::vector<Way>& ways) {
-  Vector2 low = {kFarthestWayMm, kFarthestWayMm}, high = {-kFarthestWayMm, -kFarthestWayMm};
-  for (const Way& way : ways) {
-    if (way.rapid) continue;
-    for (const Vector2& p : way.points) {
+double LongerSide(const std::vector<Way>& paths) {
+  Vector2 low = {kFarthestTravelMm, kFarthestTravelMm},
+          high = {-kFarthestTravelMm, -kFarthestTravelMm};
+  for (const Way& path : paths) {
+    if (path.rapid) continue;
+    for (const Vector2& p : path.points) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
@@ -141,11 +142,11 @@ double LengthMm(const std::vector<Vector2>& points) {
 }
 
 /// Returns the heights with cuts, from the top down, without rest areas.
-std::vector<int64_t> LevelsOf(const std::vector<Way>& ways) {
+std::vector<int64_t> LevelsOf(const std::vector<Way>& paths) {
   std::map<int64_t, double, std::greater<>> length_mm;
-  for (const Way& way : ways)
-    if (!way.rapid && way.height_um && way.phase != "rest areas")
-      length_mm[*way.height_um] += LengthMm(way.points);
+  for (const Way& path : paths)
+    if (!path.rapid && path.height_um && path.phase != "rest areas")
+      length_mm[*path.height_um] += LengthMm(path.points);
   std::vector<int64_t> levels;
   for (const auto& [height_um, length] : length_mm)
     if (length >= kLeastLevelMm) levels.push_back(height_um);
@@ -161,14 +162,14 @@ absl::Status Refused(std::string_view message) {
 bool IsMillProgram(std::string_view gcode) { return gcode.starts_with(kFirstWords); }
 
 absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<int> level) {
-  WayReader reader;
+  PathReader reader;
   for (size_t begin = 0; begin < gcode.size();) {
     const size_t end = std::min(gcode.find('\n', begin), gcode.size());
     reader.Line(gcode.substr(begin, end - begin));
     begin = end + 1;
   }
-  std::vector<Way> ways = reader.Finish();
-  const std::vector<int64_t> levels = LevelsOf(ways);
+  std::vector<Way> paths = reader.Finish();
+  const std::vector<int64_t> levels = LevelsOf(paths);
   if (levels.empty()) return Refused("the program cuts nothing");
   if (level && (*level < 0 || *level >= std::ssize(levels)))
     return Refused(fmt::format("there is no level {}: levels are numbered from 0 to {}", *level,
@@ -176,16 +177,16 @@ absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<i
   GcodeLayer layer;
   layer.index = level.value_or(0);
   layer.layer_count = static_cast<int>(levels.size());
-  const double width_mm = kWayShare * LongerSide(ways);
+  const double width_mm = kPathShare * LongerSide(paths);
   const int64_t height_um = level ? levels[static_cast<size_t>(*level)] : levels.front();
   layer.z_mm = static_cast<double>(height_um) / kUmPerMm;
   layer.height_mm = static_cast<double>(height_um - levels.back()) / kUmPerMm;
-  for (Way& way : ways) {
-    if (level && way.height_um != height_um) continue;
-    if (way.rapid) {
-      layer.travels.push_back(std::move(way.points));
+  for (Way& path : paths) {
+    if (level && path.height_um != height_um) continue;
+    if (path.rapid) {
+      layer.travels.push_back(std::move(path.points));
     } else {
-      layer.beads.push_back({std::move(way.phase), width_mm, std::move(way.points)});
+      layer.beads.push_back({std::move(path.phase), width_mm, std::move(path.points)});
     }
   }
   return layer;

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
-#include "services/cli/render/gcode_layer.h"
+#include "services/cli/render/gcode_reader.h"
 
 namespace slicefarm::cli {
 

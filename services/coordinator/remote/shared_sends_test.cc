@@ -19,7 +19,7 @@
 #include "common/rpc/client/client_call.h"
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/server.h"
-#include "common/rpc/server/shared_keeper.h"
+#include "common/rpc/server/shared_store.h"
 #include "slicefarm/v1/shared.grpc.pb.h"
 
 namespace slicefarm::coordinator::shared_sends_test {
@@ -39,7 +39,7 @@ std::shared_ptr<const SharedBytes> Part(const std::string& bytes) {
 
 /// Server that stores values and can be restarted.
 struct Host {
-  rpc::SharedKeeper keeper{NoLog()};
+  rpc::SharedStore keeper{NoLog()};
   rpc::Metrics metrics;
   rpc::CallMetrics call_metrics{metrics.registry()};
   std::unique_ptr<rpc::Server> server =
@@ -162,7 +162,7 @@ v1::KeepRequest Piece(const std::string& bytes) {
   return request;
 }
 
-TEST(SharedKeeper, RefusesWhatIsNotWhatItsDigestPromises) {
+TEST(SharedStore, RefusesWhatIsNotWhatItsDigestPromises) {
   Host host;
   EXPECT_EQ(DetailOf(Keep(host, {Start("abc", 3), Piece("abd")})).reason,
             Reason::kBlobDigestMismatch);
@@ -172,7 +172,7 @@ TEST(SharedKeeper, RefusesWhatIsNotWhatItsDigestPromises) {
   EXPECT_EQ(Keep(host, {Start("abc", 3)}), absl::OkStatus()) << "it is there";
 }
 
-TEST(SharedKeeper, RefusesWhatCannotBe) {
+TEST(SharedStore, RefusesWhatCannotBe) {
   Host host;
   v1::KeepRequest no_digest = Start("abc", 3), no_kind = no_digest;
   no_digest.mutable_start()->set_digest("../abc");

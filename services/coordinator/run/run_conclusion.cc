@@ -46,7 +46,7 @@ void Fail(const absl::Status& error, const PipelineProgress& told, JobUpdate& up
 
 }  // namespace
 
-JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunWishes& wishes,
+JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunRequests& wishes,
                      const absl::Status& error, const PipelineProgress& told, int64_t now_us) {
   JobUpdate update;
   update.state = JobState::kQueued;

@@ -5,7 +5,7 @@
 #include "absl/status/status.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/run/lost_runs.h"
-#include "services/coordinator/run/run_wishes.h"
+#include "services/coordinator/run/run_requests.h"
 #include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator {
@@ -28,7 +28,7 @@ namespace slicefarm::coordinator {
 ///
 /// "Doubling": each wait is twice as long as the last one. After the death of workers or stages the
 /// job may run again, because they may have died of something else.
-JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunWishes& wishes,
+JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunRequests& wishes,
                      const absl::Status& error, const PipelineProgress& told, int64_t now_us);
 
 /// Returns the error of a job that has not ended by its deadline.

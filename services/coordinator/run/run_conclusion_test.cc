@@ -50,7 +50,8 @@ TEST_P(ConclusionTest, OfAnErrorAfterEarlierOnes) {
   job.lost_runs = c.lost_runs;
   job.deadly_runs = c.deadly_runs;
   job.state = kRunning;
-  const JobUpdate update = Conclusion(job, LostRuns(job, 0), RunWishes(), c.error, {9, 4}, kNowUs);
+  const JobUpdate update =
+      Conclusion(job, LostRuns(job, 0), RunRequests(), c.error, {9, 4}, kNowUs);
   EXPECT_EQ(update.state, c.state);
   EXPECT_EQ(update.layers_total, 9);
   if (c.state == kQueued) {
@@ -91,23 +92,23 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(Conclusion, WhatAFailureCountsAs) {
-  const JobUpdate away = Conclusion({}, {}, RunWishes(), Away(), {}, kNowUs);
+  const JobUpdate away = Conclusion({}, {}, RunRequests(), Away(), {}, kNowUs);
   EXPECT_TRUE(away.retry);
   EXPECT_FALSE(away.store_failed);
-  const JobUpdate store = Conclusion({}, {}, RunWishes(), StoreFailed(), {}, kNowUs);
+  const JobUpdate store = Conclusion({}, {}, RunRequests(), StoreFailed(), {}, kNowUs);
   EXPECT_FALSE(store.retry);
   EXPECT_TRUE(store.store_failed);
-  const JobUpdate deadly = Conclusion({}, {}, RunWishes(), LostStage(), {}, kNowUs);
+  const JobUpdate deadly = Conclusion({}, {}, RunRequests(), LostStage(), {}, kNowUs);
   EXPECT_TRUE(deadly.deadly);
   EXPECT_FALSE(deadly.retry);
   EXPECT_FALSE(away.deadly);
   const absl::Status misfit =
       MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "");
-  EXPECT_FALSE(Conclusion({}, {}, RunWishes(), misfit, {}, kNowUs).retry);
+  EXPECT_FALSE(Conclusion({}, {}, RunRequests(), misfit, {}, kNowUs).retry);
 }
 
 TEST(Conclusion, WishesComeBeforeErrors) {
-  RunWishes wishes;
+  RunRequests wishes;
   wishes.HandBack();
   JobRecord job;
   job.retries = 5;
@@ -120,7 +121,7 @@ TEST(Conclusion, WishesComeBeforeErrors) {
 }
 
 TEST(Conclusion, ADeadlineComesBeforeErrorsAndAfterOtherWishes) {
-  RunWishes wishes(/*deadline_us=*/kNowUs);
+  RunRequests wishes(/*deadline_us=*/kNowUs);
   EXPECT_EQ(Conclusion({}, {}, wishes, Away(), {}, kNowUs - 1).state, kQueued);
   const JobUpdate late = Conclusion({}, {}, wishes, Away(), {9, 4}, kNowUs);
   EXPECT_EQ(late.state, kFailed);

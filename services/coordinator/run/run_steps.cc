@@ -23,7 +23,7 @@ Step After(Step step) {
 
 }  // namespace
 
-Step RunSteps::Next(const RunWishes& wishes, int64_t now_us) {
+Step RunSteps::Next(const RunRequests& wishes, int64_t now_us) {
   if (wishes.lost()) return Step::kOver;
   const bool begun = step_ != Step::kFindCached && step_ != Step::kBegin;
   if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("cancelled before it began"));

@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "services/coordinator/run/lost_runs.h"
-#include "services/coordinator/run/run_wishes.h"
+#include "services/coordinator/run/run_requests.h"
 
 namespace slicefarm::coordinator {
 
@@ -34,7 +34,7 @@ class RunSteps {
   explicit RunSteps(const LostRuns& lost_runs) : lost_runs_(lost_runs) {}
 
   /// Returns the next step.
-  Step Next(const RunWishes& wishes, int64_t now_us);
+  Step Next(const RunRequests& wishes, int64_t now_us);
 
   /// Records the outcome of the last step: true if the job has ended as SUCCEEDED, false if the
   /// next step follows, or an error.

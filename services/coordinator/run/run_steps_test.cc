@@ -18,7 +18,7 @@ class RunStepsTest : public testing::Test {
   }
 
   int64_t now_us_ = 0;
-  RunWishes wishes_{/*deadline_us=*/100};
+  RunRequests wishes_{/*deadline_us=*/100};
   RunSteps steps_;
 };
 

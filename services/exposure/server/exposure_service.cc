@@ -33,8 +33,8 @@ absl::Status Frame(const ExposureStage& stage, rpc::Call& call,
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage, rpc::CallGate& gate,
-                                                   SharedCache& shared) {
+std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage,
+                                                   rpc::CallLimiter& gate, SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Exposure>>(gate);
   service->Add("ExposeLayers", &v1::Exposure::Service::ExposeLayers,
                [&](rpc::Call& call, auto& stream) -> absl::Status {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/exposure_stage.h"
 #include "common/stage/stages.h"
 
@@ -13,7 +13,7 @@ namespace slicefarm::exposure {
 
 /// Returns the gRPC service slicefarm.v1.Exposure on top of an ExposureStage. `stage`, `gate` and
 /// `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage, rpc::CallGate& gate,
-                                                   SharedCache& shared);
+std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage,
+                                                   rpc::CallLimiter& gate, SharedCache& shared);
 
 }  // namespace slicefarm::exposure

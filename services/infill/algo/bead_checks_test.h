@@ -16,7 +16,7 @@ namespace slicefarm::infill {
 /// Point on a path, with the path's direction there.
 struct BeadPoint {
   double x = 0, y = 0;
-  double way_x = 0, way_y = 0;  ///< direction as a unit vector
+  double pass_x = 0, pass_y = 0;  ///< direction as a unit vector
   size_t path = 0;
   double along_nm = 0;  ///< distance from the path's start
 };
@@ -30,10 +30,10 @@ inline std::vector<std::pair<BeadPoint, double>> BeadPoints(const std::vector<Pa
     const std::vector<Point>& line = paths[k].points;
     double along = 0;
     for (size_t i = 1; i < line.size() + (paths[k].closed ? 1 : 0); ++i) {
-      const Point a = line[i - 1], way = line[i % line.size()] - a;
-      const double length = Distance({0, 0}, way);
+      const Point a = line[i - 1], route = line[i % line.size()] - a;
+      const double length = Distance({0, 0}, route);
       if (length == 0) continue;
-      const double x = static_cast<double>(way.x), y = static_cast<double>(way.y);
+      const double x = static_cast<double>(route.x), y = static_cast<double>(route.y);
       const double steps = std::ceil(length / kBeadStepNm);
       for (double s = 0.5; s < steps; ++s) {
         points.push_back(
@@ -59,7 +59,8 @@ inline double DoubledLength(const std::vector<Path>& paths, double width_nm) {
   for (const auto& [point, step] : points) by_square[square(point)].push_back(point);
   const auto lie_on_each_other = [width_nm](const BeadPoint& p, const BeadPoint& q) {
     if (p.path == q.path && std::abs(p.along_nm - q.along_nm) < 3 * width_nm) return false;
-    if (std::abs(p.way_x * q.way_y - p.way_y * q.way_x) > std::sin(16 * 0.0174533)) return false;
+    if (std::abs(p.pass_x * q.pass_y - p.pass_y * q.pass_x) > std::sin(16 * 0.0174533))
+      return false;
     return std::hypot(p.x - q.x, p.y - q.y) < 0.6 * width_nm;
   };
   double doubled = 0;

@@ -148,10 +148,10 @@ TEST(LocalInfill, BridgesRunFromWallToWallOverThinOnes) {
     std::vector<SlicedLayer> layers(8);
     for (int i = 0; i < 8; ++i) {
       layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-      layers[i].sections = {
-          Section(i, 8,
-                  i < first ? P("(0 0, 1 0, 1 30, 0 30) ; (19 0, 20 0, 20 30, 19 30)")
-                            : P("(0 0, 20 0, 20 30, 0 30)"))};
+      layers[i].sections = {Section(i, 8,
+                                    i < first
+                                        ? P("(0 0, 1 0, 1 30, 0 30) ; (19 0, 20 0, 20 30, 19 30)")
+                                        : P("(0 0, 20 0, 20 30, 0 30)"))};
     }
     const auto filled = Fill(layers, {first, first + 1}, 5, options);
     ASSERT_TRUE(filled.ok()) << filled.status();

@@ -29,8 +29,9 @@ MultiPolygon RandomRegion(std::mt19937& random) {
                                         Uniform(random, 0.2, 12)));
   if (random() % 3 == 0) {
     const Coord x = FromMm(Uniform(random, -20, 20)), w = FromMm(Uniform(random, 0.001, 0.6));
-    region = Difference(region, {{{{x, -FromMm(30)}, {x + w, -FromMm(30)}, {x + w, FromMm(30)},
-                                   {x, FromMm(30)}}, {}}});
+    region = Difference(
+        region,
+        {{{{x, -FromMm(30)}, {x + w, -FromMm(30)}, {x + w, FromMm(30)}, {x, FromMm(30)}}, {}}});
   }
   return region;
 }
@@ -69,7 +70,7 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
         ExpectInside(*paths, region);
         EXPECT_EQ(*paths, *FillSparse(region, sparse));
       }
-      if (info.solid == SolidWay::kNone || region.empty()) continue;
+      if (info.solid == SolidFillStyle::kNone || region.empty()) continue;
       const SolidFill solid{.pattern = info.pattern,
                             .angle_rad = sparse.angle_rad,
                             .layer = sparse.layer,
@@ -77,7 +78,7 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
       const auto group = FillSolid(region[0], solid);
       ASSERT_TRUE(group.ok());
       ExpectInside(group->paths, {region[0]});
-      if (info.solid == SolidWay::kLines) {
+      if (info.solid == SolidFillStyle::kLines) {
         const Flow flow = FlowOf(group->paths, solid.height_nm);
         EXPECT_LE(flow.jumps, 2 * flow.length_m);
         EXPECT_GE(flow.narrowest_nm, 240'000);

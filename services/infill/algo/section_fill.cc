@@ -61,7 +61,7 @@ void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& 
 /// Groups of paths that fill areas, and the reports of their plastic.
 struct Fills {
   std::vector<FillGroup> groups;
-  std::vector<FillUse> uses;
+  std::vector<FillStats> uses;
 };
 
 /// Fill of the areas of one region's settings in a section.
@@ -80,8 +80,8 @@ class RegionFill {
         angles_(AnglesOf(options, view.layer)),
         flows_(FlowsOf(options)) {}
 
-  /// `bare`: no wall holds the area. `field`: what the region's fields say about the layer; null:
-  /// there are none.
+  /// `bare`: no wall holds the area. `field`: values of the region's fields in the layer; null: no
+  /// fields.
   absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field, Fills& fills) {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
@@ -143,7 +143,7 @@ class RegionFill {
     return angles_.solid_rad + (turns ? std::numbers::pi / 2 : 0);
   }
 
-  void Append(FillGroup group, const AskedFill& asked, Fills& fills) const {
+  void Append(FillGroup group, const RequestedFill& asked, Fills& fills) const {
     AddUse(UseOf(asked, group.paths, view_.height_nm), 1, fills.uses);
     if (!group.paths.empty()) fills.groups.push_back(std::move(group));
   }
@@ -233,8 +233,8 @@ class RegionFill {
       const BridgeBead bead =
           BridgeBeadOf(!view_.carried.empty() && !Intersection({region}, view_.carried).empty());
       const auto span = SpanOf(region, below);
-      AskedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
-                      view_.height_nm, bead.share};
+      RequestedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
+                          view_.height_nm, bead.share};
       FillGroup lines;
       if (options_.overhang_lines && span && !span->held) {
         asked.pattern = std::nullopt;
@@ -329,8 +329,8 @@ class RegionFill {
   }
 
   absl::StatusOr<FillGroup> SolidLines(const PolygonWithHoles& region, Feature feature,
-                                       FillPattern pattern, double angle_rad,
-                                       Coord width_nm, bool anchored = false) const {
+                                       FillPattern pattern, double angle_rad, Coord width_nm,
+                                       bool anchored = false) const {
     return FillSolid(region, {.feature = feature,
                               .pattern = pattern,
                               .angle_rad = angle_rad,
@@ -389,8 +389,8 @@ class RegionFill {
     if (!paths.ok()) return paths.status();
     if (fill.height_nm != view_.height_nm)
       ScaleSections(1, fill.height_nm, view_.height_nm, *paths);
-    AskedFill asked{Feature::kInternalInfill, fill.pattern, Area(region), fill.height_nm,
-                    fill.density};
+    RequestedFill asked{Feature::kInternalInfill, fill.pattern, Area(region), fill.height_nm,
+                        fill.density};
     if (fill.field != nullptr) {
       const auto share = MeanDensity(region, *fill.field);
       if (!share.ok()) return share.status();
@@ -425,7 +425,7 @@ void Sign(const FillArea& area, Fills& fills) {
       path.feature = FeatureFor(area.role, path.feature);
     }
   }
-  for (FillUse& use : fills.uses) {
+  for (FillStats& use : fills.uses) {
     use.settings = area.settings;
     use.feature = FeatureFor(area.role, use.feature);
   }
@@ -465,7 +465,7 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
       if (!ok.ok()) return ok;
       Sign(area, fills);
       std::ranges::move(fills.groups, std::back_inserter(result.fills));
-      for (const FillUse& use : fills.uses) AddUse(use, 1, filled.uses);
+      for (const FillStats& use : fills.uses) AddUse(use, 1, filled.uses);
     }
     filled.islands.push_back(std::move(result));
   }

@@ -21,8 +21,7 @@ namespace slicefarm::infill {
 /// `fields`: fields of the same rows. Errors: SETTING_OUT_OF_RANGE for a width without positive
 /// spacing; REQUEST_TOO_LARGE for too many lines (see CutLines).
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
-                                          const ObjectLayers& objects,
-                                          const LayerPlan& plan,
+                                          const ObjectLayers& objects, const LayerPlan& plan,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields);
 

@@ -280,14 +280,14 @@ TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
   const auto filled = FillPlain(Halves(5), false, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   ASSERT_EQ(filled->uses.size(), 2u);
-  const FillUse& sparse = filled->uses[0];
+  const FillStats& sparse = filled->uses[0];
   EXPECT_EQ(sparse.settings, 0);
   EXPECT_EQ(sparse.feature, Feature::kInternalInfill);
   EXPECT_EQ(sparse.pattern, FillPattern::kGyroid);
   EXPECT_NEAR(sparse.area_mm2, 9 * 18, 1e-6);
   EXPECT_NEAR(sparse.room_mm3, 9 * 18 * 0.2, 1e-6);
   EXPECT_NEAR(sparse.asked_mm3, 0.2 * sparse.room_mm3, 1e-6);
-  const FillUse& solid = filled->uses[1];
+  const FillStats& solid = filled->uses[1];
   EXPECT_EQ(solid.settings, 1);
   EXPECT_EQ(solid.feature, Feature::kSolidInfill);
   EXPECT_EQ(solid.pattern, FillPattern::kRectilinear);
@@ -295,7 +295,7 @@ TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
   EXPECT_NEAR(solid.plastic_mm3 / solid.room_mm3, 1, 0.0125);
 
   const std::vector<Path> paths = PathsIn(*filled);
-  for (const FillUse& use : filled->uses) {
+  for (const FillStats& use : filled->uses) {
     EXPECT_NEAR(use.plastic_mm3, VolumeOf(paths, use.feature), 1e-6);
     EXPECT_EQ(use.paths, std::ranges::count(paths, use.feature, &Path::feature));
     EXPECT_GT(use.longest_mm, 50);
@@ -308,7 +308,7 @@ TEST(FillSection, UsesCountTheLayersThatAreCombined) {
   plan.left_out = P("(0 0, 10 0, 10 20, 0 20)");
   plan.combined = P("(10 0, 20 0, 20 20, 10 20)");
   plan.combined_height_nm = 400'000;
-  const std::vector<FillUse> uses = SquareOf(Thin(), std::span(&plan, 1)).uses;
+  const std::vector<FillStats> uses = SquareOf(Thin(), std::span(&plan, 1)).uses;
   ASSERT_EQ(uses.size(), 1u);
   EXPECT_NEAR(uses[0].area_mm2, 9 * 18, 1e-6);
   EXPECT_NEAR(uses[0].room_mm3, 9 * 18 * 0.4, 1e-6);
@@ -322,13 +322,13 @@ TEST(FillSection, UsesOfFieldsAskForTheirMean) {
   options.pattern = FillPattern::kRectilinear;
   options.density_field =
       R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[20,1,1],"values":[0.1,0.5]})";
-  const std::vector<FillUse> uses = SquareOf(options, {}).uses;
+  const std::vector<FillStats> uses = SquareOf(options, {}).uses;
   ASSERT_EQ(uses.size(), 1u);
   EXPECT_NEAR(uses[0].asked_mm3 / uses[0].room_mm3, 0.3, 0.005);
   EXPECT_EQ(uses[0].pattern, FillPattern::kRectilinear);
   options.density_field.clear();
   options.stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
-  const std::vector<FillUse> streams = SquareOf(options, {}).uses;
+  const std::vector<FillStats> streams = SquareOf(options, {}).uses;
   ASSERT_EQ(streams.size(), 1u);
   EXPECT_EQ(streams[0].pattern, std::nullopt);
   EXPECT_NEAR(streams[0].asked_mm3 / streams[0].room_mm3, 0.2, 1e-9);
@@ -348,7 +348,7 @@ TEST(FillSection, DitheredFieldsGetThePlasticThatTheyAskFor) {
           dither + R"("})";
       double asked = 0, got = 0;
       for (const int32_t layer : {4, 5, 6})
-        for (const FillUse& use : SquareOf(options, {}, layer).uses)
+        for (const FillStats& use : SquareOf(options, {}, layer).uses)
           asked += use.asked_mm3, got += use.plastic_mm3;
       // Lines end before the edge of the square.
       EXPECT_GT(got / asked, 0.95) << dither << ' ' << static_cast<int>(pattern);
@@ -372,8 +372,8 @@ TEST(FillSection, ATemplateSaysWhichWayLinesRun) {
     const std::vector<Path> paths = PathsOf(options, {}, layer);
     ASSERT_FALSE(paths.empty()) << layer;
     for (const Path& path : paths) {
-      const Point way = EndOf(path) - StartOf(path);
-      EXPECT_EQ(across ? way.x : way.y, 0) << layer;
+      const Point route = EndOf(path) - StartOf(path);
+      EXPECT_EQ(across ? route.x : route.y, 0) << layer;
     }
   }
   options.solid_angle_template = "0";
@@ -382,8 +382,8 @@ TEST(FillSection, ATemplateSaysWhichWayLinesRun) {
     const std::vector<Path> paths = PathsOf(options, {}, layer);
     ASSERT_FALSE(paths.empty()) << layer;
     for (const Path& path : paths) {
-      const Point way = path.points[1] - path.points[0];
-      EXPECT_EQ(way.y, 0) << layer;
+      const Point route = path.points[1] - path.points[0];
+      EXPECT_EQ(route.y, 0) << layer;
     }
   }
 }
@@ -430,7 +430,7 @@ TEST(FillSection, IroningIsAUse) {
   InfillOptions options = Thin();
   options.ironing.enabled = true;
   const FilledSection filled = SquareOf(options, {}, 9);
-  const auto use = std::ranges::find(filled.uses, Feature::kIroning, &FillUse::feature);
+  const auto use = std::ranges::find(filled.uses, Feature::kIroning, &FillStats::feature);
   ASSERT_NE(use, filled.uses.end());
   EXPECT_EQ(use->pattern, FillPattern::kMonotonic);
   EXPECT_NEAR(use->asked_mm3 / use->room_mm3, options.ironing.flow, 1e-9);
@@ -563,14 +563,13 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
     }
     EXPECT_GT(lines, 0);
     const auto share = [](const FilledSection& section) {
-      for (const FillUse& use : section.uses)
+      for (const FillStats& use : section.uses)
         if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.room_mm3;
       return 0.0;
     };
     // At either end, the threads are half a spacing longer than the bridge.
     const double thread_mm = 0.6 * std::sqrt(flow);
-    const double of_room =
-        std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2;
+    const double of_room = std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2;
     EXPECT_GT(share(BridgeBy(options)), of_room);
     EXPECT_LT(share(BridgeBy(options)), 1.06 * of_room);
   }
@@ -613,7 +612,7 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
     options.thick_bridges = false;
     options.bridge_flow = flow;
     const FilledSection filled = BridgeBy(options);
-    for (const FillUse& use : filled.uses) {
+    for (const FillStats& use : filled.uses) {
       const double want = use.feature == Feature::kBridgeInfill ? flow : options.density;
       EXPECT_NEAR(use.asked_mm3 / use.room_mm3, want, 1e-9);
     }
@@ -686,7 +685,7 @@ TEST(FillSection, BridgesOverSparseInfillHaveTheirOwnFlow) {
   // Plastic per area is flow * pi / 4 * d^2 / (d * sqrt(flow) + 0.05) with threads of 0.4 mm.
   regions[0].internal_bridge_flow = 0.64;
   EXPECT_NEAR(volume(Feature::kInternalBridge) / thick, 0.64 * 0.45 / 0.37, 0.03);
-  // As lines of 0.45 mm in a layer of 0.2 mm, they fill the layer by their flow.
+  // Lines of 0.45 mm in a layer of 0.2 mm, fill the layer by their flow.
   regions[0].thick_internal_bridges = false;
   EXPECT_NEAR(volume(Feature::kInternalBridge), 0.64 * 18 * 18 * 0.2, 0.05 * 18 * 18 * 0.2);
 }

@@ -15,7 +15,7 @@ namespace {
 /// islands; in a prism all layers are equal.
 std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
                                       const MultiPolygon* outline, int32_t step, int32_t count,
-                                      const SkinSpare& spare = {}) {
+                                      const ShellExtra& spare = {}) {
   std::vector<const MultiPolygon*> side;
   const MultiPolygon* nearer = outline;
   Coord between_nm = 0;

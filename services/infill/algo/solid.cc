@@ -135,7 +135,7 @@ absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const Sol
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
   // Lines along the edge are half a spacing from it in any case, side by side with the wall. None
   // of their ends has to reach into the wall.
-  const bool along_edge = InfoOf(fill.pattern).solid == SolidWay::kAlongEdge;
+  const bool along_edge = InfoOf(fill.pattern).solid == SolidFillStyle::kAlongEdge;
   const Coord inset = along_edge ? 0 : EndDistance(std::llround(pitch), fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);
   if (area.empty()) return FillGroup{};
@@ -163,7 +163,7 @@ bool IsAligned(FillPattern pattern) {
 }
 
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill) {
-  const bool lines = InfoOf(fill.pattern).solid == SolidWay::kLines;
+  const bool lines = InfoOf(fill.pattern).solid == SolidFillStyle::kLines;
   return lines ? FillByLines(region, fill) : FillByCurves(region, fill);
 }
 

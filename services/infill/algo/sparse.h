@@ -26,7 +26,7 @@ struct SparseFill {
   Coord height_nm = 200'000;
   /// Distance by which lines are nearer to the region's boundary than half a spacing.
   Coord overlap_nm = 0;
-  Coord anchor_nm = 0;  ///< length for which a path continues along the boundary at a loose end
+  Coord anchor_nm = 0;      ///< length for which a path continues along the boundary at a loose end
   Coord anchor_max_nm = 0;  ///< longest link; 0: no links
   Coord smoothing_nm = 0;   ///< smoothing of medial-axis lines; 0: none
   std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out

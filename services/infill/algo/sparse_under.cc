@@ -24,7 +24,7 @@ bool IsSolidLayer(const InfillOptions& options, int32_t layer) {
 /// Returns true if the positions of the lines follow from a formula.
 bool HasLaw(FillPattern pattern, const RegionView& region) {
   const FillPatternInfo& info = InfoOf(pattern);
-  return region.options.density > 0 && !info.planned && info.solid != SolidWay::kAlongEdge &&
+  return region.options.density > 0 && !info.planned && info.solid != SolidFillStyle::kAlongEdge &&
          (region.plan == nullptr || region.plan->combined.empty());
 }
 

@@ -23,26 +23,26 @@ struct RegionView {
 /// sparse infill, returns the pitch that skins above assume: five spacings.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
-/// The layer below a region, as the skins of all the region's fill areas look at it. Not for use by
-/// several threads at once.
+/// Sparse infill of the layer below a region, for the skins of all fill areas of the region. Not
+/// thread-safe.
 class SparseUnder {
  public:
   /// REQUIRES: bridges over sparse infill are enabled (BridgesSparse). Cost: a comparison of some
   /// outlines.
   explicit SparseUnder(const RegionView& region);
 
-  /// Returns the sparse infill of the layer below within `fill_area`, where outlines say that it
-  /// has no skins and no walls there; without its lines, and nothing if it does not meet `wanted`.
-  /// Cost: that of SparsePart; for the first fill area also an offset of the layer.
+  /// Returns the sparse infill of the layer below within `fill_area`, without its lines: the area
+  /// without skins and walls, as computed from outlines. Returns nothing if it does not meet
+  /// `wanted`. Cost: that of SparsePart, and one offset of the layer for the first fill area.
   SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
 
-  /// Returns the lines of sparse infill, as wide as they are, where a law says how they lie.
-  /// Errors: as MakePattern. Cost: that of the pattern, and a union of the lines.
+  /// Returns the areas of the beads of sparse infill, for patterns with lines that follow from a
+  /// formula. Errors: see MakePattern. Cost: that of the pattern, and a union of the lines.
   absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
 
-  /// Takes from the skins of a fill area what lies over sparse infill and is wide enough to need
-  /// bridges. `middles`: BridgeMiddles of their solid part. Errors: as BeadsIn. Cost: that of
-  /// Within, and of BeadsIn and TakeSparseBridges where there is something to bridge.
+  /// Takes the parts of a fill area's skins that are over sparse infill and wide enough to need
+  /// bridges. `middles`: BridgeMiddles of their solid part. Errors: see BeadsIn. Cost: the cost of
+  /// Within, and of BeadsIn and TakeSparseBridges if there is a part to bridge.
   absl::StatusOr<SparseBridges> TakeBridges(const MultiPolygon& fill_area,
                                             const MultiPolygon& middles, Coord width_nm,
                                             Skins& skins);

@@ -1,9 +1,9 @@
 #include "services/infill/algo/sparse_under.h"
 
+#include <gtest/gtest.h>
+
 #include <string_view>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
@@ -69,8 +69,8 @@ TEST(SparseUnder, NothingWhereTheLayerBelowIsSolid) {
 }
 
 TEST(SparseUnder, NotOverTheWallsOfASmallerLayer) {
-  const std::vector<std::string_view> wider = {kSquare, kSquare, kSquare, "(0 0, 10 0, 10 20, 0 20)",
-                                               kSquare, kSquare};
+  const std::vector<std::string_view> wider = {
+      kSquare, kSquare, kSquare, "(0 0, 10 0, 10 20, 0 20)", kSquare, kSquare};
   EXPECT_NEAR(Bounds(UnderOrDie(wider, {}).region).max.x / 1e6, 9, 1e-6);
 }
 

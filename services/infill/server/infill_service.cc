@@ -41,7 +41,7 @@ absl::Status Fill(const InfillStage& stage, rpc::Call& call, Stream& stream, Sha
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallLimiter& gate,
                                                  SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Infill>>(gate);
   service->Add("FillLayers", &v1::Infill::Service::FillLayers,

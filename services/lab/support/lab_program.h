@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "services/planning/algo/support/support_plan.h"
-#include "services/planning/algo/support/support_problem.h"
+#include "services/planning/algo/supports/generator/support_plan.h"
+#include "services/planning/algo/supports/generator/support_problem.h"
 
 namespace slicefarm::lab {
 

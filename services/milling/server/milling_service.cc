@@ -67,7 +67,7 @@ absl::Status Assemble(const MillingStage& stage, rpc::Call& call, Stream& stream
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Milling>>(gate);
   service->Add("LayOutSteps", &v1::Milling::Service::LayOutSteps,

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/milling_stage.h"
 #include "common/stage/stages.h"
 
@@ -13,7 +13,7 @@ namespace slicefarm::milling {
 
 /// Returns the gRPC service slicefarm.v1.Milling, which calls a MillingStage. `stage`, `gate` and
 /// `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared);
 
 }  // namespace slicefarm::milling

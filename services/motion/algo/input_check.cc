@@ -10,7 +10,7 @@
 #include "common/model/layers/region_check.h"
 #include "common/model/limits.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "common/model/options/tool_row.h"
 
 namespace slicefarm::motion {
@@ -49,18 +49,17 @@ bool InBounds(const std::vector<Point>& points) {
 bool InBounds(const Path& path) {
   const auto is_width = [](Coord width) { return 0 <= width && width <= kMaxBeadNm; };
   return WellFormed(path) && std::all_of(path.widths_nm.begin(), path.widths_nm.end(), is_width) &&
-         InBounds(path.points) &&
-         static_cast<int>(path.feature) < kFeatureCount;
+         InBounds(path.points) && static_cast<int>(path.feature) < kFeatureCount;
 }
 
 bool InBounds(const PathBlock& block) {
   const auto has_bounds = [](const Travel& travel) { return InBounds(travel.corners); };
   const bool leaves_in_bounds =
       !block.leave || (InBounds(block.leave->to) && has_bounds(block.leave->way));
-  const bool turns_in_bounds =
-      !block.spiral ||
-      (InBounds(block.spiral->start) && InBounds(block.spiral->from.value_or(Point{})));
-  return turns_in_bounds && 0 <= block.height_nm && block.height_nm <= kMaxBeadNm && !block.paths.empty() &&
+  const bool turns_in_bounds = !block.spiral || (InBounds(block.spiral->start) &&
+                                                 InBounds(block.spiral->from.value_or(Point{})));
+  return turns_in_bounds && 0 <= block.height_nm && block.height_nm <= kMaxBeadNm &&
+         !block.paths.empty() &&
          (block.travels.empty() || block.travels.size() == block.paths.size()) &&
          leaves_in_bounds && std::ranges::all_of(block.travels, has_bounds) &&
          std::ranges::all_of(block.paths, [](const Path& path) { return InBounds(path); });
@@ -104,8 +103,9 @@ absl::Status CheckRegions(const OrderedLayer& layer, size_t rows) {
 absl::Status CheckOptions(const MotionOptions& options) {
   const RetractionOptions& retraction = options.tool().retraction;
   const CoolingOptions& cooling = options.tool().cooling;
-  for (const Named& named : {Named{"filament_diameter", options.tool().filament_diameter_mm, kMaxLengthMm},
-                             Named{"extrusion_multiplier", options.tool().extrusion_multiplier}}) {
+  for (const Named& named :
+       {Named{"filament_diameter", options.tool().filament_diameter_mm, kMaxLengthMm},
+        Named{"extrusion_multiplier", options.tool().extrusion_multiplier}}) {
     if (!(named.value > 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
   for (const Named& named :
@@ -130,7 +130,7 @@ absl::Status CheckOptions(const MotionOptions& options) {
         Named{"min_print_speed", cooling.min_print_speed_mm_s}}) {
     if (!(named.value >= 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
-  for (const RegionSpeeds& region : options.speeds)
+  for (const RegionMotion& region : options.speeds)
     if (const Named flow{"bridge_flow_ratio", region.bridge_flow, 100};
         !(flow.value > 0 && InBounds(flow.value, flow.most)))
       return OutOfRange(flow);

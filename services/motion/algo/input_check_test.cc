@@ -37,7 +37,8 @@ TEST(CheckOptions, NamesTheSetting) {
       {"retract_before_wipe", [](auto& o) { o.tool().retraction.before_wipe = 1.1; }},
       {"z_offset", [](auto& o) { o.z_offset_mm = -1e8; }},
       {"z_offset", [](auto& o) { o.z_offset_mm = kNan; }},
-      {"slowdown_below_layer_time", [](auto& o) { o.tool().cooling.slowdown_below_layer_time_s = kNan; }},
+      {"slowdown_below_layer_time",
+       [](auto& o) { o.tool().cooling.slowdown_below_layer_time_s = kNan; }},
   };
   for (const OptionCase& c : cases) {
     MotionOptions options;
@@ -94,7 +95,9 @@ TEST(CheckLayer, NamesTheLayer) {
       [](auto& l) { l.visits[1].shift.y = INT64_MIN + 1; },
       [](auto& l) { l.visits[1].shift.x = 1'500; },
       [](auto& l) { l.visits[1].shift.y = -1; },
-      [](auto& l) { l.visits[1].corners = {{0, INT64_MIN + 1}}; },
+      [](auto& l) {
+        l.visits[1].corners = {{0, INT64_MIN + 1}};
+      },
       [](auto& l) { l.visits[0].pass = 2; },
       [](auto& l) { l.visits[0].pass = -1; },
       [](auto& l) { l.begins_ready = true; },  // not allowed: the block has two visits

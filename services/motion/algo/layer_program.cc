@@ -109,8 +109,8 @@ bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
 
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2};
-  const double filament_mm2 =
-      std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
+  const double filament_mm2 = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
+                              options.tool().filament_diameter_mm;
   std::vector<BuiltBlock> built;
   built.reserve(layer.blocks.size());
   for (const PathBlock& block : layer.blocks) {
@@ -150,8 +150,7 @@ Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
   const PathBlock& block = BlockOf(visit, layer);
   const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
                      !block.travels.empty() && !block.travels.front().corners.empty();
-  return visit.shift +
-         (turns ? block.travels.front().corners.front() : StartOf(block));
+  return visit.shift + (turns ? block.travels.front().corners.front() : StartOf(block));
 }
 Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
   return visit.shift + built[static_cast<size_t>(visit.block)].Exit();
@@ -181,10 +180,10 @@ class PassProgram {
         paths_.push_back(built[block].path);
       stats_.Add(Moved(built[block].stats, visit.shift));
     }
-    for (const BlockVisit& visit : visits) ways_.push_back(WayTo(visit));
+    for (const BlockVisit& visit : visits) travels_.push_back(TravelTo(visit));
     for (size_t i = 1; i < visits.size(); ++i)
-      stats_.travel_mm += TravelMm(ExitOf(visits[i - 1], built), visits[i].corners,
-                                   EntryOf(visits[i], layer));
+      stats_.travel_mm +=
+          TravelMm(ExitOf(visits[i - 1], built), visits[i].corners, EntryOf(visits[i], layer));
     const std::vector<Stretch> stretches = Stretches();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
     AddTimes(stretches, SlowDown(CoolingOf(visits), stretches, timing, paths_), stats_);
@@ -211,8 +210,8 @@ class PassProgram {
       const size_t approach = path.approach;
       const bool first = &visit == &visits_.front();
       if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
-      const Toolpath& way = WayOf(visit);
-      writer.Write(way, 0, way.moves.size(), OnMachine({}), out);
+      const Toolpath& travel = WayOf(visit);
+      writer.Write(travel, 0, travel.moves.size(), OnMachine({}), out);
       if (first) KeepPlace(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
@@ -246,22 +245,22 @@ class PassProgram {
   ShiftUm ShiftOf(const BlockVisit& visit) const { return OnMachine(visit.shift); }
 
   const Toolpath& WayOf(const BlockVisit& visit) const {
-    return ways_[static_cast<size_t>(&visit - &visits_.front())];
+    return travels_[static_cast<size_t>(&visit - &visits_.front())];
   }
 
   /// Returns the moves to the corners of the travel from the visit before, on the plate. They have
   /// the properties of the approach.
-  Toolpath WayTo(const BlockVisit& visit) const {
-    Toolpath way;
-    if (&visit == &visits_.front()) return way;
+  Toolpath TravelTo(const BlockVisit& visit) const {
+    Toolpath travel;
+    if (&visit == &visits_.front()) return travel;
     const Toolpath& path = PathOf(visit);
     for (const Point corner : visit.corners) {
       Move move = path.moves[path.approach];
       move.x_um = ToUm(corner.x);
       move.y_um = ToUm(corner.y);
-      way.moves.push_back(move);
+      travel.moves.push_back(move);
     }
-    return way;
+    return travel;
   }
 
   /// Returns the written stretches in their order. Copies after the first are already at their
@@ -270,12 +269,12 @@ class PassProgram {
     std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
-      const Toolpath& way = WayOf(visit);
+      const Toolpath& travel = WayOf(visit);
       const ShiftUm shift = ShiftOf(visit);
       size_t first = &visit == &visits_.front() || Lifts() ? 0 : path.approach;
-      if (!way.moves.empty()) {
+      if (!travel.moves.empty()) {
         stretches.push_back({&path, first, path.approach, shift});
-        stretches.push_back({&way, 0, way.moves.size(), OnMachine({})});
+        stretches.push_back({&travel, 0, travel.moves.size(), OnMachine({})});
         first = path.approach;
       }
       stretches.push_back({&path, first, path.moves.size(), shift});
@@ -307,7 +306,7 @@ class PassProgram {
   const MotionOptions& options_;
   std::map<int32_t, size_t> place_of_;  ///< index in paths_, by block of the layer
   std::vector<Toolpath> paths_;
-  std::vector<Toolpath> ways_;  ///< travel to each visit
+  std::vector<Toolpath> travels_;  ///< travel to each visit
   ProgramStats stats_;
   LayerEdges edges_;
   Polygon footprint_;

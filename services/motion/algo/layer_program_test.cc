@@ -110,20 +110,20 @@ Printed Print(const std::string& gcode) {
     while (words >> word) value[word[0]] = std::stod(word.substr(1));
     const double x = value.contains('X') ? value['X'] : p.x;
     const double y = value.contains('Y') ? value['Y'] : p.y;
-    const double way = std::hypot(x - p.x, y - p.y);
+    const double travel = std::hypot(x - p.x, y - p.y);
     if (value.contains('F')) p.least_feed_rate = std::min(p.least_feed_rate, value['F']);
     if (value.contains('Z')) p.z = value['Z'];
     const bool moves = value.contains('X') || value.contains('Y');
     if (moves && value.contains('E')) {
       p.filament_mm += value['E'];
-      p.extruded_mm += way;
+      p.extruded_mm += travel;
       p.extruded_while_retracted |= p.retracted_mm > 1e-9;
       p.max_x = std::max(p.max_x, x);
       p.max_y = std::max(p.max_y, y);
     } else if (value.contains('E')) {
       p.retracted_mm -= value['E'];
     } else if (moves && known) {
-      p.travel_mm += way;
+      p.travel_mm += travel;
     }
     known = known || moves;
     p.max_retracted_mm = std::max(p.max_retracted_mm, p.retracted_mm);
@@ -164,8 +164,8 @@ TEST(ProgramLayer, ReadsBackAsPlanned) {
   const LayerProgram program = Programmed(Square());
   const Printed printed = Print(program.gcode);
   const MotionOptions options = Options();
-  const double area =
-      std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
+  const double area = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
+                      options.tool().filament_diameter_mm;
   const double length = 80 + std::hypot(16, 16);
   EXPECT_NEAR(printed.filament_mm * area, length * SectionMm2(450'000, 200'000), 3e-5);
   EXPECT_NEAR(printed.filament_mm, program.stats.FilamentMm(), 1e-9);
@@ -253,8 +253,7 @@ TEST(ProgramLayer, AnEmptyLayerMovesNothing) {
   OrderedLayer layer;
   layer.frame = {5, 1'200'000, 200'000};
   const LayerProgram program = Programmed(layer);
-  EXPECT_EQ(program.gcode,
-            ";LAYER_CHANGE\n;Z:1.2\n;HEIGHT:0.2\n;BEFORE_LAYER_CHANGE\n;1.2\n");
+  EXPECT_EQ(program.gcode, ";LAYER_CHANGE\n;Z:1.2\n;HEIGHT:0.2\n;BEFORE_LAYER_CHANGE\n;1.2\n");
   EXPECT_EQ(program.stats.TimeS(), 0);
 }
 
@@ -280,11 +279,11 @@ TEST(ProgramLayer, SaysWhichLinesMayBeSuperfluous) {
     lines.emplace_back(line.mode, program.gcode.substr(static_cast<size_t>(line.at),
                                                        static_cast<size_t>(line.size)));
   using enum MachineMode;
-  EXPECT_EQ(lines, (std::vector<std::pair<MachineMode, std::string>>{
-                       {kFan, "M106 S89\n"},
-                       {kTravelAcceleration, "M204 T3000\n"},
-                       {kPlace, "G1 X10 Y10 F7800\n"},
-                       {kAcceleration, "M204 P1000\n"}}));
+  EXPECT_EQ(lines,
+            (std::vector<std::pair<MachineMode, std::string>>{{kFan, "M106 S89\n"},
+                                                              {kTravelAcceleration, "M204 T3000\n"},
+                                                              {kPlace, "G1 X10 Y10 F7800\n"},
+                                                              {kAcceleration, "M204 P1000\n"}}));
   EXPECT_EQ(program.mode_lines[2].value, "10000 10000");
   EXPECT_EQ(program.modes_at_end,
             (ModeValues{"M106 S89\n", "M204 P1000\n", "M204 T3000\n", "28000 28000", ""}));
@@ -304,7 +303,8 @@ TEST(ProgramLayer, TimesInSilentModeAreThoseOfItsLimits) {
   MotionOptions options = Options();
   EXPECT_EQ(Programmed(Square(), options).silent_time_s, 0);
   options.silent_limits = options.limits;
-  EXPECT_NEAR(Programmed(Square(), options).silent_time_s, Programmed(Square()).stats.TimeS(), 1e-9);
+  EXPECT_NEAR(Programmed(Square(), options).silent_time_s, Programmed(Square()).stats.TimeS(),
+              1e-9);
   options.silent_limits->max_acceleration_mm_s2 = {100, 100, 100, 100};
   const LayerProgram program = Programmed(Square(), options);
   EXPECT_GT(program.silent_time_s, 1.2 * program.stats.TimeS());

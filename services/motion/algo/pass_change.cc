@@ -6,7 +6,7 @@
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/machine_setup.h"
-#include "services/motion/algo/layer_ways.h"
+#include "services/motion/algo/layer_travels.h"
 #include "services/motion/algo/text/commands.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
@@ -70,10 +70,10 @@ std::string GcodeOf(const PassChange& change, std::string_view custom,
     ExtruderWords(options).WriteCanonicalState(out);
     out << rise;
   }
-  const LayerWays ways(options);
-  std::vector<Point> way = ways.Corners(ways.After(custom, change.from), change.to);
-  way.push_back(change.to);
-  out << ways.MovesTo(way);
+  const LayerTravels travels(options);
+  std::vector<Point> travel = travels.Corners(travels.After(custom, change.from), change.to);
+  travel.push_back(change.to);
+  out << travels.MovesTo(travel);
   return out.Take();
 }
 

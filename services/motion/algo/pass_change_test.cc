@@ -1,8 +1,9 @@
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/pass_change.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::pass_change_test {
 namespace {

@@ -1,8 +1,9 @@
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/print_code.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::print_code_test {
 namespace {

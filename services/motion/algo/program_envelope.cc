@@ -18,7 +18,7 @@
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
 #include "services/motion/algo/gcode/thumbnails_block.h"
-#include "services/motion/algo/layer_ways.h"
+#include "services/motion/algo/layer_travels.h"
 #include "services/motion/algo/macro/file_name.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/print_code.h"
@@ -132,7 +132,8 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
   WriteStart(options, start, out);
-  if (options.tool().pressure_advance > 0) firmware.WritePressureAdvance(options.tool().pressure_advance, out);
+  if (options.tool().pressure_advance > 0)
+    firmware.WritePressureAdvance(options.tool().pressure_advance, out);
   ExtruderWords extruder(options);
   extruder.WriteCanonicalState(out);
   firmware.WriteLayersBegin(out);
@@ -169,11 +170,11 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
 }
 
 /// Returns the moves from the end of each layer to the next one that go around excluded areas.
-std::vector<std::string> WaysBetween(const ProgramSummary& summary, const MotionOptions& options,
-                                     std::string_view prologue) {
+std::vector<std::string> PathsBetween(const ProgramSummary& summary, const MotionOptions& options,
+                                      std::string_view prologue) {
   std::vector<std::string> moves(summary.layers.size());
   if (options.room.empty()) return moves;
-  const LayerWays ways(options);
+  const LayerTravels ways(options);
   Point from = ways.After(prologue, {});
   for (size_t i = 0; i < moves.size(); ++i) {
     const LayerSummary& layer = summary.layers[i];
@@ -206,7 +207,7 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   text.head = Head(summary, options, time_s);
   text.file_name = FileName(filled->file_name, options.writing.binary);
   text.prologue = Prologue(summary, options, times, {filled->start, filled->start_filament});
-  text.ways = WaysBetween(summary, options, text.prologue);
+  text.ways = PathsBetween(summary, options, text.prologue);
   for (size_t i = 0; i < text.changes.size(); ++i)
     text.ways[text.changes[i].layer] = GcodeOf(text.changes[i], filled->between[i], options);
   for (std::string& layer : filled->layers) {
@@ -253,16 +254,16 @@ PrintTimes SilentTimes(ProgramSummary summary, FrameText text, MotionOptions opt
 }
 
 double TravelMm(const ProgramSummary& summary, const MotionOptions& options) {
-  const LayerWays ways(options);
+  const LayerTravels ways(options);
   double travel_mm = summary.total.travel_mm;
   const LayerSummary* before = nullptr;
   for (const LayerSummary& layer : summary.layers) {
     if (layer.empty) continue;
     if (before != nullptr) {
-      Polyline way = ways.Corners(before->exit, layer.entry);
-      way.insert(way.begin(), before->exit);
-      way.push_back(layer.entry);
-      travel_mm += ToMm(Length(way));
+      Polyline travel = ways.Corners(before->exit, layer.entry);
+      travel.insert(travel.begin(), before->exit);
+      travel.push_back(layer.entry);
+      travel_mm += ToMm(Length(travel));
     }
     before = &layer;
   }

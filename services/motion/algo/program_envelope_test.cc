@@ -94,7 +94,8 @@ TEST(FrameProgram, StartCodeFindsTimeAndObjectsTold) {
   summary.copies = {{{"a", 0, 0, 1}, {}}};
   const ProgramEnvelope one = Framed(summary, options);
   EXPECT_THAT(one.prologue, StartsWith("M73 P0 R4\nM486 T1\nM486 S0\nM486 Aa\nM486 S-1\n;TYPE:"));
-  EXPECT_THAT(one.prologue, EndsWith("G1 E-.8 F2100\nM486 S0\n")) << "the only one has its label once";
+  EXPECT_THAT(one.prologue, EndsWith("G1 E-.8 F2100\nM486 S0\n"))
+      << "the only one has its label once";
   EXPECT_THAT(one.epilogue, StartsWith("M486 S-1\n"));
   summary.copies.push_back({{"b", 1, 0, 1}, {}});
   const ProgramEnvelope two = Framed(summary, options);
@@ -129,9 +130,11 @@ TEST(FrameProgram, SilentModeHasItsOwnTimes) {
   EXPECT_THAT(frame.prologue, HasSubstr("\nT" + DurationText(silent_s) + "\n"));
   EXPECT_THAT(frame.layer_prefixes[1], testing::MatchesRegex("M73 P3. R3\nM73 Q3. S5\n"));
   EXPECT_THAT(frame.epilogue, StartsWith("M73 P100 R0\nM73 Q100 S0\n"));
-  EXPECT_THAT(frame.tail, HasSubstr("; estimated printing time (silent mode) = " +
-                                    DurationText(silent_s) + "\n"));
-  EXPECT_THAT(frame.tail, HasSubstr("; estimated first layer printing time (silent mode) = 2m 0s\n"));
+  EXPECT_THAT(
+      frame.tail,
+      HasSubstr("; estimated printing time (silent mode) = " + DurationText(silent_s) + "\n"));
+  EXPECT_THAT(frame.tail,
+              HasSubstr("; estimated first layer printing time (silent mode) = 2m 0s\n"));
   EXPECT_THAT(Framed(Summary(), Options()).tail, testing::Not(HasSubstr("silent mode")));
 }
 
@@ -248,13 +251,13 @@ ProgramSummary TwoPasses() {
 
 TEST(FrameProgram, PassesAreTravelledBetween) {
   const ProgramEnvelope frame = Framed(TwoPasses(), Still());
-  const double way = std::hypot(200, 300);
-  EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + way);
+  const double route = std::hypot(200, 300);
+  EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + route);
   // The travel goes up to 1.6 mm, over to the other copy, and down to the bed with the travel to
   // its layer.
-  EXPECT_GT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + way / 100);
-  EXPECT_LT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + way / 100 + 0.6);
-  EXPECT_GT(frame.times.layer_s[3], frame.times.layer_s[4] + way / 100);
+  EXPECT_GT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + route / 100);
+  EXPECT_LT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + route / 100 + 0.6);
+  EXPECT_GT(frame.times.layer_s[3], frame.times.layer_s[4] + route / 100);
   EXPECT_THAT(frame.layer_prefixes,
               ElementsAre("", "", "", "G1 Z1.6 F1200\nG1 X0 Y300 F6000\n", "", ""));
 }
@@ -292,7 +295,7 @@ TEST(FrameProgram, CopiesAreDefinedBeforeTheyArePrinted) {
   options.labels = ObjectLabels::kFirmware;
   EXPECT_THAT(Framed(TwoPasses(), options).prologue,
               StartsWith("M486 T2\nM486 S0\nM486 Aa (Instance 1)\nM486 S-1\n"
-                        "M486 S1\nM486 Aa (Instance 2)\nM486 S-1\n;TYPE:Custom\n"));
+                         "M486 S1\nM486 Aa (Instance 2)\nM486 S-1\n;TYPE:Custom\n"));
 }
 
 TEST(FrameProgram, NothingToPrint) {

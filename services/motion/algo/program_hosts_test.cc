@@ -175,7 +175,8 @@ TEST(Hosts, NamesAreNoCommands) {
   for (const GcodeFlavor flavor : kFlavors) {
     MotionOptions options = Options(flavor);
     const auto want = commands(Program(options, "benchy"));
-    options.printer_model = options.tool().filament_type = options.tool().filament_settings_id = kHostile;
+    options.printer_model = options.tool().filament_type = options.tool().filament_settings_id =
+        kHostile;
     const std::string gcode = Program(options, kHostile);
     EXPECT_EQ(commands(gcode), want) << FirmwareOf(flavor).name();
     EXPECT_EQ(gcode.find('\r'), gcode.npos);

@@ -51,7 +51,7 @@ absl::Status Frame(const MotionStage& stage, rpc::Call& call, const v1::FrameReq
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallLimiter& gate,
                                                  SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Motion>>(gate);
   service->Add("ProgramLayers", &v1::Motion::Service::ProgramLayers,

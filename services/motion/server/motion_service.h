@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/motion_stage.h"
 #include "common/stage/stages.h"
 
@@ -13,7 +13,7 @@ namespace slicefarm::motion {
 
 /// Translates slicefarm.v1.Motion to a MotionStage and back.
 /// `stage`, `gate` and `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallLimiter& gate,
                                                  SharedCache& shared);
 
 }  // namespace slicefarm::motion

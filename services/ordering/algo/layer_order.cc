@@ -11,8 +11,8 @@
 #include "common/base/error.h"
 #include "common/model/layers/region_check.h"
 #include "common/model/options/ordering_options.h"
-#include "services/ordering/algo/comb/copy_ways.h"
-#include "services/ordering/algo/comb/room_ways.h"
+#include "services/ordering/algo/comb/bed_travels.h"
+#include "services/ordering/algo/comb/copy_travels.h"
 #include "services/ordering/algo/section_order.h"
 #include "services/ordering/algo/travel_order.h"
 
@@ -180,8 +180,11 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
                        .ends_ready = plan.ends_ready && (may_be_ready || IsTurn(plan))};
   if (!plan.paths.empty())
     ordered.blocks.push_back(
-        {kSkirtStack, layer.frame.index,
-         plan.paths_height_nm > 0 ? plan.paths_height_nm : layer.frame.height_nm, plan.paths, {}});
+        {kSkirtStack,
+         layer.frame.index,
+         plan.paths_height_nm > 0 ? plan.paths_height_nm : layer.frame.height_nm,
+         plan.paths,
+         {}});
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
     SectionPlan section_plan = PlanOf(section.stack, plan);

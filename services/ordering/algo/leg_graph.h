@@ -38,7 +38,7 @@ class LegGraph {
 
   void AddRules(const Journey& journey, std::span<const Leg> legs);
 
-  std::vector<Ends> ends_;      ///< end nodes of each leg, indexed by leg
+  std::vector<Ends> ends_;  ///< end nodes of each leg, indexed by leg
   /// Leg of each node, and true if the node is the leg's end; indexed by node.
   std::vector<Visit> entered_;
   Costs costs_;

@@ -115,9 +115,9 @@ LoopPlace Further(std::span<const Point> loop, LoopPlace from, double by_nm) {
     const double left = Distance(at.at, end);
     if (by_nm < left) {
       const double share = by_nm / left;
-      const Point way = end - at.at;
-      const Point there = at.at + Point{std::llround(share * static_cast<double>(way.x)),
-                                        std::llround(share * static_cast<double>(way.y))};
+      const Point route = end - at.at;
+      const Point there = at.at + Point{std::llround(share * static_cast<double>(route.x)),
+                                        std::llround(share * static_cast<double>(route.y))};
       if (there == end) return {next_of(at.edge), end};
       return {at.edge, there};
     }

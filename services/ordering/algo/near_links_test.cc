@@ -90,12 +90,10 @@ INSTANTIATE_TEST_SUITE_P(
     Paths, LinkBetweenTest,
     testing::Values(
         Case{"InnerToOuter", kInner, kOuter}, Case{"OuterToInner", kOuter, kInner},
-        Case{"PieceToPiece", kPiece,
-             Stroke(Feature::kGapFill, {5'200'000, 0}, {9'000'000, 0})},
+        Case{"PieceToPiece", kPiece, Stroke(Feature::kGapFill, {5'200'000, 0}, {9'000'000, 0})},
         Case{"InfillToInfill", Stroke(Feature::kSolidInfill, {0, 0}, {5'000'000, 0}),
              Stroke(Feature::kInternalInfill, {5'200'000, 0}, {9'000'000, 0})},
-        Case{"OuterToOuter", kOuter,
-             Loop(Feature::kExternalPerimeter, -400'000, -200'000)},
+        Case{"OuterToOuter", kOuter, Loop(Feature::kExternalPerimeter, -400'000, -200'000)},
         Case{"EndToStart", kPiece, Stroke(Feature::kPerimeter, {5'000'000, 0}, {9'000'000, 0}),
              false, false},
         Case{"TooFar", kPiece, Stroke(Feature::kPerimeter, {6'000'000, 0}, {9'000'000, 0}), false,
@@ -113,8 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"SupportLoopAndLine", Loop(Feature::kSupport, 400'000, 4'000'000),
              Stroke(Feature::kSupport, {0, 0}, {5'000'000, 0}), false, false},
         Case{"OtherTool", kPiece,
-             OfTool(Stroke(Feature::kPerimeter, {5'200'000, 0}, {9'000'000, 0}), 1), false,
-             false}),
+             OfTool(Stroke(Feature::kPerimeter, {5'200'000, 0}, {9'000'000, 0}), 1), false, false}),
     [](const auto& info) { return info.param.name; });
 
 TEST(LinkBetween, LoopGivesWhatTheLinkTakes) {
@@ -128,8 +125,8 @@ TEST(LinkBetween, LoopGivesWhatTheLinkTakes) {
     const Path& inner = inner_first ? last : next;
     EXPECT_EQ(outer, kOuter);
     EXPECT_FALSE(inner.closed);
-    EXPECT_NEAR(ToMm(Distance(StartOf(inner), EndOf(inner))),
-                kLinkFlow * 0.4 * std::numbers::sqrt2, 1e-6);
+    EXPECT_NEAR(ToMm(Distance(StartOf(inner), EndOf(inner))), kLinkFlow * 0.4 * std::numbers::sqrt2,
+                1e-6);
   }
 }
 

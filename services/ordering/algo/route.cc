@@ -31,8 +31,7 @@ void Route::Print(Path path, bool reversed) {
   if (reversed) Reverse(path);
   const bool is_loop = path.closed;
   if (is_linkable_ && edges_.for_links != nullptr && !IsKeptWhole(path)) {
-    auto link =
-        LinkBetween({paths_.back(), last_is_loop_}, path, height_nm_, *edges_.for_links);
+    auto link = LinkBetween({paths_.back(), last_is_loop_}, path, height_nm_, *edges_.for_links);
     if (link) paths_.push_back(*std::move(link));
   }
   at_ = EndOf(path);

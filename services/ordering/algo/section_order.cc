@@ -190,7 +190,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
   std::optional<IslandEdges> left;
-  std::optional<CurledWays> curled;
+  std::optional<CurlAvoidance> curled;
   if (!plan.curled.empty()) curled.emplace(plan.curled, RoomOf(section));
   for (size_t i = 0; i < visits.size(); ++i) {
     const bool is_first = i == 0, is_last = i + 1 == visits.size();
@@ -205,10 +205,11 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     Meetings meetings;
     if (is_first) meetings.below = plan.entry;
     if (is_last) meetings.above = plan.exit;
-    IslandWays ways = WaysInIsland(island.outline, edges, std::span(route.paths()).subspan(first),
-                                   meetings, options.travel, sights, curled ? &*curled : nullptr);
-    std::ranges::move(ways.travels, std::back_inserter(travels));
-    if (is_last) leave = std::move(ways.leave);
+    IslandPaths routes =
+        PathsInIsland(island.outline, edges, std::span(route.paths()).subspan(first), meetings,
+                      options.travel, sights, curled ? &*curled : nullptr);
+    std::ranges::move(routes.travels, std::back_inserter(travels));
+    if (is_last) leave = std::move(routes.leave);
     if (!is_first) {
       const Path& last = route.paths()[first - 1];
       const Path& path = route.paths()[first];

@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
 #include "common/model/options/ordering_options.h"
-#include "services/ordering/algo/comb/curled_ways.h"
+#include "services/ordering/algo/comb/curl_avoidance.h"
 #include "services/ordering/algo/route.h"
 
 namespace slicefarm::ordering::section_order_test {
@@ -231,12 +231,12 @@ TEST(OrderSection, KeepsOffWhatHasCurledUp) {
   plan.curled = MakePolygonsOrDie("(29.5 3, 30.5 3, 30.5 19, 29.5 19)");
   const PathBlock round = OrderSection(section, plan, {}, budget);
   EXPECT_EQ(round.paths, straight.paths);
-  const CurledWays ways(plan.curled, {});
+  const CurlAvoidance routes(plan.curled, {});
   int met = 0;
   for (size_t i = 1; i < round.paths.size(); ++i) {
     const Point from = EndOf(round.paths[i - 1]), to = StartOf(round.paths[i]);
-    met += ways.Meets(from, straight.travels[i].corners, to) ? 1 : 0;
-    EXPECT_FALSE(ways.Meets(from, round.travels[i].corners, to)) << i;
+    met += routes.Meets(from, straight.travels[i].corners, to) ? 1 : 0;
+    EXPECT_FALSE(routes.Meets(from, round.travels[i].corners, to)) << i;
   }
   EXPECT_EQ(met, 1);
 }

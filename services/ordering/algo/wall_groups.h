@@ -17,7 +17,7 @@ struct WallPair {
 
 /// Walls along one contour of an island.
 struct WallGroup {
-  std::vector<Path*> walls;     ///< walls sorted by inset, the outermost first; at least one
+  std::vector<Path*> walls;  ///< walls sorted by inset, the outermost first; at least one
   /// indices into `walls`; each wall except the outermost is `inner` in one pair
   std::vector<WallPair> pairs;
 

@@ -118,8 +118,7 @@ TEST(PrintWalls, InnerLoopsStartFurtherAlongIfAsked) {
                              Wall(2, "(2 2, 38 2, 38 38, 2 38)")};
   walls[0].ring = 0;
   const std::vector<Point> seams = {Mm(20, 0)};
-  const auto printed =
-      Printed(walls, {InsetOrder::kOuterFirst, seams, /*stagger=*/true}, Mm(0, 0));
+  const auto printed = Printed(walls, {InsetOrder::kOuterFirst, seams, /*stagger=*/true}, Mm(0, 0));
   ASSERT_EQ(printed.size(), 3u);
   EXPECT_EQ(printed[0].points[0], Mm(20, 0));
   EXPECT_EQ(printed[1].points[0], Mm(21, 1));

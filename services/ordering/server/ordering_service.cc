@@ -35,8 +35,8 @@ absl::Status Order(const OrderingStage& stage, rpc::Call& call, Stream& stream,
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage, rpc::CallGate& gate,
-                                                   SharedCache& shared) {
+std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage,
+                                                   rpc::CallLimiter& gate, SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Ordering>>(gate);
   service->Add("OrderLayers", &v1::Ordering::Service::OrderLayers,
                [&](rpc::Call& call, auto& stream) { return Order(stage, call, stream, shared); });

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/ordering_stage.h"
 #include "common/stage/stages.h"
 
@@ -13,7 +13,7 @@ namespace slicefarm::ordering {
 
 /// Returns the gRPC service slicefarm.v1.Ordering on top of an OrderingStage. `stage`, `gate` and
 /// `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage, rpc::CallGate& gate,
-                                                   SharedCache& shared);
+std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage,
+                                                   rpc::CallLimiter& gate, SharedCache& shared);
 
 }  // namespace slicefarm::ordering

@@ -17,7 +17,7 @@
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
 #include "services/planning/algo/spiral/spiral_planner.h"
-#include "services/planning/algo/supports/supports_planner.h"
+#include "services/planning/algo/supports/planner/supports_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
 
 namespace slicefarm::planning {
@@ -123,7 +123,8 @@ void JobPlanner::LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried) 
   }
   for (const auto& planner : planners_) planner->Look(layer, plan);
   settled_ = layers_.end();
-  for (const auto& planner : planners_) settled_ = std::min(settled_, planner->Settle(layers_));
+  for (const auto& planner : planners_)
+    settled_ = std::min(settled_, planner->DeriveOptions(layers_));
 }
 
 absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {

@@ -104,8 +104,7 @@ TEST(JobPlanner, AdhesionIsPartOfThePlan) {
 TEST(JobPlanner, RefusesObjectsWithoutOptions) {
   const PlanningOptions options;
   const std::vector<PlacedCopy> copies = {{1, {}, {}}};
-  EXPECT_EQ(DetailOf(JobPlanner::Make(options, copies).status()).reason,
-            Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(JobPlanner::Make(options, copies).status()).reason, Reason::kRequestMalformed);
   auto planner = JobPlanner::Make(options, {});
   SlicedLayer layer;
   for (const Stack& stack : {Stack(1), Stack(0, kPlateObject, StackKind::kRaft)}) {

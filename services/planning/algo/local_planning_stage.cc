@@ -12,7 +12,7 @@ class LocalPlanning : public PlanningStage {
  public:
   absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
                                const PlanningOptions& options) const override {
-    absl::StatusOr<JobPlanner> planner = 
+    absl::StatusOr<JobPlanner> planner =
         JobPlanner::Make(options, job.copies, job.object_names, call.threads);
     if (!planner.ok()) return planner.status();
     for (const SlicedLayer& layer : job.layers) {

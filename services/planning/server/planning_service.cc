@@ -96,7 +96,7 @@ absl::Status Plan(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakePlanningService(rpc::CallGate& gate) {
+std::unique_ptr<grpc::Service> MakePlanningService(rpc::CallLimiter& gate) {
   auto service = std::make_unique<rpc::GatedService<v1::Planning>>(gate);
   const auto memory = std::make_shared<MemoryBudget>(DefaultMemoryBudget());
   service->Add("PlanJob", &v1::Planning::Service::PlanJob,

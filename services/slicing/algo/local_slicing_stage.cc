@@ -145,9 +145,9 @@ class SlicingRun {
                                         : Slab{below, plane.z_nm});
       below = plane.z_nm;
     }
-    return SurfaceSlabs(part.connected.mesh, std::move(slabs),
-                        part.IsForSeams() ? SurfaceSlabs::Faces::kLevelAlone
-                                          : SurfaceSlabs::Faces::kAll);
+    return SurfaceSlabs(
+        part.connected.mesh, std::move(slabs),
+        part.IsForSeams() ? SurfaceSlabs::Faces::kLevelAlone : SurfaceSlabs::Faces::kAll);
   }
 
   /// Groups the sections of all objects by their height above the objects' own bottoms.
@@ -302,7 +302,8 @@ class SlicingRun {
     const auto layer = static_cast<size_t>(section.layer);
     const Coord reach_nm = SupportReach(EditsFor(section.layer, true, SlicingOf(section)));
     // An enforcer with a hole in its mesh still counts as a body, so its outlines are added.
-    return Union(Outlines(swept, section, scratch), swept.slabs->Shadow(layer, reach_nm, call_.cancel));
+    return Union(Outlines(swept, section, scratch),
+                 swept.slabs->Shadow(layer, reach_nm, call_.cancel));
   }
 
   MultiPolygon SeamOutlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
@@ -311,8 +312,8 @@ class SlicingRun {
       return AroundBody(Outlines(swept, section, scratch), reach_nm);
     const auto layer = static_cast<size_t>(section.layer);
     const MultiPolygon level = swept.slabs->Shadow(layer, reach_nm, call_.cancel);
-    MultiPolygon cut =
-        AroundSurface(swept.sweep.Cut(layer, scratch), reach_nm, options_.resolution_nm, call_.cancel);
+    MultiPolygon cut = AroundSurface(swept.sweep.Cut(layer, scratch), reach_nm,
+                                     options_.resolution_nm, call_.cancel);
     return level.empty() ? cut : Union(cut, level);
   }
 
@@ -332,7 +333,8 @@ class SlicingRun {
     for (const PreparedObject& object : objects_) all.push_back({&object.footprint, object.shifts});
     std::vector<Coord> lifts;
     for (const ObjectSlicingOptions& object : options_.objects) lifts.push_back(object.lift_nm);
-    const bool alike = std::ranges::adjacent_find(lifts, std::ranges::not_equal_to{}) == lifts.end();
+    const bool alike =
+        std::ranges::adjacent_find(lifts, std::ranges::not_equal_to{}) == lifts.end();
     std::vector<SlicedLayer> lifted;  // in final positions: some on rafts, some not
     if (!alike) lifted = PrintLayers(job_.layers, lifts, {});
     absl::StatusOr<std::vector<int64_t>> counts =

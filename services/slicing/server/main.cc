@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   const auto slicing = slicefarm::slicing::MakeLocalSlicing(*std::move(meshes));
   const auto arranging = slicefarm::slicing::MakeLocalArranging(*std::move(meshes_to_arrange));
   const auto placing = slicefarm::slicing::MakeLocalPlacing(*std::move(meshes_to_place));
-  slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
+  slicefarm::rpc::CallLimiter gate(program.GateOptions(flags), program.log());
   program.Show(gate);
   const auto service = slicefarm::slicing::MakeSlicingService(
       *slicing, *arranging, *placing, slicefarm::slicing::MakeReadProjects(*std::move(projects)),

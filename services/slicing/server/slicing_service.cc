@@ -115,7 +115,7 @@ absl::StatusOr<v1::ReadProjectResponse> ReadOne(const ReadProjects& projects,
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
                                                   const PlacingStage& placing,
-                                                  ReadProjects projects, rpc::CallGate& gate,
+                                                  ReadProjects projects, rpc::CallLimiter& gate,
                                                   int threads, MemoryBudget& memory) {
   using Service = v1::Slicing::Service;
   auto service = std::make_unique<rpc::GatedService<v1::Slicing>>(gate);

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
 #include "common/stage/slicing_stage.h"
@@ -20,7 +20,7 @@ namespace slicefarm::slicing {
 std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   const ArrangingStage& arranging,
                                                   const PlacingStage& placing,
-                                                  ReadProjects projects, rpc::CallGate& gate,
+                                                  ReadProjects projects, rpc::CallLimiter& gate,
                                                   int threads, MemoryBudget& memory);
 
 }  // namespace slicefarm::slicing

@@ -27,8 +27,8 @@ absl::StatusOr<std::optional<Eigen::Vector3d>> VectorIn(std::string_view setting
 absl::StatusOr<Texture> TextureIn(const EngraveInput& input) {
   const TextureSettings& settings = input.settings.texture;
   if (!input.image.empty()) {
-    auto heights = ImageHeights(
-        input.image, {.width_mm = settings.width_mm, .height_mm = settings.height_mm});
+    auto heights =
+        ImageHeights(input.image, {.width_mm = settings.width_mm, .height_mm = settings.height_mm});
     if (!heights.ok()) return heights.status();
     return TextureOf(*std::move(heights));
   }

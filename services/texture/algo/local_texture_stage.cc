@@ -11,8 +11,8 @@
 #include "services/texture/algo/engrave_job.h"
 #include "services/texture/algo/output/csv_text.h"
 #include "services/texture/algo/output/engrave_report.h"
-#include "services/texture/algo/whole_file.h"
 #include "services/texture/algo/surface_mapping.h"
+#include "services/texture/algo/whole_file.h"
 
 namespace slicefarm::texture {
 namespace {

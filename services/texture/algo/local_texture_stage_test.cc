@@ -62,8 +62,8 @@ TEST_F(LocalTextureTest, RangesGiveTheSameLayersAsAllTogether) {
 }
 
 TEST_F(LocalTextureTest, AWholeFileIsOnePiece) {
-  for (const EngraveFormat format : {EngraveFormat::kStl, EngraveFormat::kObj, EngraveFormat::kPng,
-                                     EngraveFormat::kMapPng}) {
+  for (const EngraveFormat format :
+       {EngraveFormat::kStl, EngraveFormat::kObj, EngraveFormat::kPng, EngraveFormat::kMapPng}) {
     const auto input = Input(format);
     const auto layout = stage_->LayOut({}, input);
     ASSERT_TRUE(layout.ok()) << layout.status();

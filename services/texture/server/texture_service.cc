@@ -27,7 +27,7 @@ absl::Status Engrave(const TextureStage& stage, rpc::Call& call, Stream& stream,
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared) {
   auto service = std::make_unique<rpc::GatedService<v1::Texture>>(gate);
   service->Add("MapSurface", &v1::Texture::Service::MapSurface,

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/stages.h"
 #include "common/stage/texture_stage.h"
 
@@ -13,7 +13,7 @@ namespace slicefarm::texture {
 
 /// Returns the gRPC service slicefarm.v1.Texture, which calls a TextureStage. `stage`, `gate` and
 /// `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared);
 
 }  // namespace slicefarm::texture

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/rpc/server/serve.h"
-#include "common/rpc/server/shared_keeper.h"
+#include "common/rpc/server/shared_store.h"
 #include "common/rpc/server/stage_command_line.h"
 #include "processes/list/tasks.h"
 #include "services/beading/algo/local_beading_stage.h"
@@ -59,9 +59,9 @@ int main(int argc, char** argv) {
                                                               .exposure = exposure.get(),
                                                               .milling = milling.get(),
                                                               .texture = texture.get()});
-  slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
+  slicefarm::rpc::CallLimiter gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  slicefarm::rpc::SharedKeeper keeper(program.log());
+  slicefarm::rpc::SharedStore keeper(program.log());
   program.Show(keeper.cache());
   const auto service = slicefarm::worker::MakeWorkerService(runners, gate, keeper.cache());
   return program.Run(flags, {service.get(), &keeper.service()});

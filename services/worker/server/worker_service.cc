@@ -16,7 +16,7 @@ namespace {
 
 class WorkerService final : public v1::Worker::Service {
  public:
-  WorkerService(const TaskRunner& runner, rpc::CallGate& gate, SharedCache& shared)
+  WorkerService(const TaskRunner& runner, rpc::CallLimiter& gate, SharedCache& shared)
       : runner_(runner), gate_(gate), shared_(shared) {}
 
   grpc::Status WorkRange(
@@ -29,7 +29,7 @@ class WorkerService final : public v1::Worker::Service {
   absl::Status Work(rpc::Call& call, WorkerEnd& end) const;
 
   const TaskRunner& runner_;
-  rpc::CallGate& gate_;
+  rpc::CallLimiter& gate_;
   SharedCache& shared_;
 };
 
@@ -76,7 +76,7 @@ absl::Status WorkerService::Work(rpc::Call& call, WorkerEnd& end) const {
   return wire->SendResult(*std::move(result), end);
 }
 
-std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallLimiter& gate,
                                                  SharedCache& shared) {
   return std::make_unique<WorkerService>(runner, gate, shared);
 }

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "common/base/shared/shared_cache.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/task.h"
 
 namespace slicefarm::worker {
@@ -13,7 +13,7 @@ namespace slicefarm::worker {
 /// Returns the service slicefarm.v1.Worker, which passes its calls to a TaskRunner. The slots of
 /// the gate are the slots of the worker. `shared`: cache of the values that the tasks of a job
 /// share. The runner, the gate and `shared` must outlive the service.
-std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate,
+std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallLimiter& gate,
                                                  SharedCache& shared);
 
 }  // namespace slicefarm::worker

@@ -81,7 +81,7 @@ SettingSpec SolidFill(std::string_view key, std::string_view standard, std::stri
                       Field field) {
   std::vector<Choice> choices;
   for (const FillPatternInfo& info : kFillPatterns)
-    if (info.solid != SolidWay::kNone)
+    if (info.solid != SolidFillStyle::kNone)
       choices.push_back({info.name, static_cast<int>(info.pattern)});
   return {.key = key,
           .kind = Kind::kChoice,
@@ -93,7 +93,7 @@ SettingSpec SolidFill(std::string_view key, std::string_view standard, std::stri
 
 /// Returns a field for the number of solid layers that the setting requests. It excludes layers
 /// added for the thickness (shells.h).
-template <int32_t InfillOptions::*kLayers, SkinSpare InfillOptions::*kSpare>
+template <int32_t InfillOptions::*kLayers, ShellExtra InfillOptions::*kSpare>
 Field LayersField() {
   return Convert<RegionRow>(
       [](RegionRow& row, const Value& value) {
@@ -265,7 +265,7 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "1",
        .doc = "Flow of bridge lines relative to normal lines; 1: the same",
        .field = Bind<&RegionRow::infill, &InfillOptions::bridge_flow>(),
-       .also = Bind<&RegionRow::motion, &RegionSpeeds::bridge_flow>(),
+       .also = Bind<&RegionRow::motion, &RegionMotion::bridge_flow>(),
        .orca = {{"bridge_flow"}}},
       {.key = "top_solid_infill_flow_ratio",
        .min = 0.1,
@@ -288,7 +288,7 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Print bridges as round threads as wide as the nozzle, which span more and sag below "
               "their layer; 0: as lines of the layer's height",
        .field = Bind<&RegionRow::infill, &InfillOptions::thick_bridges>(),
-       .also = Bind<&RegionRow::motion, &RegionSpeeds::thick_bridges>(),
+       .also = Bind<&RegionRow::motion, &RegionMotion::thick_bridges>(),
        .orca = {{"thick_bridges"}}},
       {.key = "internal_bridge_flow",
        .min = 0,
@@ -296,7 +296,7 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "0",
        .doc = "Flow of bridges over sparse infill, relative to normal lines; 0: bridge_flow_ratio",
        .field = Bind<&RegionRow::infill, &InfillOptions::internal_bridge_flow>(),
-       .also = Bind<&RegionRow::motion, &RegionSpeeds::internal_bridge_flow>(),
+       .also = Bind<&RegionRow::motion, &RegionMotion::internal_bridge_flow>(),
        .orca = {{"internal_bridge_flow"}}},
       {.key = "thick_internal_bridges",
        .kind = Kind::kFlag,

@@ -329,9 +329,9 @@ std::vector<SettingSpec> Sequence() {
        .max = 2000,
        .standard = "0",
        .doc = "Height of the printer's lid above the nozzle tip. With complete_objects, only the "
-              "last copy may be higher, and a copy higher than extruder_clearance_height may stand "
-              "where the gantry, a rod along x, does not pass while later copies are printed. 0: "
-              "the gantry covers the whole bed",
+              "last copy may be higher. A copy higher than extruder_clearance_height must be where "
+              "the gantry, a rod along x, does not pass for later copies. 0: the gantry covers the "
+              "whole bed",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::lid_height_nm>(),
        .orca = {{"extruder_clearance_height_to_lid"}}},

@@ -8,7 +8,7 @@ constexpr double kMaxAcceleration = 1e6;
 
 template <Feature kFeature>
 Field SpeedOf() {
-  return Bind<&RegionRow::motion, &RegionSpeeds::speed_mm_s, static_cast<int>(kFeature)>();
+  return Bind<&RegionRow::motion, &RegionMotion::speed_mm_s, static_cast<int>(kFeature)>();
 }
 
 template <Feature kFeature>
@@ -73,7 +73,7 @@ SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
 template <int kDegree>
 SettingSpec OverhangSpeed(std::string_view key, std::string_view standard, std::string_view doc) {
   return RelativeSpeed(key, standard, "external_perimeter_speed", doc,
-                       Bind<&RegionRow::motion, &RegionSpeeds::overhang_speed_mm_s, kDegree>());
+                       Bind<&RegionRow::motion, &RegionMotion::overhang_speed_mm_s, kDegree>());
 }
 
 std::vector<SettingSpec> Overhangs() {
@@ -83,13 +83,13 @@ std::vector<SettingSpec> Overhangs() {
        .standard = "1",
        .doc = "Print walls that overhang completely as bridges, with the speed, fan speed and flow "
               "of bridges",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::bridging_walls>(),
+       .field = Bind<&RegionRow::motion, &RegionMotion::bridging_walls>(),
        .orca = {{"detect_overhang_wall"}}},
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Slow overhanging walls down to overhang_speed_0 to _3, interpolated between them",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::dynamic_overhangs>(),
+       .field = Bind<&RegionRow::motion, &RegionMotion::dynamic_overhangs>(),
        .orca = {{"enable_overhang_speed"}}},
       Orca({"overhang_4_4_speed"},
            OverhangSpeed<0>("overhang_speed_0", "15",
@@ -160,7 +160,7 @@ std::vector<SettingSpec> Speeds() {
                "small_perimeter_speed", "15", "perimeter_speed",
                "Speed of walls that are loops with a radius of small_perimeter_threshold or less; "
                "0: max_print_speed",
-               Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_speed_mm_s>())),
+               Bind<&RegionRow::motion, &RegionMotion::small_perimeter_speed_mm_s>())),
       {.key = "small_perimeter_threshold",
        .unit = "mm",
        .min = 0,
@@ -168,7 +168,7 @@ std::vector<SettingSpec> Speeds() {
        .standard = "6.5",
        .doc = "Radius of the largest loops that are printed at small_perimeter_speed; 0: none. The "
               "default of OrcaSlicer is 0",
-       .field = Bind<&RegionRow::motion, &RegionSpeeds::small_perimeter_radius_mm>(),
+       .field = Bind<&RegionRow::motion, &RegionMotion::small_perimeter_radius_mm>(),
        .orca = {{"small_perimeter_threshold"}}},
       Orca({"sparse_infill_speed"},
            Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",

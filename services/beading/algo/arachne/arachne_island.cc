@@ -6,7 +6,7 @@
 
 #include "common/model/bead_section.h"
 #include "common/model/options/beading_options.h"
-#include "services/beading/algo/arachne/wide_walls.h"
+#include "services/beading/algo/arachne/constant_width_walls.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
 namespace slicefarm::beading {
@@ -61,7 +61,7 @@ Path ArachneIslands::PathOf(WallLine line) const {
 }
 
 absl::StatusOr<std::optional<IslandBeads>> ArachneIslands::Make(const PolygonWithHoles& outline,
-                                                                 const CancelToken& cancel) const {
+                                                                const CancelToken& cancel) const {
   std::optional<VariableWalls> walls =
       TryWideWalls(outline, *strategy_, plan_.perimeters, wall_options_);
   if (!walls) walls = MakeVariableWalls(outline, *strategy_, wall_options_);

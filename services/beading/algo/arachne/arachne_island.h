@@ -30,7 +30,7 @@ class ArachneIslands {
   /// Returns the walls of an island. Returns nothing if walls of variable width are impossible (see
   /// MakeVariableWalls).
   absl::StatusOr<std::optional<IslandBeads>> Make(const PolygonWithHoles& outline,
-                                                   const CancelToken& cancel) const;
+                                                  const CancelToken& cancel) const;
 
  private:
   Path PathOf(WallLine line) const;

@@ -70,11 +70,11 @@ class CountPlanner {
 
   void JoinUpwards(int half, const std::vector<char>& before) {
     const int count = strategy_.OptimalCount(Thickness(graph_.FromNode(half).radius));
-    std::vector<int> way;
+    std::vector<int> path;
     double length = 0;
     for (int at = half; at >= 0; at = SteepestUp(graph_.To(at), before)) {
       if (graph_.ToNode(at).radius <= graph_.FromNode(at).radius) return;
-      way.push_back(at);
+      path.push_back(at);
       length += graph_.Length(at);
       const int there = strategy_.OptimalCount(Thickness(graph_.ToNode(at).radius));
       if (there > count + 1) return;
@@ -82,7 +82,7 @@ class CountPlanner {
           length > static_cast<double>(strategy_.TransitionLength(std::max(1, count))))
         return;
     }
-    for (const int step : way) central_[step / 2] = true;
+    for (const int step : path) central_[step / 2] = true;
   }
 
   /// Returns the next edge of the steepest path upwards; -1 at a top and at a node with a central

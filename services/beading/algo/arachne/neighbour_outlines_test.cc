@@ -73,8 +73,7 @@ TEST(NeighbourOutlines, PlacesAreThoseOfThePlane) {
   // The end of the strips is 0.1 mm away.
   EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 9.9e6, 0, 90'000, kBandNm), 95'000);
   // In the second layer the position is 0.26 mm from the outline.
-  EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 0, 50'000, 250'000, kBandNm),
-                   255'000);
+  EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 0, 50'000, 250'000, kBandNm), 255'000);
 }
 
 // This is the purpose of the class: a close decision has the same result in all layers, in any

@@ -36,10 +36,9 @@ void DropTips(const WallPlan& plan, size_t walls, std::vector<Path>& beads) {
 
 }  // namespace
 
-absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
-                                               const WallPlan& plan,
-                                               const GapFillOptions& gap_options,
-                                               const CancelToken& cancel) {
+absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline, const WallPlan& plan,
+                                              const GapFillOptions& gap_options,
+                                              const CancelToken& cancel) {
   IslandBeads island;
   IslandWalls walls = MakeConstantWalls(outline, plan);
   AppendWalls(walls.centre_lines, plan, island.walls);

@@ -10,9 +10,8 @@ namespace slicefarm::beading {
 
 /// Makes the walls of an island, with constant width, and beads of variable width in the gaps
 /// between them.
-absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
-                                               const WallPlan& plan,
-                                               const GapFillOptions& gap_options,
-                                               const CancelToken& cancel);
+absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline, const WallPlan& plan,
+                                              const GapFillOptions& gap_options,
+                                              const CancelToken& cancel);
 
 }  // namespace slicefarm::beading

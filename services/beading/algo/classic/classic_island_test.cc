@@ -50,8 +50,7 @@ TEST(ClassicIsland, WallsHaveTheWidthsAndTheFillAreaWhatTheyLeave) {
 }
 
 TEST(ClassicIsland, HolesHaveWallsToo) {
-  const IslandBeads island =
-      IslandOf("(0 0, 20 0, 20 20, 0 20) (8 8, 12 8, 12 12, 8 12)", Plan(2));
+  const IslandBeads island = IslandOf("(0 0, 20 0, 20 20, 0 20) (8 8, 12 8, 12 12, 8 12)", Plan(2));
   ASSERT_EQ(island.walls.size(), 4u);
   int external = 0, around_the_hole = 0;
   for (const Path& wall : island.walls) {

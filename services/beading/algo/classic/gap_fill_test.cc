@@ -95,21 +95,19 @@ TEST_P(NarrowFillArea, HasTheBeadsThatAreWorthTheirTravel) {
 // below 0.02 mm2.
 INSTANTIATE_TEST_SUITE_P(
     GapFill, NarrowFillArea,
-    testing::Values(FillAreaCase{"Wide", "(0 0, 9 0, 9 9, 0 9)", 0, 81},
-                    FillAreaCase{"Strip", "(0 0, 9 0, 9 0.6, 0 0.6)", 1, 0},
-                    FillAreaCase{"DotAlone", "(0 0, 0.5 0, 0.5 0.5, 0 0.5)", 1, 0},
-                    FillAreaCase{"SpeckAlone", "(0 0, 0.1 0, 0.1 0.1, 0 0.1)", 0, 0},
-                    FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 11 2.3, 11 2.7, 5 2.7, 5 5, 0 5)", 1,
-                                 25},
-                    FillAreaCase{"ShortEnd",
-                                 "(0 0, 5 0, 5 2.3, 5.9 2.3, 5.9 2.7, 5 2.7, 5 5, 0 5)", 0, 25.36},
-                    FillAreaCase{"LongNeck",
-                                 "(0 0, 5 0, 5 2.3, 11 2.3, 11 0, 16 0, 16 5, 11 5, 11 2.7, 5 2.7, "
-                                 "5 5, 0 5)",
-                                 1, 50},
-                    FillAreaCase{"Wedge", "(0 0, 5 0, 8 2.5, 5 5, 0 5)", 0, 32.5},
-                    FillAreaCase{"EachOnItsOwn",
-                                 "(0 0, 9 0, 9 0.6, 0 0.6); (0 2, 9 2, 9 9, 0 9)", 1, 63}),
+    testing::Values(
+        FillAreaCase{"Wide", "(0 0, 9 0, 9 9, 0 9)", 0, 81},
+        FillAreaCase{"Strip", "(0 0, 9 0, 9 0.6, 0 0.6)", 1, 0},
+        FillAreaCase{"DotAlone", "(0 0, 0.5 0, 0.5 0.5, 0 0.5)", 1, 0},
+        FillAreaCase{"SpeckAlone", "(0 0, 0.1 0, 0.1 0.1, 0 0.1)", 0, 0},
+        FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 11 2.3, 11 2.7, 5 2.7, 5 5, 0 5)", 1, 25},
+        FillAreaCase{"ShortEnd", "(0 0, 5 0, 5 2.3, 5.9 2.3, 5.9 2.7, 5 2.7, 5 5, 0 5)", 0, 25.36},
+        FillAreaCase{"LongNeck",
+                     "(0 0, 5 0, 5 2.3, 11 2.3, 11 0, 16 0, 16 5, 11 5, 11 2.7, 5 2.7, "
+                     "5 5, 0 5)",
+                     1, 50},
+        FillAreaCase{"Wedge", "(0 0, 5 0, 8 2.5, 5 5, 0 5)", 0, 32.5},
+        FillAreaCase{"EachOnItsOwn", "(0 0, 9 0, 9 0.6, 0 0.6); (0 2, 9 2, 9 9, 0 9)", 1, 63}),
     [](const auto& info) { return info.param.name; });
 
 TEST(NarrowFillAreas, StopsWhenCancelled) {

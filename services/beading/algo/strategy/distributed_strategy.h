@@ -10,7 +10,7 @@ struct DistributedOptions {
   /// Smallest width of a bead, if the count is the optimal one for the thickness.
   Coord min_width_nm = 340'000;
   Coord max_width_nm = 800'000;  ///< largest width of a bead, for any count
-  /// Growth of the middle bead before it is split, as a fraction of a width.
+  /// ShrinkageCompensation of the middle bead before it is split, as a fraction of a width.
   double split_threshold = 0.7;
   /// Free space in the middle before a bead is added, as a fraction of a width.
   double add_threshold = 0.85;

@@ -28,9 +28,9 @@ struct JobInput {
 };
 
 /// Part of a report that exists only for one process.
-class OwnReport {
+class ProcessReport {
  public:
-  virtual ~OwnReport() = default;
+  virtual ~ProcessReport() = default;
 
   /// Adds the keys of this part to the report.
   virtual void AddTo(nlohmann::ordered_json& json) const = 0;
@@ -42,9 +42,10 @@ struct JobReport {
   int32_t layer_count = 0;
   double object_height_mm = 0;
   double print_time_s = 0;
-  std::string file_name;           ///< file name from the settings; empty if they give none
-  FilamentUse filament;            ///< empty if the process uses no filament
-  std::unique_ptr<OwnReport> own;  ///< the process's own part of the report; null if it has none
+  std::string file_name;  ///< file name from the settings; empty if they give none
+  FilamentUse filament;   ///< empty if the process uses no filament
+  std::unique_ptr<ProcessReport>
+      own;  ///< the process's own part of the report; null if it has none
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< warnings, for example about defects of a mesh
   std::vector<std::string> notes;     ///< choices of the planning stage, with their reasons

@@ -16,7 +16,7 @@ struct ReportContext {
 };
 
 /// Returns the report as JSON. Keys: `meshes`, `layers`, `object_height_mm`, `print_time_s`,
-/// `print_time`, the keys of OwnReport, `stage_times_s`, `warnings`, `notes`,
+/// `print_time`, the keys of ProcessReport, `stage_times_s`, `warnings`, `notes`,
 /// `settings_without_effect`, `settings_digest`, `build_id`. Replaces bytes of names that are no
 /// UTF-8.
 std::string ReportJson(const JobReport& report, const ReportContext& context);

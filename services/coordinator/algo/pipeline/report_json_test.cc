@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator::report_json_test {
 namespace {
 
-struct Own : OwnReport {
+struct Own : ProcessReport {
   void AddTo(nlohmann::ordered_json& json) const override { json["own"] = 7; }
 };
 

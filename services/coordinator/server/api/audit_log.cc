@@ -58,8 +58,7 @@ void Collect(const Message& message, std::vector<std::string>& objects) {
 
 class AuditLog : public grpc::experimental::Interceptor {
  public:
-  AuditLog(const Callers& callers, const rpc::JsonLog& log,
-           grpc::experimental::ServerRpcInfo& info)
+  AuditLog(const Callers& callers, const rpc::JsonLog& log, grpc::experimental::ServerRpcInfo& info)
       : callers_(callers), log_(log), info_(info) {}
 
   void Intercept(grpc::experimental::InterceptorBatchMethods* methods) override {

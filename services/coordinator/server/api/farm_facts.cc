@@ -37,8 +37,8 @@ absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, Blo
 
 void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
   if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
-  const Process process =
-      EnumFromProto<Process>(job.spec().process(), kProcessCount, "process").value_or(kDefaultProcess);
+  const Process process = EnumFromProto<Process>(job.spec().process(), kProcessCount, "process")
+                              .value_or(kDefaultProcess);
   if (executor.Slots(process) > 0) return;
   job.set_waits_for(fmt::format("a worker: none that runs jobs of process {} is connected",
                                 ProcessName(process)));

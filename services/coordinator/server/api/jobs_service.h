@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/rpc/observe/json_log.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/rpc/server/call_queue.h"
 #include "common/stage/memory_budget.h"
 #include "common/stage/plates.h"
@@ -165,7 +165,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
 
   JobsBackend backend_;
   Transfers downloads_;
-  rpc::CallGate preflights_;  ///< limits preflights, which take as long as slicing
+  rpc::CallLimiter preflights_;  ///< limits preflights, which take as long as slicing
   TenantPlaces preflights_of_tenants_;
   TenantTurns preflight_turns_;
   TenantPlaces lists_of_tenants_;

@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/rpc/observe/json_log.h"
-#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/call_limiter.h"
 #include "common/stage/memory_budget.h"
 #include "services/coordinator/remote/remote_projects.h"
 #include "services/coordinator/server/api/callers.h"
@@ -66,7 +66,7 @@ class MeshesService final : public v1::Meshes::Service {
   MeshesBackend backend_;
   Transfers uploads_;
   Transfers downloads_;
-  rpc::CallGate projects_;
+  rpc::CallLimiter projects_;
   TenantPlaces projects_of_tenants_;
   TenantPlaces lists_of_tenants_;
 };

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "absl/status/statusor.h"
-
 #include "common/model/layers/layer.h"
 
 namespace slicefarm::coordinator {

@@ -13,9 +13,9 @@
 #include "common/stage/memory_budget.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/run/lost_runs.h"
-#include "services/coordinator/run/progress_gate.h"
+#include "services/coordinator/run/progress_throttle.h"
+#include "services/coordinator/run/run_requests.h"
 #include "services/coordinator/run/run_steps.h"
-#include "services/coordinator/run/run_wishes.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/server/execution/resolved_jobs.h"
@@ -67,7 +67,7 @@ class JobRun {
   /// Returns the lease of the job.
   const Lease& lease() const { return lease_; }
   /// Returns the requests to end the run, shared with the code that sets them.
-  const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
+  const std::shared_ptr<RunRequests>& wishes() const { return wishes_; }
 
  private:
   absl::StatusOr<bool> Take(RunSteps::Step step, const absl::Status& error);
@@ -89,10 +89,10 @@ class JobRun {
   const LostRuns lost_runs_;
   const std::string result_tenant_;
   const Lease lease_;
-  const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
+  const std::shared_ptr<RunRequests> wishes_ = std::make_shared<RunRequests>(job_.deadline_us);
   std::shared_ptr<const ResolvedJob> resolved_;  ///< set by FindCached
   std::optional<RunOutput> output_;              ///< set by Compute, removed by Keep
-  ProgressGate progress_;
+  ProgressThrottle progress_;
   bool ended_ = false;
   bool met_other_build_ = false;
   Stopwatch clock_;

@@ -115,9 +115,8 @@ void JobRunner::Serve(Place place) {
     if (run && run->lost()) calm_since_us_ = NowUs();
     if (draining_) wake_.notify_all();
     if (run) continue;
-    const bool woken = wake_.wait_for(lock, options_.poll, [&] {
-      return stopping_ || draining_ || wakes_ != seen;
-    });
+    const bool woken = wake_.wait_for(lock, options_.poll,
+                                      [&] { return stopping_ || draining_ || wakes_ != seen; });
     if (!woken) ++wakes_;  // some jobs become claimable without a notification
   }
 }

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "services/coordinator/run/lease_book.h"
+#include "services/coordinator/run/lease_table.h"
 #include "services/coordinator/server/execution/job_run.h"
 
 namespace slicefarm::coordinator {
@@ -82,7 +82,7 @@ class JobRunner {
   std::mutex claim_mutex_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  LeaseBook leases_;           ///< leases of the running jobs
+  LeaseTable leases_;          ///< leases of the running jobs
   int64_t calm_since_us_ = 0;  ///< start of this process, or time of the last lost lease
   bool unanswered_ = false;    ///< true if the last renewal failed or has no answer yet
   int at_work_ = 0;            ///< threads that claim or run a job

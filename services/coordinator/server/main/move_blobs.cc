@@ -60,7 +60,7 @@ absl::Status Move(const StoreOptions& from, const S3Flags& to) {
     fmt::print("moved {} blobs, {} bytes\n", count, bytes);
     std::fflush(stdout);
   };
-  absl::Status settled = blobs.Settle([&](const BlobEntry& blob) {
+  absl::Status settled = blobs.DeriveOptions([&](const BlobEntry& blob) {
     bytes += blob.size;
     if (++count % kTellEach == 0) tell();
   });

@@ -44,7 +44,8 @@ absl::StatusOr<S3Credentials> ParseS3Credentials(const std::string& text) {
   if (!json.is_object()) return absl::InvalidArgumentError("S3: a JSON object is needed");
   S3Credentials credentials;
   for (const auto& [key, value] : json.items()) {
-    if (!value.is_string()) return absl::InvalidArgumentError(absl::StrCat("S3: ", key, ": a text is needed"));
+    if (!value.is_string())
+      return absl::InvalidArgumentError(absl::StrCat("S3: ", key, ": a text is needed"));
     if (key == "access_key") {
       credentials.access_key = value.get<std::string>();
     } else if (key == "secret_key") {

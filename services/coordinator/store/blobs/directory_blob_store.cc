@@ -146,7 +146,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusNow(const std::string& dige
     const auto size = file->Size();
     if (!size.ok()) return size.status();
     if (complete) {
-      if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
+      if (absl::Status settled = DeriveOptions(FolderOf(digest)); !settled.ok()) return settled;
     }
     return BlobStatus{*size, complete};
   }
@@ -200,7 +200,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest,
 
 /// Creates the folder if it does not exist. Afterwards, all names that the folder had before are on
 /// disk.
-absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
+absl::Status DirectoryBlobStore::DeriveOptions(const std::string& folder) {
   const auto settled = [&] {
     Lock lock(doubts_mutex_);
     return settled_.contains(folder);
@@ -218,7 +218,7 @@ absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
 /// Makes the file the blob by renaming it. REQUIRES: the bytes of the file are on disk.
 absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::string& digest) {
   const std::string folder = FolderOf(digest);
-  if (absl::Status settled = Settle(folder); !settled.ok()) return settled;
+  if (absl::Status settled = DeriveOptions(folder); !settled.ok()) return settled;
   {
     Lock lock(NameOf(digest));
     if (absl::Status renamed = RenameFile(file, BlobPath(digest)); !renamed.ok()) return renamed;
@@ -276,7 +276,7 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   if (!file.ok()) return false;
   const auto got = DigestOf(*file);
   if (!got.ok() || *got != digest) return false;
-  if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
+  if (absl::Status settled = DeriveOptions(FolderOf(digest)); !settled.ok()) return settled;
   return Touch(digest);
 }
 

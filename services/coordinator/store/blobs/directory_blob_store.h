@@ -56,7 +56,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status SyncUpload(const std::string& digest, const PosixFile& file);
   absl::StatusOr<bool> HasGood(const std::string& digest);
   absl::Status Corrupt(const std::string& digest, const std::string& got);
-  absl::Status Settle(const std::string& folder);
+  absl::Status DeriveOptions(const std::string& folder);
   absl::Status Complete(const std::string& file, const std::string& digest);
   absl::Status Adopt(const std::string& file, const std::string& digest, int64_t size);
 

@@ -91,8 +91,8 @@ class PostgresBlobStoreTest : public testing::Test {
     return content;
   }
 
-  const std::shared_ptr<CountedDatabase> database_ = std::make_shared<CountedDatabase>(
-      *PostgresDatabase::Open(SharedPostgres().NewDatabase()));
+  const std::shared_ptr<CountedDatabase> database_ =
+      std::make_shared<CountedDatabase>(*PostgresDatabase::Open(SharedPostgres().NewDatabase()));
   const std::shared_ptr<BlobStore> store_ = std::make_shared<PostgresBlobStore>(database_);
 };
 

@@ -15,11 +15,11 @@
 #include "common/base/error.h"
 #include "common/base/from_environment_test.h"
 #include "common/base/temp_directory_test.h"
-#include "tests/support/memory_job_store.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/store_place_test.h"
+#include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::job_store_contract_test {
 

@@ -28,13 +28,13 @@ absl::StatusOr<std::vector<std::string>> S3Blobs::Tenants() {
   return std::vector<std::string>(all.begin(), all.end());
 }
 
-absl::Status S3Blobs::Settle(const std::function<void(const BlobEntry&)>& moved) {
+absl::Status S3Blobs::DeriveOptions(const std::function<void(const BlobEntry&)>& moved) {
   const auto tenants = staged_->Tenants();
   if (!tenants.ok()) return tenants.status();
   for (const std::string& tenant : *tenants) {
     const auto store = StoreOf(tenant);
     if (!store.ok()) return store.status();
-    if (absl::Status settled = (*store)->Settle(moved); !settled.ok()) return settled;
+    if (absl::Status settled = (*store)->DeriveOptions(moved); !settled.ok()) return settled;
   }
   return absl::OkStatus();
 }

@@ -29,8 +29,8 @@ struct ConvexPieces {
   Coord scale = 1;
   std::vector<Polygon> pieces;  ///< counter-clockwise, without straight corners
   CutCounts counts;
-  double min_cut_angle_deg = 180;  ///< smallest angle between a cut and an edge
-  int64_t ruled_cuts = 0;          ///< cuts that end at a corner chosen by the rule of 30 degrees
+  double min_cut_angle_deg = 180;    ///< smallest angle between a cut and an edge
+  int64_t ruled_cuts = 0;            ///< cuts that end at a corner chosen by the rule of 30 degrees
   double min_ruled_angle_deg = 180;  ///< smallest angle at that corner, of all ruled cuts
 };
 

@@ -124,16 +124,16 @@ bool LinkChoice::Sees(Vector2 at) {
 
 /// Returns a cut that divides A by `share` and ends on the first edge in this direction.
 std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share) {
-  const Vector2 way = Between(in_, out_, share);
+  const Vector2 path = Between(in_, out_, share);
   const Edge* hit = nullptr;
   double nearest = 0;
   for (const Edge& edge : edges_) {
-    const double from = Cross(way, edge.from), to = Cross(way, edge.to);
+    const double from = Cross(path, edge.from), to = Cross(path, edge.to);
     // The interior is to the left of an edge, so that only edges that pass from right to left are
     // visible.
     if (!(from <= 0 && to > 0) || edge.origin_side <= 0) continue;
     const double t = from / (from - to);
-    const double distance = Dot(way, edge.from + t * (edge.to - edge.from));
+    const double distance = Dot(path, edge.from + t * (edge.to - edge.from));
     if (hit == nullptr || distance < nearest) {
       hit = &edge;
       nearest = distance;
@@ -149,7 +149,7 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
   const double high = share_on_hit(Between(in_, out_, share + kShareTolerance), 1);
   const Polygon& ring = region.rings[hit->index.ring];
   const Point a = ring[hit->index.point], b = After(ring, hit->index.point);
-  const double middle = share_on_hit(way, 0.5);
+  const double middle = share_on_hit(path, 0.5);
   const double span = std::min({middle - low, high - middle, 0.9 * middle, 0.9 * (1 - middle)});
   if (!(span > 0)) return std::nullopt;
   const EdgePoint place = PointOnEdge(a, b, middle - span, middle + span);

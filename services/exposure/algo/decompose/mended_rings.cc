@@ -72,7 +72,7 @@ struct Way {
 /// Divides edges where corners touch them, and removes pairs of opposite edges. Returns them
 /// sorted.
 absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
-  std::vector<Way> ways;
+  std::vector<Way> paths;
   for (Edge& edge : edges) {
     const auto from_start = [&](Point p, Point q) {
       return Distance(edge.a, p) < Distance(edge.a, q);
@@ -80,17 +80,17 @@ absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
     std::sort(edge.touches.begin(), edge.touches.end(), from_start);
     Point from = edge.a;
     for (const Point p : edge.touches) {
-      if (p != from) ways.push_back({from, p});
+      if (p != from) paths.push_back({from, p});
       from = p;
     }
-    ways.push_back({from, edge.b});
+    paths.push_back({from, edge.b});
   }
-  std::sort(ways.begin(), ways.end());
+  std::sort(paths.begin(), paths.end());
   std::vector<Way> left;
-  for (size_t i = 0; i < ways.size(); ++i) {
-    if (i > 0 && !(ways[i - 1] < ways[i])) return Malformed("lie on each other", ways[i].from);
-    if (!std::binary_search(ways.begin(), ways.end(), Way{ways[i].to, ways[i].from}))
-      left.push_back(ways[i]);
+  for (size_t i = 0; i < paths.size(); ++i) {
+    if (i > 0 && !(paths[i - 1] < paths[i])) return Malformed("lie on each other", paths[i].from);
+    if (!std::binary_search(paths.begin(), paths.end(), Way{paths[i].to, paths[i].from}))
+      left.push_back(paths[i]);
   }
   return left;
 }
@@ -108,29 +108,29 @@ bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
 
 /// Follows the edges from corner to corner to rings. At each corner the first edge clockwise is
 /// next, so that no other edge is between it and the edge that arrives.
-absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> ways) {
+absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> paths) {
   const auto leaving = [&](Point p) {
-    const auto first = std::lower_bound(ways.begin(), ways.end(), Way{p, {INT64_MIN, INT64_MIN}});
+    const auto first = std::lower_bound(paths.begin(), paths.end(), Way{p, {INT64_MIN, INT64_MIN}});
     auto last = first;
-    while (last != ways.end() && last->from == p) ++last;
+    while (last != paths.end() && last->from == p) ++last;
     return std::span<Way>(first, last);
   };
   std::vector<Polygon> rings;
-  for (Way& start : ways) {
+  for (Way& start : paths) {
     if (start.used) continue;
     Polygon ring;
-    for (Way* way = &start; !way->used;) {
-      way->used = true;
-      ring.push_back(way->from);
-      const Vector2 back = ToVector(way->from - way->to);
+    for (Way* path = &start; !path->used;) {
+      path->used = true;
+      ring.push_back(path->from);
+      const Vector2 back = ToVector(path->from - path->to);
       Way* next = nullptr;
-      for (Way& other : leaving(way->to)) {
+      for (Way& other : leaving(path->to)) {
         if (next == nullptr ||
             ComesFirst(back, ToVector(other.to - other.from), ToVector(next->to - next->from)))
           next = &other;
       }
-      if (next == nullptr) return Malformed("are not closed", way->to);
-      way = next;
+      if (next == nullptr) return Malformed("are not closed", path->to);
+      path = next;
     }
     rings.push_back(std::move(ring));
   }
@@ -217,9 +217,9 @@ absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands) {
       if (const Edge edge{(*ring)[i], (*ring)[(i + 1) % ring->size()]}; edge.a != edge.b)
         edges.push_back(edge);
   if (absl::Status status = FindTouches(edges); !status.ok()) return status;
-  auto ways = Divided(std::move(edges));
-  if (!ways.ok()) return ways.status();
-  auto followed = Followed(*std::move(ways));
+  auto paths = Divided(std::move(edges));
+  if (!paths.ok()) return paths.status();
+  auto followed = Followed(*std::move(paths));
   if (!followed.ok()) return followed.status();
   return Nested(*std::move(followed));
 }

@@ -106,7 +106,7 @@ TEST(OrderBlocks, AgainstGasGoesUpTheFlow) {
 TEST(OrderBlocks, FarthestJumpsFartherThanNearest) {
   std::mt19937_64 random(4);
   const auto blocks = RandomBlocks(60, random, false);
-  const auto way = [&](JumpOrder order) {
+  const auto path = [&](JumpOrder order) {
     double sum = 0;
     Point at;
     for (const BlockTurn& turn : OrderBlocks(blocks, order, {})) {
@@ -115,8 +115,8 @@ TEST(OrderBlocks, FarthestJumpsFartherThanNearest) {
     }
     return sum;
   };
-  EXPECT_GT(way(JumpOrder::kFarthest), way(JumpOrder::kChequerboard));
-  EXPECT_GT(way(JumpOrder::kChequerboard), way(JumpOrder::kNearest));
+  EXPECT_GT(path(JumpOrder::kFarthest), path(JumpOrder::kChequerboard));
+  EXPECT_GT(path(JumpOrder::kChequerboard), path(JumpOrder::kNearest));
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ constexpr double kLeastSquares = 1024;
 constexpr double kRounding = 1;
 
 double SquaredDistance(Vector2 p, Vector2 a, Vector2 b) {
-  const Vector2 way = b - a, at = p - a;
-  const double length2 = Dot(way, way);
-  const double t = length2 > 0 ? std::clamp(Dot(at, way) / length2, 0.0, 1.0) : 0;
-  const Vector2 off{at.x() - t * way.x(), at.y() - t * way.y()};
+  const Vector2 path = b - a, at = p - a;
+  const double length2 = Dot(path, path);
+  const double t = length2 > 0 ? std::clamp(Dot(at, path) / length2, 0.0, 1.0) : 0;
+  const Vector2 off{at.x() - t * path.x(), at.y() - t * path.y()};
   return Dot(off, off);
 }
 
@@ -37,9 +37,9 @@ bool AreApart(Vector2 a, Vector2 b, Vector2 c, Vector2 d, double distance) {
 using Span = std::pair<double, double>;
 
 /// Extends `span` by the values of t at which `a + t * way` is within `distance` of the point c.
-void AddCircle(Vector2 a, Vector2 way, Vector2 c, double distance, Span& span) {
-  const double length2 = Dot(way, way), along = Dot(c - a, way) / length2;
-  const Vector2 off{a.x() + along * way.x() - c.x(), a.y() + along * way.y() - c.y()};
+void AddCircle(Vector2 a, Vector2 path, Vector2 c, double distance, Span& span) {
+  const double length2 = Dot(path, path), along = Dot(c - a, path) / length2;
+  const Vector2 off{a.x() + along * path.x() - c.x(), a.y() + along * path.y() - c.y()};
   const double half2 = (distance * distance - Dot(off, off)) / length2;
   if (half2 < 0) return;
   const double half = std::sqrt(half2);
@@ -48,7 +48,7 @@ void AddCircle(Vector2 a, Vector2 way, Vector2 c, double distance, Span& span) {
 
 /// Extends `span` by the values of t at which `a + t * way` is in the rectangle that reaches
 /// `distance` to both sides of the segment cd.
-void AddRectangle(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance, Span& span) {
+void AddRectangle(Vector2 a, Vector2 path, Vector2 c, Vector2 d, double distance, Span& span) {
   const double length = Norm(d - c);
   if (!(length > 0)) return;
   const Vector2 unit{(d.x() - c.x()) / length, (d.y() - c.y()) / length};
@@ -62,19 +62,19 @@ void AddRectangle(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance,
     low = std::max(low, std::min(t, u));
     high = std::min(high, std::max(t, u));
   };
-  clip(Dot(a - c, unit), Dot(way, unit), 0, length);
-  clip(Cross(unit, a - c), Cross(unit, way), -distance, distance);
+  clip(Dot(a - c, unit), Dot(path, unit), 0, length);
+  clip(Cross(unit, a - c), Cross(unit, path), -distance, distance);
   if (low > high) return;
   span = {std::min(span.first, low), std::max(span.second, high)};
 }
 
 /// Returns the values of t at which `a + t * way` is within `distance` of the segment cd. If first
 /// > second, there is no such value.
-Span NearSpan(Vector2 a, Vector2 way, Vector2 c, Vector2 d, double distance) {
+Span NearSpan(Vector2 a, Vector2 path, Vector2 c, Vector2 d, double distance) {
   Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  AddCircle(a, way, c, distance, span);
-  AddCircle(a, way, d, distance, span);
-  AddRectangle(a, way, c, d, distance, span);
+  AddCircle(a, path, c, distance, span);
+  AddCircle(a, path, d, distance, span);
+  AddRectangle(a, path, c, d, distance, span);
   return span;
 }
 
@@ -114,9 +114,9 @@ BorderGrid::BorderGrid(const MultiPolygon& region, double reach_nm) : box_(Bound
   ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Vector2 a = Local(ring[i]), b = Local(ring[i + 1 == ring.size() ? 0 : i + 1]);
-      const Vector2 way = b - a;
-      const double length = Norm(way);
-      const Vector2 inward{-way.y() / length, way.x() / length};
+      const Vector2 path = b - a;
+      const double length = Norm(path);
+      const Vector2 inward{-path.y() / length, path.x() / length};
       if (length > 0) edges_.push_back({inward, Dot(inward, a), a, b});
     }
   });
@@ -265,10 +265,10 @@ bool BorderGrid::RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const {
 }
 
 bool BorderGrid::IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const {
-  const Vector2 way = b - a;
-  const double length = Norm(way);
+  const Vector2 path = b - a;
+  const double length = Norm(path);
   if (length <= 2 * ends_nm) return false;
-  const Vector2 end{way.x() * (ends_nm / length), way.y() * (ends_nm / length)};
+  const Vector2 end{path.x() * (ends_nm / length), path.y() * (ends_nm / length)};
   const Vector2 from{a.x() + end.x(), a.y() + end.y()}, to = b - end;
   const auto crosses_none = [&](size_t square) {
     return std::none_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
@@ -286,8 +286,8 @@ bool BorderGrid::IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const {
 /// inside if its middle is inside.
 bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const {
   if (RunsAlongEdge(a, b, distance_nm) || IsInsideButEnds(a, b, distance_nm)) return true;
-  const Vector2 way = b - a;
-  if (!(Dot(way, way) > 0)) return IsInside(a) || IsNearEdge(a, distance_nm);
+  const Vector2 path = b - a;
+  if (!(Dot(path, path) > 0)) return IsInside(a) || IsNearEdge(a, distance_nm);
   std::vector<Span> near;
   Follow(a, b, [&](size_t square) {
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
@@ -296,13 +296,13 @@ bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) cons
       if (std::min(left_a, left_b) > distance_nm || std::max(left_a, left_b) < -distance_nm ||
           edge.AreBeside(a, b, distance_nm))
         continue;
-      const Span span = NearSpan(a, way, edge.a, edge.b, distance_nm);
+      const Span span = NearSpan(a, path, edge.a, edge.b, distance_nm);
       if (span.first <= span.second) near.push_back(span);
     }
     return true;
   });
   return AllGaps(near, [&](double t) {
-    return IsInside({a.x() + t * way.x(), a.y() + t * way.y()});
+    return IsInside({a.x() + t * path.x(), a.y() + t * path.y()});
   });
 }
 
@@ -310,24 +310,24 @@ bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) cons
 /// squares far from the border. Returns true if visit never returned false.
 template <typename Visit>
 bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
-  const Vector2 way = b - a;
-  const Vector2 per_way{1 / way.x(), 1 / way.y()};  // infinite: never leaves on this axis
-  const double jump = square_ / std::max(std::abs(way.x()), std::abs(way.y()));
-  const int32_t ahead_x = way.x() >= 0 ? 1 : 0, ahead_y = way.y() >= 0 ? 1 : 0;
+  const Vector2 path = b - a;
+  const Vector2 per_path{1 / path.x(), 1 / path.y()};  // infinite: never leaves on this axis
+  const double jump = square_ / std::max(std::abs(path.x()), std::abs(path.y()));
+  const int32_t ahead_x = path.x() >= 0 ? 1 : 0, ahead_y = path.y() >= 0 ? 1 : 0;
   const Square end = At(b);
   for (Square at = At(a);;) {
     const size_t index = IndexOf(at);
     if (!visit(index)) return false;
     if (at.column == end.column && at.row == end.row) return true;
-    const double next_x = ((at.column + ahead_x) * square_ - a.x()) * per_way.x();
-    const double next_y = ((at.row + ahead_y) * square_ - a.y()) * per_way.y();
+    const double next_x = ((at.column + ahead_x) * square_ - a.x()) * per_path.x();
+    const double next_y = ((at.row + ahead_y) * square_ - a.y()) * per_path.y();
     const bool leaves_aside = !(next_y <= next_x);
     const double next = leaves_aside ? next_x : next_y;
     if (!(next < 1)) return true;
     if (room_[index] > 1) {  // jump to the end of the known free area
       const double far = next + (room_[index] - 1) * jump;
       if (!(far < 1)) return true;
-      at = At({a.x() + far * way.x(), a.y() + far * way.y()});
+      at = At({a.x() + far * path.x(), a.y() + far * path.y()});
     } else if (leaves_aside) {
       at.column += 2 * ahead_x - 1;
       if (at.column < 0 || at.column >= columns_) return true;
@@ -393,17 +393,17 @@ bool BorderGrid::IsNearEdge(Vector2 at, double distance_nm) const {
 std::optional<std::pair<Point, Point>> BorderGrid::LongestRun(Point a, Point b,
                                                               double distance_nm) const {
   if (!Has(a) || !Has(b) || a == b) return std::nullopt;
-  const Vector2 from = Local(a), to = Local(b), way = to - from;
+  const Vector2 from = Local(a), to = Local(b), path = to - from;
   std::vector<Span> spans;
   Follow(from, to, [&](size_t square) {
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
       const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
-      spans.push_back(NearSpan(from, way, edge.a, edge.b, distance_nm));
+      spans.push_back(NearSpan(from, path, edge.a, edge.b, distance_nm));
     }
     return true;
   });
   const auto place = [&](double t) {
-    return Point{a.x + std::llround(t * way.x()), a.y + std::llround(t * way.y())};
+    return Point{a.x + std::llround(t * path.x()), a.y + std::llround(t * path.y())};
   };
   const Span gap = LongestGap(spans);
   const std::pair run{place(gap.first), place(gap.second)};

@@ -1,9 +1,9 @@
 #include "services/exposure/algo/scan/hatch_angle.h"
 
-#include "processes/laser/model/exposure_options.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 namespace {

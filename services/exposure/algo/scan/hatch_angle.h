@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-
 namespace slicefarm {
 struct ExposureOptions;
 }  // namespace slicefarm

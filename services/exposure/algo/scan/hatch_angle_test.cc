@@ -1,4 +1,3 @@
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/hatch_angle.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::hatch_angle_test {
 namespace {

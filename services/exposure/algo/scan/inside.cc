@@ -1,8 +1,8 @@
 #include "services/exposure/algo/scan/inside.h"
 
-#include "processes/laser/model/exposure_options.h"
-
 #include <algorithm>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 namespace {

@@ -1,9 +1,10 @@
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/inside.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::inside_test {
 namespace {

@@ -1,10 +1,11 @@
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/layer_shift.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::layer_shift_test {
 namespace {

@@ -1,9 +1,10 @@
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/scan/line_blocks.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::line_blocks_test {
 namespace {

@@ -1,8 +1,8 @@
 #include "services/exposure/algo/writers/style_text.h"
 
-#include "processes/laser/model/exposure_options.h"
-
 #include <fmt/core.h>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure {
 

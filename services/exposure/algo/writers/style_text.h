@@ -2,7 +2,6 @@
 
 #include <string>
 
-
 namespace slicefarm {
 struct ExposureOptions;
 }  // namespace slicefarm

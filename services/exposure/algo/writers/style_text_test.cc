@@ -1,7 +1,8 @@
-#include "processes/laser/model/exposure_options.h"
 #include "services/exposure/algo/writers/style_text.h"
 
 #include <gtest/gtest.h>
+
+#include "processes/laser/model/exposure_options.h"
 
 namespace slicefarm::exposure::style_text_test {
 namespace {

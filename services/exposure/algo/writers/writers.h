@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "processes/laser/model/exposed_layer.h"
 #include "processes/laser/model/exposure_options.h"
-#include "services/exposure/algo/writers/own_code.h"
+#include "services/exposure/algo/writers/custom_laser_code.h"
 
 namespace slicefarm::exposure {
 
@@ -22,7 +22,7 @@ struct FileFacts {
   std::span<const std::string> object_names = {};  ///< names, indexed by object
   std::span<const ExposureOptions> regions = {};   ///< options, indexed by row of the job's tables
   ExposureOutput output;
-  std::string_view start_code = {}, end_code = {};  ///< texts of OwnCode
+  std::string_view start_code = {}, end_code = {};  ///< texts of CustomLaserCode
 };
 
 /// Returns true if the format has layer heads: the user's G-code is then in the file, also between

@@ -186,7 +186,7 @@ class AxisTree {
   const SkeletalGraph& graph_;
   /// Farthest circle of all branches pruned at a node, indexed by node.
   std::vector<SkeletalNode> tips_;
-  std::vector<bool> kept_;          ///< true if an edge is kept, indexed by edge
+  std::vector<bool> kept_;  ///< true if an edge is kept, indexed by edge
   std::vector<int> degree_;
   std::vector<int> first_;    ///< first index of each node in leaving_
   std::vector<int> leaving_;  ///< half-edges, sorted by the node that they leave

@@ -18,8 +18,8 @@ Vector2 WayOf(const VoronoiTile& tile, const TileEdge& edge) {
 double LengthOf(const VoronoiTile& tile) {
   double length = 0;
   for (const TileEdge& edge : tile.edges) {
-    const Vector2 way = WayOf(tile, edge);
-    length += std::sqrt(way.x() * way.x() + way.y() * way.y());
+    const Vector2 path = WayOf(tile, edge);
+    length += std::sqrt(path.x() * path.x() + path.y() * path.y());
   }
   return length;
 }
@@ -41,8 +41,8 @@ TEST(RelaxedCells, NoEdgeIsLongerThanThreeCells) {
   const VoronoiTile tile = RelaxedCells(16, 0);
   ASSERT_FALSE(tile.edges.empty());
   for (const TileEdge& edge : tile.edges) {
-    const Vector2 way = WayOf(tile, edge);
-    EXPECT_LT(std::max(std::abs(way.x()), std::abs(way.y())), 3.0 / 16);
+    const Vector2 path = WayOf(tile, edge);
+    EXPECT_LT(std::max(std::abs(path.x()), std::abs(path.y())), 3.0 / 16);
   }
 }
 

@@ -9,7 +9,7 @@
 namespace slicefarm::infill {
 namespace {
 
-constexpr double kSigma = 1.5;       // width of the filter in cells: Ulichney's choice
+constexpr double kSigma = 1.5;          // width of the filter in cells: Ulichney's choice
 constexpr int32_t kCellsPerStart = 10;  // one in this number of cells is set at the start
 constexpr uint32_t kSeed = 20'261;
 

@@ -35,7 +35,8 @@ TEST(FloydSteinberg, GoesOnInTheLayoutOfItsAuthors) {
 TEST(FloydSteinberg, KeepsToTheCellsThatAreUsed) {
   std::vector<char> used(40 * 40, 0);
   for (int y = 0; y < 40; ++y)
-    for (int x = 0; x < 40; ++x) used[static_cast<size_t>(y * 40 + x)] = (x - 20) * (x - 20) + (y - 20) * (y - 20) < 300;
+    for (int x = 0; x < 40; ++x)
+      used[static_cast<size_t>(y * 40 + x)] = (x - 20) * (x - 20) + (y - 20) * (y - 20) < 300;
   const auto cells = FloydSteinberg(std::vector<double>(1600, 0.3), used, 40, 40);
   double on = 0, all = 0;
   for (size_t i = 0; i < used.size(); ++i) {
@@ -49,8 +50,7 @@ TEST(DitheredRegion, CoversTheShareThatIsAskedFor) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 128 0, 128 128, 0 128)");
   for (const Dither dither : {Dither::kBlueNoise, Dither::kFloydSteinberg}) {
     for (const double asked : {0.05, 0.2, 0.5, 0.6}) {
-      const DensityField density =
-          GridField(2, 128, [&](double, double) { return asked; });
+      const DensityField density = GridField(2, 128, [&](double, double) { return asked; });
       const LayerField field{.density = &density};
       const double share =
           Area(*DitheredRegion(region, field, dither, 0.8, 2)) / Area(region) * 0.8;

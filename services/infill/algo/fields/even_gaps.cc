@@ -83,16 +83,16 @@ class PieceGrid {
   /// if there is none.
   double Gap(size_t line, size_t node, double side) const {
     const Node& from = lines_[line].nodes[node];
-    const Vector2 at = from.At(), way = from.aside * (side * kFarthest * from.separation);
+    const Vector2 at = from.At(), path = from.aside * (side * kFarthest * from.separation);
     double nearest = 2;
-    ForCells(at, at + way, [&](size_t cell_index) {
+    ForCells(at, at + path, [&](size_t cell_index) {
       for (const auto& [other, piece] : cells_[cell_index]) {
         if (other == line && IsNear(line, node, piece)) continue;
         const auto [a, b] = Ends(other, piece);
-        const double before = Cross(way, a - at), after = Cross(way, b - at);
+        const double before = Cross(path, a - at), after = Cross(path, b - at);
         if ((before > 0) == (after > 0)) continue;
         const Vector2 meets = a + (b - a) * (before / (before - after));
-        const double share = Dot(meets - at, way) / Dot(way, way);
+        const double share = Dot(meets - at, path) / Dot(path, path);
         if (share > 0) nearest = std::min(nearest, share);
       }
     });

@@ -106,7 +106,7 @@ absl::StatusOr<std::vector<Piece>> PiecesInParts(const MultiPolygon& region, Fil
   std::vector<Piece> all;
   for (const DensityPart& part : *parts) {
     place.pitch_nm = static_cast<double>(place.spacing_nm) / std::min(1.0, part.density);
-    const bool is_along_edge = InfoOf(pattern).solid == SolidWay::kAlongEdge;
+    const bool is_along_edge = InfoOf(pattern).solid == SolidFillStyle::kAlongEdge;
     auto pieces = PatternOf(pattern)(
         is_along_edge ? BesideOthers(region, part.area, place.pitch_nm / 2) : part.area, place);
     if (!pieces.ok()) return pieces.status();

@@ -37,8 +37,9 @@ double MeanError(const DensityField& density, int layers) {
   for (int layer = 0; layer < layers; ++layer) {
     const LineFamily family{layer % 2 * std::numbers::pi / 2, 200'000.0 * layer,
                             kSpacingNm / density.Greatest()};
-    const auto pieces = GradedPieces(region, {&family, 1}, field,
-                                     {.greatest = density.Greatest(), .min_length_nm = 4 * kSpacingNm});
+    const auto pieces =
+        GradedPieces(region, {&family, 1}, field,
+                     {.greatest = density.Greatest(), .min_length_nm = 4 * kSpacingNm});
     EXPECT_TRUE(pieces.ok());
     for (Polyline& line : LinesOf(*pieces)) lines.push_back(std::move(line));
   }
@@ -47,7 +48,9 @@ double MeanError(const DensityField& density, int layers) {
   for (size_t i = 0; i < got.size(); ++i) {
     double asked = 0;
     for (int k = 0; k < 100; ++k)
-      asked += field.DensityAt((i % 12) * 5 + k % 10 * 0.5 + 0.25, (i / 12) * 5 + k / 10 * 0.5 + 0.25) / 100;
+      asked +=
+          field.DensityAt((i % 12) * 5 + k % 10 * 0.5 + 0.25, (i / 12) * 5 + k / 10 * 0.5 + 0.25) /
+          100;
     error += std::abs(got[i] * kSpacingNm * 1e-6 / (25 * layers) / asked - 1);
   }
   return error / static_cast<double>(got.size());
@@ -61,7 +64,8 @@ TEST(GradedPieces, GiveTheFieldInEachCell) {
       {"constant", [](double, double) { return 0.2; }},
       {"across", [](double x, double) { return 0.1 + 0.5 * x / 60; }},
       {"aslant", [](double x, double y) { return 0.1 + 0.25 * (x + y) / 60; }},
-      {"a bump", [](double x, double y) {
+      {"a bump",
+       [](double x, double y) {
          return 0.1 + 0.5 * std::max(0.0, 1 - ((x - 30) * (x - 30) + (y - 30) * (y - 30)) / 900);
        }},
   };
@@ -84,10 +88,12 @@ TEST(GradedPieces, AreTheWholeFamilyWhereTheFieldIsGreatest) {
 
 TEST(GradedPieces, EndInsideWhereTheFieldFallsBelowTheirRank) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
-  const DensityField density = GridField(2, 20, [](double x, double) { return 0.4 * (1 - x / 20); });
+  const DensityField density =
+      GridField(2, 20, [](double x, double) { return 0.4 * (1 - x / 20); });
   const LayerField field{.density = &density};
   const LineFamily family{0, 0, 1e6};
-  const auto pieces = GradedPieces(region, {&family, 1}, field, {.greatest = 0.4, .min_length_nm = 1e6});
+  const auto pieces =
+      GradedPieces(region, {&family, 1}, field, {.greatest = 0.4, .min_length_nm = 1e6});
   ASSERT_TRUE(pieces.ok());
   for (const Piece& piece : *pieces) {
     const auto line = piece.points[0].y / 1'000'000;

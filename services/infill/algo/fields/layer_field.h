@@ -15,7 +15,7 @@ struct LayerField {
   const DirectionField* directions = nullptr;  ///< null: the pattern has its own directions
   /// Distances to the surface; only for densities that depend on them.
   const DistanceMap* to_surface = nullptr;
-  bool across = false;  ///< the layer follows the perpendicular family of directions
+  bool across = false;         ///< the layer follows the perpendicular family of directions
   StreamMemo* memo = nullptr;  ///< cached lines of fields that do not depend on the height
   double plain_density = 0;
   double z_mm = 0;

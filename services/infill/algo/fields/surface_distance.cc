@@ -29,8 +29,8 @@ void MarkInside(const MultiPolygon& outline, int64_t first_x, int64_t first_y, i
       const int64_t last = std::min(row_above(b.y), height);
       for (int64_t row = std::max<int64_t>(0, row_above(a.y)); row < last; ++row) {
         const double y = (static_cast<double>(row + first_y) + 0.5) * kCellNm;
-        crossings[static_cast<size_t>(row)].push_back(
-            static_cast<double>(a.x) + slope * (y - static_cast<double>(a.y)));
+        crossings[static_cast<size_t>(row)].push_back(static_cast<double>(a.x) +
+                                                      slope * (y - static_cast<double>(a.y)));
       }
     }
   });
@@ -156,8 +156,7 @@ absl::StatusOr<DistanceMap> SurfaceDistances::Of(int32_t own_layer) {
                            static_cast<float>(reach_mm_ * reach_mm_));
   // Air begins at the end of the last available layer, if it is within reach at all.
   const auto air_below = [&](double away_mm) {
-    for (float& square : least)
-      square = std::min(square, static_cast<float>(away_mm * away_mm));
+    for (float& square : least) square = std::min(square, static_cast<float>(away_mm * away_mm));
   };
   for (const int32_t step : {-1, 1}) {
     for (int32_t layer = step < 0 ? own_layer : own_layer + 1;; layer += step) {

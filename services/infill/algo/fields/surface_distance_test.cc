@@ -18,8 +18,14 @@ std::vector<SlicedLayer> LayersOf(const std::vector<MultiPolygon>& outlines) {
   std::vector<SlicedLayer> layers;
   for (int i = 0; i < static_cast<int>(outlines.size()); ++i) {
     SlicedLayer& layer = layers.emplace_back();
-    ObjectSection section{3, i, static_cast<int32_t>(outlines.size()), 500'000,
-                          {{Role::kPart, 0, 0, outlines[static_cast<size_t>(i)]}}, {}, 0, {}};
+    ObjectSection section{3,
+                          i,
+                          static_cast<int32_t>(outlines.size()),
+                          500'000,
+                          {{Role::kPart, 0, 0, outlines[static_cast<size_t>(i)]}},
+                          {},
+                          0,
+                          {}};
     section.z_nm = 500'000 * (i + 1);
     layer.sections.push_back(section);
   }
@@ -53,10 +59,10 @@ TEST(SurfaceDistances, LookPastEdgesOfOtherLayers) {
 }
 
 TEST(SurfaceDistances, DoNotDependOnLayersBeyondTheirReach) {
-  const auto layers = LayersOf({P("(0 0, 9 0, 9 9, 0 9)"), P("(0 0, 12 0, 12 9, 0 9)"),
-                                P("(0 0, 9 0, 9 14, 0 14)"), P("(0 0, 9 0, 9 9, 0 9)"),
-                                P("(0 0, 50 0, 50 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)"),
-                                P("(-20 0, 9 0, 9 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)")});
+  const auto layers =
+      LayersOf({P("(0 0, 9 0, 9 9, 0 9)"), P("(0 0, 12 0, 12 9, 0 9)"), P("(0 0, 9 0, 9 14, 0 14)"),
+                P("(0 0, 9 0, 9 9, 0 9)"), P("(0 0, 50 0, 50 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)"),
+                P("(-20 0, 9 0, 9 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)")});
   SurfaceDistances all(layers, 3, 1),
       some(std::span<const SlicedLayer>(layers).subspan(1, 5), 3, 1);
   const DistanceMap a = *all.Of(3), b = *some.Of(3);
@@ -65,8 +71,8 @@ TEST(SurfaceDistances, DoNotDependOnLayersBeyondTheirReach) {
 }
 
 TEST(SurfaceDistances, HolesAreSurfaceToo) {
-  const auto layers = LayersOf(std::vector<MultiPolygon>(
-      20, P("(0 0, 30 0, 30 30, 0 30)(10 10, 10 20, 20 20, 20 10)")));
+  const auto layers = LayersOf(
+      std::vector<MultiPolygon>(20, P("(0 0, 30 0, 30 30, 0 30)(10 10, 10 20, 20 20, 20 10)")));
   SurfaceDistances distances(layers, 3, 4);
   const DistanceMap map = *distances.Of(10);
   EXPECT_NEAR(map.At(8, 15), 2, 0.26);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/base/portable_math.h"
-#include "services/infill/algo/lines/ring_way.h"
+#include "services/infill/algo/lines/ring_path.h"
 
 namespace slicefarm::infill {
 namespace {

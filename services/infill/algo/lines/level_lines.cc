@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <utility>
 
-
 namespace slicefarm::infill {
 namespace {
 

@@ -50,12 +50,12 @@ bool IsTurn(Point a, Point b) { return Dot(a, b) < kLineBend * Norm(a) * Norm(b)
 std::vector<size_t> LinesOf(const std::vector<BeadPoint>& bead) {
   std::vector<size_t> lines;
   size_t line = 0;
-  Point way;
+  Point route;
   for (size_t i = 1; i < bead.size(); ++i) {
     const Point edge = bead[i].at - bead[i - 1].at;
     if (edge != Point{}) {
-      if (way != Point{} && IsTurn(way, edge)) ++line;
-      way = edge;
+      if (route != Point{} && IsTurn(route, edge)) ++line;
+      route = edge;
     }
     lines.push_back(line);
   }

@@ -54,8 +54,8 @@ std::vector<Vector2> EvenPoints(const Polyline& line, double length, int64_t cou
       edge = Distance(line[i - 1], line[i]);
     }
     const double share = edge > 0 ? std::min(1.0, (at - passed) / edge) : 0;
-    const Point a = line[i - 1], way = line[i] - line[i - 1];
-    points.push_back(ToVector(a) + share * ToVector(way));
+    const Point a = line[i - 1], path = line[i] - line[i - 1];
+    points.push_back(ToVector(a) + share * ToVector(path));
   }
   return points;
 }

@@ -19,24 +19,25 @@ constexpr int kRampSteps = 5;
 
 /// Returns for each point of a bead the distance along it to the next point with a strip other than
 /// the bead's first strip. The search is forward, or backward with `backwards`.
-std::vector<double> WaysToChange(const std::vector<StripPoint>& bead, bool backwards) {
+std::vector<double> TravelsToChange(const std::vector<StripPoint>& bead, bool backwards) {
   const size_t count = bead.size();
-  std::vector<double> ways(count, std::numeric_limits<double>::infinity());
+  std::vector<double> paths(count, std::numeric_limits<double>::infinity());
   for (size_t k = 0; k < count; ++k) {
     const size_t i = backwards ? k : count - 1 - k;
     if (bead[i].strip_nm != bead[0].strip_nm) {
-      ways[i] = 0;
+      paths[i] = 0;
     } else if (k > 0) {
       const size_t last = backwards ? i - 1 : i + 1;
-      if (std::isfinite(ways[last])) ways[i] = ways[last] + Distance(bead[i].at, bead[last].at);
+      if (std::isfinite(paths[last])) paths[i] = paths[last] + Distance(bead[i].at, bead[last].at);
     }
   }
-  return ways;
+  return paths;
 }
 
 /// Returns the bead with additional points wherever its strip changes or may have to change.
 std::vector<StripPoint> WithRampPoints(const std::vector<StripPoint>& bead, double step_nm) {
-  const std::vector<double> before = WaysToChange(bead, true), behind = WaysToChange(bead, false);
+  const std::vector<double> before = TravelsToChange(bead, true),
+                            behind = TravelsToChange(bead, false);
   const double longest = kRampSteps * step_nm;
   std::vector<StripPoint> fine = {bead.front()};
   for (size_t i = 1; i < bead.size(); ++i) {

@@ -12,9 +12,7 @@
 namespace slicefarm::infill::wave_rows_test {
 namespace {
 
-MultiPolygon Square() {
-  return MakePolygonsOrDie("(0 0, 1000000 0, 1000000 1000000, 0 1000000)");
-}
+MultiPolygon Square() { return MakePolygonsOrDie("(0 0, 1000000 0, 1000000 1000000, 0 1000000)"); }
 
 TEST(RowsOver, StraightRowsAreApart) {
   const auto curves = RowsOver(Square(), {.apart_nm = 250'000, .period_nm = 1'000'000});
@@ -27,7 +25,8 @@ TEST(RowsOver, StraightRowsAreApart) {
     EXPECT_GE(curve.points[1].x, 1'000'000);
     rows.insert(curve.points[0].y);
   }
-  for (const Coord v : {0, 250'000, 500'000, 750'000, 1'000'000}) EXPECT_TRUE(rows.contains(v)) << v;
+  for (const Coord v : {0, 250'000, 500'000, 750'000, 1'000'000})
+    EXPECT_TRUE(rows.contains(v)) << v;
 }
 
 TEST(RowsOver, OddRowsAreMirrored) {

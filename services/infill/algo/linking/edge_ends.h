@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "services/infill/algo/lines/piece.h"
-#include "services/infill/algo/lines/ring_way.h"
+#include "services/infill/algo/lines/ring_path.h"
 #include "services/infill/algo/linking/taken_edge.h"
 
 namespace slicefarm::infill {

@@ -32,10 +32,10 @@ TEST(EdgeEnds, StretchesPartTheRings) {
     for (const int32_t end : ends.OnEdge()) {
       const int32_t next = ends.Next(end);
       EXPECT_EQ(ends.Previous(next), end);
-      const Polyline way = ends.StretchPoints(end);
-      EXPECT_EQ(way.front(), ends.PlaceOf(end));
-      EXPECT_EQ(way.back(), ends.PlaceOf(next));
-      EXPECT_NEAR(Length(way), ends.StretchLength(end), 5);
+      const Polyline path = ends.StretchPoints(end);
+      EXPECT_EQ(path.front(), ends.PlaceOf(end));
+      EXPECT_EQ(path.back(), ends.PlaceOf(next));
+      EXPECT_NEAR(Length(path), ends.StretchLength(end), 5);
       length += ends.StretchLength(end);
     }
     EXPECT_NEAR(length, expected, 100);

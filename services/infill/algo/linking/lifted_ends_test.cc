@@ -47,12 +47,10 @@ TEST(LiftEnds, ALineBesideTheEdgeTakesIt) {
 }
 
 TEST(LiftEnds, ClosedPiecesAndInnerEndsStay) {
-  std::vector<Piece> pieces = {Make("(2 0.1, 9 0.1)", {}, {}),
-                               Make("(12 2, 14 2, 14 4)", {}, {})};
+  std::vector<Piece> pieces = {Make("(2 0.1, 9 0.1)", {}, {}), Make("(12 2, 14 2, 14 4)", {}, {})};
   pieces[1].closed = true;
   const LiftedPieces lifted = LiftEnds(Box(), pieces, kWidth);
-  for (size_t i = 0; i < pieces.size(); ++i)
-    EXPECT_EQ(lifted.pieces[i].points, pieces[i].points);
+  for (size_t i = 0; i < pieces.size(); ++i) EXPECT_EQ(lifted.pieces[i].points, pieces[i].points);
   EXPECT_EQ(lifted.taken[0].size(), 1u);
 }
 

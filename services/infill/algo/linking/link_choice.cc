@@ -33,12 +33,12 @@ class Chooser {
  private:
   int32_t Partner(int32_t end) const { return LinkedTo(ends_, links_, end); }
   bool IsLoose(int32_t end) const { return ends_.IsOnEdge(end) && Partner(end) == kNoEnd; }
-  int32_t Neighbour(int32_t end, Way way) const {
-    return way == Way::kForward ? ends_.Next(end) : ends_.Previous(end);
+  int32_t Neighbour(int32_t end, Way path) const {
+    return path == Way::kForward ? ends_.Next(end) : ends_.Previous(end);
   }
   /// Returns the edge part from an end to its neighbour.
-  int32_t Stretch(int32_t end, Way way) const {
-    return way == Way::kForward ? end : ends_.Previous(end);
+  int32_t Stretch(int32_t end, Way path) const {
+    return path == Way::kForward ? end : ends_.Previous(end);
   }
 
   void LinkShortestFirst() {
@@ -62,10 +62,10 @@ class Chooser {
     for (int round = 0; round < kRounds; ++round) {
       bool better = false;
       for (const int32_t end : ends_.OnEdge()) {
-        for (const Way way : {Way::kForward, Way::kBackward}) {
+        for (const Way path : {Way::kForward, Way::kBackward}) {
           if (work_left_ <= 0) return;
-          if (IsLoose(end) && Move(end, way)) better = true;
-          if (IsLoose(end) && Grow(end, way)) better = true;
+          if (IsLoose(end) && Move(end, path)) better = true;
+          if (IsLoose(end) && Grow(end, path)) better = true;
         }
       }
       if (!better) return;
@@ -93,8 +93,8 @@ class Chooser {
     int turns_left = kTurnsOfItself;
     while (work_left_ > 0) {
       std::optional<Step> best;
-      for (const Way way : {first, second}) {
-        const std::optional<Step> step = StepFrom(end, tail, way);
+      for (const Way path : {first, second}) {
+        const std::optional<Step> step = StepFrom(end, tail, path);
         if (step && (!best || step->kind < best->kind)) best = step;
       }
       if (!best || (best->kind == StepKind::kTurns && turns_left-- == 0)) break;
@@ -123,16 +123,16 @@ class Chooser {
 
   /// Returns the step from a loose end, or nothing if the edge part is too long or a ring would
   /// result. `tail`: the path's other end.
-  std::optional<Step> StepFrom(int32_t end, int32_t tail, Way way) {
-    const int32_t near = Neighbour(end, way);
-    const int32_t made = Stretch(end, way);
+  std::optional<Step> StepFrom(int32_t end, int32_t tail, Way path) {
+    const int32_t near = Neighbour(end, path);
+    const int32_t made = Stretch(end, path);
     if (near == end || ends_.LinkLength(made) > max_link_nm_) return std::nullopt;
     const int32_t far = Partner(near);
     if (far == kNoEnd) {
       if (near == tail) return std::nullopt;
       return Step{StepKind::kMeets, made};
     }
-    const int32_t lost = Stretch(near, way);
+    const int32_t lost = Stretch(near, path);
     for (int32_t at = near;;) {
       --work_left_;
       const int32_t out = at ^ 1;
@@ -149,14 +149,14 @@ class Chooser {
 
   /// Moves a loose end along its ring to the position with the fewest paths. Returns true if the
   /// number of paths is reduced; otherwise nothing changes.
-  bool Move(int32_t end, Way way) {
+  bool Move(int32_t end, Way path) {
     std::vector<int32_t> flipped;  // edge parts, in order
     size_t best_flips = 0;
     int paths = 0, fewest = 0;  // differences from the current number
     const int32_t start = end;
     do {
-      const int32_t stretch = Stretch(end, way);
-      const int32_t near = Neighbour(end, way);
+      const int32_t stretch = Stretch(end, path);
+      const int32_t near = Neighbour(end, path);
       if (near == end || ends_.LinkLength(stretch) > max_link_nm_) break;
       const int32_t far = Partner(near);
       if (far == kNoEnd) {
@@ -165,7 +165,7 @@ class Chooser {
         --paths;
       } else {
         paths += ChangeByMoving(end, near, far);
-        Flip(Stretch(near, way), flipped);
+        Flip(Stretch(near, path), flipped);
         Flip(stretch, flipped);
       }
       if (paths < fewest) fewest = paths, best_flips = flipped.size();

@@ -115,17 +115,17 @@ class Assembler {
       Append(piece, path);
       end = LinkedTo(ends_, links_, out);
       if (end == kNoEnd) return out;
-      Append(WayFrom(out, links_[static_cast<size_t>(out)] && ends_.Next(out) == end), path);
+      Append(PathFrom(out, links_[static_cast<size_t>(out)] && ends_.Next(out) == end), path);
       if (IsDone(end)) return out;
     }
   }
 
   /// Returns the points of the edge part beside an end, beginning at the end.
-  Polyline WayFrom(int32_t end, bool forward) const {
+  Polyline PathFrom(int32_t end, bool forward) const {
     if (forward) return ends_.StretchPoints(end);
-    Polyline way = ends_.StretchPoints(ends_.Previous(end));
-    std::reverse(way.begin(), way.end());
-    return way;
+    Polyline route = ends_.StretchPoints(ends_.Previous(end));
+    std::reverse(route.begin(), route.end());
+    return route;
   }
 
   /// Returns the anchor of a loose end: a path along the edge that supports the end, in the
@@ -137,9 +137,9 @@ class Assembler {
     const double behind = RoomFor(end, before, ends_.RoomOf(before).behind_nm, before);
     const double length = std::min(options_.anchor_nm, std::max(ahead, behind));
     if (length < kLeastAnchor * static_cast<double>(options_.width_nm)) return {};
-    const Polyline way = WayFrom(end, ahead >= behind);
-    const double all = Length(way);
-    return Shortened(way, all, 0, all - length);
+    const Polyline route = PathFrom(end, ahead >= behind);
+    const double all = Length(route);
+    return Shortened(route, all, 0, all - length);
   }
 
   /// Returns the length available for an anchor along an edge part, of which `free_nm` are free. If

@@ -24,7 +24,7 @@ struct PathEnds {
 /// Returns the length of the shortest tree that joins all paths at their ends (Prim's algorithm).
 double TreeOf(const std::vector<PathEnds>& paths) {
   double tree = 0;
-  std::vector<double> way(paths.size(), std::numeric_limits<double>::max());
+  std::vector<double> path(paths.size(), std::numeric_limits<double>::max());
   std::vector<char> in_tree(paths.size(), 0);
   size_t last = 0;
   for (size_t count = 1; count < paths.size(); ++count) {
@@ -32,10 +32,10 @@ double TreeOf(const std::vector<PathEnds>& paths) {
     size_t nearest = paths.size();
     for (size_t i = 0; i < paths.size(); ++i) {
       if (in_tree[i] != 0) continue;
-      way[i] = std::min(way[i], paths[last].DistanceTo(paths[i]));
-      if (nearest == paths.size() || way[i] < way[nearest]) nearest = i;
+      path[i] = std::min(path[i], paths[last].DistanceTo(paths[i]));
+      if (nearest == paths.size() || path[i] < path[nearest]) nearest = i;
     }
-    tree += way[nearest];
+    tree += path[nearest];
     last = nearest;
   }
   return tree;
@@ -51,7 +51,7 @@ class Mover {
     for (int32_t end = 0; end < ends_.size(); ++end)
       if (LinkedTo(ends_, links_, end) == kNoEnd) loose.push_back(end);
     if (loose.size() < 4 || loose.size() > 2 * kMostPaths) return std::move(links_);
-    least_ = WaysBetween(ends_, links_).value_or(0);
+    least_ = PathsBetween(ends_, links_).value_or(0);
     for (int32_t& end : loose)
       for (const bool forward : {true, false})
         if (ends_.IsOnEdge(end)) end = Moved(end, forward);
@@ -78,9 +78,9 @@ class Mover {
       Flip(stretch(near));
       Flip(stretch(end));
       end = far;
-      const std::optional<double> ways = WaysBetween(ends_, links_);
-      if (!ways || *ways + longer_nm >= least_) continue;
-      least_ = *ways + longer_nm;
+      const std::optional<double> routes = PathsBetween(ends_, links_);
+      if (!routes || *routes + longer_nm >= least_) continue;
+      least_ = *routes + longer_nm;
       best_end = end;
       keep = flipped_.size();
     }
@@ -110,7 +110,7 @@ class Mover {
 
 }  // namespace
 
-std::optional<double> WaysBetween(const EdgeEnds& ends, const Links& links) {
+std::optional<double> PathsBetween(const EdgeEnds& ends, const Links& links) {
   std::vector<PathEnds> paths;
   std::vector<char> seen(static_cast<size_t>(ends.PieceCount()), 0);
   int32_t pieces = 0;

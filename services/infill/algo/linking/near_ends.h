@@ -8,10 +8,10 @@ namespace slicefarm::infill {
 
 /// Returns the length in nm of the shortest tree of straight lines that connects all paths at their
 /// ends, or nothing if a path is a ring. Cost: O(ends + paths^2).
-std::optional<double> WaysBetween(const EdgeEnds& ends, const Links& links);
+std::optional<double> PathsBetween(const EdgeEnds& ends, const Links& links);
 
 /// Moves loose ends along the boundary, from link to link, to positions near the ends of other
-/// paths. This reduces the sum of the distances between paths (WaysBetween) and the length of
+/// paths. This reduces the sum of the distances between paths (PathsBetween) and the length of
 /// links. The number of paths stays the same, and links are no longer than `max_link_nm`. Nothing
 /// moves if there is only one path, or more than a few tens of paths. REQUIRES: no path is a ring.
 /// Cost: O(paths (ends + paths^2)).

@@ -45,18 +45,18 @@ void ExpectLinks(const EdgeEnds& ends, const Links& links, double max_link_nm) {
   }
 }
 
-TEST(WaysBetween, IsTheShortestTreeBetweenEnds) {
+TEST(PathsBetween, IsTheShortestTreeBetweenEnds) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 10 0, 10 30, 0 30)");
   const LineFamily lines{0, 5e6, 10e6};  // at y = 5, 15 and 25
   const auto pieces = StraightPieces(region, {&lines, 1});
   const EdgeEnds ends(region, *pieces);
   Links links(static_cast<size_t>(ends.size()), false);
-  EXPECT_NEAR(*WaysBetween(ends, links), 20e6, 10);
+  EXPECT_NEAR(*PathsBetween(ends, links), 20e6, 10);
   links = ChooseLinks(ends, kFar);
-  EXPECT_EQ(*WaysBetween(ends, links), 0) << "one path";
+  EXPECT_EQ(*PathsBetween(ends, links), 0) << "one path";
 }
 
-TEST(WaysBetween, KnowsNoRings) {
+TEST(PathsBetween, KnowsNoRings) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 10 0, 10 20, 0 20)");
   const LineFamily lines{0, 5e6, 10e6};
   const auto pieces = StraightPieces(region, {&lines, 1});
@@ -64,7 +64,7 @@ TEST(WaysBetween, KnowsNoRings) {
   Links links(static_cast<size_t>(ends.size()), false);
   links[static_cast<size_t>(ends.OnEdge()[0])] = links[static_cast<size_t>(ends.OnEdge()[2])] =
       true;
-  EXPECT_FALSE(WaysBetween(ends, links).has_value());
+  EXPECT_FALSE(PathsBetween(ends, links).has_value());
 }
 
 TEST(BringEndsTogether, ShortensTheWaysBetweenAsManyPaths) {
@@ -80,10 +80,10 @@ TEST(BringEndsTogether, ShortensTheWaysBetweenAsManyPaths) {
       const Links moved = BringEndsTogether(ends, chosen, max_link_nm);
       ExpectLinks(ends, moved, max_link_nm);
       EXPECT_EQ(LooseEnds(ends, moved), LooseEnds(ends, chosen));
-      ASSERT_TRUE(WaysBetween(ends, moved).has_value()) << "a ring";
+      ASSERT_TRUE(PathsBetween(ends, moved).has_value()) << "a ring";
       EXPECT_EQ(BringEndsTogether(ends, chosen, max_link_nm), moved) << "the same each time";
-      before += *WaysBetween(ends, chosen);
-      after += *WaysBetween(ends, moved);
+      before += *PathsBetween(ends, chosen);
+      after += *PathsBetween(ends, moved);
     }
   }
   EXPECT_LT(after, 0.9 * before);

@@ -33,14 +33,14 @@ void Narrow(double at_from, double at_to, double low, double high, Share& share)
 }  // namespace
 
 std::optional<SegmentPart> PartBeside(Point a, Point b, Point c, Point d, double near_nm) {
-  const Point way = b - a, run = d - c;
+  const Point path = b - a, run = d - c;
   const double length_nm = Distance(a, b), run_nm = Distance(c, d);
-  if (length_nm == 0 || run_nm == 0 || std::abs(Cross(way, run)) > kMostSine * length_nm * run_nm)
+  if (length_nm == 0 || run_nm == 0 || std::abs(Cross(path, run)) > kMostSine * length_nm * run_nm)
     return std::nullopt;
-  const double along0 = Dot(way, c - a) / length_nm;
-  const double along1 = Dot(way, d - a) / length_nm;
+  const double along0 = Dot(path, c - a) / length_nm;
+  const double along1 = Dot(path, d - a) / length_nm;
   Share share;  // share of cd
-  Narrow(Cross(way, c - a) / length_nm, Cross(way, d - a) / length_nm, -near_nm, near_nm, share);
+  Narrow(Cross(path, c - a) / length_nm, Cross(path, d - a) / length_nm, -near_nm, near_nm, share);
   Narrow(along0, along1, 0, length_nm, share);
   if (share.from >= share.to) return std::nullopt;
   const auto [from, to] =

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/geometry/measure.h"
-#include "services/infill/algo/lines/ring_way.h"
+#include "services/infill/algo/lines/ring_path.h"
 
 namespace slicefarm::infill {
 namespace {

@@ -50,8 +50,8 @@ TEST(Crosshatch, TurnsAfterEachBand) {
   EXPECT_LT(waves, 60);
 }
 
-// Where the direction turns, lines of the upper layer lie on lines of the layer below for more than
-// a third of their length. Straight lines at right angles only cross.
+// At a turn of the direction, lines of the upper layer lie on lines of the layer below for more
+// than a third of their length. Straight lines at right angles only cross.
 TEST(Crosshatch, DirectionsShareDiagonalsWhereTheyTurn) {
   const auto near = [](const std::vector<Piece>& pieces, Point place) {
     return std::ranges::any_of(pieces, [place](const Piece& piece) {

@@ -22,7 +22,8 @@ TEST(CrossingLines, CubicDriftsWithTheHeight) {
   const double pitch = 2e6;
   const auto low = Cubic(SampleBox(), {.pitch_nm = pitch});
   const auto high = Cubic(SampleBox(), {.z_nm = 1'000'000, .pitch_nm = pitch});
-  const auto period = Cubic(SampleBox(), {.z_nm = 8'485'281, .pitch_nm = pitch});  // 3 sqrt 2 pitches
+  const auto period =
+      Cubic(SampleBox(), {.z_nm = 8'485'281, .pitch_nm = pitch});  // 3 sqrt 2 pitches
   EXPECT_EQ((*high)[4].points[0].y - (*low)[4].points[0].y, 707'107);
   ASSERT_EQ(low->size(), period->size());
   EXPECT_NEAR(static_cast<double>((*period)[4].points[0].y - (*low)[4].points[0].y), 6e6, 1);

@@ -13,11 +13,12 @@ constexpr double kThirdTurn = 2 * std::numbers::pi / 3;
 
 /// Returns three directions that sum to zero. `shift_nm`: distance of each family from the origin,
 /// to the left of its direction.
-std::vector<LineFamily> ThreeWays(const PatternPlace& place, const std::array<double, 3>& shift_nm) {
+std::vector<LineFamily> ThreeWays(const PatternPlace& place,
+                                  const std::array<double, 3>& shift_nm) {
   std::vector<LineFamily> families;
   for (size_t i = 0; i < 3; ++i)
-    families.push_back({place.angle_rad + static_cast<double>(i) * kThirdTurn, shift_nm[i],
-                        3 * place.pitch_nm});
+    families.push_back(
+        {place.angle_rad + static_cast<double>(i) * kThirdTurn, shift_nm[i], 3 * place.pitch_nm});
   return families;
 }
 

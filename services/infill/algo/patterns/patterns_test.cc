@@ -35,13 +35,13 @@ double LengthIn(const Path& path, const Box& box) {
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const Point a = path.points[i - 1], b = path.points[i % count];
     double from = 0, to = 1;
-    const auto clip = [&](Coord start, Coord way, Coord low, Coord high) {
-      if (way == 0) {
+    const auto clip = [&](Coord start, Coord route, Coord low, Coord high) {
+      if (route == 0) {
         if (start < low || start > high) to = from;
         return;
       }
-      double in = static_cast<double>(low - start) / static_cast<double>(way);
-      double out = static_cast<double>(high - start) / static_cast<double>(way);
+      double in = static_cast<double>(low - start) / static_cast<double>(route);
+      double out = static_cast<double>(high - start) / static_cast<double>(route);
       if (in > out) std::swap(in, out);
       from = std::max(from, in), to = std::min(to, out);
     };
@@ -160,7 +160,7 @@ double EdgeOf(const MultiPolygon& region) {
 // other beads.
 TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
   const MultiPolygon region = P("(0 0, 40 0, 46 21, 40 40, 20 34, 0 40) (9 9, 9 14, 16 13, 14 7)");
-  const bool along_edge = InfoOf(GetParam()).solid == SolidWay::kAlongEdge;
+  const bool along_edge = InfoOf(GetParam()).solid == SolidFillStyle::kAlongEdge;
   for (const double density : {0.1, 0.2, 0.4}) {
     SparseFill fill = Fill(GetParam(), density);
     fill.z_nm = 5'300'000;
@@ -180,7 +180,7 @@ TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
 // If a line along the edge has no space for another line beside it, the first line is still
 // printed.
 TEST_P(PatternsLaidOutHere, NarrowPlacesAreNotLeftEmpty) {
-  if (InfoOf(GetParam()).solid != SolidWay::kAlongEdge) return;
+  if (InfoOf(GetParam()).solid != SolidFillStyle::kAlongEdge) return;
   const MultiPolygon narrow = P("(0 0, 20 0, 20 0.6, 0 0.6) ; (0 3, 20 3, 20 5, 0 5)");
   const auto paths = FillSparse(narrow, Fill(GetParam(), 0.1));
   ASSERT_TRUE(paths.ok());

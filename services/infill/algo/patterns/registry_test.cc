@@ -13,10 +13,11 @@ TEST(Registry, EveryPatternIsMade) {
   for (const FillPatternInfo& info : kFillPatterns) {
     MakePattern* const make = PatternOf(info.pattern);
     ASSERT_NE(make, nullptr) << info.name;
-    const auto pieces = make(box, {.z_nm = 300'000,
-                                .pitch_nm = 3e6,
-                                .spacing_nm = 400'000,
-                                .planned = info.planned ? planned : std::span<const Polyline>{}});
+    const auto pieces =
+        make(box, {.z_nm = 300'000,
+                   .pitch_nm = 3e6,
+                   .spacing_nm = 400'000,
+                   .planned = info.planned ? planned : std::span<const Polyline>{}});
     ASSERT_TRUE(pieces.ok()) << info.name;
     EXPECT_FALSE(pieces->empty()) << info.name;
     EXPECT_TRUE(make({}, {.pitch_nm = 3e6, .spacing_nm = 400'000})->empty()) << info.name;

@@ -11,8 +11,10 @@ namespace {
 
 TEST(Spirals, TurnsAreAPitchApart) {
   const double pitch = 2e6;
-  EXPECT_NEAR(LengthOf(*Archimedean(SampleBox(), {.pitch_nm = pitch})) * pitch / Area(SampleBox()), 1, 0.03);
-  EXPECT_NEAR(LengthOf(*Octagram(SampleBox(), {.pitch_nm = pitch})) * pitch / Area(SampleBox()), 1, 0.04);
+  EXPECT_NEAR(LengthOf(*Archimedean(SampleBox(), {.pitch_nm = pitch})) * pitch / Area(SampleBox()),
+              1, 0.03);
+  EXPECT_NEAR(LengthOf(*Octagram(SampleBox(), {.pitch_nm = pitch})) * pitch / Area(SampleBox()), 1,
+              0.04);
 }
 
 // A spiral far from the origin is a part of the same spiral.

@@ -29,7 +29,7 @@ double FischerKochSAt(double x, double y, double z) {
 
 /// Returns the distance from (x, y) to the zero line of `value`, by Newton's method across the
 /// line.
-double WayToZero(double (*value)(double, double, double), double x, double y, double z) {
+double PathToZero(double (*value)(double, double, double), double x, double y, double z) {
   constexpr double kStep = 1e-6;
   const double x0 = x, y0 = y;
   for (int step = 0; step < 5; ++step) {
@@ -45,9 +45,9 @@ double WayToZero(double (*value)(double, double, double), double x, double y, do
 // The middles of segments are tested, where the surface is steep enough for a clear result.
 TEST(Surfaces, LinesLieOnTheirSurface) {
   constexpr double kPitch = 2e6, kStep = 1e-6;
-  for (const auto& [make, pitches, value] : {Surface{Gyroid, 2.4561, GyroidAt},
-                                             Surface{SchwarzD, 3.043, SchwarzDAt},
-                                             Surface{FischerKochS, 4.264, FischerKochSAt}}) {
+  for (const auto& [make, pitches, value] :
+       {Surface{Gyroid, 2.4561, GyroidAt}, Surface{SchwarzD, 3.043, SchwarzDAt},
+        Surface{FischerKochS, 4.264, FischerKochSAt}}) {
     const double turn = 2 * std::numbers::pi / (pitches * kPitch);
     const double z = 1.3e6 * turn;
     const auto pieces = make(SampleBox(), {.z_nm = 1'300'000, .pitch_nm = kPitch});
@@ -64,7 +64,7 @@ TEST(Surfaces, LinesLieOnTheirSurface) {
         ++all;
         if (slope < 0.5) continue;
         ++steep;
-        EXPECT_LT(WayToZero(value, x, y, z) / turn, 50'500) << pitches;
+        EXPECT_LT(PathToZero(value, x, y, z) / turn, 50'500) << pitches;
       }
     }
     EXPECT_GT(steep, all / 2) << pitches;

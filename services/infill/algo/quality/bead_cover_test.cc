@@ -41,25 +41,26 @@ double RasterCovered(const MultiPolygon& region, std::span<const Path> paths, Co
     const size_t edges = path.points.size() - (path.closed ? 0 : 1);
     for (size_t i = 0; i < edges; ++i) {
       const size_t j = (i + 1) % path.points.size();
-      const Point a = path.points[i], way = path.points[j] - a;
+      const Point a = path.points[i], route = path.points[j] - a;
       const auto ra = static_cast<double>(path.WidthAt(i)) / 2,
                  rb = static_cast<double>(path.WidthAt(j)) / 2;
       const auto wide = static_cast<Coord>(std::max(ra, rb)) + px;
       const auto index = [&](Coord at, Coord min, Coord count) {
         return std::clamp<Coord>((at - min) / px, 0, count - 1);
       };
-      const Point b = a + way;
+      const Point b = a + route;
       for (Coord y = index(std::min(a.y, b.y) - wide, box.min.y, rows);
            y <= index(std::max(a.y, b.y) + wide, box.min.y, rows); ++y) {
         for (Coord x = index(std::min(a.x, b.x) - wide, box.min.x, columns);
              x <= index(std::max(a.x, b.x) + wide, box.min.x, columns); ++x) {
           const Point p = middle(x, y) - a;
-          const double square = SquaredNorm(way);
-          const double along = static_cast<double>(p.x) * static_cast<double>(way.x) +
-                               static_cast<double>(p.y) * static_cast<double>(way.y);
+          const double square = SquaredNorm(route);
+          const double along = static_cast<double>(p.x) * static_cast<double>(route.x) +
+                               static_cast<double>(p.y) * static_cast<double>(route.y);
           const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
-          const double away = std::hypot(static_cast<double>(p.x) - t * static_cast<double>(way.x),
-                                         static_cast<double>(p.y) - t * static_cast<double>(way.y));
+          const double away =
+              std::hypot(static_cast<double>(p.x) - t * static_cast<double>(route.x),
+                         static_cast<double>(p.y) - t * static_cast<double>(route.y));
           if (away <= ra + t * (rb - ra)) beads[static_cast<size_t>(y * columns + x)] = 1;
         }
       }
@@ -116,7 +117,7 @@ TEST(CoveredShare, IsWhatARasterFinds) {
           << info.name << " " << density;
       ++looked_at;
     }
-    if (info.solid == SolidWay::kNone) continue;
+    if (info.solid == SolidFillStyle::kNone) continue;
     const auto solid = FillSolid(region[0], {.pattern = info.pattern, .height_nm = kFlat});
     ASSERT_TRUE(solid.ok()) << info.name;
     EXPECT_NEAR(CoveredShare(region, solid->paths, kFlat, 450'000),

@@ -19,8 +19,8 @@ double PlasticMm3(const Path& path, Coord height_nm) {
   return plastic;
 }
 
-FillUse UseOf(const AskedFill& asked, std::span<const Path> paths, Coord layer_height_nm) {
-  FillUse use;
+FillStats UseOf(const RequestedFill& asked, std::span<const Path> paths, Coord layer_height_nm) {
+  FillStats use;
   use.feature = asked.feature;
   use.pattern = asked.pattern;
   use.area_mm2 = asked.area_nm2 / kNmPerMm / kNmPerMm;

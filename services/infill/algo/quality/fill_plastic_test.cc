@@ -35,12 +35,12 @@ TEST(PlasticMm3, OfSeveralWidthsGoesEdgeByEdge) {
 TEST(UseOf, SumsPathsAndKeepsTheLongest) {
   const std::vector<Path> paths = {LineOf({{0, 0}, {10, 0}}, {450}),
                                    LineOf({{0, 1}, {30, 1}}, {450})};
-  const FillUse use = UseOf({.feature = Feature::kBridgeInfill,
-                             .pattern = FillPattern::kGrid,
-                             .area_nm2 = 50e12,
-                             .height_nm = 2 * kHeight,
-                             .share = 0.25},
-                            paths, kHeight);
+  const FillStats use = UseOf({.feature = Feature::kBridgeInfill,
+                               .pattern = FillPattern::kGrid,
+                               .area_nm2 = 50e12,
+                               .height_nm = 2 * kHeight,
+                               .share = 0.25},
+                              paths, kHeight);
   EXPECT_EQ(use.settings, 0);
   EXPECT_EQ(use.feature, Feature::kBridgeInfill);
   EXPECT_EQ(use.pattern, FillPattern::kGrid);
@@ -55,7 +55,7 @@ TEST(UseOf, SumsPathsAndKeepsTheLongest) {
 
 // An area that is too narrow for any path still counts as requested.
 TEST(UseOf, NoPathsAreAUseToo) {
-  const FillUse use = UseOf({.pattern = {}, .area_nm2 = 1e12, .height_nm = kHeight}, {}, kHeight);
+  const FillStats use = UseOf({.pattern = {}, .area_nm2 = 1e12, .height_nm = kHeight}, {}, kHeight);
   EXPECT_EQ(use.paths, 0);
   EXPECT_NEAR(use.asked_mm3, 0.2, 1e-12);
   EXPECT_EQ(use.plastic_mm3, 0);

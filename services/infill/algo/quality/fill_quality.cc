@@ -29,8 +29,8 @@ double TravelMm(std::span<const Path> paths) {
       if (done[i]) continue;
       const double to_start = Distance(at, StartOf(paths[i])),
                    to_end = Distance(at, EndOf(paths[i]));
-      if (const double way = std::min(to_start, to_end); nearest < 0 || way < nearest) {
-        nearest = way;
+      if (const double route = std::min(to_start, to_end); nearest < 0 || route < nearest) {
+        nearest = route;
         best = i;
         backwards = to_end < to_start;
       }
@@ -46,10 +46,10 @@ double Isotropy(std::span<const Path> paths) {
   double xx = 0, yy = 0, xy = 0;
   for (const Path& path : paths) {
     ForEachSegment(path, [&](size_t from, size_t to) {
-      const Point way = path.points[to] - path.points[from];
-      const double length = Norm(way);
+      const Point route = path.points[to] - path.points[from];
+      const double length = Norm(route);
       if (length == 0) return;
-      const auto x = static_cast<double>(way.x), y = static_cast<double>(way.y);
+      const auto x = static_cast<double>(route.x), y = static_cast<double>(route.y);
       xx += x * x / length;
       yy += y * y / length;
       xy += x * y / length;
@@ -64,12 +64,12 @@ std::vector<Point> PlacesAlong(const Path& path, double step_nm) {
   std::vector<Point> places;
   double next = 0, passed = 0;
   ForEachSegment(path, [&](size_t from, size_t to) {
-    const Point a = path.points[from], way = path.points[to] - a;
-    const double length = Norm(way);
+    const Point a = path.points[from], route = path.points[to] - a;
+    const double length = Norm(route);
     for (; next <= passed + length && length > 0; next += step_nm) {
       const double share = (next - passed) / length;
-      places.push_back(a + Point{std::llround(share * static_cast<double>(way.x)),
-                                 std::llround(share * static_cast<double>(way.y))});
+      places.push_back(a + Point{std::llround(share * static_cast<double>(route.x)),
+                                 std::llround(share * static_cast<double>(route.y))});
     }
     passed += length;
   });

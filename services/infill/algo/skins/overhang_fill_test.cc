@@ -49,16 +49,16 @@ TEST_P(FillOverhangTest, CoversTheRegionAndStaysInIt) {
 
 /// Returns the distance of a path's point from the area printed before it, without the path's last
 /// few millimetres.
-double WayToPrinted(const Path& path, size_t point, const MultiPolygon& there) {
+double PathToPrinted(const Path& path, size_t point, const MultiPolygon& there) {
   constexpr double kLast = 3e6;
-  double way = DistanceToRegion(path.points[point], there), since = 0;
+  double route = DistanceToRegion(path.points[point], there), since = 0;
   for (size_t i = point; i-- > 0;) {
     if (since > kLast)
-      way =
-          std::min(way, DistanceToSegment(path.points[point], path.points[i], path.points[i + 1]));
+      route = std::min(route,
+                       DistanceToSegment(path.points[point], path.points[i], path.points[i + 1]));
     since += Distance(path.points[i], path.points[i + 1]);
   }
-  return way;
+  return route;
 }
 
 // This is the purpose of the fill: each bead is on the part below or beside an earlier bead. Where
@@ -69,7 +69,7 @@ TEST_P(FillOverhangTest, EachLineLiesBesideWhatIsThere) {
   const auto spacing = static_cast<double>(Spacing(fill_.width_nm, fill_.height_nm));
   for (const Path& path : group_.paths) {
     for (size_t i = 0; i < path.points.size(); ++i)
-      EXPECT_LE(WayToPrinted(path, i, there), 2.2 * spacing)
+      EXPECT_LE(PathToPrinted(path, i, there), 2.2 * spacing)
           << ToMm(static_cast<double>(path.points[i].x)) << ' '
           << ToMm(static_cast<double>(path.points[i].y));
     there = Union(there, OffsetLines(std::span(&path.points, 1), fill_.width_nm / 2, Cap::kRound));

@@ -26,7 +26,7 @@ struct SkinOptions {
   /// Width of a solid bead; parts too narrow for it join their neighbours.
   Coord width_nm = 450'000;
   double solid_below_area_mm2 = 0;  ///< sparse parts with a smaller area become solid
-  bool all_solid = false;  ///< true if the whole fill area becomes solid
+  bool all_solid = false;           ///< true if the whole fill area becomes solid
   ShellThickness shells = ShellThickness::kEnabled;
   /// True if areas over bridges are a separate kind; `cover` then needs two layers in `bearers`.
   bool over_bridges = false;
@@ -36,9 +36,9 @@ struct SkinOptions {
 struct Skins {
   MultiPolygon top;          ///< visible surface with nothing above, without membranes over air
   MultiPolygon bridge;       ///< over air, plus two beads of the supporting area around it
-  MultiPolygon bottom;  ///< over another region of the object
+  MultiPolygon bottom;       ///< over another region of the object
   MultiPolygon over_bridge;  ///< over a bridge of the layer below
-  MultiPolygon solid;  ///< other skins, and areas that are solid for other reasons
+  MultiPolygon solid;        ///< other skins, and areas that are solid for other reasons
   MultiPolygon sparse;
 };
 

@@ -140,10 +140,10 @@ TEST(Skins, BridgesOverAWideningRecessHaveWholeAnchors) {
   };
   const MultiPolygon near = recess(5), far = recess(4.7), farther = recess(4.4);
   const std::vector<const MultiPolygon*> roof = {&kWhole, &kWhole, &kWhole};
-  for (const auto& [name, cover] : {std::pair<std::string, Cover>(
-                                        "widens", {roof, {&near, &far, &farther}, false}),
-                                    {"is straight", {roof, {&near, &near, &near}, false}},
-                                    {"with a smaller one above", {{&kWhole, &far}, {&near, &near}, false}}}) {
+  for (const auto& [name, cover] :
+       {std::pair<std::string, Cover>("widens", {roof, {&near, &far, &farther}, false}),
+        {"is straight", {roof, {&near, &near, &near}, false}},
+        {"with a smaller one above", {{&kWhole, &far}, {&near, &near}, false}}}) {
     const Skins skins = PartFillArea(kFill, kWhole, cover, {});
     ASSERT_EQ(skins.bridge.size(), 1U) << name;
     EXPECT_NEAR(Mm2(skins.bridge), 11.8 * 11.8, 0.1) << name << ": two beads of 0.45 mm around it";

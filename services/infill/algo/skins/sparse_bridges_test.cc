@@ -1,8 +1,8 @@
 #include "services/infill/algo/skins/sparse_bridges.h"
 
-#include <vector>
-
 #include <gtest/gtest.h>
+
+#include <vector>
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
@@ -87,7 +87,8 @@ TEST(TakeSparseBridges, LinesMayLieOnBeadsAndOnWhatIsSolidAround) {
   EXPECT_NEAR(Mm2(bridges.regions), 1600, 1e-3);
   EXPECT_NEAR(Mm2(Intersection(bridges.bearers, bridges.regions)), 10 * 40 * .45, 1);
   EXPECT_TRUE(Intersection(Difference(bridges.bearers, bridges.regions),
-                           MakePolygonsOrDie("(20.1 -1, 20.3 -1, 20.3 1, 20.1 1)")).size() == 1);
+                           MakePolygonsOrDie("(20.1 -1, 20.3 -1, 20.3 1, 20.1 1)"))
+                  .size() == 1);
 }
 
 }  // namespace

@@ -160,49 +160,49 @@ std::vector<CellBlock> LargestBlocks(const CellCover& cover, uint32_t base) {
 std::vector<Polygon> OutlineOf(const CellCover& cover) {
   // Sides of cells at the edge that are already in a ring, by cell and direction.
   std::vector<char> open(4 * cover.inside.size(), 0);
-  const auto at = [&](int32_t column, int32_t row, int way) -> char& {
-    return open[4 * (static_cast<size_t>(row) * cover.columns + column) + way];
+  const auto at = [&](int32_t column, int32_t row, int path) -> char& {
+    return open[4 * (static_cast<size_t>(row) * cover.columns + column) + path];
   };
-  const auto is_edge = [&](int32_t column, int32_t row, int way) {
+  const auto is_edge = [&](int32_t column, int32_t row, int path) {
     // The neighbour is to the right of the direction.
-    const Point beyond = kWays[(way + 3) % 4];
+    const Point beyond = kWays[(path + 3) % 4];
     return cover.Has(column, row) && !cover.Has(column + static_cast<int32_t>(beyond.x),
                                                 row + static_cast<int32_t>(beyond.y));
   };
   std::vector<Polygon> rings;
   for (int32_t row = 0; row < cover.rows; ++row) {
     for (int32_t column = 0; column < cover.columns; ++column) {
-      for (int first_way = 0; first_way < 4; ++first_way) {
-        if (!is_edge(column, row, first_way) || at(column, row, first_way) != 0) continue;
+      for (int first_path = 0; first_path < 4; ++first_path) {
+        if (!is_edge(column, row, first_path) || at(column, row, first_path) != 0) continue;
         Polygon& ring = rings.emplace_back();
         int32_t x = column, y = row;
-        int way = first_way;
-        while (at(x, y, way) == 0) {
-          at(x, y, way) = 1;
+        int path = first_path;
+        while (at(x, y, path) == 0) {
+          at(x, y, path) = 1;
           // The ring continues from the end of this side: along the cell's next side if it is an
           // edge, else straight on, or to the right around the cell there.
-          const Point ahead = kWays[way];
+          const Point ahead = kWays[path];
           const auto ahead_x = static_cast<int32_t>(ahead.x),
                      ahead_y = static_cast<int32_t>(ahead.y);
-          int next = (way + 1) % 4;
+          int next = (path + 1) % 4;
           if (is_edge(x, y, next)) {
             // The ring stays at this cell.
-          } else if (is_edge(x + ahead_x, y + ahead_y, way)) {
+          } else if (is_edge(x + ahead_x, y + ahead_y, path)) {
             x += ahead_x, y += ahead_y;
-            next = way;
+            next = path;
           } else {
-            const Point beyond = kWays[(way + 3) % 4];
+            const Point beyond = kWays[(path + 3) % 4];
             x += ahead_x + static_cast<int32_t>(beyond.x);
             y += ahead_y + static_cast<int32_t>(beyond.y);
-            next = (way + 3) % 4;
+            next = (path + 3) % 4;
           }
-          if (next != way) {
+          if (next != path) {
             // Corner at which side `next` of cell (x, y) starts.
             const Coord dx = next == 1 || next == 2 ? 1 : 0, dy = next >= 2 ? 1 : 0;
             ring.push_back({cover.origin.x + (x + dx) * cover.cell_nm,
                             cover.origin.y + (y + dy) * cover.cell_nm});
           }
-          way = next;
+          path = next;
         }
       }
     }

@@ -305,10 +305,10 @@ class Linker {
 
   /// Returns true if the point of an edge that a segment crosses has been cut away.
   bool IsCutAway(const RingPlaces::Edge& edge, Point from, Point to, const Bridge& bridge) const {
-    const Point way = to - from, d = edge.to - edge.from;
-    const double turn = Cross(d, way);
+    const Point route = to - from, d = edge.to - edge.from;
+    const double turn = Cross(d, route);
     if (turn == 0) return false;
-    const double part = Cross(from - edge.from, way) / turn;
+    const double part = Cross(from - edge.from, route) / turn;
     const double place =
         places_.PlaceOn(edge, {edge.from.x + std::llround(part * static_cast<double>(d.x)),
                                edge.from.y + std::llround(part * static_cast<double>(d.y))});

@@ -77,9 +77,9 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   if (a.z() > b.z()) std::swap(a, b);
   const double length = (b - a).head<2>().norm();
   if (!(length > 0)) return;
-  const Eigen::Vector2d way = (b - a).head<2>() / length;
-  const double foot = -a.head<2>().dot(way), rise = (b.z() - a.z()) / length;
-  const double off = std::abs(a.x() * way.y() - a.y() * way.x());
+  const Eigen::Vector2d pass = (b - a).head<2>() / length;
+  const double foot = -a.head<2>().dot(pass), rise = (b.z() - a.z()) / length;
+  const double off = std::abs(a.x() * pass.y() - a.y() * pass.x());
   if (!(off < cutter.radius_mm())) return;
   // Upper limit of all contacts: the highest point of the side under the cutter, combined with the
   // lowest point of the outline above the side.

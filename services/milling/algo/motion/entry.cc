@@ -19,9 +19,9 @@ constexpr double kMostHelixShare = 0.9;
 Eigen::Vector2d LeftOf(const Eigen::Vector2d& direction) { return {-direction.y(), direction.x()}; }
 
 /// Returns the unit direction in which a pass leaves its first point.
-Eigen::Vector2d StartDirection(const ClosedWay& way) {
-  for (size_t i = 1; i < way.size(); ++i)
-    if (const Eigen::Vector2d d = way[i] - way[0]; d.norm() > 1e-6) return d.normalized();
+Eigen::Vector2d StartDirection(const ClosedPath& pass) {
+  for (size_t i = 1; i < pass.size(); ++i)
+    if (const Eigen::Vector2d d = pass[i] - pass[0]; d.norm() > 1e-6) return d.normalized();
   return {1, 0};
 }
 
@@ -39,14 +39,14 @@ std::vector<Eigen::Vector2d> ArcLine(const Eigen::Vector2d& centre, const Eigen:
 
 }  // namespace
 
-std::optional<LeadArcs> LeadArcsOf(const ClosedWay& way, const PolygonWithHoles& area,
+std::optional<LeadArcs> LeadArcsOf(const ClosedPath& pass, const PolygonWithHoles& area,
                                    double radius_mm, CutDirection direction) {
   if (radius_mm <= 0) return std::nullopt;
   const double side = direction == CutDirection::kClimb ? 1 : -1;
-  const Eigen::Vector2d along = StartDirection(way), free = side * LeftOf(along);
-  const Eigen::Vector2d centre = way[0] + radius_mm * free;
+  const Eigen::Vector2d along = StartDirection(pass), free = side * LeftOf(along);
+  const Eigen::Vector2d centre = pass[0] + radius_mm * free;
   const LeadArcs arcs{.from = centre - radius_mm * along,
-                      .start = way[0],
+                      .start = pass[0],
                       .to = centre + radius_mm * along,
                       .centre = centre,
                       .clockwise = side < 0};
@@ -57,13 +57,13 @@ std::optional<LeadArcs> LeadArcsOf(const ClosedWay& way, const PolygonWithHoles&
   return arcs;
 }
 
-bool HelixDown(const ClosedWay& way, const PolygonWithHoles& area, double z_mm,
+bool HelixDown(const ClosedPath& pass, const PolygonWithHoles& area, double z_mm,
                const MillingOptions& options, MoveBuilder& moves) {
   const double wanted = options.machining.helix_radius_mm;
   const double most = kMostHelixShare * options.cutter.radius_mm();
   const double radius = wanted > 0 ? std::min(wanted, most) : options.cutter.radius_mm() / 2;
   const Eigen::Vector2d start = moves.at().head<2>();
-  const Eigen::Vector2d centre = start + radius * LeftOf(StartDirection(way));
+  const Eigen::Vector2d centre = start + radius * LeftOf(StartDirection(pass));
   if (!InsideArea(area, ArcLine(centre, start, 2 * std::numbers::pi))) return false;
   const double depth = moves.at().z() - z_mm, top = moves.at().z();
   const double slope = Tan(options.machining.ramp_angle_deg * std::numbers::pi / 180);
@@ -76,28 +76,28 @@ bool HelixDown(const ClosedWay& way, const PolygonWithHoles& area, double z_mm,
   return true;
 }
 
-ClosedWay RampDown(const ClosedWay& way, double z_mm, const MillingOptions& options,
-                   MoveBuilder& moves) {
+ClosedPath RampDown(const ClosedPath& pass, double z_mm, const MillingOptions& options,
+                    MoveBuilder& moves) {
   const double slope = Tan(options.machining.ramp_angle_deg * std::numbers::pi / 180);
   const double feed = options.machining.plunge_feed_mm_min;
   double z = moves.at().z();
-  size_t next = way.size() > 1 ? 1 : 0;
-  Eigen::Vector2d at = way[0];
+  size_t next = pass.size() > 1 ? 1 : 0;
+  Eigen::Vector2d at = pass[0];
   for (;;) {
-    const Eigen::Vector2d leg = way[next] - at;
+    const Eigen::Vector2d leg = pass[next] - at;
     const double length = leg.norm(), left = (z - z_mm) / slope;
-    if (left <= length || way.size() < 2) {
+    if (left <= length || pass.size() < 2) {
       if (length > 0) at += leg * std::min(1.0, left / length);
       moves.LineTo({at.x(), at.y(), z_mm}, feed);
       break;
     }
     z -= length * slope;
-    at = way[next];
+    at = pass[next];
     moves.LineTo({at.x(), at.y(), z}, feed);
-    next = (next + 1) % way.size();
+    next = (next + 1) % pass.size();
   }
-  ClosedWay rest = {at};
-  for (size_t k = 0; k < way.size(); ++k) rest.push_back(way[(next + k) % way.size()]);
+  ClosedPath rest = {at};
+  for (size_t k = 0; k < pass.size(); ++k) rest.push_back(pass[(next + k) % pass.size()]);
   return rest;
 }
 

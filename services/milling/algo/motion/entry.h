@@ -10,7 +10,7 @@
 namespace slicefarm::milling {
 
 /// Closed pass in mm, without repeating its first point.
-using ClosedWay = std::vector<Eigen::Vector2d>;
+using ClosedPath = std::vector<Eigen::Vector2d>;
 
 /// Two quarter circles at the start of a pass: one leads tangentially into the pass, the other
 /// leads out of it.
@@ -24,17 +24,17 @@ struct LeadArcs {
 
 /// Returns arcs onto and off a finishing pass, on the side without the part. Returns nullopt if
 /// they would leave the area.
-std::optional<LeadArcs> LeadArcsOf(const ClosedWay& way, const PolygonWithHoles& area,
+std::optional<LeadArcs> LeadArcsOf(const ClosedPath& pass, const PolygonWithHoles& area,
                                    double radius_mm, CutDirection direction);
 
 /// Lowers the tip from above a pass's first point to z, in whole and half loops of a helix beside
 /// the pass. Returns false if the area has no space for the circle.
-bool HelixDown(const ClosedWay& way, const PolygonWithHoles& area, double z_mm,
+bool HelixDown(const ClosedPath& pass, const PolygonWithHoles& area, double z_mm,
                const MillingOptions& options, MoveBuilder& moves);
 
 /// Lowers the tip from a pass's first point to z along the pass, around it as often as necessary.
 /// Returns the pass, beginning at the tip's final position.
-ClosedWay RampDown(const ClosedWay& way, double z_mm, const MillingOptions& options,
-                   MoveBuilder& moves);
+ClosedPath RampDown(const ClosedPath& pass, double z_mm, const MillingOptions& options,
+                    MoveBuilder& moves);
 
 }  // namespace slicefarm::milling

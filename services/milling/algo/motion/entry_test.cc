@@ -10,13 +10,13 @@
 namespace slicefarm::milling::entry_test {
 namespace {
 
-ClosedWay SquareWay(double low, double high) {
+ClosedPath SquarePath(double low, double high) {
   return {{low, low}, {high, low}, {high, high}, {low, high}};
 }
 
 PolygonWithHoles SquareArea(double low, double high) {
   PolygonWithHoles area;
-  for (const Eigen::Vector2d& p : SquareWay(low, high)) area.outer.push_back(PointOf(p));
+  for (const Eigen::Vector2d& p : SquarePath(low, high)) area.outer.push_back(PointOf(p));
   return area;
 }
 
@@ -39,7 +39,7 @@ TEST(RampDown, GoesRoundAtTheAngle) {
     MoveBuilder moves(job);
     moves.RapidTo({3, 3}, 4);
     const double from = moves.at().z();
-    const ClosedWay rest = RampDown(SquareWay(3, 5), z, job.options, moves);
+    const ClosedPath rest = RampDown(SquarePath(3, 5), z, job.options, moves);
     EXPECT_NEAR(moves.at().z(), z, 1e-9);
     EXPECT_LT((rest.front() - moves.at().head<2>()).norm(), 1e-3);
     double length = 0;
@@ -56,8 +56,8 @@ TEST(HelixDown, FitsOrTellsThatItDoesNot) {
   const double slope = std::tan(job.options.machining.ramp_angle_deg * std::numbers::pi / 180);
   MoveBuilder moves(job);
   moves.RapidTo({3, 3}, 4);
-  EXPECT_FALSE(HelixDown(SquareWay(3, 3.5), SquareArea(3, 3.5), 2, job.options, moves));
-  ASSERT_TRUE(HelixDown(SquareWay(3, 5), SquareArea(2, 6), 2, job.options, moves));
+  EXPECT_FALSE(HelixDown(SquarePath(3, 3.5), SquareArea(3, 3.5), 2, job.options, moves));
+  ASSERT_TRUE(HelixDown(SquarePath(3, 5), SquareArea(2, 6), 2, job.options, moves));
   EXPECT_EQ(moves.at(), Eigen::Vector3d(3, 3, 2));
   const auto made = moves.TakeMoves();
   EXPECT_LE(SteepestOf(made), slope * 1.01);
@@ -68,10 +68,10 @@ TEST(HelixDown, FitsOrTellsThatItDoesNot) {
 }
 
 TEST(LeadArcsOf, LieOnTheFreeSideAndTouchTheWay) {
-  const ClosedWay way = {{2, 2}, {8, 2}, {8, 8}, {2, 8}};  // the free side is inside
+  const ClosedPath pass = {{2, 2}, {8, 2}, {8, 8}, {2, 8}};  // the free side is inside
   const PolygonWithHoles area = SquareArea(2, 8);
-  const ClosedWay middle = {{5, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}};
-  EXPECT_FALSE(LeadArcsOf(way, area, 1, CutDirection::kClimb).has_value());  // in the corner
+  const ClosedPath middle = {{5, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}};
+  EXPECT_FALSE(LeadArcsOf(pass, area, 1, CutDirection::kClimb).has_value());  // in the corner
   const auto arcs = LeadArcsOf(middle, area, 1, CutDirection::kClimb);
   ASSERT_TRUE(arcs.has_value());
   EXPECT_LT((arcs->from - Eigen::Vector2d(4, 3)).norm(), 1e-9);

@@ -39,7 +39,8 @@ class MillClock {
     const double fastest = options_.machining.rapid_mm_min;
     const double mm_s = (rapid ? fastest : std::min(fastest, move.feed_mm_min)) / 60;
     Eigen::Vector3d at = from_mm;
-    for (const Eigen::Vector3d& to : PointsOf(move, from_mm, kArcChordShare * options_.tolerance_mm)) {
+    for (const Eigen::Vector3d& to :
+         PointsOf(move, from_mm, kArcChordShare * options_.tolerance_mm)) {
       const double length = (to - at).norm();
       if (length == 0) continue;
       const Eigen::Vector3d ratio = (to - at) / length;

@@ -4,14 +4,14 @@
 #include "services/milling/algo/motion/mill_clock.h"
 #include "services/milling/algo/motion/move_builder.h"
 #include "services/milling/algo/motion/rest_cutter.h"
-#include "services/milling/algo/motion/way_cutter.h"
+#include "services/milling/algo/motion/stock_cutter.h"
 
 namespace slicefarm::milling {
 namespace {
 
 absl::StatusOr<int> CutLevels(const MillingJob& job, std::span<const MilledStep> levels,
                               MoveBuilder& moves, const CancelToken& cancel) {
-  WayCutter cutter(job.options, moves, cancel);
+  StockCutter cutter(job.options, moves, cancel);
   int cut = 0;
   for (const AreaPlace& place : CutOrder(levels)) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;

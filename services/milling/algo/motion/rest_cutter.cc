@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "services/milling/algo/strategy/surface_way.h"
+#include "services/milling/algo/strategy/surface_pass.h"
 
 namespace slicefarm::milling {
 namespace {
@@ -126,7 +126,7 @@ std::optional<RestRun> SurfaceLink(const MillingJob& job, const DropCutter& drop
     Eigen::Vector3d next = k == steps ? to : from + (to - from) * (k / steps);
     if (k < steps) next.z() = height(next.head<2>());
     if (std::abs(next.z() - last.z()) > row) return std::nullopt;
-    for (const Eigen::Vector3d& p : SurfaceWay(last, next, job.options.tolerance_mm, height))
+    for (const Eigen::Vector3d& p : SurfacePass(last, next, job.options.tolerance_mm, height))
       link.push_back(p);
     last = next;
   }

@@ -64,26 +64,26 @@ StockMap::Span StockMap::ColumnsIn(double low, double high) const {
 
 void StockMap::CutLevel(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double z) {
   const double radius = cutter_.radius_mm(), reach2 = radius * radius;
-  const Eigen::Vector2d way = to - from;
-  const double length2 = way.squaredNorm();
+  const Eigen::Vector2d pass = to - from;
+  const double length2 = pass.squaredNorm();
   const Span rows =
       RowsIn(std::min(from.y(), to.y()) - radius, std::max(from.y(), to.y()) + radius);
   for (int row = rows.from; row <= rows.to; ++row) {
     const double y = low_.y() + (row + 0.5) * pixel_mm_;
     double t0 = 0, t1 = 1;  // part of the move that may be within a radius of the row
-    if (std::abs(way.y()) > 1e-12) {
-      const double p = (y - radius - from.y()) / way.y(), q = (y + radius - from.y()) / way.y();
+    if (std::abs(pass.y()) > 1e-12) {
+      const double p = (y - radius - from.y()) / pass.y(), q = (y + radius - from.y()) / pass.y();
       t0 = std::clamp(std::min(p, q), 0.0, 1.0), t1 = std::clamp(std::max(p, q), 0.0, 1.0);
     }
-    const double x0 = from.x() + std::min(t0 * way.x(), t1 * way.x());
-    const double x1 = from.x() + std::max(t0 * way.x(), t1 * way.x());
+    const double x0 = from.x() + std::min(t0 * pass.x(), t1 * pass.x());
+    const double x1 = from.x() + std::max(t0 * pass.x(), t1 * pass.x());
     const Span columns = ColumnsIn(x0 - radius, x1 + radius);
     float* heights = &heights_[static_cast<size_t>(row) * columns_];
     for (int column = columns.from; column <= columns.to; ++column) {
       if (heights[column] <= z) continue;
       const Eigen::Vector2d p(low_.x() + (column + 0.5) * pixel_mm_ - from.x(), y - from.y());
-      const double t = length2 > 0 ? std::clamp(p.dot(way) / length2, 0.0, 1.0) : 0;
-      const double squared = (p - t * way).squaredNorm();
+      const double t = length2 > 0 ? std::clamp(p.dot(pass) / length2, 0.0, 1.0) : 0;
+      const double squared = (p - t * pass).squaredNorm();
       if (squared > reach2) continue;
       const auto height = static_cast<float>(z + cutter_.HeightAt(std::sqrt(squared)));
       if (height >= heights[column]) continue;
@@ -95,8 +95,8 @@ void StockMap::CutLevel(const Eigen::Vector2d& from, const Eigen::Vector2d& to, 
 
 void StockMap::Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm) {
   const double rise = std::abs(to_mm.z() - from_mm.z());
-  const Eigen::Vector3d way = to_mm - from_mm;
-  if (way.head<2>().squaredNorm() == 0) {
+  const Eigen::Vector3d pass = to_mm - from_mm;
+  if (pass.head<2>().squaredNorm() == 0) {
     CutLevel(from_mm.head<2>(), from_mm.head<2>(),
              std::max(floor_mm_, std::min(from_mm.z(), to_mm.z())));
     return;
@@ -104,7 +104,7 @@ void StockMap::Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm)
   const double steps = std::max(1.0, std::ceil(rise / kSlopeStepMm));
   Eigen::Vector3d at = from_mm;
   for (double k = 1; k <= steps; ++k) {
-    const Eigen::Vector3d next = from_mm + way * (k / steps);
+    const Eigen::Vector3d next = from_mm + pass * (k / steps);
     CutLevel(at.head<2>(), next.head<2>(), std::max(at.z(), next.z()));
     at = next;
   }

@@ -45,8 +45,8 @@ double LargestAt(const HalfChord& q, double along) {
   const double rate = m > 0 ? std::sqrt(std::max(0.0, q.discriminant) / m) : 0;
   const double t = -along * rate;  // dQ/ds at the maximum
   if (q.a >= 0) {
-    const double way = q.growth != 0 ? q.growth : along;
-    if (m <= 0 || along * q.growth >= 0) return way > 0 ? kEndless : -kEndless;
+    const double pass = q.growth != 0 ? q.growth : along;
+    if (m <= 0 || along * q.growth >= 0) return pass > 0 ? kEndless : -kEndless;
   }
   if (t * q.b > 0) return (q.b * q.b - 4 * along * along * q.c) / (2 * m * (t + q.b));
   return (t - q.b) / (2 * q.a);

@@ -30,8 +30,8 @@ absl::Status MillLevels(const MillingJob& job, PhaseSteps steps, const CancelTok
       cancelled = true;
       return;
     }
-    steps[i].areas = roughing ? RoughingWays((*levels)[i], job.options, cancel)
-                              : FinishingWays((*levels)[i], job.options);
+    steps[i].areas = roughing ? RoughingPasses((*levels)[i], job.options, cancel)
+                              : FinishingPasses((*levels)[i], job.options);
   });
   return cancel.Check();
 }

@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "services/milling/algo/strategy/level_ways.h"
+#include "services/milling/algo/strategy/level_passes.h"
 #include "services/milling/algo/strategy/milling_job.h"
 #include "services/milling/algo/strategy/rest_rows.h"
 

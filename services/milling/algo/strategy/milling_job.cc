@@ -13,7 +13,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "processes/mill/model/check_milling.h"
-#include "services/milling/algo/strategy/level_ways.h"
+#include "services/milling/algo/strategy/level_passes.h"
 
 namespace slicefarm::milling {
 namespace {

@@ -40,8 +40,7 @@ TEST(PrepareMilling, LeavesFinishingOut) {
   options.finishing = false;
   const MillingJob job = JobOf(PocketPart().Mesh(), options);
   ASSERT_FALSE(job.steps.empty());
-  for (const MillStep& step : job.steps)
-    EXPECT_EQ(step.phase, MillPhase::kRoughing);
+  for (const MillStep& step : job.steps) EXPECT_EQ(step.phase, MillPhase::kRoughing);
 }
 
 Reason ReasonOf(const TriangleMesh& part, const MillingOptions& options,

@@ -11,7 +11,7 @@
 #include "common/geometry/rings/simplify.h"
 #include "services/milling/algo/drop/drop_cutter.h"
 #include "services/milling/algo/strategy/plane.h"
-#include "services/milling/algo/strategy/surface_way.h"
+#include "services/milling/algo/strategy/surface_pass.h"
 
 namespace slicefarm::milling {
 namespace {
@@ -98,7 +98,7 @@ class RestRow {
     for (int i = first; i < last; ++i) {
       const Eigen::Vector3d a(columns_.At(i), y_mm_, z_[i]);
       const Eigen::Vector3d b(columns_.At(i + 1), y_mm_, z_[i + 1]);
-      for (const Eigen::Vector3d& p : SurfaceWay(a, b, tolerance_mm_, height))
+      for (const Eigen::Vector3d& p : SurfacePass(a, b, tolerance_mm_, height))
         line.push_back(PointOf({p.x(), p.z()}));
     }
     RestRun run;

@@ -18,15 +18,41 @@ constexpr int kKlipperM[] = {18,  20,  21,  23,  24,  25,  26,  27,  73,  82,
 constexpr KnownCommands kKlipperCommands{kKlipperG, kKlipperM};
 
 /// Commands that slicers and start G-code use. Other commands of Klipper would count as macros.
-constexpr std::string_view kNamed[] = {
-    "ACTIVATE_EXTRUDER", "BED_MESH_CALIBRATE", "BED_MESH_CLEAR", "BED_MESH_PROFILE",
-    "CANCEL_PRINT", "CLEAR_PAUSE", "EXCLUDE_OBJECT", "EXCLUDE_OBJECT_DEFINE",
-    "EXCLUDE_OBJECT_END", "EXCLUDE_OBJECT_START", "FIRMWARE_RESTART", "FORCE_MOVE", "PAUSE",
-    "QUAD_GANTRY_LEVEL", "RESPOND", "RESTORE_GCODE_STATE", "RESUME", "SAVE_GCODE_STATE",
-    "SET_DISPLAY_TEXT", "SET_FAN_SPEED", "SET_GCODE_OFFSET", "SET_HEATER_TEMPERATURE",
-    "SET_INPUT_SHAPER", "SET_LED", "SET_PIN", "SET_PRESSURE_ADVANCE", "SET_PRINT_STATS_INFO",
-    "SET_RETRACTION", "SET_TEMPERATURE_FAN_TARGET", "SET_VELOCITY_LIMIT", "STATUS",
-    "TEMPERATURE_WAIT", "TURN_OFF_HEATERS", "TUNING_TOWER", "Z_TILT_ADJUST"};
+constexpr std::string_view kNamed[] = {"ACTIVATE_EXTRUDER",
+                                       "BED_MESH_CALIBRATE",
+                                       "BED_MESH_CLEAR",
+                                       "BED_MESH_PROFILE",
+                                       "CANCEL_PRINT",
+                                       "CLEAR_PAUSE",
+                                       "EXCLUDE_OBJECT",
+                                       "EXCLUDE_OBJECT_DEFINE",
+                                       "EXCLUDE_OBJECT_END",
+                                       "EXCLUDE_OBJECT_START",
+                                       "FIRMWARE_RESTART",
+                                       "FORCE_MOVE",
+                                       "PAUSE",
+                                       "QUAD_GANTRY_LEVEL",
+                                       "RESPOND",
+                                       "RESTORE_GCODE_STATE",
+                                       "RESUME",
+                                       "SAVE_GCODE_STATE",
+                                       "SET_DISPLAY_TEXT",
+                                       "SET_FAN_SPEED",
+                                       "SET_GCODE_OFFSET",
+                                       "SET_HEATER_TEMPERATURE",
+                                       "SET_INPUT_SHAPER",
+                                       "SET_LED",
+                                       "SET_PIN",
+                                       "SET_PRESSURE_ADVANCE",
+                                       "SET_PRINT_STATS_INFO",
+                                       "SET_RETRACTION",
+                                       "SET_TEMPERATURE_FAN_TARGET",
+                                       "SET_VELOCITY_LIMIT",
+                                       "STATUS",
+                                       "TEMPERATURE_WAIT",
+                                       "TURN_OFF_HEATERS",
+                                       "TUNING_TOWER",
+                                       "Z_TILT_ADJUST"};
 
 /// Klipper's defaults: [gcode_arcs] resolution, [extruder] max_extrude_only_distance and
 /// max_extrude_cross_section.
@@ -37,7 +63,8 @@ constexpr double kMostSectionsOfNozzle = 4;
 /// Replaces the characters at which Klipper splits parameters: blanks, quotes and comment signs.
 std::string WithoutSpecials(std::string name) {
   constexpr std::string_view kSpecial = " \"#%&'*-./:;<>\\=[]{}|";
-  std::ranges::replace_if(name, [&](char c) { return kSpecial.find(c) != kSpecial.npos; }, '_');
+  std::ranges::replace_if(
+      name, [&](char c) { return kSpecial.find(c) != kSpecial.npos; }, '_');
   return name;
 }
 

@@ -8,7 +8,8 @@ namespace {
 KinematicMove Towards(double x, double e) { return {10, {x, 0, 0, e}, 50, 0}; }
 
 TEST(Marlin, KnowsItsCommands) {
-  for (const char* text : {"G1 X1", "G29", "M205 X1", "M486 S1", "M862.3 P \"MK3S\"", "T0", "M572 S.1"})
+  for (const char* text :
+       {"G1 X1", "G29", "M205 X1", "M486 S1", "M862.3 P \"MK3S\"", "T0", "M572 S.1"})
     EXPECT_TRUE(Marlin2().Knows(ParseGcodeLine(text))) << text;
   for (const char* text : {"SET_VELOCITY_LIMIT ACCEL=1", "M566 X1", "G123456", "X1"})
     EXPECT_FALSE(Marlin2().Knows(ParseGcodeLine(text))) << text;

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "common/gcode/gcode_text.h"
 #include "common/model/fields/material_field.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "common/gcode/gcode_text.h"
 
 namespace slicefarm::motion {
 

@@ -1,7 +1,8 @@
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/prusa_buddy.h"
 
 #include <gtest/gtest.h>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::prusa_buddy_test {
 namespace {

@@ -48,9 +48,9 @@ class RepRapFirmware : public NumberedObjects {
     return AccelerationOr(limits.max_acceleration_travel_mm_s2, print);
   }
   double ArcSegmentMm(double radius_mm, double speed_mm_s) const override {
-    return std::clamp(std::min(std::sqrt(8 * radius_mm * kArcDeviationMm),
-                               speed_mm_s / kArcSegmentsPerSecond),
-                      kShortestArcSegmentMm, kLongestArcSegmentMm);
+    return std::clamp(
+        std::min(std::sqrt(8 * radius_mm * kArcDeviationMm), speed_mm_s / kArcSegmentsPerSecond),
+        kShortestArcSegmentMm, kLongestArcSegmentMm);
   }
 
   ExtruderMode extruder_mode() const override { return ExtruderMode::kApart; }

@@ -28,7 +28,8 @@ TEST(RepRap, ReadsWhatItWrites) {
     RepRap().ApplyLimits(ParseGcodeLine(text.substr(0, text.find('\n'))), read);
     text.remove_prefix(text.find('\n') + 1);
   }
-  for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(read.max_feedrate_mm_s[i], told.max_feedrate_mm_s[i], 1e-9);
+  for (size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(read.max_feedrate_mm_s[i], told.max_feedrate_mm_s[i], 1e-9);
   for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(read.max_jerk_mm_s[i], told.max_jerk_mm_s[i], 1e-9);
   EXPECT_EQ(read.max_acceleration_mm_s2, told.max_acceleration_mm_s2);
   EXPECT_EQ(read.max_acceleration_travel_mm_s2, 33);

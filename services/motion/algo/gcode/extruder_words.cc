@@ -11,7 +11,8 @@ namespace slicefarm::motion {
 namespace {
 
 double FilamentAreaMm2(const MotionOptions& options) {
-  return std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
+  return std::numbers::pi / 4 * options.tool().filament_diameter_mm *
+         options.tool().filament_diameter_mm;
 }
 
 }  // namespace

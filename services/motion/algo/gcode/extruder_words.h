@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "common/model/options/tool_row.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/tool_row.h"
 
 namespace slicefarm {
 struct MotionOptions;
@@ -43,7 +43,7 @@ class ExtruderWords {
   bool by_firmware_ = false;
   bool comments_ = false;
   double per_unit_ = 1;  ///< value in the text per mm of filament
-  int64_t pushed_ = 0;  ///< length extruded since the last reset to 0, in 1e-5 mm
+  int64_t pushed_ = 0;   ///< length extruded since the last reset to 0, in 1e-5 mm
   /// length written since the last reset to 0, in units of the text's last digit
   int64_t told_ = 0;
 };

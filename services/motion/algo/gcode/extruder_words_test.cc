@@ -1,9 +1,10 @@
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::extruder_words_test {
 namespace {

@@ -207,8 +207,8 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   }
   TellWipe(move.kind == MoveKind::kWipe, out);
   if (WriteByFirmware(move, out)) return;
-  const bool climbs = (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) &&
-                      move.z_um != z_um_;
+  const bool climbs =
+      (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) && move.z_um != z_um_;
   SetAcceleration(move, out);
   const size_t begin = out.text().size();
   out << "G1";
@@ -262,8 +262,8 @@ void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
   if (of_travel && !accelerations_.told_travel) return;
   if (of_travel && firmware_.HasTravelAcceleration()) {
-    SetAcceleration(MachineMode::kTravelAcceleration, move.acceleration_mm_s2,
-                    travel_acceleration_, out);
+    SetAcceleration(MachineMode::kTravelAcceleration, move.acceleration_mm_s2, travel_acceleration_,
+                    out);
   } else if (of_travel || move.kind == MoveKind::kPrint) {
     SetAcceleration(MachineMode::kAcceleration, move.acceleration_mm_s2, acceleration_, out);
   }

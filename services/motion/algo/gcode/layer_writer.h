@@ -32,7 +32,7 @@ struct LayerState {
   /// Largest rest, in percent, of walls with bridge_fan_percent; -1: no such wall
   int32_t cooled_rest = -1;
   int32_t interface_fan_percent = -1;  ///< fan for support interfaces; -1: fan_percent
-  ShiftUm to_plate = {};  ///< shift from G-code coordinates to plate coordinates
+  ShiftUm to_plate = {};               ///< shift from G-code coordinates to plate coordinates
 };
 
 /// Writes moves as G-code, with the comments and modes that previewers and the firmware need:

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "common/model/options/machine_limits.h"
 #include "common/gcode/gcode_text.h"
+#include "common/model/options/machine_limits.h"
 
 namespace slicefarm {
 struct MotionOptions;
@@ -20,7 +20,7 @@ void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out)
 
 /// G-code before the layers, with filled-in templates.
 struct StartCode {
-  std::string_view machine;  ///< `start_gcode`
+  std::string_view machine;   ///< `start_gcode`
   std::string_view filament;  ///< `start_filament_gcode`
 };
 

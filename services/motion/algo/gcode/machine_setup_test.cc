@@ -1,8 +1,9 @@
-#include "common/model/options/machine_limits.h"
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 
 #include <gtest/gtest.h>
+
+#include "common/model/options/machine_limits.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::machine_setup_test {
 namespace {

@@ -41,8 +41,8 @@ void WriteUse(const MotionOptions& options, const ProgramStats& total, GcodeText
 
 void WriteTimes(std::string_view mode, const PrintTimes& times, GcodeText& out) {
   const auto line = [&](std::string_view what, double time_s) {
-    out << "; estimated " << what << "printing time (" << mode << " mode) = " << DurationText(time_s)
-        << '\n';
+    out << "; estimated " << what << "printing time (" << mode
+        << " mode) = " << DurationText(time_s) << '\n';
   };
   line("", times.TotalS());
   if (!times.layer_s.empty()) line("first layer ", times.layer_s.front());

@@ -21,7 +21,6 @@ std::string MetadataHead(const ProgramSummary& summary);
 /// the options. Text in names or settings cannot end its line. Source: PrusaSlicer's keys, as read
 /// by Moonraker, PrusaLink and OctoPrint's plug-ins.
 std::string MetadataTail(const MotionOptions& options, const ProgramSummary& summary,
-                         const PrintTimes& times,
-                         const std::optional<PrintTimes>& silent = {});
+                         const PrintTimes& times, const std::optional<PrintTimes>& silent = {});
 
 }  // namespace slicefarm::motion

@@ -1,4 +1,3 @@
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/gcode/print_metadata.h"
 
 #include <gmock/gmock.h>
@@ -6,6 +5,8 @@
 
 #include <regex>
 #include <sstream>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::print_metadata_test {
 namespace {
@@ -145,8 +146,8 @@ TEST(MetadataTail, NothingPrinted) {
 TEST(Metadata, EveryLineIsAComment) {
   const std::string hostile = "x\nM112\rG28\n\vM104 S500\f\x1b[2J\"; \n";
   MotionOptions options = Options();
-  options.tool().filament_type = options.tool().filament_colour = options.tool().filament_settings_id =
-      options.printer_model = hostile;
+  options.tool().filament_type = options.tool().filament_colour =
+      options.tool().filament_settings_id = options.printer_model = hostile;
   ProgramSummary summary = Summary();
   summary.copies.clear();
   for (const std::string& name : {hostile, std::string("\n"), std::string("\\")})

@@ -29,11 +29,10 @@ macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts&
 
 /// Returns the variables that are known after all layers:
 ///   total_layer_count
-///   first_layer_print_min / _max / _size and first_layer_print_convex_hull: area of the first layer
-///   used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost
-///   print_time, as "1h 2m 3s"; time_s is the time of the layers.
-///   silent_print_time, from silent_s, if the machine has a silent mode.
-///   num_objects, num_instances, input_filename, input_filename_base
+///   first_layer_print_min / _max / _size and first_layer_print_convex_hull: area of the first
+///   layer used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost print_time, as
+///   "1h 2m 3s"; time_s is the time of the layers. silent_print_time, from silent_s, if the machine
+///   has a silent mode. num_objects, num_instances, input_filename, input_filename_base
 macro::TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
                                         double time_s, std::optional<double> silent_s = {});
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/model/options/tool_row.h"
 #include "common/kinematics/kinematic_move.h"
+#include "common/model/options/tool_row.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/program/heat_waits.h"
 #include "services/motion/algo/text/gcode_line.h"
@@ -111,7 +111,7 @@ class GcodeMachine {
   bool relative_ = false;
   bool relative_filament_ = false;
   bool retracted_ = false;  ///< retracted by G10
-  double speed_mm_s_ = 0;  ///< speed as given, without the factor of M220
+  double speed_mm_s_ = 0;   ///< speed as given, without the factor of M220
   double speed_factor_ = 1;
   double flow_factor_ = 1;
   double filament_unit_mm_ = 1;  ///< mm of filament per unit of E; with M200 the unit is a volume

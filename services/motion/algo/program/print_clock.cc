@@ -130,8 +130,8 @@ void PrintClock::QueueHead(const LayerEdges& edges, double& part_s) {
   }
 }
 
-void PrintClock::Queue(std::span<const EdgeMove> way, double set_mm_s2, double& part_s) {
-  for (size_t i = 1; i < way.size(); ++i) Queue(way[i - 1], way[i], set_mm_s2, part_s);
+void PrintClock::Queue(std::span<const EdgeMove> travel, double set_mm_s2, double& part_s) {
+  for (size_t i = 1; i < travel.size(); ++i) Queue(travel[i - 1], travel[i], set_mm_s2, part_s);
 }
 
 void PrintClock::Queue(const EdgeMove& before, const EdgeMove& move, double set_mm_s2,

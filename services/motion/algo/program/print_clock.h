@@ -52,8 +52,8 @@ class PrintClock {
   void ReadLine(std::string_view text, double& part_s);
   void Rest(const GcodeLine& line, double& part_s);
   void Resume();
-  /// Queues the moves of `way`. The first element is only the start position.
-  void Queue(std::span<const EdgeMove> way, double set_mm_s2, double& part_s);
+  /// Queues the moves of `travel`. The first element is only the start position.
+  void Queue(std::span<const EdgeMove> travel, double set_mm_s2, double& part_s);
   void QueueHead(const LayerEdges& edges, double& part_s);
   void Queue(const EdgeMove& before, const EdgeMove& move, double set_mm_s2, double& part_s);
   /// Plans the queued moves and adds their times, multiplied by `sign`.

@@ -84,8 +84,8 @@ TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
     gcode += frame->layer_prefixes[i] + programs[i].gcode;
   gcode += frame->epilogue;
 
-  const ProgramTime want =
-      TimeOfProgram(gcode, FirmwareOf(options.flavor), {options.limits, options.tool().retraction, {}});
+  const ProgramTime want = TimeOfProgram(gcode, FirmwareOf(options.flavor),
+                                         {options.limits, options.tool().retraction, {}});
   const PrintTimes& got = frame->times;
   const double tolerance = GetParam().tolerance_s;
   EXPECT_NEAR(got.TotalS(), want.TotalS(), tolerance);

@@ -61,7 +61,8 @@ class Checker {
 
   ProgramReport Finish() {
     report_.filament_mm = filament_.PrintedMm();
-    const double tolerance = kSumMm + kSumOfRoundingMm * std::sqrt(static_cast<double>(report_.moves));
+    const double tolerance =
+        kSumMm + kSumOfRoundingMm * std::sqrt(static_cast<double>(report_.moves));
     if (told_mm_ && std::abs(*told_mm_ - report_.filament_mm) > tolerance) {
       Find(absl::StrFormat("filament used [mm] = %.5f, but the program extrudes %.5f", *told_mm_,
                            report_.filament_mm),
@@ -74,7 +75,8 @@ class Checker {
   void Find(std::string text) { Find(std::move(text), report_.lines); }
   void Find(std::string text, int64_t line) {
     ++report_.found;
-    if (report_.findings.size() < kMostFindings) report_.findings.push_back({line, std::move(text)});
+    if (report_.findings.size() < kMostFindings)
+      report_.findings.push_back({line, std::move(text)});
   }
 
   void ReadComment(std::string_view comment) {

@@ -35,13 +35,16 @@ std::vector<Finding> Check(const std::string& body, const Firmware& firmware = M
 
 /// Matches one finding, on the first line of the body.
 auto One(const std::string& text) {
-  return ElementsAre(testing::AllOf(Field(&Finding::line, 13), Field(&Finding::text, HasSubstr(text))));
+  return ElementsAre(
+      testing::AllOf(Field(&Finding::line, 13), Field(&Finding::text, HasSubstr(text))));
 }
 
 TEST(CheckProgram, AProperProgramPasses) {
   for (const auto firmware : {Klipper, Marlin2, RepRap}) {
     EXPECT_THAT(Check("G1 X40 E.66 F1800\nG1 E-.8 F2100\nG1 X50 F7800\nG1 E.8 F2100\n"
-                      "G1 X60 E.33 F1800\nG3 X50 Y30 I-10 E.5\n", firmware()), IsEmpty());
+                      "G1 X60 E.33 F1800\nG3 X50 Y30 I-10 E.5\n",
+                      firmware()),
+                IsEmpty());
   }
 }
 

@@ -1,9 +1,9 @@
 #include "services/motion/algo/text/commands.h"
 
-#include "common/model/options/motion_options.h"
-
 #include <algorithm>
 #include <cctype>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 

@@ -3,7 +3,6 @@
 #include <initializer_list>
 #include <string_view>
 
-
 namespace slicefarm {
 struct MotionOptions;
 }  // namespace slicefarm

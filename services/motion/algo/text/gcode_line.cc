@@ -25,8 +25,26 @@ std::string_view SkipBlanks(std::string_view text) {
 bool TakesText(const GcodeLine& line) {
   if (line.letter != 'M') return false;
   switch (line.number) {
-    case 0: case 1: case 16: case 20: case 22: case 23: case 28: case 30: case 32: case 33: case 36:
-    case 98: case 115: case 117: case 118: case 291: case 292: case 486: case 550: case 551:
+    case 0:
+    case 1:
+    case 16:
+    case 20:
+    case 22:
+    case 23:
+    case 28:
+    case 30:
+    case 32:
+    case 33:
+    case 36:
+    case 98:
+    case 115:
+    case 117:
+    case 118:
+    case 291:
+    case 292:
+    case 486:
+    case 550:
+    case 551:
     case 552:
     case 555:
     case 559:

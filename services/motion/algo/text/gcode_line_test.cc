@@ -68,9 +68,9 @@ TEST(ParseGcodeLine, ListsAndTextsInQuotes) {
 }
 
 TEST(ParseGcodeLine, Faults) {
-  for (const char* text : {"G1 X1 X2", "G1 X1.2.3", "G1 X-", "G1 Xnan", "G1 10",
-                           "G1 X1 %", "G1 X99999999999", "M567 E1:", "M567 E:1",
-                           "M567 E1:x", "M950 C\"out0"}) {
+  for (const char* text :
+       {"G1 X1 X2", "G1 X1.2.3", "G1 X-", "G1 Xnan", "G1 10", "G1 X1 %", "G1 X99999999999",
+        "M567 E1:", "M567 E:1", "M567 E1:x", "M950 C\"out0"}) {
     EXPECT_NE(ParseGcodeLine(text).fault, "") << text;
   }
 }

@@ -6,7 +6,7 @@
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kThreadTolerance = 0.001;
 
 double DiscMm2(double diameter_mm) { return std::numbers::pi / 4 * diameter_mm * diameter_mm; }
 
-double ThreadMm(const RegionSpeeds& region, double nozzle_mm, Feature feature) {
+double ThreadMm(const RegionMotion& region, double nozzle_mm, Feature feature) {
   const bool own = feature == Feature::kInternalBridge && region.internal_bridge_flow > 0;
   return nozzle_mm * std::sqrt(own ? region.internal_bridge_flow : region.bridge_flow);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "common/model/path.h"
 
 namespace slicefarm {
@@ -17,7 +17,7 @@ double DiscMm2(double diameter_mm);
 
 /// Returns the diameter of a bridge's strand from a region's settings, in mm. `feature`: kind of
 /// bridge.
-double ThreadMm(const RegionSpeeds& region, double nozzle_mm,
+double ThreadMm(const RegionMotion& region, double nozzle_mm,
                 Feature feature = Feature::kBridgeInfill);
 
 /// Returns the diameter if the path has the plastic of a round strand; otherwise 0. The infill

@@ -22,8 +22,9 @@ std::vector<BeadEnd> EndsOf(std::span<const Stretch> program) {
     for (size_t i = std::max<size_t>(stretch.first, 1); i < stretch.last; ++i) {
       if (moves[i].kind != MoveKind::kPrint) continue;
       for (const Move* move : {&moves[i - 1], &moves[i]})
-        ends.push_back({{FromUm(move->x_um + stretch.shift.x), FromUm(move->y_um + stretch.shift.y)},
-                        FromUm(moves[i].width_um)});
+        ends.push_back(
+            {{FromUm(move->x_um + stretch.shift.x), FromUm(move->y_um + stretch.shift.y)},
+             FromUm(moves[i].width_um)});
     }
   }
   return ends;

@@ -67,15 +67,16 @@ void LayerTiming::Queue(const KinematicMove& move, size_t place) {
 /// Queues an arc as the chords that the firmware makes of it.
 void LayerTiming::QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveArc& arc,
                            int64_t filament) {
-  const Arc way{{Mm(from.x_um), Mm(from.y_um)},
-                {Mm(to.x_um), Mm(to.y_um)},
-                {Mm(arc.centre.x), Mm(arc.centre.y)},
-                arc.clockwise};
-  const double speed = SpeedOf(to.feed_rate), radius = way.StartRadius();
-  const auto ends = ArcChords(way, radius * way.Angle(), firmware_.ArcSegmentMm(radius, speed));
+  const Arc travel{{Mm(from.x_um), Mm(from.y_um)},
+                   {Mm(to.x_um), Mm(to.y_um)},
+                   {Mm(arc.centre.x), Mm(arc.centre.y)},
+                   arc.clockwise};
+  const double speed = SpeedOf(to.feed_rate), radius = travel.StartRadius();
+  const auto ends =
+      ArcChords(travel, radius * travel.Angle(), firmware_.ArcSegmentMm(radius, speed));
   const double filament_mm =
       static_cast<double>(filament) / kFilamentUnitsPerMm / static_cast<double>(ends.size());
-  Vector2 at = way.from;
+  Vector2 at = travel.from;
   for (const Vector2& end : ends) {
     const double length = Hypot(end.x() - at.x(), end.y() - at.y());
     const double scale = 1 / length;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "common/model/options/motion_options.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "services/motion/algo/toolpath/feature_groups.h"
 #include "services/motion/algo/toolpath/overhang.h"
 
@@ -24,7 +24,7 @@ bool IsSmallWall(const Path& path, double length_mm, double radius_mm) {
 }  // namespace
 
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
-  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   double speed = region.speed_mm_s[static_cast<size_t>(path.feature)];
   if (path.feature == Feature::kInternalBridge && speed <= 0)
     speed = region.speed_mm_s[static_cast<size_t>(Feature::kBridgeInfill)];
@@ -66,7 +66,7 @@ double PrintSpeeds::OnGround(Ground ground, Feature feature, double speed) const
 }
 
 double PrintSpeeds::OverAir(const Path& path, double speed_mm_s, uint8_t rest) const {
-  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   if (!region.dynamic_overhangs || rest == kFullRest) return speed_mm_s;
   std::array<double, kOverhangDegrees> told = region.overhang_speed_mm_s;
   for (double& speed : told)

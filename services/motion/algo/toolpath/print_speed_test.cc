@@ -1,7 +1,8 @@
-#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 #include <gtest/gtest.h>
+
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion::print_speed_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "common/model/path.h"
 
 namespace slicefarm::motion {

@@ -212,25 +212,26 @@ class Reach {
   /// Returns the sum of squared deviations of the passed nodes from a bead that ends at `end`.
   /// `end` is at or beside the last node. Returns nothing if the bead may not replace the nodes.
   std::optional<double> DeviationTo(Vector2 end) const {
-    const Vector2 way = end - begin_;
-    const double squared = Dot(way, way);
-    if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(way)) return std::nullopt;
+    const Vector2 travel = end - begin_;
+    const double squared = Dot(travel, travel);
+    if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(travel)) return std::nullopt;
     const double least = std::max(0.0, kLeastShare * length_ - kLengthSlackUm);
     if (least * least > squared) return std::nullopt;
-    return (way.y() * way.y() * xx_ - 2 * way.x() * way.y() * xy_ + way.x() * way.x() * yy_) /
+    return (travel.y() * travel.y() * xx_ - 2 * travel.x() * travel.y() * xy_ +
+            travel.x() * travel.x() * yy_) /
            squared;
   }
 
   /// Requires beads to pass the last node within the tolerance. Returns false if no bead can.
   bool Pass(Vector2 place) {
-    const Vector2 way = place - begin_;
-    const double squared = Dot(way, way);
+    const Vector2 travel = place - begin_;
+    const double squared = Dot(travel, travel);
     farthest_ = std::max(farthest_, squared);
     const double away = tolerance_.place_um;
-    if (squared > away * away) cone_.Narrow(way, away);
-    xx_ += way.x() * way.x();
-    xy_ += way.x() * way.y();
-    yy_ += way.y() * way.y();
+    if (squared > away * away) cone_.Narrow(travel, away);
+    xx_ += travel.x() * travel.x();
+    xy_ += travel.x() * travel.y();
+    yy_ += travel.y() * travel.y();
     return !cone_.Empty() && (widest_ == narrowest_ ||
                               widest_ - narrowest_ <= tolerance_.OfWidth(widest_, length_) +
                                                           tolerance_.OfWidth(narrowest_, length_));
@@ -277,39 +278,39 @@ struct Way {
 class FewestBeads {
  public:
   FewestBeads(std::span<const Node> nodes, const Tolerance& tolerance)
-      : nodes_(nodes), tolerance_(tolerance), ways_(nodes.size()), farthest_(nodes.size()) {
-    ways_[0][0].beads = 0;
+      : nodes_(nodes), tolerance_(tolerance), travels_(nodes.size()), farthest_(nodes.size()) {
+    travels_[0][0].beads = 0;
     size_t fewest = 0;  // fewest beads to any node from here on
     for (size_t i = 0; i + 1 < nodes_.size(); ++i) {
       while (farthest_[fewest] < i) ++fewest;
-      if (std::min(ways_[i][0].beads, ways_[i][1].beads) != fewest) continue;
+      if (std::min(travels_[i][0].beads, travels_[i][1].beads) != fewest) continue;
       if (i + kLastNodes < farthest_[fewest]) continue;
       for (const bool outside : {false, true})
-        if (ways_[i][outside].beads == fewest) GoOnFrom({i, outside});
+        if (travels_[i][outside].beads == fewest) GoOnFrom({i, outside});
     }
   }
 
   /// Returns the ends of the beads, from the first on.
   std::vector<Stop> Stops() const {
     std::vector<Stop> stops;
-    for (Stop at = {nodes_.size() - 1}; at.node != 0; at = WayTo(at).before) stops.push_back(at);
+    for (Stop at = {nodes_.size() - 1}; at.node != 0; at = TravelTo(at).before) stops.push_back(at);
     std::ranges::reverse(stops);
     return stops;
   }
 
  private:
-  const Way& WayTo(Stop stop) const { return ways_[stop.node][stop.outside]; }
+  const Way& TravelTo(Stop stop) const { return travels_[stop.node][stop.outside]; }
 
   void GoOnFrom(Stop from) {
     Reach reach(nodes_[from.node], EndAt(nodes_[from.node], from.outside), tolerance_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
-    const size_t beads = WayTo(from).beads + 1;
+    const size_t beads = TravelTo(from).beads + 1;
     for (size_t i = from.node + 1; i < end; ++i) {
       reach.Take(nodes_[i]);
       const bool next = !from.outside && i == from.node + 1;
-      if (beads <= ways_[i][0].beads)
+      if (beads <= travels_[i][0].beads)
         Improve({i, false}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
-      if (beads <= ways_[i][1].beads && nodes_[i].outside != nodes_[i].place)
+      if (beads <= travels_[i][1].beads && nodes_[i].outside != nodes_[i].place)
         Improve({i, true}, from, reach.DeviationTo(nodes_[i].outside));
       if (nodes_[i].stays || !reach.Pass(nodes_[i].place)) return;
     }
@@ -319,17 +320,17 @@ class FewestBeads {
     if (!deviation) return;
     const Node& node = nodes_[stop.node];
     const Vector2 away = EndAt(node, stop.outside) - node.place;
-    const Way& before = WayTo(from);
-    const Way way = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
-    Way& best = ways_[stop.node][stop.outside];
-    if (way < best) best = way;
-    farthest_[way.beads] = std::max(farthest_[way.beads], stop.node);
+    const Way& before = TravelTo(from);
+    const Way travel = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
+    Way& best = travels_[stop.node][stop.outside];
+    if (travel < best) best = travel;
+    farthest_[travel.beads] = std::max(farthest_[travel.beads], stop.node);
   }
 
   const std::span<const Node> nodes_;
   const Tolerance tolerance_;
   /// Best sequence to each node, and to the place outside it.
-  std::vector<std::array<Way, 2>> ways_;
+  std::vector<std::array<Way, 2>> travels_;
   std::vector<size_t> farthest_;  ///< farthest node by number of beads
 };
 

@@ -32,8 +32,7 @@ class Loop {
       const Point from = path_.points[i], to = path_.points[(i + 1) % path_.points.size()];
       const double edge = Distance(from, to);
       if (edge <= 0) continue;
-      const int pieces =
-          longest_nm > 0 ? static_cast<int>(std::ceil(edge / longest_nm)) : 1;
+      const int pieces = longest_nm > 0 ? static_cast<int>(std::ceil(edge / longest_nm)) : 1;
       for (int k = 1; k <= pieces; ++k)
         visit(k == pieces ? to : PointBetween(from, to, static_cast<double>(k) / pieces),
               std::min(1.0, (along + edge * k / pieces) / length_nm_));

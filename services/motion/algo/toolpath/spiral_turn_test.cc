@@ -1,9 +1,9 @@
 #include "services/motion/algo/toolpath/spiral_turn.h"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "common/geometry/measure.h"
 
@@ -45,8 +45,8 @@ double Plastic(const Path& path, const std::vector<TurnPiece>& pieces) {
 
 TEST(SpiralTurn, RisesEvenlyWithFullFlow) {
   const Path path = TurnIn(10);
-  const auto pieces = TurnOf(path, {.start = path.points[0], .from = path.points[0]},
-                             {{Ring(10), {}}});
+  const auto pieces =
+      TurnOf(path, {.start = path.points[0], .from = path.points[0]}, {{Ring(10), {}}});
   ASSERT_EQ(pieces.size(), 64U);
   EXPECT_THAT(pieces, Each(Field(&TurnPiece::flow, 1.0)));
   for (size_t i = 0; i < pieces.size(); ++i)
@@ -58,8 +58,8 @@ TEST(SpiralTurn, FirstAndLastTurnPrintAsMuchAsOneLoop) {
   const Path path = TurnIn(10);
   const auto first = TurnOf(path, {.start = path.points[0]}, {});
   EXPECT_THAT(Plastic(path, first), DoubleNear(PathLength(path) / 2, 1e4));
-  const auto last =
-      TurnOf(path, {.start = path.points[0], .from = path.points[0], .last = true}, {{Ring(10), {}}});
+  const auto last = TurnOf(path, {.start = path.points[0], .from = path.points[0], .last = true},
+                           {{Ring(10), {}}});
   EXPECT_THAT(Plastic(path, last), DoubleNear(PathLength(path) * 3 / 2, 1e4));
   EXPECT_THAT(last.back(), Field(&TurnPiece::rise, 1.0));
   EXPECT_LT(last.back().flow, .02);

@@ -123,8 +123,8 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel,
 void ToolpathBuilder::EndPath(const Path& path, bool moved_on, int64_t filament_before) {
   moved_on_ = moved_on;
   if (path.feature != Feature::kGapFill) after_top_ = IsTop(path.feature);
-  wipe_way_.clear();
-  if (wipe_.length_mm > 0 && !moved_on) wipe_way_ = WipeWay(path, wipe_.length_mm);
+  wipe_path_.clear();
+  if (wipe_.length_mm > 0 && !moved_on) wipe_path_ = WipePath(path, wipe_.length_mm);
   Count(path, filament_ - filament_before);
 }
 
@@ -214,7 +214,7 @@ std::vector<RestingPiece> ToolpathBuilder::PiecesUnder(
 
 /// Returns the speed of a turn; over air it is a bridge's speed.
 double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t rest) const {
-  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(Feature::kOverhangPerimeter)];
   const bool as_bridge = rest == 0 && region.bridging_walls && !region.dynamic_overhangs;
   if (as_bridge && bridge_mm_s > 0) return bridge_mm_s;
@@ -224,7 +224,7 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
 /// Returns the needed resolution of the rest below, or nothing if the layer below has no effect.
 std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
-  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   const CoolingOptions& cooling = options_.tool().cooling;
   if (region.dynamic_overhangs || cooling.dynamic_fan || CoolsByRest(cooling))
     return RestSteps::kAll;
@@ -236,7 +236,7 @@ std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
 void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps,
                                    double speed_mm_s) {
   const Path& path = simple.path;
-  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   std::vector<PathSegment> segments(SegmentsOf(path));
   for (size_t i = 0; i < segments.size(); ++i) segments[i] = SegmentOf(path, i);
   Point from = path.points.front();
@@ -269,7 +269,7 @@ void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord
 /// Prints a piece of a wall like a bridge. `thread`: allows a thread if the settings want threads.
 void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord width_nm,
                                   double speed_mm_s, bool thread) {
-  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   constexpr Feature kBridge = Feature::kOverhangPerimeter;
   const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(kBridge)];
   if (!region.dynamic_overhangs && bridge_mm_s > 0) speed_mm_s = bridge_mm_s;
@@ -356,9 +356,10 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   for (const Point corner : travel.corners) add(corner);
   add(to);
   if (way.empty()) return;
-  short_way_ =
-      at_.feature == Feature::kExternalPerimeter && WayMm(way) < options_.tool().retraction.min_travel_mm;
-  const bool goes_back = travel.over_wall || WayMm(way) >= options_.tool().retraction.min_travel_mm;
+  short_travel_ = at_.feature == Feature::kExternalPerimeter &&
+                  MovesMm(way) < options_.tool().retraction.min_travel_mm;
+  const bool goes_back =
+      travel.over_wall || MovesMm(way) >= options_.tool().retraction.min_travel_mm;
   if ((!travel.hidden || moved_on_) && goes_back) {
     Retract();
     const bool rises = RisesAfter(options_.tool().retraction.lift_after, first_layer_, after_top_);
@@ -369,16 +370,16 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
     }
     if (lift_um != 0) MoveZ(z_um_ + lift_um);
   }
-  stats_.travel_mm += WayMm(way);
+  stats_.travel_mm += MovesMm(way);
   ++stats_.travels;
   for (const PlaceUm place : way) MoveTo(place.x, place.y);
 }
 
 void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
-  stats_.travel_mm += WayMm(way);
+  stats_.travel_mm += MovesMm(way);
   ++stats_.travels;
   const PlaceUm from{at_.x_um, at_.y_um};
-  for (const auto [place, up_um] : RampedWay(from, way, options_.tool().retraction, below_)) {
+  for (const auto [place, up_um] : RampedTravel(from, way, options_.tool().retraction, below_)) {
     if (place == PlaceUm{at_.x_um, at_.y_um}) {
       MoveZ(z_um_ + up_um);
       continue;
@@ -389,14 +390,14 @@ void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
 }
 
 /// Returns the length of a travel from the nozzle's position.
-double ToolpathBuilder::WayMm(std::span<const PlaceUm> way) const {
-  double way_mm = 0;
+double ToolpathBuilder::MovesMm(std::span<const PlaceUm> way) const {
+  double move_mm = 0;
   PlaceUm last{at_.x_um, at_.y_um};
   for (const PlaceUm next : way) {
-    way_mm += Hypot(next.x - last.x, next.y - last.y) / kUmPerMm;
+    move_mm += Hypot(next.x - last.x, next.y - last.y) / kUmPerMm;
     last = next;
   }
-  return way_mm;
+  return move_mm;
 }
 
 void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
@@ -404,7 +405,7 @@ void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
   at_.y_um = y_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeed(options_, first_layer_));
-  Push(MoveKind::kTravel, short_way_ && accelerations_.short_travel > 0
+  Push(MoveKind::kTravel, short_travel_ && accelerations_.short_travel > 0
                               ? accelerations_.short_travel
                               : accelerations_.Travel(set_acceleration_));
 }

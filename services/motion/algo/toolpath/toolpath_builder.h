@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "common/model/options/region_speeds.h"
 #include "common/model/layers/layer.h"
+#include "common/model/options/region_motion.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/overhang.h"
 #include "services/motion/algo/toolpath/print_speed.h"
@@ -88,7 +88,7 @@ class ToolpathBuilder {
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
-  void Rise(std::span<const PlaceUm> way);
+  void Rise(std::span<const PlaceUm> route);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void BeginPath(const Path& path, const SimplifiedPath& simple);
   void EndPath(const Path& path, bool moved_on, int64_t filament_before);
@@ -106,7 +106,7 @@ class ToolpathBuilder {
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
-  double WayMm(std::span<const PlaceUm> way) const;
+  double MovesMm(std::span<const PlaceUm> route) const;
   void Retract();
   void PullBack(int32_t units);
   int32_t UnitsBeforeWipe() const;
@@ -132,7 +132,7 @@ class ToolpathBuilder {
   int32_t start_lift_um_;   ///< rise of the travel to the first path
   bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
   Wipe wipe_;
-  std::vector<PlaceUm> wipe_way_;  ///< points of the wipe from the end of the path before
+  std::vector<PlaceUm> wipe_path_;  ///< points of the wipe from the end of the path before
   int32_t retract_units_;
   int32_t restart_units_;
 
@@ -148,7 +148,7 @@ class ToolpathBuilder {
   /// true if the filament is still in the state in which the layer below ends
   bool as_left_ = false;
   /// true if the travel goes to an outer wall and is too short for a retraction
-  bool short_way_ = false;
+  bool short_travel_ = false;
   /// True if the nozzle is beyond the end of the path before, because a scarf ends over its
   /// beginning.
   bool moved_on_ = false;

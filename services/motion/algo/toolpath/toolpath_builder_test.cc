@@ -11,7 +11,7 @@
 #include "common/gcode/gcode_text.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/motion_options.h"
-#include "common/model/options/region_speeds.h"
+#include "common/model/options/region_motion.h"
 #include "common/model/options/tool_row.h"
 #include "common/model/paths_test.h"
 
@@ -54,7 +54,8 @@ int64_t Printed(const Toolpath& path) {
 }
 
 double FilamentArea(const MotionOptions& options) {
-  return std::numbers::pi / 4 * options.tool().filament_diameter_mm * options.tool().filament_diameter_mm;
+  return std::numbers::pi / 4 * options.tool().filament_diameter_mm *
+         options.tool().filament_diameter_mm;
 }
 
 TEST(ToolpathBuilder, NothingToPrint) {
@@ -506,7 +507,8 @@ TEST(ToolpathBuilder, ExtraOnRestartIsPrinted) {
 MotionOptions Wiping() {
   MotionOptions options;
   options.travel_speed_mm_s = 150;
-  options.tool().retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true, .before_wipe = 0.5};
+  options.tool().retraction = {
+      .length_mm = 0.7, .speed_mm_s = 35, .wipe = true, .before_wipe = 0.5};
   return options;
 }
 
@@ -624,7 +626,7 @@ TEST(ToolpathBuilder, EachPathHasTheSpeedOfItsRegion) {
   MotionOptions options;
   options.speeds.resize(2);
   options.speeds[1].speed_mm_s.fill(25);
-  for (RegionSpeeds& region : options.speeds) region.small_perimeter_speed_mm_s = 0;
+  for (RegionMotion& region : options.speeds) region.small_perimeter_speed_mm_s = 0;
   Path other = Line("(10 0, 20 0)");
   other.settings = 1;
   const Built built = Build({Line("(0 0, 10 0)"), other}, options);

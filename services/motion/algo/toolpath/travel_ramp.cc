@@ -18,11 +18,11 @@ Point ToPoint(PlaceUm place) { return {FromUm(place.x), FromUm(place.y)}; }
 
 /// Returns the distance along the travel to the first edge that requires the full lift, in
 /// micrometres.
-double ObstacleUm(PlaceUm from, std::span<const PlaceUm> way, const LayerBelow& below) {
+double ObstacleUm(PlaceUm from, std::span<const PlaceUm> travel, const LayerBelow& below) {
   std::vector<double> meets;
   double gone = 0;
   PlaceUm last = from;
-  for (const PlaceUm next : way) {
+  for (const PlaceUm next : travel) {
     const double length = LengthUm(last, next);
     for (const double share : below.EdgesOn(ToPoint(last), ToPoint(next)))
       meets.push_back(gone + share * length);
@@ -48,12 +48,12 @@ bool RisesAlongTheWay(const RetractionOptions& retraction) {
   return retraction.ramping && retraction.ramp_slope_deg > 0 && retraction.ramp_slope_deg < 90;
 }
 
-std::vector<RampPlace> RampedWay(PlaceUm from, std::span<const PlaceUm> way,
-                                 const RetractionOptions& retraction, const LayerBelow* below) {
+std::vector<RampPlace> RampedTravel(PlaceUm from, std::span<const PlaceUm> travel,
+                                    const RetractionOptions& retraction, const LayerBelow* below) {
   const double lift_um = retraction.ramp_lift_mm * kUmPerMillimetre;
   double ramp_um = lift_um / Tan(retraction.ramp_slope_deg * std::numbers::pi / 180);
   if (retraction.before_obstacles && below != nullptr)
-    ramp_um = std::min(ramp_um, ObstacleUm(from, way, *below));
+    ramp_um = std::min(ramp_um, ObstacleUm(from, travel, *below));
   const auto up = [&](double gone_um) {
     return static_cast<int32_t>(
         std::lround(gone_um >= ramp_um ? lift_um : gone_um / ramp_um * lift_um));
@@ -62,7 +62,7 @@ std::vector<RampPlace> RampedWay(PlaceUm from, std::span<const PlaceUm> way,
   if (ramp_um < 1) places.push_back({from, up(ramp_um)});
   double gone = 0;
   PlaceUm last = from;
-  for (const PlaceUm next : way) {
+  for (const PlaceUm next : travel) {
     const double length = LengthUm(last, next);
     if (gone < ramp_um && ramp_um < gone + length)
       if (const PlaceUm end = Between(last, next, (ramp_um - gone) / length);

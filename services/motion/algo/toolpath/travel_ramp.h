@@ -31,9 +31,9 @@ bool RisesAlongTheWay(const RetractionOptions& retraction);
 /// With travel_lift_before_obstacle the nozzle is at full height before the travel crosses an
 /// outline of `below`. As in PrusaSlicer, the first crossing out of the island below `from` does
 /// not count. `below` may be null. The last point is the end of the travel. REQUIRES:
-/// RisesAlongTheWay; `way` is not empty. Source: measured, PrusaSlicer 2.9. PrusaSlicer also rounds
-/// the end of the ramp for Marlin.
-std::vector<RampPlace> RampedWay(PlaceUm from, std::span<const PlaceUm> way,
-                                 const RetractionOptions& retraction, const LayerBelow* below);
+/// RisesAlongTheWay; `travel` is not empty. Source: measured, PrusaSlicer 2.9. PrusaSlicer also
+/// rounds the end of the ramp for Marlin.
+std::vector<RampPlace> RampedTravel(PlaceUm from, std::span<const PlaceUm> travel,
+                                    const RetractionOptions& retraction, const LayerBelow* below);
 
 }  // namespace slicefarm::motion

@@ -21,50 +21,51 @@ RetractionOptions Ramp(double slope_deg = 5.710593137499643) {
 
 const PlaceUm kFrom{0, 0};
 
-TEST(RampedWay, RisesThenGoesOn) {
-  const PlaceUm way[] = {{40'000, 0}};
-  EXPECT_THAT(RampedWay(kFrom, way, Ramp(), nullptr),
+TEST(RampedTravel, RisesThenGoesOn) {
+  const PlaceUm travel[] = {{40'000, 0}};
+  EXPECT_THAT(RampedTravel(kFrom, travel, Ramp(), nullptr),
               ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
 }
 
-TEST(RampedWay, GoesOnRisingRoundCorners) {
-  const PlaceUm way[] = {{4'000, 0}, {4'000, 40'000}};
-  EXPECT_THAT(RampedWay(kFrom, way, Ramp(), nullptr),
+TEST(RampedTravel, GoesOnRisingRoundCorners) {
+  const PlaceUm travel[] = {{4'000, 0}, {4'000, 40'000}};
+  EXPECT_THAT(RampedTravel(kFrom, travel, Ramp(), nullptr),
               ElementsAre(RampPlace{{4'000, 0}, 400}, RampPlace{{4'000, 6'000}, 1'000},
                           RampPlace{{4'000, 40'000}, 1'000}));
 }
 
-TEST(RampedWay, AShortWayIsNotRisenAllTheWay) {
-  const PlaceUm way[] = {{3'000, 0}};
-  EXPECT_THAT(RampedWay(kFrom, way, Ramp(), nullptr), ElementsAre(RampPlace{{3'000, 0}, 300}));
+TEST(RampedTravel, AShortWayIsNotRisenAllTheWay) {
+  const PlaceUm travel[] = {{3'000, 0}};
+  EXPECT_THAT(RampedTravel(kFrom, travel, Ramp(), nullptr),
+              ElementsAre(RampPlace{{3'000, 0}, 300}));
 }
 
-TEST(RampedWay, IsUpBeforeAnObstacle) {
+TEST(RampedTravel, IsUpBeforeAnObstacle) {
   RetractionOptions ramp = Ramp();
-  const PlaceUm way[] = {{40'000, 0}};
+  const PlaceUm travel[] = {{40'000, 0}};
   const LayerBelow other(MakePolygonsOrDie("(6 -1, 8 -1, 8 1, 6 1)"));
-  EXPECT_THAT(RampedWay(kFrom, way, ramp, &other),
+  EXPECT_THAT(RampedTravel(kFrom, travel, ramp, &other),
               ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}))
       << "not asked for";
   ramp.before_obstacles = true;
-  EXPECT_THAT(RampedWay(kFrom, way, ramp, &other),
+  EXPECT_THAT(RampedTravel(kFrom, travel, ramp, &other),
               ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
   // The nozzle is above an island and moves to another one.
   const LayerBelow both(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1) ; (6 -1, 8 -1, 8 1, 6 1)"));
-  EXPECT_THAT(RampedWay(kFrom, way, ramp, &both),
+  EXPECT_THAT(RampedTravel(kFrom, travel, ramp, &both),
               ElementsAre(RampPlace{{6'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
   // The travel leaves its own island and meets no other obstacle.
   const LayerBelow own(MakePolygonsOrDie("(-1 -1, 2 -1, 2 1, -1 1)"));
-  EXPECT_THAT(RampedWay(kFrom, way, ramp, &own),
+  EXPECT_THAT(RampedTravel(kFrom, travel, ramp, &own),
               ElementsAre(RampPlace{{10'000, 0}, 1'000}, RampPlace{{40'000, 0}, 1'000}));
 }
 
-TEST(RampedWay, StraightUpWhereTheObstacleIsThere) {
+TEST(RampedTravel, StraightUpWhereTheObstacleIsThere) {
   RetractionOptions ramp = Ramp();
   ramp.before_obstacles = true;
-  const PlaceUm way[] = {{40'000, 0}};
+  const PlaceUm travel[] = {{40'000, 0}};
   const LayerBelow edge(MakePolygonsOrDie("(0 -1, 8 -1, 8 1, 0 1)"));
-  const std::vector<RampPlace> places = RampedWay({-1, 0}, way, ramp, &edge);
+  const std::vector<RampPlace> places = RampedTravel({-1, 0}, travel, ramp, &edge);
   EXPECT_EQ(places.front().up_um, 1'000);
   EXPECT_LE(places.front().place.x, 0);
 }

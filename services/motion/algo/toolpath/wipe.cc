@@ -24,13 +24,13 @@ constexpr double kLeastWipeMmS = 10;
 
 /// Returns the points after the end of the path.
 std::vector<Point> WayOn(const Path& path) {
-  std::vector<Point> way = path.points;
+  std::vector<Point> travel = path.points;
   if (path.closed) {
-    way.push_back(way.front());
+    travel.push_back(travel.front());
   } else {
-    std::ranges::reverse(way);
+    std::ranges::reverse(travel);
   }
-  return way;
+  return travel;
 }
 
 }  // namespace
@@ -44,16 +44,16 @@ Wipe WipeOf(const MotionOptions& options) {
   return {speed_mm_s, pulled_mm / retraction.speed_mm_s * speed_mm_s};
 }
 
-std::vector<PlaceUm> WipeWay(const Path& path, double length_mm) {
-  const std::vector<Point> way = WayOn(path);
+std::vector<PlaceUm> WipePath(const Path& path, double length_mm) {
+  const std::vector<Point> travel = WayOn(path);
   std::vector<PlaceUm> places;
   const auto add = [&](Point place) { places.push_back({ToUm(place.x), ToUm(place.y)}); };
   double left_nm = length_mm * static_cast<double>(kNmPerMm);
-  Point last = way.front();
-  for (size_t i = 1; i < way.size() && left_nm >= kLeastStepNm; ++i) {
-    const double step_nm = Distance(last, way[i]);
+  Point last = travel.front();
+  for (size_t i = 1; i < travel.size() && left_nm >= kLeastStepNm; ++i) {
+    const double step_nm = Distance(last, travel[i]);
     if (step_nm < kLeastStepNm) continue;
-    last = step_nm <= left_nm ? way[i] : PointBetween(last, way[i], left_nm / step_nm);
+    last = step_nm <= left_nm ? travel[i] : PointBetween(last, travel[i], left_nm / step_nm);
     left_nm -= step_nm;
     add(last);
   }
@@ -66,7 +66,7 @@ void ToolpathBuilder::Retract() {
   ++stats_.retractions;
   const int32_t before = UnitsBeforeWipe();
   PullBack(before);
-  if (!wipe_way_.empty()) PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
+  if (!wipe_path_.empty()) PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
 }
 
 void ToolpathBuilder::PullBack(int32_t units) {
@@ -80,11 +80,11 @@ void ToolpathBuilder::PullBack(int32_t units) {
 /// Returns the units to retract before the wipe. A wipe of a given length may be too short for the
 /// rest at the speed of retractions.
 int32_t ToolpathBuilder::UnitsBeforeWipe() const {
-  if (wipe_way_.empty()) return retract_units_;
+  if (wipe_path_.empty()) return retract_units_;
   const RetractionOptions& retraction = options_.tool().retraction;
   const auto before = static_cast<int32_t>(std::lround(retraction.before_wipe * retract_units_));
   if (retraction.wipe_distance_mm <= 0) return before;
-  const double most_mm = WayMm(wipe_way_) / WipeSpeed() * retraction.speed_mm_s;
+  const double most_mm = MovesMm(wipe_path_) / WipeSpeed() * retraction.speed_mm_s;
   const auto most = static_cast<int32_t>(std::lround(most_mm * kFilamentUnitsPerMm));
   return std::max(before, retract_units_ - most);
 }
@@ -97,15 +97,15 @@ double ToolpathBuilder::WipeSpeed() const {
 /// Retracts `units` during the wipe, or the corresponding share on a path much shorter than the
 /// wipe. Returns the retracted units.
 int32_t ToolpathBuilder::WipeBack(int32_t units) {
-  const double reach_mm = WayMm(wipe_way_);
+  const double reach_mm = MovesMm(wipe_path_);
   const bool whole =
       reach_mm > kWholeWipe * wipe_.length_mm || options_.tool().retraction.wipe_distance_mm > 0;
   const double whole_mm = whole ? reach_mm : wipe_.length_mm;
   const int32_t feed_rate = FeedRate(WipeSpeed());
   int32_t pulled = 0;
   double gone_mm = 0;
-  for (const PlaceUm place : wipe_way_) {
-    gone_mm += WayMm({&place, 1});
+  for (const PlaceUm place : wipe_path_) {
+    gone_mm += MovesMm({&place, 1});
     const auto until = static_cast<int32_t>(std::lround(gone_mm / whole_mm * units));
     at_.x_um = place.x;
     at_.y_um = place.y;

@@ -25,6 +25,6 @@ Wipe WipeOf(const MotionOptions& options);
 /// smears the material at its seam. Any other path is followed back. The wipe ends after
 /// `length_mm`, or with the path. Steps are at least 0.2 mm: corners of shorter edges are skipped,
 /// and a shorter last step is left out.
-std::vector<PlaceUm> WipeWay(const Path& path, double length_mm);
+std::vector<PlaceUm> WipePath(const Path& path, double length_mm);
 
 }  // namespace slicefarm::motion

@@ -57,15 +57,15 @@ TEST(WipeOf, NoneWithoutTheSettingOrARetraction) {
   }
 }
 
-struct WayCase {
+struct TravelCase {
   std::string name;
   Path path;
   double length_mm;
   std::vector<PlaceUm> way;
 };
 
-TEST(WipeWay, Cases) {
-  const std::vector<WayCase> cases = {
+TEST(WipePath, Cases) {
+  const std::vector<TravelCase> cases = {
       {"OnAlongALoop", Loop("(0 0, 10 0, 10 10, 0 10)"), 2, {{2'000, 0}}},
       {"RoundTheCorner", Loop("(0 0, 1 0, 1 9, 0 9)"), 2.5, {{1'000, 0}, {1'000, 1'500}}},
       {"NotLongerThanTheLoop", Loop("(0 0, 1 0, 0 1)"), 99, {{1'000, 0}, {0, 1'000}, {0, 0}}},
@@ -77,14 +77,14 @@ TEST(WipeWay, Cases) {
        {{9'850, 0}, {8'100, 0}}},
       {"ShortRestsAreLeftOut", MakePathOrDie("(0 0, 9 0, 10 0)"), 1.1, {{9'000, 0}}},
   };
-  for (const WayCase& c : cases) {
+  for (const TravelCase& c : cases) {
     SCOPED_TRACE(c.name);
-    EXPECT_EQ(WipeWay(c.path, c.length_mm), c.way);
+    EXPECT_EQ(WipePath(c.path, c.length_mm), c.way);
   }
 }
 
-TEST(WipeWay, OfADotThereIsNone) {
-  EXPECT_THAT(WipeWay(MakePathOrDie("(0 0, 0.1 0)"), 2), IsEmpty());
+TEST(WipePath, OfADotThereIsNone) {
+  EXPECT_THAT(WipePath(MakePathOrDie("(0 0, 0.1 0)"), 2), IsEmpty());
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace slicefarm::ordering {
 
 /// Returns the largest permitted length in nm of a travel from a to b that crosses no wall.
-inline double LongestWay(Point a, Point b, const TravelOptions& options) {
+inline double LongestDetour(Point a, Point b, const TravelOptions& options) {
   const double straight = Distance(a, b);
   double longest = std::numeric_limits<double>::infinity();
   if (options.max_detour_mm > 0) longest = straight + options.max_detour_mm * kNmPerMm;

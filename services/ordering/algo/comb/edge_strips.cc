@@ -66,8 +66,7 @@ void EdgeStrips::Build() {
   Coord heights = 0;
   for (const Edge& edge : edges_) heights += edge.high.y - edge.low.y;
   // Limits the number of strips to the number of edges, because level edges have no height.
-  height_ =
-      std::max(heights, box_.max.y - box_.min.y) / static_cast<Coord>(edges_.size()) + 1;
+  height_ = std::max(heights, box_.max.y - box_.min.y) / static_cast<Coord>(edges_.size()) + 1;
   begins_.assign(StripOf(box_.max.y) + 2, 0);
   const auto for_each_strip = [&](const Edge& edge, auto visit) {
     for (size_t i = StripOf(edge.low.y), last = StripOf(edge.high.y); i <= last; ++i) visit(i);
@@ -77,7 +76,8 @@ void EdgeStrips::Build() {
   for (size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
   std::vector<Edge> by_strip(begins_.back());
   std::vector<size_t> ends(begins_.begin(), begins_.end() - 1);
-  for (const Edge& edge : edges_) for_each_strip(edge, [&](size_t i) { by_strip[ends[i]++] = edge; });
+  for (const Edge& edge : edges_)
+    for_each_strip(edge, [&](size_t i) { by_strip[ends[i]++] = edge; });
   edges_ = std::move(by_strip);
 }
 

@@ -48,8 +48,9 @@ Meeting Solve(const Segment& s, const Segment& t) {
     const Point whole = on.second - on.first, part = p - on.first;
     return cross(whole, part) == 0 && 0 <= dot(whole, part) && dot(part, part) <= dot(whole, whole);
   };
-  return {lies_on(s.first, t) || lies_on(s.second, t) || lies_on(t.first, s) || lies_on(t.second, s),
-          false};
+  return {
+      lies_on(s.first, t) || lies_on(s.second, t) || lies_on(t.first, s) || lies_on(t.second, s),
+      false};
 }
 
 class RandomEdges : public testing::TestWithParam<int> {

@@ -39,12 +39,12 @@ Point At(Point from, double dx, double dy) {
 
 }  // namespace
 
-bool IslandEdges::Grazes(std::span<const Point> way, Coord near_nm) const {
+bool IslandEdges::Grazes(std::span<const Point> route, Coord near_nm) const {
   const auto near = static_cast<double>(near_nm);
-  for (size_t i = 1; i < way.size(); ++i) {
-    const Point a = way[i - 1], b = way[i];
+  for (size_t i = 1; i < route.size(); ++i) {
+    const Point a = route[i - 1], b = route[i];
     const double length = Distance(a, b);
-    const double start = i == 1 ? kEndsNm : 0, end = i + 1 == way.size() ? kEndsNm : 0;
+    const double start = i == 1 ? kEndsNm : 0, end = i + 1 == route.size() ? kEndsNm : 0;
     if (length <= start + end) continue;
     const double x = static_cast<double>(b.x - a.x) / length;
     const double y = static_cast<double>(b.y - a.y) / length;

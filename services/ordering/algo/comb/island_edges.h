@@ -34,7 +34,7 @@ class IslandEdges : public Barrier {
   /// the centre line of an outer wall. At the default distance the travel might cross the printed
   /// wall, because the motion service moves simplified paths by some micrometres. Cost: O(log
   /// walls) per point.
-  bool Grazes(std::span<const Point> way, Coord near_nm = 30'000) const;
+  bool Grazes(std::span<const Point> route, Coord near_nm = 30'000) const;
   bool Grazes(Point a, Point b) const { return Grazes(std::array{a, b}); }
   /// Returns true if p is inside the outline. REQUIRES: p is not on the outline.
   bool Surrounds(Point p) const { return outline_.Surrounds(p); }

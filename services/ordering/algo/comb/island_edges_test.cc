@@ -14,8 +14,7 @@ Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 /// edges.
 FilledIsland Plate() {
   FilledIsland island;
-  island.outline =
-      MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (6 6, 6 14, 14 14, 14 6)").front();
+  island.outline = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (6 6, 6 14, 14 14, 14 6)").front();
   island.walls = {MakePathOrDie("(0.5 0.5, 19.5 0.5, 19.5 19.5, 0.5 19.5)", true),
                   MakePathOrDie("(5.5 5.5, 5.5 14.5, 14.5 14.5, 14.5 5.5)", true),
                   MakePathOrDie("(2 2, 18 2, 18 18, 2 18)", true)};

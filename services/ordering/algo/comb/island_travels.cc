@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "services/ordering/algo/comb/clear_ways.h"
 #include "services/ordering/algo/comb/detour.h"
 #include "services/ordering/algo/comb/edge_strips.h"
+#include "services/ordering/algo/comb/travel_paths.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -46,7 +46,7 @@ class IslandTravels {
  public:
   /// Keeps references to all arguments, which must outlive this object.
   IslandTravels(const PolygonWithHoles& outline, const IslandEdges& edges,
-                std::span<const Path> paths, const TravelOptions& options, CurledWays* curled)
+                std::span<const Path> paths, const TravelOptions& options, CurlAvoidance* curled)
       : outline_(outline),
         edges_(edges),
         paths_(paths),
@@ -71,7 +71,7 @@ class IslandTravels {
     const std::optional<Point> from = inner ? inner : BesideWall(seam);
     if (IsAt(seam, to) && !(from && edges_.Parts(*from, to))) return {true, {}};
     if (!from) return {};
-    std::vector<Point> corners = WayBetween(*from, to, budget);
+    std::vector<Point> corners = PathBetween(*from, to, budget);
     corners.insert(corners.begin(), *from);
     return {false, std::move(corners)};
   }
@@ -85,7 +85,7 @@ class IslandTravels {
     if (!to) return {seam, {}};
     Leave leave{*to, {}};
     if (from == *to) return leave;
-    leave.way.corners = WayBetween(from, *to, budget);
+    leave.way.corners = PathBetween(from, *to, budget);
     leave.way.over_wall = Distance(from, *to) > kSurelyWithinNm;
     return leave;
   }
@@ -93,7 +93,7 @@ class IslandTravels {
  private:
   /// Returns the travel to the next path after the first `printed` paths.
   Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
-    Travel travel{false, WayBetween(from, to, budget)};
+    Travel travel{false, PathBetween(from, to, budget)};
     const std::vector<Point> way = PlacesOf(from, travel.corners, to);
     const double longest_nm = IsSeen(paths_[printed].feature) ? kLongestToSeenNm : LongestHidden();
     travel.hidden = options_.hide && IsHidden(way, printed, longest_nm);
@@ -101,7 +101,7 @@ class IslandTravels {
     return travel;
   }
 
-  std::vector<Point> WayBetween(Point from, Point to, WorkBudget& budget) {
+  std::vector<Point> PathBetween(Point from, Point to, WorkBudget& budget) {
     std::vector<Point> corners;
     if (clearance_ > 0 && IsToGoRound(from, to))
       corners = Around(from, to, LongestFor(from, to), budget);
@@ -116,7 +116,7 @@ class IslandTravels {
   }
 
   double LongestFor(Point from, Point to) const {
-    if (options_.avoid_crossing) return LongestWay(from, to, options_);
+    if (options_.avoid_crossing) return LongestDetour(from, to, options_);
     return options_.hide ? Distance(from, to) + kWorthOfRetractionNm : 0;
   }
 
@@ -125,9 +125,9 @@ class IslandTravels {
                                           : std::numeric_limits<double>::infinity();
   }
 
-  ClearWays& Ways() {
-    if (!ways_) ways_.emplace(MultiPolygon{outline_}, clearance_);
-    return *ways_;
+  TravelPaths& Ways() {
+    if (!routes_) routes_.emplace(MultiPolygon{outline_}, clearance_);
+    return *routes_;
   }
 
   static bool IsAt(Point seam, Point start) { return Distance(start, seam) <= kAtSeamNm; }
@@ -151,7 +151,7 @@ class IslandTravels {
   }
 
   std::optional<std::vector<Point>> AroundCurled(Point from, Point to, WorkBudget& budget) {
-    if (!uncurled_) uncurled_.emplace(curled_->WaysThrough({outline_}));
+    if (!uncurled_) uncurled_.emplace(curled_->PathsThrough({outline_}));
     auto corners = curled_->Within(*uncurled_, from, to, LongestHidden(), budget);
     return corners ? corners : curled_->Around(from, to, budget);
   }
@@ -173,27 +173,27 @@ class IslandTravels {
   const IslandEdges& edges_;
   std::span<const Path> paths_;
   const TravelOptions& options_;
-  CurledWays* const curled_;  ///< null if there is no curled area
+  CurlAvoidance* const curled_;  ///< null if there is no curled area
   const Coord clearance_;
   EdgeStrips tops_;
-  std::optional<ClearWays> ways_;  ///< built on first use
-  std::optional<ClearWays> uncurled_;  ///< like `ways_`, but around curled areas
+  std::optional<TravelPaths> routes_;    ///< built on first use
+  std::optional<TravelPaths> uncurled_;  ///< like `routes_`, but around curled areas
 };
 
 }  // namespace
 
-IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
-                        std::span<const Path> paths, const Meetings& meetings,
-                        const TravelOptions& options, WorkBudget& budget, CurledWays* curled) {
-  IslandWays ways{std::vector<Travel>(paths.size()), {}};
-  if (meetings.above) ways.leave = Leave{*meetings.above, {}};
-  if (edges.empty() || paths.empty()) return ways;
-  if (!options.hide && !options.avoid_crossing && curled == nullptr) return ways;
+IslandPaths PathsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
+                          std::span<const Path> paths, const Meetings& meetings,
+                          const TravelOptions& options, WorkBudget& budget, CurlAvoidance* curled) {
+  IslandPaths routes{std::vector<Travel>(paths.size()), {}};
+  if (meetings.above) routes.leave = Leave{*meetings.above, {}};
+  if (edges.empty() || paths.empty()) return routes;
+  if (!options.hide && !options.avoid_crossing && curled == nullptr) return routes;
   IslandTravels island(outline, edges, paths, options, curled);
-  if (meetings.below) ways.travels[0] = island.From(*meetings.below, budget);
-  for (size_t i = 1; i < paths.size(); ++i) ways.travels[i] = island.To(i, budget);
-  if (meetings.above) ways.leave = island.To(*meetings.above, budget);
-  return ways;
+  if (meetings.below) routes.travels[0] = island.From(*meetings.below, budget);
+  for (size_t i = 1; i < paths.size(); ++i) routes.travels[i] = island.To(i, budget);
+  if (meetings.above) routes.leave = island.To(*meetings.above, budget);
+  return routes;
 }
 
 }  // namespace slicefarm::ordering

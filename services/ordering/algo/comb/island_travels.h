@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/layers/layer.h"
-#include "services/ordering/algo/comb/curled_ways.h"
+#include "services/ordering/algo/comb/curl_avoidance.h"
 #include "services/ordering/algo/comb/island_edges.h"
 
 namespace slicefarm {
@@ -24,7 +24,7 @@ struct Meetings {
 
 /// Travels to each path of an island. The first travel is straight and not hidden unless it comes
 /// from the layer below.
-struct IslandWays {
+struct IslandPaths {
   std::vector<Travel> travels;
   std::optional<Leave> leave;  ///< travel to the layer above
 };
@@ -46,9 +46,9 @@ struct IslandWays {
 ///
 /// `budget`: number of lines of sight. `curled`: a travel that crosses a curled area makes a
 /// detour, within the island if possible; null means that there is no curled area.
-IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
-                        std::span<const Path> paths, const Meetings& meetings,
-                        const TravelOptions& options, WorkBudget& budget,
-                        CurledWays* curled = nullptr);
+IslandPaths PathsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
+                          std::span<const Path> paths, const Meetings& meetings,
+                          const TravelOptions& options, WorkBudget& budget,
+                          CurlAvoidance* curled = nullptr);
 
 }  // namespace slicefarm::ordering

@@ -35,15 +35,15 @@ Path OuterWall() {
 /// Returns an inner wall that starts nearest to the corner at the origin.
 Path InnerWall() { return PathOf(Feature::kPerimeter, "(0.675 0.675, 5 0.675, 5 5)", true); }
 
-IslandWays Ways(const std::vector<Path>& paths, const Meetings& meetings,
-                const TravelOptions& options = {}, int64_t sights = 100'000,
-                const char* outline = kFork) {
+IslandPaths Ways(const std::vector<Path>& paths, const Meetings& meetings,
+                 const TravelOptions& options = {}, int64_t sights = 100'000,
+                 const char* outline = kFork) {
   WorkBudget budget{sights};
   FilledIsland island;
   island.outline = MakePolygonsOrDie(outline).front();
   for (const Path& path : paths)
     if (IsOuterWall(path)) island.walls.push_back(path);
-  return WaysInIsland(island.outline, IslandEdges(island), paths, meetings, options, budget);
+  return PathsInIsland(island.outline, IslandEdges(island), paths, meetings, options, budget);
 }
 
 /// Returns the last path's travel when the curled area blocks it.
@@ -52,12 +52,12 @@ Travel OffCurled(const std::vector<Path>& paths, const char* curled,
   WorkBudget budget{100'000};
   FilledIsland island;
   island.outline = MakePolygonsOrDie(kFork).front();
-  CurledWays ways(MakePolygonsOrDie(curled), Bounds(island.outline.outer));
-  return WaysInIsland(island.outline, IslandEdges(island), paths, {}, options, budget, &ways)
+  CurlAvoidance routes(MakePolygonsOrDie(curled), Bounds(island.outline.outer));
+  return PathsInIsland(island.outline, IslandEdges(island), paths, {}, options, budget, &routes)
       .travels.back();
 }
 
-TEST(WaysInIsland, KeepOffWhatHasCurledUp) {
+TEST(PathsInIsland, KeepOffWhatHasCurledUp) {
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
   const char* curled = "(11 0, 12 0, 12 4, 11 4)";
   const Travel inside = OffCurled(paths, curled);
@@ -71,7 +71,7 @@ TEST(WaysInIsland, KeepOffWhatHasCurledUp) {
 }
 
 // The whole joint between the arms is curled, so that the only free path leads outside.
-TEST(WaysInIsland, LeaveTheIslandForWhatHasCurledUp) {
+TEST(PathsInIsland, LeaveTheIslandForWhatHasCurledUp) {
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
   const Travel outside = OffCurled(paths, "(11 -1, 12 -1, 12 11, 11 11)");
   EXPECT_FALSE(outside.hidden);
@@ -193,9 +193,10 @@ TEST(IslandTravels, TheWayRoundHasCorners) {
 TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   WorkBudget budget{1'000};
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
-  const IslandWays ways = WaysInIsland({}, IslandEdges({}), paths, {Point{}, Point{}}, {}, budget);
-  EXPECT_EQ(ways.travels, std::vector<Travel>(2));
-  EXPECT_EQ(ways.leave, Leave{});
+  const IslandPaths routes =
+      PathsInIsland({}, IslandEdges({}), paths, {Point{}, Point{}}, {}, budget);
+  EXPECT_EQ(routes.travels, std::vector<Travel>(2));
+  EXPECT_EQ(routes.leave, Leave{});
 }
 
 /// Returns options that hide travels of up to 100 mm.

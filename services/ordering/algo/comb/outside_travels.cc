@@ -37,19 +37,19 @@ Travel OutsideTravels::Between(const Path& last, const Path& next, WorkBudget& b
   if (wall_radius_nm_ == 0 || !IsOuterWall(last) || !IsOuterWall(next)) return {};
   const Point from = EndOf(last), to = StartOf(next);
   if (!walls_.Crosses(from, to)) return {};
-  auto corners = Ways().Find(from, to, LongestWay(from, to, options_), budget);
+  auto corners = Ways().Find(from, to, LongestDetour(from, to, options_), budget);
   return {false, std::move(corners).value_or(std::vector<Point>{})};
 }
 
-ClearWays& OutsideTravels::Ways() {
-  if (ways_) return *ways_;
+TravelPaths& OutsideTravels::Ways() {
+  if (paths_) return *paths_;
   MultiPolygon islands;
   for (const FilledIsland& island : section_.islands)
     if (!island.outline.outer.empty()) islands.push_back(island.outline);
   const MultiPolygon around = RegionOf(Bounds(islands).Grown(kMargin));
-  ways_.emplace(Difference(around, islands),
-                std::llround(kClearance * static_cast<double>(wall_radius_nm_)));
-  return *ways_;
+  paths_.emplace(Difference(around, islands),
+                 std::llround(kClearance * static_cast<double>(wall_radius_nm_)));
+  return *paths_;
 }
 
 }  // namespace slicefarm::ordering

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "common/model/layers/layer.h"
-#include "services/ordering/algo/comb/clear_ways.h"
 #include "services/ordering/algo/comb/edge_strips.h"
+#include "services/ordering/algo/comb/travel_paths.h"
 
 namespace slicefarm {
 struct TravelOptions;
@@ -27,14 +27,14 @@ class OutsideTravels {
   Travel Between(const Path& last, const Path& next, WorkBudget& budget);
 
  private:
-  ClearWays& Ways();
+  TravelPaths& Ways();
 
   const FilledSection& section_;
   const TravelOptions& options_;
   /// Distance from outlines to the outer walls' centre lines; 0: no detours are searched.
   Coord wall_radius_nm_ = 0;
   EdgeStrips walls_;
-  std::optional<ClearWays> ways_;  ///< built on first use
+  std::optional<TravelPaths> paths_;  ///< built on first use
 };
 
 }  // namespace slicefarm::ordering

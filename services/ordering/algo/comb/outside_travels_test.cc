@@ -111,7 +111,8 @@ TEST_F(Outside, OutOfAHoleThereIsNoWay) {
   section.islands[1].outline = {MakePolygonsOrDie("(-10 -10, 15 -10, 15 15, -10 15)"
                                                   " (-5 -5, -5 10, 10 10, 10 -5)")
                                     .front()};
-  section.islands[1].walls[0].points = MakeLineOrDie("(-5.2 -5.2, -5.2 10.2, 10.2 10.2, 10.2 -5.2)");
+  section.islands[1].walls[0].points =
+      MakeLineOrDie("(-5.2 -5.2, -5.2 10.2, 10.2 10.2, 10.2 -5.2)");
   EXPECT_EQ(Between(left, right), Travel{});
 }
 

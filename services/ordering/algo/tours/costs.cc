@@ -2,7 +2,6 @@
 
 #include <utility>
 
-
 namespace slicefarm::ordering {
 
 Costs Costs::OfPlaces(std::vector<Vector2> places, Metric metric) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-
 namespace slicefarm::ordering {
 namespace {
 
@@ -77,28 +76,28 @@ int64_t TourSearch::ImproveFrom(int32_t node, WorkBudget& budget) {
   for (const bool forward : {true, false}) {
     const int32_t first = forward ? tour_.Next(node) : tour_.Previous(node);
     if (fixed_.Has(node, first)) continue;
-    const int64_t gain = ImproveAlong(WayFrom(first, forward), budget);
+    const int64_t gain = ImproveAlong(PathFrom(first, forward), budget);
     if (gain > 0) return gain;
   }
   return 0;
 }
 
-int64_t TourSearch::ImproveAlong(Way way, WorkBudget& budget) {
+int64_t TourSearch::ImproveAlong(Way path, WorkBudget& budget) {
   const size_t turns = turns_.size();
-  const int32_t last = At(way, tour_.size() - 1);
+  const int32_t last = At(path, tour_.size() - 1);
   const int links = depth_ == SearchDepth::kChains ? kLongestChain : 1;
   std::array<int32_t, 6 * kLongestChain> touched{};
   size_t count = 0;
-  int64_t open = Cost(last, way.first);
+  int64_t open = Cost(last, path.first);
   for (int link = 0; link < links; ++link) {
-    const Found found = Search(way, open, budget);
+    const Found found = Search(path, open, budget);
     const Move& move = found.gaining.gain > 0 ? found.gaining : found.opening;
     if (move.gain <= 0 && (move.open_gain <= 0 || link + 1 == links)) break;
     for (const int32_t cut : {-1, move.cut1, move.cut2}) {
-      touched[count++] = At(way, cut < 0 ? 0 : cut);
-      touched[count++] = At(way, cut < 0 ? tour_.size() - 1 : cut + 1);
+      touched[count++] = At(path, cut < 0 ? 0 : cut);
+      touched[count++] = At(path, cut < 0 ? tour_.size() - 1 : cut + 1);
     }
-    way = Make(way, move, budget);
+    path = Make(path, move, budget);
     open = move.open_gain;
     if (move.gain <= 0) continue;
     for (size_t i = 0; i < count; ++i) Wake(touched[i]);
@@ -108,74 +107,74 @@ int64_t TourSearch::ImproveAlong(Way way, WorkBudget& budget) {
   return 0;
 }
 
-TourSearch::Found TourSearch::Search(const Way& way, int64_t gain, WorkBudget& budget) const {
+TourSearch::Found TourSearch::Search(const Way& path, int64_t gain, WorkBudget& budget) const {
   Found found;
-  for (const Neighbour& near : neighbours_.Of(way.first)) {
+  for (const Neighbour& near : neighbours_.Of(path.first)) {
     if (near.length >= gain) break;
-    const int64_t gain1 = gain - Cost(way.first, near);
-    const int32_t index = IndexOf(way, near.node);
+    const int64_t gain1 = gain - Cost(path.first, near);
+    const int32_t index = IndexOf(path, near.node);
     if (gain1 <= 0 || index == 1 || index == tour_.size() - 1) continue;
-    SearchTurned(way, index - 1, gain1, found, budget);
+    SearchTurned(path, index - 1, gain1, found, budget);
     if (depth_ == SearchDepth::kTwoOptAndOrOpt && found.gaining.gain > 0) break;
-    SearchSplit(way, index, gain1, found, budget);
+    SearchSplit(path, index, gain1, found, budget);
     if (found.gaining.gain > 0) break;
   }
   return found;
 }
 
 // Reverses the section up to `cut`, so that the path begins with the section's last node.
-void TourSearch::SearchTurned(const Way& way, int32_t cut, int64_t gain, Found& found,
+void TourSearch::SearchTurned(const Way& path, int32_t cut, int64_t gain, Found& found,
                               WorkBudget& budget) const {
-  const int32_t head = At(way, cut);
-  const int32_t beyond = At(way, cut + 1);
-  const int32_t last = At(way, tour_.size() - 1);
+  const int32_t head = At(path, cut);
+  const int32_t beyond = At(path, cut + 1);
+  const int32_t last = At(path, tour_.size() - 1);
   --budget.moves;
   if (fixed_.Has(head, beyond)) return;
   const int64_t open = gain + Cost(head, beyond);
-  Judge(way, {open - Cost(head, last), open, cut, cut, Join::kTurnFirst}, found);
+  Judge(path, {open - Cost(head, last), open, cut, cut, Join::kTurnFirst}, found);
   for (const Neighbour& near : neighbours_.Of(head)) {
     if (near.length >= open) break;
     const int64_t open1 = open - Cost(head, near);
-    const int32_t index = IndexOf(way, near.node);
+    const int32_t index = IndexOf(path, near.node);
     if (open1 <= 0 || index == cut + 1 || index == cut - 1) continue;
     --budget.moves;
     const bool later = index > cut;
-    const int32_t head2 = At(way, later ? index - 1 : index + 1);
+    const int32_t head2 = At(path, later ? index - 1 : index + 1);
     if (fixed_.Has(near.node, head2)) continue;
     const int64_t open2 = open1 + Cost(near.node, head2);
     const Move move =
         later ? Move{open2 - Cost(head2, last), open2, cut, index - 1, Join::kSwapTurned}
               : Move{open2 - Cost(head2, last), open2, index, cut, Join::kSwapTurningFirst};
-    Judge(way, move, found);
+    Judge(path, move, found);
   }
 }
 
 // Closes the section up to `cut` to a ring. Opens the ring next to a node that is near the rest of
 // the path.
-void TourSearch::SearchSplit(const Way& way, int32_t cut, int64_t gain, Found& found,
+void TourSearch::SearchSplit(const Way& path, int32_t cut, int64_t gain, Found& found,
                              WorkBudget& budget) const {
-  const int32_t end = At(way, cut);
-  const int32_t rest = At(way, cut + 1);
-  const int32_t last = At(way, tour_.size() - 1);
+  const int32_t end = At(path, cut);
+  const int32_t rest = At(path, cut + 1);
+  const int32_t last = At(path, tour_.size() - 1);
   --budget.moves;
   if (fixed_.Has(end, rest)) return;
   const int64_t open = gain + Cost(end, rest);
   for (const Neighbour& near : neighbours_.Of(rest)) {
     if (near.length >= open) break;
     const int64_t open1 = open - Cost(rest, near);
-    const int32_t index = IndexOf(way, near.node);
+    const int32_t index = IndexOf(path, near.node);
     if (open1 <= 0 || index >= cut) continue;
     --budget.moves;
-    const int32_t behind = At(way, index + 1);
+    const int32_t behind = At(path, index + 1);
     if (!fixed_.Has(near.node, behind)) {
       const int64_t open2 = open1 + Cost(near.node, behind);
-      Judge(way, {open2 - Cost(behind, last), open2, index, cut, Join::kSwap}, found);
+      Judge(path, {open2 - Cost(behind, last), open2, index, cut, Join::kSwap}, found);
     }
     if (index == 0) continue;
-    const int32_t before = At(way, index - 1);
+    const int32_t before = At(path, index - 1);
     if (fixed_.Has(near.node, before)) continue;
     const int64_t open2 = open1 + Cost(near.node, before);
-    Judge(way, {open2 - Cost(before, last), open2, index - 1, cut, Join::kTurnBoth}, found);
+    Judge(path, {open2 - Cost(before, last), open2, index - 1, cut, Join::kTurnBoth}, found);
   }
 }
 
@@ -187,21 +186,21 @@ bool TourSearch::ShortEnough(const Move& move) const {
   return std::min({one, two, three}) <= kLongestShift;
 }
 
-void TourSearch::Judge(const Way& way, const Move& move, Found& found) const {
+void TourSearch::Judge(const Way& path, const Move& move, Found& found) const {
   const bool gains = move.gain > found.gaining.gain;
   const bool opens = depth_ == SearchDepth::kChains && move.open_gain > found.opening.open_gain;
-  if (!(gains || opens) || !ShortEnough(move) || !Allowed(way, move)) return;
+  if (!(gains || opens) || !ShortEnough(move) || !Allowed(path, move)) return;
   if (gains) found.gaining = move;
   if (opens) found.opening = move;
 }
 
-bool TourSearch::Allowed(const Way& way, const Move& move) const {
+bool TourSearch::Allowed(const Way& path, const Move& move) const {
   if (rules_.before.empty()) return true;
   const int32_t size = tour_.size();
   const int32_t one = move.cut1 + 1;
   const int32_t both = move.cut2 + 1;
   const auto index_after = [&](int32_t node) {
-    const int32_t index = IndexOf(way, node);
+    const int32_t index = IndexOf(path, node);
     if (index >= both) return index;
     const bool in_first = index < one;
     switch (move.join) {
@@ -231,36 +230,36 @@ bool TourSearch::Allowed(const Way& way, const Move& move) const {
   });
 }
 
-TourSearch::Way TourSearch::Turned(const Way& way, int32_t from, int32_t to, WorkBudget& budget) {
-  if (from >= to) return way;
-  const int32_t last = At(way, tour_.size() - 1);
-  const int32_t a = At(way, from);
-  const int32_t b = At(way, to);
-  const Turn turn = way.forward ? tour_.TurnRound(a, b) : tour_.TurnRound(b, a);
+TourSearch::Way TourSearch::Turned(const Way& path, int32_t from, int32_t to, WorkBudget& budget) {
+  if (from >= to) return path;
+  const int32_t last = At(path, tour_.size() - 1);
+  const int32_t a = At(path, from);
+  const int32_t b = At(path, to);
+  const Turn turn = path.forward ? tour_.TurnRound(a, b) : tour_.TurnRound(b, a);
   turns_.push_back(turn);
   budget.moves -= ArrayTour::Length(turn, tour_.size()) / kNodesPerMove;
   // If the rest was reversed instead, the direction in memory is the opposite one.
-  const int32_t first = from == 0 ? b : way.first;
-  return WayFrom(first, tour_.Next(last) == first);
+  const int32_t first = from == 0 ? b : path.first;
+  return PathFrom(first, tour_.Next(last) == first);
 }
 
-TourSearch::Way TourSearch::Make(const Way& way, const Move& move, WorkBudget& budget) {
+TourSearch::Way TourSearch::Make(const Way& path, const Move& move, WorkBudget& budget) {
   const int32_t one = move.cut1 + 1;
   const int32_t end = move.cut2;
   const int32_t two = end + 1 - one;
   switch (move.join) {
     case Join::kTurnFirst:
-      return Turned(way, 0, end, budget);
+      return Turned(path, 0, end, budget);
     case Join::kSwapTurned:
-      return Turned(Turned(way, 0, end, budget), two, end, budget);
+      return Turned(Turned(path, 0, end, budget), two, end, budget);
     case Join::kSwapTurningFirst:
-      return Turned(Turned(way, 0, end, budget), 0, two - 1, budget);
+      return Turned(Turned(path, 0, end, budget), 0, two - 1, budget);
     case Join::kSwap:
-      return Turned(Turned(Turned(way, 0, end, budget), 0, two - 1, budget), two, end, budget);
+      return Turned(Turned(Turned(path, 0, end, budget), 0, two - 1, budget), two, end, budget);
     case Join::kTurnBoth:
-      return Turned(Turned(way, 0, one - 1, budget), one, end, budget);
+      return Turned(Turned(path, 0, one - 1, budget), one, end, budget);
   }
-  return way;
+  return path;
 }
 
 void TourSearch::Undo(size_t turns) {
@@ -279,26 +278,26 @@ bool TourSearch::Exchange(WorkBudget& budget, int64_t* gain) {
   const int32_t size = tour_.size();
   const int32_t longest = std::min(kLongestExchange, size / 2 - 1);
   int32_t start = Below(size);
-  const auto is_fixed = [&](const Way& way, int32_t index) {
-    return fixed_.Has(At(way, index), At(way, index + 1));
+  const auto is_fixed = [&](const Way& path, int32_t index) {
+    return fixed_.Has(At(path, index), At(path, index + 1));
   };
-  if (is_fixed(WayFrom(tour_.At(start), true), -1)) start = start + 1 < size ? start + 1 : 0;
-  const Way way = WayFrom(tour_.At(start), true);
+  if (is_fixed(PathFrom(tour_.At(start), true), -1)) start = start + 1 < size ? start + 1 : 0;
+  const Way path = PathFrom(tour_.At(start), true);
   int32_t one = 1 + Below(longest);
-  if (is_fixed(way, one - 1)) ++one;
+  if (is_fixed(path, one - 1)) ++one;
   int32_t both = one + 1 + Below(longest);
-  if (is_fixed(way, both - 1)) ++both;
+  if (is_fixed(path, both - 1)) ++both;
   if (both >= size) return false;
   const Move move{0, 0, one - 1, both - 1, Join::kSwap};
-  const int32_t last = At(way, size - 1);
-  const std::array<int32_t, 6> ends = {last,         way.first,         At(way, one - 1),
-                                       At(way, one), At(way, both - 1), At(way, both)};
+  const int32_t last = At(path, size - 1);
+  const std::array<int32_t, 6> ends = {last,          path.first,         At(path, one - 1),
+                                       At(path, one), At(path, both - 1), At(path, both)};
   if (fixed_.Has(ends[0], ends[1]) || fixed_.Has(ends[2], ends[3]) || fixed_.Has(ends[4], ends[5]))
     return false;
-  if (!Allowed(way, move)) return false;
+  if (!Allowed(path, move)) return false;
   *gain = Cost(ends[0], ends[1]) + Cost(ends[2], ends[3]) + Cost(ends[4], ends[5]) -
           Cost(ends[0], ends[3]) - Cost(ends[4], ends[1]) - Cost(ends[2], ends[5]);
-  Make(way, move, budget);
+  Make(path, move, budget);
   for (const int32_t node : ends) Wake(node);
   return true;
 }

@@ -102,37 +102,37 @@ class TourSearch {
     return surcharge_ == nullptr ? b.length : b.length + surcharge_->Of(a, b.node);
   }
 
-  Way WayFrom(int32_t first, bool forward) const {
+  Way PathFrom(int32_t first, bool forward) const {
     return {first, forward, tour_.PositionOf(first)};
   }
-  int32_t IndexOf(const Way& way, int32_t node) const {
+  int32_t IndexOf(const Way& path, int32_t node) const {
     const int32_t steps =
-        way.forward ? tour_.PositionOf(node) - way.start : way.start - tour_.PositionOf(node);
+        path.forward ? tour_.PositionOf(node) - path.start : path.start - tour_.PositionOf(node);
     return steps < 0 ? steps + tour_.size() : steps;
   }
-  int32_t At(const Way& way, int32_t index) const {
-    int32_t position = way.forward ? way.start + index : way.start - index;
+  int32_t At(const Way& path, int32_t index) const {
+    int32_t position = path.forward ? path.start + index : path.start - index;
     if (position >= tour_.size()) position -= tour_.size();
     if (position < 0) position += tour_.size();
     return tour_.At(position);
   }
 
   int64_t ImproveFrom(int32_t node, WorkBudget& budget);
-  int64_t ImproveAlong(Way way, WorkBudget& budget);
-  Found Search(const Way& way, int64_t gain, WorkBudget& budget) const;
-  void SearchTurned(const Way& way, int32_t cut, int64_t gain, Found& found,
+  int64_t ImproveAlong(Way path, WorkBudget& budget);
+  Found Search(const Way& path, int64_t gain, WorkBudget& budget) const;
+  void SearchTurned(const Way& path, int32_t cut, int64_t gain, Found& found,
                     WorkBudget& budget) const;
-  void SearchSplit(const Way& way, int32_t cut, int64_t gain, Found& found,
+  void SearchSplit(const Way& path, int32_t cut, int64_t gain, Found& found,
                    WorkBudget& budget) const;
-  void Judge(const Way& way, const Move& move, Found& found) const;
+  void Judge(const Way& path, const Move& move, Found& found) const;
   bool ShortEnough(const Move& move) const;
 
-  bool Allowed(const Way& way, const Move& move) const;
+  bool Allowed(const Way& path, const Move& move) const;
   /// Makes the move and returns the new path that continues from the node before `way.first`.
-  Way Make(const Way& way, const Move& move, WorkBudget& budget);
-  /// Reverses the nodes from index `from` to index `to` of `way`. Returns the new path. Does
+  Way Make(const Way& path, const Move& move, WorkBudget& budget);
+  /// Reverses the nodes from index `from` to index `to` of `path`. Returns the new path. Does
   /// nothing if from >= to.
-  Way Turned(const Way& way, int32_t from, int32_t to, WorkBudget& budget);
+  Way Turned(const Way& path, int32_t from, int32_t to, WorkBudget& budget);
   void Undo(size_t turns);
 
   /// Exchanges two sections. Returns false if the exchange is not permitted.

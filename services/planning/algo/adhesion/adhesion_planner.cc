@@ -42,8 +42,8 @@ AdhesionPlanner::AdhesionPlanner(const PlanningOptions& options, std::span<const
       copies_(copies),
       bed_(RoomOf(options.bed)),
       wanted_(options.skirt.loops > 0 ||
-              std::ranges::any_of(
-                  copies, [this](const PlacedCopy& copy) { return HasBrim(copy.object); })),
+              std::ranges::any_of(copies,
+                                  [this](const PlacedCopy& copy) { return HasBrim(copy.object); })),
       skirt_reach_(options.skirt) {}
 
 bool AdhesionPlanner::HasRaft(int32_t object) const {

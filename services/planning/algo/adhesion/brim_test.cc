@@ -25,7 +25,8 @@ BrimOptions Options(BrimType type, double width_mm, double separation_mm = 0) {
 BrimOptions Outer(double width_mm, double separation_mm = 0) {
   return Options(BrimType::kOuterOnly, width_mm, separation_mm);
 }
-std::vector<MultiPolygon> Brims(const std::vector<BrimObject>& objects, const MultiPolygon& bed = {}) {
+std::vector<MultiPolygon> Brims(const std::vector<BrimObject>& objects,
+                                const MultiPolygon& bed = {}) {
   auto regions = BrimRegions(objects, bed);
   EXPECT_TRUE(regions.ok()) << regions.status();
   return *std::move(regions);

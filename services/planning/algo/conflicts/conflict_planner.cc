@@ -53,8 +53,7 @@ std::pair<size_t, size_t> CopiesThat(int32_t object, const Beside& beside,
 
 }  // namespace
 
-ConflictPlanner::ConflictPlanner(const PlanningOptions& options,
-                                 std::span<const PlacedCopy> copies,
+ConflictPlanner::ConflictPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
                                  std::span<const std::string> object_names)
     : options_(options),
       copies_(copies),

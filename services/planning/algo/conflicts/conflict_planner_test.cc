@@ -125,9 +125,8 @@ TEST(ConflictPlanner, NamesWhatMeets) {
 }
 
 TEST(ConflictPlanner, SaysWhere) {
-  const ErrorDetail detail =
-      DetailOf(Conflict({{0, kSquare, 0, 3}, {1, kSquare, 1, 3}},
-                        {{0, At(100, 50), {}}, {1, At(109, 50), {}}}));
+  const ErrorDetail detail = DetailOf(Conflict({{0, kSquare, 0, 3}, {1, kSquare, 1, 3}},
+                                               {{0, At(100, 50), {}}, {1, At(109, 50), {}}}));
   EXPECT_EQ(detail.metadata.at("z_mm"), "2.00");
   EXPECT_NEAR(std::stod(detail.metadata.at("x_mm")), 104.5, 0.51);
   EXPECT_NEAR(std::stod(detail.metadata.at("y_mm")), 50, 5.01);

@@ -95,8 +95,7 @@ void CurledEdges::AddRing(const Polygon& ring, const Places& below, const MultiP
     const double turn_rad = bends[i].TurnRad();
     const double own = turn_rad > 0 ? RiseAt(at, shape.arm_nm() / turn_rad) : 0;
     const double rise = std::min(pressed + own, kMostLayers * height);
-    if (rise > 0 && !Covers(carried, at))
-      risen.push_back({at, bends[(i + 1) % count].at, rise});
+    if (rise > 0 && !Covers(carried, at)) risen.push_back({at, bends[(i + 1) % count].at, rise});
   }
 }
 
@@ -132,9 +131,8 @@ MultiPolygon CurledEdges::Next(const MultiPolygon& outline, const MultiPolygon& 
   std::vector<Risen> risen;
   if (below_) {
     const Places places(risen_, std::llround(kBeside * static_cast<double>(width_nm_)));
-    ForEachRing(outline, [&](const Polygon& ring) {
-      AddRing(ring, places, carried, height_nm, risen);
-    });
+    ForEachRing(outline,
+                [&](const Polygon& ring) { AddRing(ring, places, carried, height_nm, risen); });
     KeepUncovered(edges, height_nm, risen);
   }
   below_.emplace(outline, std::move(edges));

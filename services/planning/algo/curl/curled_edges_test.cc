@@ -74,8 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
                     // The facets are 2.5 mm long, and their corners do not count as corners.
                     Case{"ConeOfFacets", {Disc(60, 150), Disc(60.3, 150)}},
                     Case{"HardlyHangsOver", {Disc(5), Disc(5.08)}},
-                    Case{"Narrows", {Disc(5), Disc(4.7)}},
-                    Case{"ALedgeSags", {Disc(5), Disc(7)}},
+                    Case{"Narrows", {Disc(5), Disc(4.7)}}, Case{"ALedgeSags", {Disc(5), Disc(7)}},
                     Case{"Corners", {Square(5), Square(5.3)}, true},
                     Case{"AHoleCloses", {Holed(5), Holed(4.7)}},
                     Case{"NothingBelow", {MultiPolygon{}, Disc(5)}}, Case{"Nothing", {{}, {}}},
@@ -122,8 +121,7 @@ TEST(CurledEdges, GrowsFromLayerToLayerUpToTenOfThem) {
   edges.Next(Disc(10), {}, kHeightNm);
   for (int i = 1; i <= 20; ++i)
     EXPECT_FALSE(edges.Next(Disc(10 + 0.4 * i), {}, kHeightNm).empty()) << i;
-  for (int i = 1; i <= 14; ++i)
-    EXPECT_EQ(edges.Next(Disc(18), {}, kHeightNm).empty(), i > 12) << i;
+  for (int i = 1; i <= 14; ++i) EXPECT_EQ(edges.Next(Disc(18), {}, kHeightNm).empty(), i > 12) << i;
 }
 
 TEST(CurledEdges, StaysWhereNothingGoesOverIt) {

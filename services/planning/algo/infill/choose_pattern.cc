@@ -52,7 +52,8 @@ PatternChoice ChoosePattern(const InfillOptions& options, const PartShape& shape
   if (density >= kCrowded)
     return {FillPattern::kRectilinear,
             "such dense infill must not have crossing lines, which would pile up"};
-  const double pitch_mm = ToMm(static_cast<double>(options.sparse_width_nm)) / std::max(density, 0.01);
+  const double pitch_mm =
+      ToMm(static_cast<double>(options.sparse_width_nm)) / std::max(density, 0.01);
   const bool flexible = options.goal == FillGoal::kFlexibility;
   if (shape.width_mm < kNarrowPitches * pitch_mm) {
     if (flexible)

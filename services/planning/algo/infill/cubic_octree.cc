@@ -41,13 +41,13 @@ Shares Doubled(const Shares& body, const Cell& by) {
 Cell LeastFilled(const Cells& cubes, const Shares& body) {
   std::pair<int64_t, size_t> least;
   Cell best{};
-  for (int32_t way = 0; way < 8; ++way) {
-    const Cell by{way & 1, way >> 1 & 1, way >> 2};
+  for (int32_t path = 0; path < 8; ++path) {
+    const Cell by{path & 1, path >> 1 & 1, path >> 2};
     const Cells doubled = Doubled(cubes, by);
     std::pair<int64_t, size_t> found{0, doubled.size()};
     for (const auto& [cell, share] : body)
       if (doubled.contains(DoubledCell(cell, by))) found.first += share;
-    if (way == 0 || found < least) {
+    if (path == 0 || found < least) {
       least = found;
       best = by;
     }

@@ -79,8 +79,8 @@ TEST(CubicOctree, AFullTreeIsCubicInfill) {
     // A few more or fewer lines may meet the box, but no line is missing or double.
     EXPECT_NEAR(LengthIn(lines, box) * kPitch / area, 1, 0.06) << z;
     for (const Polyline& line : lines) {
-      const Point way = line[1] - line[0];
-      const double angle = std::atan2(static_cast<double>(way.y), static_cast<double>(way.x));
+      const Point path = line[1] - line[0];
+      const double angle = std::atan2(static_cast<double>(path.y), static_cast<double>(path.x));
       const int family = static_cast<int>(std::lround((angle - 0.4) * 3 / (2 * std::numbers::pi)));
       const double turn = 0.4 + family * 2 * std::numbers::pi / 3;
       const double v = std::cos(turn) * static_cast<double>(line[0].y) -
@@ -181,10 +181,10 @@ int Missing(const CubicOctree& full, const CubicOctree& tree, const MultiPolygon
   for (const Polyline& line : full.LinesAt(z_nm)) {
     constexpr int kParts = 400;
     for (int k = 0; k < kParts; ++k) {
-      const Point way = line[1] - line[0];
+      const Point path = line[1] - line[0];
       const double share = (k + 0.5) / kParts;
-      const Point p = line[0] + Point{std::llround(share * static_cast<double>(way.x)),
-                                      std::llround(share * static_cast<double>(way.y))};
+      const Point p = line[0] + Point{std::llround(share * static_cast<double>(path.x)),
+                                      std::llround(share * static_cast<double>(path.y))};
       if (!Inside(p, region)) continue;
       ++looked_at;
       missing += std::ranges::none_of(lines, [&](const Polyline& other) {

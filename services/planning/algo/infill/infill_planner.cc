@@ -94,14 +94,15 @@ SparsePlaces PlacesOf(const InfillOptions& options, const ObjectStack& stack) {
   return places;
 }
 
-LinesByLayer LinesOf(FillPattern pattern, const InfillOptions& options,
-                     const ObjectStack& stack, const SparsePlaces& places) {
+LinesByLayer LinesOf(FillPattern pattern, const InfillOptions& options, const ObjectStack& stack,
+                     const SparsePlaces& places) {
   if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
   if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
   const double radius = PitchOf(options, stack);
   const auto hollow = HollowAreas(places.inner, places.areas, std::llround(radius));
-  return LightningLines(stack, hollow, RoofsOf(hollow),
-                        {.radius_nm = radius, .beyond_nm = static_cast<double>(options.sparse_width_nm)});
+  return LightningLines(
+      stack, hollow, RoofsOf(hollow),
+      {.radius_nm = radius, .beyond_nm = static_cast<double>(options.sparse_width_nm)});
 }
 
 }  // namespace
@@ -158,8 +159,8 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
     LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.sparse_width_nm,
                      options.walls_nm + options.sparse_width_nm, places);
   if (options.every_layers > 1)
-    CombineLayers(stack, sparse.areas, options.every_layers, kNarrowWidths * options.sparse_width_nm,
-                  places);
+    CombineLayers(stack, sparse.areas, options.every_layers,
+                  kNarrowWidths * options.sparse_width_nm, places);
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;
     layers.At(stack[i].job_layer)

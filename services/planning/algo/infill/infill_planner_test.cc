@@ -37,15 +37,13 @@ std::vector<SlicedLayer> Block() {
 }
 
 InfillOptions Options(FillPattern pattern) {
-  return {
-      .top_solid_layers = 3, .bottom_solid_layers = 3, .pattern = pattern, .walls_nm = 900'000};
+  return {.top_solid_layers = 3, .bottom_solid_layers = 3, .pattern = pattern, .walls_nm = 900'000};
 }
 
 TEST(InfillPlanner, NothingAskedForIsNothingPlanned) {
   const JobPlan plan = PlanFor(Options(FillPattern::kGyroid), Block());
   ASSERT_EQ(plan.layers.size(), kLayers);
-  for (const LayerPlan& layer : plan.layers)
-    EXPECT_TRUE(layer.infill.empty());
+  for (const LayerPlan& layer : plan.layers) EXPECT_TRUE(layer.infill.empty());
 }
 
 TEST(InfillPlanner, GivesLinesForPatternsOfTheWholeJob) {
@@ -100,7 +98,8 @@ TEST(InfillPlanner, OctreesHaveTheCubesThatADensityMeansInPrusaSlicer) {
     InfillOptions options = Options(FillPattern::kAdaptiveCubic);
     options.density = density;
     options.angle_rad = 0;
-    const double apart = 3 * std::sqrt(1.5) * static_cast<double>(options.sparse_width_nm) / density;
+    const double apart =
+        3 * std::sqrt(1.5) * static_cast<double>(options.sparse_width_nm) / density;
     int next_to_each_other = 0;
     for (const LayerPlan& layer : PlanFor(options, Block()).layers) {
       std::vector<double> along_x;

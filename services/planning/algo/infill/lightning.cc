@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "common/geometry/measure.h"
-#include "services/planning/algo/infill/lightning_trees.h"
 #include "services/planning/algo/infill/grid_points.h"
+#include "services/planning/algo/infill/lightning_trees.h"
 
 namespace slicefarm::planning {
 namespace {

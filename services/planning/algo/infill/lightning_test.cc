@@ -10,8 +10,8 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "services/planning/algo/infill/lightning_trees.h"
 #include "services/planning/algo/infill/grid_points.h"
+#include "services/planning/algo/infill/lightning_trees.h"
 #include "services/planning/algo/infill/sparse_areas.h"
 #include "services/planning/algo/infill/stacks_test.h"
 
@@ -94,9 +94,9 @@ TEST(LightningLines, LinesRestOnWhatIsBelow) {
       for (const Polyline& line : sample.lines[i]) {
         for (size_t k = 1; k < line.size(); ++k) {
           for (const double share : {0.0, 0.3, 0.7, 1.0}) {
-            const Point way = line[k] - line[k - 1];
-            const Point p = line[k - 1] + Point{std::llround(share * static_cast<double>(way.x)),
-                                                std::llround(share * static_cast<double>(way.y))};
+            const Point path = line[k] - line[k - 1];
+            const Point p = line[k - 1] + Point{std::llround(share * static_cast<double>(path.x)),
+                                                std::llround(share * static_cast<double>(path.y))};
             const bool inside = Inside(p, sample.areas[i - 1]);
             const auto edge = edges.Nearest(p);
             const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i - 1]));

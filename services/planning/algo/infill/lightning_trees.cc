@@ -13,9 +13,9 @@ constexpr double kOnEdgeNm = 1'000;
 /// Distance from the line between its neighbours below which a node is removed.
 constexpr double kIdleNm = 10'000;
 
-/// Returns the point at `way` nm from a towards b. REQUIRES: b is at least that far.
-Point Towards(Point a, Point b, double way) {
-  const double share = way / Distance(a, b);
+/// Returns the point at `path` nm from a towards b. REQUIRES: b is at least that far.
+Point Towards(Point a, Point b, double path) {
+  const double share = path / Distance(a, b);
   return a + Point{std::llround(share * static_cast<double>(b.x - a.x)),
                    std::llround(share * static_cast<double>(b.y - a.y))};
 }
@@ -235,10 +235,10 @@ std::vector<Polyline> LightningTrees::Lines(double beyond_nm) const {
   for (size_t k = order.size(); k-- > 0;) {
     const auto i = static_cast<size_t>(order[k]);
     for (const int32_t child : children[i]) {
-      const double way = reach[static_cast<size_t>(child)] +
-                         Distance(nodes_[i].at, nodes_[static_cast<size_t>(child)].at);
-      if (next[i] >= 0 && way <= reach[i]) continue;
-      reach[i] = way;
+      const double path = reach[static_cast<size_t>(child)] +
+                          Distance(nodes_[i].at, nodes_[static_cast<size_t>(child)].at);
+      if (next[i] >= 0 && path <= reach[i]) continue;
+      reach[i] = path;
       next[i] = child;
     }
   }

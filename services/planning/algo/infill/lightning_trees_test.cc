@@ -10,7 +10,8 @@ namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 const RegionEdges& Square() {
-  static const RegionEdges& square = *new RegionEdges(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
+  static const RegionEdges& square =
+      *new RegionEdges(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
   return square;
 }
 

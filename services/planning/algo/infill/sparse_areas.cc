@@ -16,7 +16,7 @@ using Outlines = MultiPolygon StackLayer::*;
 /// Returns the part of `area` that the `outlines` of `count` layers above (or below) cover. In a
 /// prism all outlines are equal, so no intersection is needed.
 MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, Outlines outlines, size_t layer,
-                     int32_t step, int32_t count, const SkinSpare& spare) {
+                     int32_t step, int32_t count, const ShellExtra& spare) {
   const MultiPolygon* nearer = &(stack[layer].*outlines);
   Coord between_nm = 0;
   for (int32_t i = 1; i <= count && !area.empty(); ++i) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/model/options/skin_spare.h"
+#include "common/model/options/shell_extra.h"
 #include "services/planning/algo/infill/object_stack.h"
 
 namespace slicefarm::planning {
@@ -12,7 +12,7 @@ namespace slicefarm::planning {
 struct SkinRules {
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
-  SkinSpare top_spare = {}, bottom_spare = {};
+  ShellExtra top_spare = {}, bottom_spare = {};
   /// true: skins are also made where another region is above or below
   bool of_region_alone = false;
 };

@@ -31,7 +31,7 @@ TEST(SparseAreas, LayersThatOnlyThicknessAsksForAreLeftOutByTheirHeights) {
   ObjectStack stack = Prism(10, "(0 0, 20 0, 20 10, 0 10)");
   for (StackLayer& layer : stack) layer.height_nm = 200'000;
   stack[0].height_nm = 300'000;
-  const SkinSpare spare{.layers = 2, .enough_nm = 700'000};
+  const ShellExtra spare{.layers = 2, .enough_nm = 700'000};
   const auto areas = SparseAreas(
       stack, InnerAreas(stack, 1'000'000),
       {.top_solid_layers = 4, .bottom_solid_layers = 4, .top_spare = spare, .bottom_spare = spare});

@@ -49,7 +49,7 @@ class Planner {
 
   /// Runs after each Look, and may add to the plans of all layers so far. Returns the lowest layer
   /// that this planner may still change.
-  virtual int32_t Settle(OpenLayers& layers) { return layers.end(); }
+  virtual int32_t DeriveOptions(OpenLayers& layers) { return layers.end(); }
 
   /// Runs after the last layer. Adds results that depend on several layers to `layers` and to
   /// `plan`, which has no layers. May take long. Returns Cancelled if `cancel` requests it.

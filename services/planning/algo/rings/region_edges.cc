@@ -63,8 +63,12 @@ std::optional<RegionEdges::Hit> RegionEdges::Nearest(Point to, Coord reach_nm) c
   }
   if (best.edge < 0) return std::nullopt;
   const Edge& edge = index_.At(best.edge);
-  return Hit{edge.ring, edge.edge,  best.share, NearestOnSegment(to, edge.a, edge.b),
-             std::sqrt(best.distance2), IsInside(to, best)};
+  return Hit{edge.ring,
+             edge.edge,
+             best.share,
+             NearestOnSegment(to, edge.a, edge.b),
+             std::sqrt(best.distance2),
+             IsInside(to, best)};
 }
 
 bool RegionEdges::IsInside(Point p, const Best& best) const {

@@ -99,8 +99,9 @@ TEST(RegionEdges, AnswersAsLookingAtAllEdgesDoes) {
             (Cross(q - p, edge.a - p) > 0) != (Cross(q - p, edge.b - p) > 0) &&
             (Cross(edge.b - edge.a, p - edge.a) > 0) != (Cross(edge.b - edge.a, q - edge.a) > 0);
         if (!crosses) continue;
-        EXPECT_TRUE(std::ranges::any_of(
-            near, [&](const RegionEdges::Edge& other) { return other.a == edge.a && other.b == edge.b; }));
+        EXPECT_TRUE(std::ranges::any_of(near, [&](const RegionEdges::Edge& other) {
+          return other.a == edge.a && other.b == edge.b;
+        }));
       }
     }
   }

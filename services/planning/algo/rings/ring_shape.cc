@@ -45,9 +45,7 @@ int Bend::Outward() const {
   return 4 * quarter + (y >= kSixteenth * x) + (y >= x) + (kSixteenth * y >= x);
 }
 
-double OutwardAngleRad(int outward) {
-  return (outward + 0.5) * 2 * std::numbers::pi / kOutwards;
-}
+double OutwardAngleRad(int outward) { return (outward + 0.5) * 2 * std::numbers::pi / kOutwards; }
 
 RingShape::RingShape(const Polygon& ring, double arm_nm) : ring_(&ring) {
   ends_.reserve(ring.size() + 1);

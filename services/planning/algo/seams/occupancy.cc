@@ -158,9 +158,9 @@ double Occupancy::SeenFrom(Cell cell, int outward) const {
   const double from[3] = {cell.x + 0.5 + kLiftCells * rays.outward.x(),
                           cell.y + 0.5 + kLiftCells * rays.outward.y(), cell.z + 0.5};
   int seen = 0;
-  for (const Vector2& way : rays.sideways) {
+  for (const Vector2& path : rays.sideways) {
     for (const double slope : kSlopes) {
-      const double step[3] = {way.x(), way.y(), slope};
+      const double step[3] = {path.x(), path.y(), slope};
       seen += LeadsOut(from, step) ? 1 : 0;
     }
   }

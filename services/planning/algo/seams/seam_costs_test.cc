@@ -36,9 +36,8 @@ TEST(SeamCosts, PrefersInnerCornersToOuterOnesToWalls) {
 }
 
 TEST(SeamCosts, OfEqualsTheRearMostAndThenTheLeftMost) {
-  const std::vector<SeamPlace> square = {
-      PlaceAt(0, 0, kRightAngle), PlaceAt(10, 0, kRightAngle), PlaceAt(10, 10, kRightAngle),
-      PlaceAt(0, 10, kRightAngle)};
+  const std::vector<SeamPlace> square = {PlaceAt(0, 0, kRightAngle), PlaceAt(10, 0, kRightAngle),
+                                         PlaceAt(10, 10, kRightAngle), PlaceAt(0, 10, kRightAngle)};
   for (const SeamPosition position :
        {SeamPosition::kAligned, SeamPosition::kRear, SeamPosition::kHidden})
     EXPECT_EQ(Cheapest(square, {1, 1, 1, 1}, position), 3u);

@@ -120,8 +120,8 @@ class LayerRings {
       std::vector<Along>& wanted = wanted_.emplace_back();
       for (const Corner& corner : CornersOf(shapes_.back()))
         wanted.push_back({corner.along_nm, Wish::kCorner});
-      const auto rear = std::ranges::min_element(
-          ring, {}, [](Point p) { return std::pair(-p.y, p.x); });
+      const auto rear =
+          std::ranges::min_element(ring, {}, [](Point p) { return std::pair(-p.y, p.x); });
       wanted.push_back({shapes_.back().AlongTo(static_cast<size_t>(rear - ring.begin()))});
     });
     votes_.resize(shapes_.size());

@@ -12,8 +12,8 @@ namespace slicefarm::planning {
 /// Possible point of a seam on a ring, with the properties that decide about it.
 struct SeamPlace {
   Point at;
-  float turn_rad = 0;  ///< change of direction as in Bend::TurnRad
-  float overhang = 0;  ///< distance beyond the layer below, in multiples of the layer height
+  float turn_rad = 0;   ///< change of direction as in Bend::TurnRad
+  float overhang = 0;   ///< distance beyond the layer below, in multiples of the layer height
   float away_mm = 0;    ///< distance from the outlines of the layer below; 0 without a layer below
   uint8_t outward = 0;  ///< direction as in Bend::Outward
   /// Distance along the ring from the middle of the section of enforced points.
@@ -28,8 +28,7 @@ bool IsCorner(const SeamPlace& place);
 
 /// Possible points of the seam on one outline of a layer.
 struct RingPlaces {
-  int32_t below =
-      -1;  ///< index of the ring in the layer below that this ring continues; -1: none
+  int32_t below = -1;  ///< index of the ring in the layer below that this ring continues; -1: none
   std::vector<SeamPlace> places;  ///< in order of the length along the ring; at least one
 };
 

@@ -18,8 +18,8 @@ ObjectSection SectionOf(MultiPolygon outlines, int32_t layer = 0) {
 }
 
 bool HasPlaceAt(const RingPlaces& ring, Point at) {
-  return std::ranges::any_of(
-      ring.places, [&](const SeamPlace& place) { return Distance(place.at, at) < 1000; });
+  return std::ranges::any_of(ring.places,
+                             [&](const SeamPlace& place) { return Distance(place.at, at) < 1000; });
 }
 
 TEST(SeamPlace, TellsCorners) {
@@ -129,8 +129,9 @@ TEST(PlaceFinder, PaintedPartsHaveMorePlaces) {
 /// enforced.
 TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
   ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
-  section.marks = {{PartRole::kSeamEnforcer,
-                   MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)")}};
+  section.marks = {
+      {PartRole::kSeamEnforcer,
+       MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)")}};
   const auto rings = PlaceFinder().Next(section);
   ASSERT_EQ(rings.size(), 1u);
   int enforced = 0;
@@ -145,8 +146,7 @@ TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
     }
   }
   EXPECT_GT(enforced, 0);
-  section.marks = {{PartRole::kSeamEnforcer,
-                   MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)")}};
+  section.marks = {{PartRole::kSeamEnforcer, MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)")}};
   const auto all_around = PlaceFinder().Next(section);
   ASSERT_EQ(all_around.size(), 1u);
   ASSERT_FALSE(all_around[0].places.empty());

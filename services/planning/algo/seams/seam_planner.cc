@@ -116,8 +116,7 @@ void SeamPlanner::Count(const std::vector<Ring>& rings, const Ring& ring) {
   }
 }
 
-void SeamPlanner::SettleBelow(int32_t end, int32_t object, ObjectSeams& seams,
-                              OpenLayers& layers) {
+void SeamPlanner::SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers) {
   seams.occupancy.Build();
   Choose(seams, PositionOf(object));
   size_t i = seams.settled;
@@ -148,7 +147,7 @@ void SeamPlanner::Forget(size_t rings, ObjectSeams& seams) {
     if (seams.rings[i].parent >= 0) seams.rings[i].parent -= static_cast<int32_t>(first);
 }
 
-int32_t SeamPlanner::Settle(OpenLayers& layers) {
+int32_t SeamPlanner::DeriveOptions(OpenLayers& layers) {
   int32_t settled = layers.end();
   const bool too_many = places_ > most_places_;
   for (auto& [object, seams] : objects_) {

@@ -26,7 +26,7 @@ JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPos
   JobPlan plan;
   for (const SlicedLayer& layer : layers) {
     planner.Look(layer, open.Add());
-    std::ranges::move(open.TakeBelow(planner.Settle(open)), std::back_inserter(plan.layers));
+    std::ranges::move(open.TakeBelow(planner.DeriveOptions(open)), std::back_inserter(plan.layers));
   }
   if (settled != nullptr) *settled = plan.layers.size();
   EXPECT_TRUE(planner.Finish({}, open, plan).ok());
@@ -109,8 +109,7 @@ TEST(SeamPlanner, StaysInLineOnARoundPart) {
 
 TEST(SeamPlanner, FollowsACornerThatTurns) {
   std::vector<Polygon> rings;
-  for (int i = 0; i < 100; ++i)
-    rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
+  for (int i = 0; i < 100; ++i) rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
   const JobPlan plan = PlanOfLayers(LayersOf(rings), {SeamPosition::kAligned});
   EXPECT_LT(MeanStepMm(FirstSeams(plan)), 0.1);
   EXPECT_EQ(plan.seams.on_corner, 100);
@@ -119,8 +118,7 @@ TEST(SeamPlanner, FollowsACornerThatTurns) {
 
 TEST(SeamPlanner, SettlesLowerLayersWhenThereIsTooMuchToKeep) {
   std::vector<Polygon> rings;
-  for (int i = 0; i < 200; ++i)
-    rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
+  for (int i = 0; i < 200; ++i) rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
   for (const SeamPosition position : {SeamPosition::kAligned, SeamPosition::kRear}) {
     size_t settled = 0;
     const JobPlan whole =
@@ -161,8 +159,10 @@ TEST(SeamPlanner, KeepsAwayFromOverhangs) {
 TEST(SeamPlanner, BlockersAreNeverUsedIfThereIsAnotherPlace) {
   std::vector<SlicedLayer> layers = LayersOrDie(std::vector<std::string_view>(30, kTwoTowers));
   for (size_t i = 10; i < 20; ++i) {
-    layers[i].sections[0].marks.push_back({PartRole::kSeamBlocker, MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)")});
-    layers[i].sections[0].marks.push_back({PartRole::kSeamEnforcer, MakePolygonsOrDie("(88 -1, 92 -1, 92 11, 88 11)")});
+    layers[i].sections[0].marks.push_back(
+        {PartRole::kSeamBlocker, MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)")});
+    layers[i].sections[0].marks.push_back(
+        {PartRole::kSeamEnforcer, MakePolygonsOrDie("(88 -1, 92 -1, 92 11, 88 11)")});
   }
   const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kAligned});
   for (size_t i = 10; i < 20; ++i) {
@@ -175,8 +175,10 @@ TEST(SeamPlanner, BlockersAreNeverUsedIfThereIsAnotherPlace) {
 
 TEST(SeamPlanner, NearestHeedsEnforcersAndBlockersInTheLayersThatHaveThem) {
   std::vector<SlicedLayer> layers = LayersOrDie(std::vector<std::string_view>(9, kTwoTowers));
-  layers[3].sections[0].marks.push_back({PartRole::kSeamEnforcer, MakePolygonsOrDie("(98 -1, 102 -1, 102 2, 98 2)")});
-  layers[5].sections[0].marks.push_back({PartRole::kSeamBlocker, MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)")});
+  layers[3].sections[0].marks.push_back(
+      {PartRole::kSeamEnforcer, MakePolygonsOrDie("(98 -1, 102 -1, 102 2, 98 2)")});
+  layers[5].sections[0].marks.push_back(
+      {PartRole::kSeamBlocker, MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)")});
   const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kNearest});
   for (const size_t i : {0, 1, 2, 4, 6, 7, 8}) EXPECT_THAT(plan.layers[i].sections, IsEmpty());
   EXPECT_EQ(plan.layers[3].sections[0].seams[1], Mm(100, 0));

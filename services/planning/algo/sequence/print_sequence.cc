@@ -106,10 +106,10 @@ bool GantryMeets(const Standing& a, const Standing& b, const SequenceOptions& op
 
 absl::Status Collide(std::span<const SequenceItem> items, size_t a, size_t b,
                      std::string_view rule) {
-  const std::string_view why =
-      rule == "gantry" ? "are both higher than extruder_clearance_height"
-      : rule == "lid"  ? "are both higher than extruder_clearance_height_to_lid"
-                       : "are closer than extruder_clearance_radius";
+  const std::string_view why = rule == "gantry" ? "are both higher than extruder_clearance_height"
+                               : rule == "lid"
+                                   ? "are both higher than extruder_clearance_height_to_lid"
+                                   : "are closer than extruder_clearance_radius";
   return MakeError(kInvalid, Reason::kObjectsCollide,
                    fmt::format("'{}' and '{}' cannot be printed one after the other: they {}",
                                items[a].name, items[b].name, why),

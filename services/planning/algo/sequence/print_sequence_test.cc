@@ -237,10 +237,10 @@ TEST(PrintSequence, OrdersAThousand) {
     items.push_back({Square(45 * (i % 40), 45 * (i / 40)), FromMm(10), ""});
   std::shuffle(items.begin(), items.end(), random);
   const std::vector<size_t> order = *PrintSequence(items, {});
-  double way = 0;
+  double path = 0;
   for (size_t i = 0; i + 1 < order.size(); ++i)
-    way += Distance(items[order[i]].footprint[0], items[order[i + 1]].footprint[0]);
-  EXPECT_LT(way, 1.1 * 999 * FromMm(45)) << "at best each goes to a neighbour";
+    path += Distance(items[order[i]].footprint[0], items[order[i + 1]].footprint[0]);
+  EXPECT_LT(path, 1.1 * 999 * FromMm(45)) << "at best each goes to a neighbour";
 }
 
 }  // namespace

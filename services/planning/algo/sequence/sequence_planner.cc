@@ -55,7 +55,8 @@ absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   for (size_t i = 0; i < copies_.size(); ++i) {
     const auto printed = printed_.find(copies_[i].object);
     if (printed == printed_.end()) continue;
-    items.push_back({FootprintOf(copies_[i], plan.stacks), printed->second.top_nm, NameOfCopy(i, copies_, object_names_)});
+    items.push_back({FootprintOf(copies_[i], plan.stacks), printed->second.top_nm,
+                     NameOfCopy(i, copies_, object_names_)});
     copy_of.push_back(i);
   }
   SequenceOptions sequence{.clearance_radius_nm = options_.clearance_radius_nm,

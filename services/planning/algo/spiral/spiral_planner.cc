@@ -80,14 +80,14 @@ void SpiralPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   left_at_ = start;
 }
 
-int32_t SpiralPlanner::Settle(OpenLayers& layers) {
+int32_t SpiralPlanner::DeriveOptions(OpenLayers& layers) {
   const int32_t last = seen_ - 1;
   if (!goes_on_) return left_at_ ? last : layers.end();
   LayerPlan& below = layers.At(last - 1);
   LayerPlan& above = layers.At(last);
   const auto turn_of = [](LayerPlan& plan) -> SectionPlan& {
-    return *std::ranges::find_if(plan.sections,
-                                 [](const SectionPlan& section) { return section.spiral.has_value(); });
+    return *std::ranges::find_if(
+        plan.sections, [](const SectionPlan& section) { return section.spiral.has_value(); });
   };
   turn_of(below).spiral->last = false;
   below.ends_ready = above.begins_ready = true;

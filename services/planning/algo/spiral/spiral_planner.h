@@ -36,7 +36,7 @@ class SpiralPlanner : public Planner {
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
   /// Settles all layers below the last one. Only the next layer decides whether the last turn ends
   /// the spiral.
-  int32_t Settle(OpenLayers& layers) override;
+  int32_t DeriveOptions(OpenLayers& layers) override;
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:

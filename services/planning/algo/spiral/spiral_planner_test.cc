@@ -86,7 +86,9 @@ TEST(SpiralPlanner, ASkirtBesideItIsNoPartOfTheSpiral) {
 
 TEST(SpiralPlanner, OneAfterTheOther) {
   const auto square_at = [](Coord x) -> Polygon {
-    return {{x - FromMm(5), FromMm(-5)}, {x + FromMm(5), FromMm(-5)}, {x + FromMm(5), FromMm(5)},
+    return {{x - FromMm(5), FromMm(-5)},
+            {x + FromMm(5), FromMm(-5)},
+            {x + FromMm(5), FromMm(5)},
             {x - FromMm(5), FromMm(5)}};
   };
   const std::vector<PlacedCopy> two = {{0, {}, square_at(0)},
@@ -100,7 +102,8 @@ TEST(SpiralPlanner, OneAfterTheOther) {
   EXPECT_TRUE(TurnOf(*plan, 2)->from);
 
   options.objects.push_back(options.objects[0]);
-  plan = Planned(Hollow({kSmall, kSmall, kSmall}), options, {{0, {}, {}}, {1, {FromMm(90), 0}, {}}});
+  plan =
+      Planned(Hollow({kSmall, kSmall, kSmall}), options, {{0, {}, {}}, {1, {FromMm(90), 0}, {}}});
   EXPECT_THAT(plan.status().message(), HasSubstr("the plate has several"));
 }
 

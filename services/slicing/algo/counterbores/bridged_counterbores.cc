@@ -37,10 +37,9 @@ void FillUp(const MultiPolygon& holes, ObjectSection& section) {
   constexpr Coord kEdgeNm = 50'000;
   for (const PolygonWithHoles& hole : holes) {
     const MultiPolygon edge = FastOffset({hole}, kEdgeNm);
-    const auto region =
-        std::ranges::max_element(section.regions, {}, [&](const Region& each) {
-          return Area(Intersection(each.outlines, edge));
-        });
+    const auto region = std::ranges::max_element(section.regions, {}, [&](const Region& each) {
+      return Area(Intersection(each.outlines, edge));
+    });
     if (region != section.regions.end()) region->outlines = Union(region->outlines, {hole});
   }
   if (section.regions.size() > 1) section.whole = Union(section.whole, holes);
@@ -53,7 +52,8 @@ std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sect
                                             const CancelToken& cancel) {
   std::vector<std::vector<Counterbore>> found(sections.size());
   ForEachIndex(threads, sections.size(), [&](size_t layer, int) {
-    if (cancel.Cancelled() || layer == 0 || layer + 1 >= sections.size() || sections[layer]->hollow) return;
+    if (cancel.Cancelled() || layer == 0 || layer + 1 >= sections.size() || sections[layer]->hollow)
+      return;
     found[layer] = CounterboresOver(OutlineOf(*sections[layer - 1]), OutlineOf(*sections[layer]));
     std::erase_if(found[layer], [&](const Counterbore& each) {
       return !GoThrough(each.holes, OutlineOf(*sections[layer + 1]));

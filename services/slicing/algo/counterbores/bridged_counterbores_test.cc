@@ -58,9 +58,7 @@ void ExpectOpen(const std::vector<ObjectSection>& sections, const std::vector<do
   for (size_t i = 0; i < open.size(); ++i) EXPECT_NEAR(open[i], want_mm2[i], 0.15) << i;
 }
 
-TEST(BridgeCounterbores, NothingUnlessAsked) {
-  EXPECT_EQ(Bridged(kNone, Bored(5)), Bored(5));
-}
+TEST(BridgeCounterbores, NothingUnlessAsked) { EXPECT_EQ(Bridged(kNone, Bored(5)), Bored(5)); }
 
 TEST(BridgeCounterbores, SlotSquareOctagonHole) {
   ExpectOpen(Bridged(kPartial, Bored(5)), {28.27, 28.27, 19.3, 11.56, 9.58, 9.08, 9.08, 0});
@@ -81,9 +79,8 @@ TEST(BridgeCounterbores, RegionsStayTiles) {
     std::vector<ObjectSection> sections = Bored(5);
     for (ObjectSection& section : sections) {
       section.whole = section.regions[0].outlines;
-      section.regions = {
-          {.settings = 0, .outlines = Difference(section.whole, right)},
-          {.settings = 1, .outlines = Intersection(section.whole, right)}};
+      section.regions = {{.settings = 0, .outlines = Difference(section.whole, right)},
+                         {.settings = 1, .outlines = Intersection(section.whole, right)}};
     }
     const std::vector<ObjectSection> plain = Bridged(how, Bored(5));
     sections = Bridged(how, std::move(sections));

@@ -84,13 +84,13 @@ class Recess {
 
  private:
   /// Returns the parts of `area` that lie inside the stripes of one hole in all of the directions
-  /// `ways`, and that contain this hole.
-  MultiPolygon Crossed(const MultiPolygon& area, const std::vector<Vector2>& ways) const {
+  /// `paths`, and that contain this hole.
+  MultiPolygon Crossed(const MultiPolygon& area, const std::vector<Vector2>& paths) const {
     MultiPolygon all;
     for (const Polygon& hole : holes_) {
       MultiPolygon open = area;
-      for (const Vector2& way : ways)
-        open = Intersection(open, AreaOf(StripeOf(hole, way), ToVector(hole.front()), reach_nm_));
+      for (const Vector2& path : paths)
+        open = Intersection(open, AreaOf(StripeOf(hole, path), ToVector(hole.front()), reach_nm_));
       std::erase_if(open, [&](const auto& part) {
         return Intersection({part}, {{hole, {}}}).empty();
       });
@@ -107,14 +107,14 @@ class Recess {
     double closest = 0, shortest = 0;
     for (const Polygon& edges : {air_.outer, holes_.front()})
       for (int i = 0; i < kDirections; ++i) {
-        const Vector2 way =
+        const Vector2 path =
             Eigen::Rotation2Dd(std::numbers::pi * i / kDirections) * LongestEdge(edges);
-        const std::optional<double> span = LongestSpan(way);
+        const std::optional<double> span = LongestSpan(path);
         if (!span) continue;
-        const double area = CrossedArea(way);
+        const double area = CrossedArea(path);
         if (best && area * kAlike > closest && (area > closest * kAlike || *span >= shortest))
           continue;
-        best = way;
+        best = path;
         closest = area;
         shortest = *span;
       }
@@ -130,10 +130,10 @@ class Recess {
     return longest.normalized();
   }
 
-  double CrossedArea(const Vector2& way) const {
+  double CrossedArea(const Vector2& path) const {
     double area = 0;
     for (const Polygon& hole : holes_) {
-      const Stripe one = StripeOf(hole, way), other = StripeOf(hole, TurnedLeft(way));
+      const Stripe one = StripeOf(hole, path), other = StripeOf(hole, TurnedLeft(path));
       area += (one.left - one.right) * (other.left - other.right);
     }
     return area;

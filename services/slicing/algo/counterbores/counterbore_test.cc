@@ -52,8 +52,8 @@ TEST(CounterboresOver, ARoundHoleOverARoundRecess) {
 TEST(CounterboresOver, ANutTrapIsCrossedWhereBridgesAreShortest) {
   for (const double turn_rad : {0.0, 0.2, 1.1}) {
     const double corner_mm = 5.6 / std::numbers::sqrt3;
-    const auto found = CounterboresOver(Plate({Ngon(2, 1, corner_mm, 6, turn_rad)}),
-                                        Plate({Disc(2, 1, 1.6)}));
+    const auto found =
+        CounterboresOver(Plate({Ngon(2, 1, corner_mm, 6, turn_rad)}), Plate({Disc(2, 1, 1.6)}));
     ASSERT_EQ(found.size(), 1U) << turn_rad;
     ExpectEachRoomCrossesTheLast(found[0]);
     // The bridge beside the hole is shorter from corner to corner than from flat to flat.
@@ -101,8 +101,8 @@ TEST(CounterboresOver, ARecessOpenAtASideIsCrossedBetweenItsWalls) {
 }
 
 TEST(CounterboresOver, HolesThatShareARecessAreCrossedAlike) {
-  const auto found = CounterboresOver(Plate({Box(-10, -4, 20, 8)}),
-                                      Plate({Disc(-5, 0, 1.5), Disc(5, 0, 1.5)}));
+  const auto found =
+      CounterboresOver(Plate({Box(-10, -4, 20, 8)}), Plate({Disc(-5, 0, 1.5), Disc(5, 0, 1.5)}));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].holes.size(), 2U);
   ExpectEachRoomCrossesTheLast(found[0]);

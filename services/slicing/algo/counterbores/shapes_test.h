@@ -14,8 +14,8 @@ inline Polygon Ngon(double x_mm, double y_mm, double radius_mm, int corners, dou
   Polygon ring;
   for (int i = 0; i < corners; ++i) {
     const double angle = turn_rad + 2 * std::numbers::pi * i / corners;
-    ring.push_back({FromMm(x_mm + radius_mm * std::cos(angle)),
-                    FromMm(y_mm + radius_mm * std::sin(angle))});
+    ring.push_back(
+        {FromMm(x_mm + radius_mm * std::cos(angle)), FromMm(y_mm + radius_mm * std::sin(angle))});
   }
   return ring;
 }

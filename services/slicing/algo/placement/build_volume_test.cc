@@ -13,16 +13,14 @@ namespace {
 
 constexpr Coord kMm = kNmPerMm;
 
-IndexedMesh Box(double x, double y, double z) {
-  return *PlaceMesh(BoxMesh({0, 0, 0}, {x, y, z}));
-}
+IndexedMesh Box(double x, double y, double z) { return *PlaceMesh(BoxMesh({0, 0, 0}, {x, y, z})); }
 
 absl::Status Check(const IndexedMesh& mesh, std::string_view name,
                    const std::vector<Point>& centers, const SlicingOptions& options) {
   const IndexedMesh* const meshes[] = {&mesh};
-  return CheckBuildVolume({Footprint(meshes), ExtentOf(mesh).max.z,
-                           options.objects[0].xy_compensation_nm},
-                          name, centers, options);
+  return CheckBuildVolume(
+      {Footprint(meshes), ExtentOf(mesh).max.z, options.objects[0].xy_compensation_nm}, name,
+      centers, options);
 }
 
 SlicingOptions Bed(double x, double y, double height = 0) {
@@ -39,8 +37,7 @@ TEST(BedCenter, IsTheMiddleOfTheBox) {
 }
 
 TEST(CheckBuildVolume, AcceptsExactFits) {
-  EXPECT_TRUE(
-      Check(Box(100, 50, 30), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)).ok());
+  EXPECT_TRUE(Check(Box(100, 50, 30), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)).ok());
 }
 
 TEST(CheckBuildVolume, CountsWhatOutlinesAreGrownBy) {
@@ -55,8 +52,8 @@ TEST(CheckBuildVolume, CountsWhatOutlinesAreGrownBy) {
 }
 
 TEST(CheckBuildVolume, SaysHowFarAPartReachesOut) {
-  const absl::Status status = Check(
-      Box(100, 50, 30), "a\n.stl", {{50 * kMm, 25 * kMm}, {53 * kMm, 25 * kMm}}, Bed(100, 50));
+  const absl::Status status = Check(Box(100, 50, 30), "a\n.stl",
+                                    {{50 * kMm, 25 * kMm}, {53 * kMm, 25 * kMm}}, Bed(100, 50));
   const ErrorDetail detail = DetailOf(status);
   EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
   EXPECT_EQ(detail.metadata.at("excess_mm"), "3.000");
@@ -93,11 +90,11 @@ TEST(CheckBuildVolume, RefusesWhatReachesIntoAnExcludedArea) {
     Point center;
     bool fits;
   };
-  for (const Case& each : {Case{"far", {128 * kMm, 128 * kMm}, true},
-                           Case{"at its side", {28 * kMm, 20 * kMm}, true},
-                           Case{"behind it", {10 * kMm, 38 * kMm}, true},
-                           Case{"over its corner", {27 * kMm, 37 * kMm}, false},
-                           Case{"within", {10 * kMm, 10 * kMm}, false}}) {
+  for (const Case& each :
+       {Case{"far", {128 * kMm, 128 * kMm}, true}, Case{"at its side", {28 * kMm, 20 * kMm}, true},
+        Case{"behind it", {10 * kMm, 38 * kMm}, true},
+        Case{"over its corner", {27 * kMm, 37 * kMm}, false},
+        Case{"within", {10 * kMm, 10 * kMm}, false}}) {
     const absl::Status status = Check(Box(20, 20, 9), "a", {each.center}, options);
     EXPECT_EQ(status.ok(), each.fits) << each.name << ": " << status;
     if (each.fits) continue;

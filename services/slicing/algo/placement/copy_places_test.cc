@@ -127,8 +127,7 @@ TEST(PlaceCopies, KeepTheLargerOfDistanceAndClearance) {
 TEST(PlaceCopies, SaysHowManyHaveNoRoom) {
   const auto places = PlaceOne(Rectangle(120, 100), std::vector<CopyInput>(9, kAnywhere));
   EXPECT_EQ(DetailOf(places.status()).reason, Reason::kOutOfBuildVolume);
-  EXPECT_THAT(std::string(places.status().message()),
-              testing::HasSubstr("of 9 copies do not fit"));
+  EXPECT_THAT(std::string(places.status().message()), testing::HasSubstr("of 9 copies do not fit"));
 }
 
 TEST(PlaceCopies, NamesTheObjectsWithoutRoom) {

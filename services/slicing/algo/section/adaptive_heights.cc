@@ -78,7 +78,7 @@ struct LayerEnds {
 };
 
 LayerEnds EndsFor(const std::vector<Coord>& levels, Coord first, Coord top, Coord step,
-                 Coord beyond) {
+                  Coord beyond) {
   LayerEnds places;
   const auto fill = [&](Coord from, Coord to) {
     const Coord steps = std::max<Coord>(1, (to - from + step / 2) / step);

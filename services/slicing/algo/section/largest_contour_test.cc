@@ -1,9 +1,9 @@
 #include "services/slicing/algo/section/largest_contour.h"
 
-#include <algorithm>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "common/geometry/measure.h"
 
@@ -25,9 +25,9 @@ double Mm2(const MultiPolygon& outlines) { return Area(outlines) / 1e12; }
 
 TEST(KeepLargestContour, HolesAndSmallerIslandsGo) {
   ObjectSection section;
-  section.regions = {{.outlines = {{Square(0, 0, 10), {Hole(2, 2, 4)}},
-                                   {Square(3, 3, 1), {}},
-                                   {Square(20, 0, 9), {}}}}};
+  section.regions = {
+      {.outlines = {
+           {Square(0, 0, 10), {Hole(2, 2, 4)}}, {Square(3, 3, 1), {}}, {Square(20, 0, 9), {}}}}};
   KeepLargestContour(section);
   ASSERT_EQ(section.regions.size(), 1U);
   EXPECT_EQ(section.regions[0].outlines, (MultiPolygon{{Square(0, 0, 10), {}}}));
@@ -38,7 +38,8 @@ TEST(KeepLargestContour, RegionsTileTheContour) {
   // The section is a ring with another region in its right half, and an island of a third region.
   const MultiPolygon whole = {{Square(0, 0, 10), {Hole(2, 2, 4)}}, {Square(20, 0, 5), {}}};
   ObjectSection section;
-  const Polygon right = {{FromMm(7), 0}, {FromMm(10), 0}, {FromMm(10), FromMm(10)}, {FromMm(7), FromMm(10)}};
+  const Polygon right = {
+      {FromMm(7), 0}, {FromMm(10), 0}, {FromMm(10), FromMm(10)}, {FromMm(7), FromMm(10)}};
   const Polygon left = {{0, 0}, {FromMm(7), 0}, {FromMm(7), FromMm(10)}, {0, FromMm(10)}};
   section.regions = {{.settings = 0, .outlines = {{left, {Hole(2, 2, 4)}}}},
                      {.settings = 1, .outlines = {{right, {}}}},

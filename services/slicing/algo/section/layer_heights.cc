@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string>
 
-#include "common/geometry/point.h"
 #include "common/base/error.h"
+#include "common/geometry/point.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::slicing {
@@ -30,8 +30,8 @@ Coord HeightIn(const std::vector<LayerHeightAt>& profile, Coord z_nm) {
   if (above == profile.begin()) return above->height_nm;
   const LayerHeightAt& low = *std::prev(above);
   if (above == profile.end()) return low.height_nm;
-  const double share = static_cast<double>(z_nm - low.z_nm) /
-                       static_cast<double>(above->z_nm - low.z_nm);
+  const double share =
+      static_cast<double>(z_nm - low.z_nm) / static_cast<double>(above->z_nm - low.z_nm);
   return low.height_nm +
          std::llround(share * static_cast<double>(above->height_nm - low.height_nm));
 }
@@ -80,8 +80,7 @@ absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHei
       const int64_t wanted = index + 1 + (top_nm - bottom - height / 2) / height;
       return LimitError(Reason::kMeshTooLarge, "layers", limits::kMaxLayers, wanted);
     }
-    planes.push_back(
-        {{index, bottom + height, height}, std::min(bottom + height / 2, top_nm - 1)});
+    planes.push_back({{index, bottom + height, height}, std::min(bottom + height / 2, top_nm - 1)});
     bottom += height;
   }
 }

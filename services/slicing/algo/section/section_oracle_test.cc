@@ -78,7 +78,8 @@ void ExpectLayersMatch(const std::string& name, const std::string& bytes) {
   options.bed = {};
   const auto job = MakeLocalSlicing()->Slice({}, InputOf({file}, {at_origin}), options);
   ASSERT_TRUE(job.ok()) << name << job.status();
-  const SolidOracle oracle(*PlaceMesh(*ReadMesh(file.bytes, file.format, 1e4, {}), TransformOf(at_origin)));
+  const SolidOracle oracle(
+      *PlaceMesh(*ReadMesh(file.bytes, file.format, 1e4, {}), TransformOf(at_origin)));
   const Box box = oracle.BoundsXy();
   std::mt19937 random(7);
   const auto between = [&random](Coord low, Coord high) {

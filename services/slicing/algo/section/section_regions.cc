@@ -15,9 +15,7 @@ void Append(const MultiPolygon& from, MultiPolygon& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-MultiPolygon United(const MultiPolygon& areas) {
-  return Union(Rings(areas), FillRule::kNonZero);
-}
+MultiPolygon United(const MultiPolygon& areas) { return Union(Rings(areas), FillRule::kNonZero); }
 
 /// Returns the areas of solid parts per row of settings. A later part takes its area away from
 /// earlier ones.
@@ -115,8 +113,8 @@ PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& 
   if (areas.size() == 1) {
     areas.begin()->second = whole;
   } else if (edits != RegionEdits{}) {
-    const Coord reach = std::abs(edits.grow_nm) + std::abs(edits.widen_holes_nm) +
-                        2 * edits.closing_radius_nm;
+    const Coord reach =
+        std::abs(edits.grow_nm) + std::abs(edits.widen_holes_nm) + 2 * edits.closing_radius_nm;
     FitInto(whole, reach, areas);
   }
   PartitionedSection section = AsRegions(std::move(areas), std::move(whole));

@@ -51,9 +51,9 @@ TEST(EncodeQoi, HasItsHeaderAndEnd) {
 }
 
 TEST(EncodeQoi, ReturnsEveryKindOfChunk) {
-  const std::vector<Rgba> pixels = {
-      {0, 0, 0, 255},   {1, 255, 1, 255}, {20, 10, 5, 255},  {200, 10, 90, 255}, {200, 10, 90, 7},
-      {1, 255, 1, 255}, {1, 255, 1, 255}, {30, 255, 1, 255}, {30, 255, 1, 0}};
+  const std::vector<Rgba> pixels = {{0, 0, 0, 255},     {1, 255, 1, 255},  {20, 10, 5, 255},
+                                    {200, 10, 90, 255}, {200, 10, 90, 7},  {1, 255, 1, 255},
+                                    {1, 255, 1, 255},   {30, 255, 1, 255}, {30, 255, 1, 0}};
   EXPECT_EQ(Decode(EncodeQoi(pixels, 9, 1), 9), pixels);
 }
 

@@ -57,10 +57,7 @@ struct Facet {
   double area;
 
   Facet(const Vector3& a, const Vector3& b, const Vector3& c)
-      : a(a),
-        ab(b - a),
-        ac(c - a),
-        area(ab.x() * ac.y() - ab.y() * ac.x()) {}
+      : a(a), ab(b - a), ac(c - a), area(ab.x() * ac.y() - ab.y() * ac.x()) {}
 
   /// Returns the weights of the corners a, b, c; all three are positive inside.
   std::array<Slope, 3> Weights() const {

@@ -30,7 +30,6 @@ struct SceneMesh {
 /// Errors: SETTING_OUT_OF_RANGE for a size outside [1, 2048]; Cancelled. Cost: O(triangles +
 /// samples of all copies).
 absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
-                                          const ThumbnailSize& size,
-                                          const CancelToken& cancel);
+                                          const ThumbnailSize& size, const CancelToken& cancel);
 
 }  // namespace slicefarm::slicing

@@ -8,9 +8,9 @@
 
 #include "common/base/error.h"
 #include "services/slicing/algo/placement/placement.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/algo/thumbnail/png_image.h"
 #include "services/slicing/algo/thumbnail/qoi_image.h"
-#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::thumbnail_test {
 namespace {

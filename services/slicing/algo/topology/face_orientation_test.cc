@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "services/slicing/algo/topology/mesh_measure.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
+#include "services/slicing/algo/topology/mesh_measure.h"
 
 namespace slicefarm::slicing::face_orientation_test {
 namespace {

@@ -35,22 +35,22 @@ void MoveTo(const MapPoints& from, const MapPoints& direction, double step, MapP
 
 /// Goes downhill along a direction, and doubles the step as long as the energy falls, because the
 /// cut Hessian gives short steps. Returns false if nothing is gained in this direction.
-bool Descend(const FlatProblem& problem, const NewtonDirection::Way& way, MapPoints* points) {
+bool Descend(const FlatProblem& problem, const NewtonDirection::Way& path, MapPoints* points) {
   const MapPoints from = *points;
   const double start = problem.TotalEnergy(from);
-  const double bound = problem.StepBound(from, way.direction);
+  const double bound = problem.StepBound(from, path.direction);
   double step = std::min(1.0, 0.9 * bound);
   double reached = start;
   for (;; step /= 2) {
     if (step < kLeastStep) return false;
-    MoveTo(from, way.direction, step, points);
+    MoveTo(from, path.direction, step, points);
     reached = problem.TotalEnergy(*points);
-    if (reached <= start + kSufficientDecrease * step * way.slope) break;
+    if (reached <= start + kSufficientDecrease * step * path.slope) break;
     *points = from;
   }
   MapPoints further(from.size());
   for (step *= 2; step > 1 && step < 0.5 * bound; step *= 2) {
-    MoveTo(from, way.direction, step, &further);
+    MoveTo(from, path.direction, step, &further);
     const double energy = problem.TotalEnergy(further);
     if (!(energy < reached)) break;
     reached = energy;
@@ -73,13 +73,13 @@ absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options
     problem.WeighShell(phase == kPhases ? phase->share * before * 4 : phase->share);
     const bool exact = !progressive || problem.ApproachReferences(*points);
     if (!progressive) problem.TakeTrueReferences();
-    const auto way = newton.At(problem, *points,
-                               drop > kFarDrop    ? NewtonDirection::Model::kProxy
-                               : drop > kNearDrop ? NewtonDirection::Model::kNewton
-                                                  : NewtonDirection::Model::kConjugate);
-    if (!way.ok()) return way.status();
+    const auto path = newton.At(problem, *points,
+                                drop > kFarDrop    ? NewtonDirection::Model::kProxy
+                                : drop > kNearDrop ? NewtonDirection::Model::kNewton
+                                                   : NewtonDirection::Model::kConjugate);
+    if (!path.ok()) return path.status();
     const double total = problem.TotalEnergy(*points);
-    const bool moved = Descend(problem, *way, points);
+    const bool moved = Descend(problem, *path, points);
     const double gain = (total - problem.TotalEnergy(*points)) / total;
     drop = (before - problem.MeanEnergy(*points)) / before;
     stalled = gain < kStalledGain ? stalled + 1 : 0;

@@ -79,16 +79,16 @@ void NewtonDirection::Assemble(const FlatProblem& problem, const MapPoints& poin
 /// Adds a part of the previous direction by the Polak-Ribiere rule, with the factored Hessian as
 /// the metric.
 Eigen::VectorXd NewtonDirection::Conjugate(const Eigen::VectorXd& newton, Model model) {
-  Eigen::VectorXd way = newton;
+  Eigen::VectorXd path = newton;
   if (model == Model::kConjugate && last_decrement_ > 0) {
     const double part = -gradient_.dot(newton - last_newton_) / last_decrement_;
-    if (part > 0) way += part * last_way_;
-    if (gradient_.dot(way) >= 0) way = newton;
+    if (part > 0) path += part * last_travel_;
+    if (gradient_.dot(path) >= 0) path = newton;
   }
   last_newton_ = newton;
-  last_way_ = way;
+  last_travel_ = path;
   last_decrement_ = model == Model::kConjugate ? -gradient_.dot(newton) : 0;
-  return way;
+  return path;
 }
 
 absl::StatusOr<NewtonDirection::Way> NewtonDirection::At(const FlatProblem& problem,
@@ -96,10 +96,10 @@ absl::StatusOr<NewtonDirection::Way> NewtonDirection::At(const FlatProblem& prob
   Assemble(problem, points, model);
   if (absl::Status status = system_.Factor(); !status.ok()) return status;
   const Eigen::VectorXd solved = Conjugate(system_.Solve(-gradient_), model);
-  Way way{.direction = MapPoints(points.size()), .slope = gradient_.dot(solved)};
+  Way path{.direction = MapPoints(points.size()), .slope = gradient_.dot(solved)};
   for (size_t i = 0; i < points.size(); ++i)
-    way.direction[i] = solved.segment<2>(2 * static_cast<Eigen::Index>(i));
-  return way;
+    path.direction[i] = solved.segment<2>(2 * static_cast<Eigen::Index>(i));
+  return path;
 }
 
 }  // namespace slicefarm::texture

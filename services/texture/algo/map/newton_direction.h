@@ -45,7 +45,7 @@ class NewtonDirection {
   std::vector<std::array<int32_t, 21>> entries_;
   std::vector<int32_t> diagonal_;
   Eigen::VectorXd gradient_;
-  Eigen::VectorXd last_newton_, last_way_;
+  Eigen::VectorXd last_newton_, last_travel_;
   double last_decrement_ = 0;  ///< decrement of the previous step; 0: there was none
 };
 

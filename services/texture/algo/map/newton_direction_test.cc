@@ -15,14 +15,14 @@ TEST(NewtonDirection, EachModelGoesDownhillAsItSays) {
   NewtonDirection newton(sample.problem);
   for (const auto model : {NewtonDirection::Model::kProxy, NewtonDirection::Model::kNewton,
                            NewtonDirection::Model::kConjugate}) {
-    const auto way = newton.At(sample.problem, sample.points, model);
-    ASSERT_TRUE(way.ok()) << way.status();
-    EXPECT_LT(way->slope, 0);
+    const auto path = newton.At(sample.problem, sample.points, model);
+    ASSERT_TRUE(path.ok()) << path.status();
+    EXPECT_LT(path->slope, 0);
     const double h = 1e-6;
-    const double slope = (sample.problem.TotalEnergy(Along(sample, way->direction, h)) -
-                          sample.problem.TotalEnergy(Along(sample, way->direction, -h))) /
+    const double slope = (sample.problem.TotalEnergy(Along(sample, path->direction, h)) -
+                          sample.problem.TotalEnergy(Along(sample, path->direction, -h))) /
                          (2 * h);
-    EXPECT_NEAR(way->slope, slope, 1e-4 * std::abs(slope));
+    EXPECT_NEAR(path->slope, slope, 1e-4 * std::abs(slope));
   }
 }
 

@@ -30,7 +30,8 @@ void SeedThreadRandom(unsigned int seed) { OfThread().Start(seed); }
 
 /// Functions with the names that the C library's callers use.
 extern "C" {
-__attribute__((visibility("default"))) void SlicefarmThreadSrand(unsigned int seed) __asm__("srand");
+__attribute__((visibility("default"))) void SlicefarmThreadSrand(unsigned int seed) __asm__(
+    "srand");
 __attribute__((visibility("default"))) int SlicefarmThreadRand() __asm__("rand");
 
 void SlicefarmThreadSrand(unsigned int seed) { SeedThreadRandom(seed); }

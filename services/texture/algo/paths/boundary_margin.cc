@@ -11,20 +11,20 @@ constexpr double kMostMarginCells = 512;  // cells along a side
 
 double SquaredDistance(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                        const Eigen::Vector2d& b) {
-  const Eigen::Vector2d way = b - a;
-  const double share = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  return (p - a - share * way).squaredNorm();
+  const Eigen::Vector2d path = b - a;
+  const double share = std::clamp((p - a).dot(path) / path.squaredNorm(), 0.0, 1.0);
+  return (p - a - share * path).squaredNorm();
 }
 
 void AddShare(double share, std::vector<double>* shares) {
   if (share > 0 && share < 1) shares->push_back(share);
 }
 
-/// Adds the positions where the line from `a` along `way` meets the circle around `centre`.
-void AddCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen::Vector2d& centre,
+/// Adds the positions where the line from `a` along `path` meets the circle around `centre`.
+void AddCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& path, const Eigen::Vector2d& centre,
                double radius, std::vector<double>* shares) {
   const Eigen::Vector2d to = a - centre;
-  const double square = way.squaredNorm(), half = to.dot(way);
+  const double square = path.squaredNorm(), half = to.dot(path);
   const double root = half * half - square * (to.squaredNorm() - radius * radius);
   if (!(root > 0)) return;
   AddShare((-half - std::sqrt(root)) / square, shares);
@@ -32,11 +32,11 @@ void AddCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen
 }
 
 /// Adds the positions where the line meets the two parallels of a side at distance `radius`.
-void AddBeside(const Eigen::Vector2d& a, const Eigen::Vector2d& way, const Eigen::Vector2d& from,
+void AddBeside(const Eigen::Vector2d& a, const Eigen::Vector2d& path, const Eigen::Vector2d& from,
                const Eigen::Vector2d& to, double radius, std::vector<double>* shares) {
   const Eigen::Vector2d along = (to - from).normalized();
   const Eigen::Vector2d across(-along.y(), along.x());
-  const double speed = across.dot(way);
+  const double speed = across.dot(path);
   if (speed == 0) return;
   for (const double side : {-radius, radius})
     AddShare((side - across.dot(a - from)) / speed, shares);
@@ -93,8 +93,8 @@ bool BoundaryMargin::Contains(const Eigen::Vector2d& map_mm) const {
 void BoundaryMargin::Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                           std::vector<double>* shares) const {
   const auto low = CellOf(a.cwiseMin(b)), high = CellOf(a.cwiseMax(b));
-  const Eigen::Vector2d way = b - a;
-  if (way.squaredNorm() == 0) return;
+  const Eigen::Vector2d path = b - a;
+  if (path.squaredNorm() == 0) return;
   std::vector<int32_t> near;
   for (int32_t row = low[1]; row <= high[1]; ++row)
     for (int32_t column = low[0]; column <= high[0]; ++column)
@@ -102,8 +102,8 @@ void BoundaryMargin::Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   for (const int32_t i : near) {
-    AddCircle(a, way, sides_[i].from, margin_mm_, shares);
-    AddBeside(a, way, sides_[i].from, sides_[i].to, margin_mm_, shares);
+    AddCircle(a, path, sides_[i].from, margin_mm_, shares);
+    AddBeside(a, path, sides_[i].from, sides_[i].to, margin_mm_, shares);
   }
 }
 

@@ -24,9 +24,9 @@ struct EngraveOptions {
   /// start.
   std::vector<LineStyle> lines = {{}};
   bool equidistant = false;  ///< true: lines bend so that their distance on the surface is even
-  bool engraved = false;  ///< true: the texture is worked into the surface; false: onto it
+  bool engraved = false;     ///< true: the texture is worked into the surface; false: onto it
   bool outside = false;      ///< true: the area outside of the texture is worked, from its top down
-  double margin_mm = 0;  ///< distance of lines from the boundary
+  double margin_mm = 0;      ///< distance of lines from the boundary
   NormalKind normals = NormalKind::kFaces;
   /// true: connects neighbouring lines if the path between them is in the area
   bool connect = true;

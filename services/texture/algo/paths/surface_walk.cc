@@ -13,7 +13,7 @@ constexpr double kInwards = 1e-7;  // share of their triangle by which ends are 
 class Course {
  public:
   Course(const SurfaceMap& map, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-      : map_(map), from_(from), way_(to - from) {}
+      : map_(map), from_(from), path_(to - from) {}
 
   /// Returns the corner of the side by which the line leaves a triangle; -1 if the line does not
   /// pass it.
@@ -36,7 +36,7 @@ class Course {
 
   /// Returns the relative position of a point on the line.
   double ShareAt(const SurfacePoint& point) const {
-    return (map_.MapPlace(point) - from_).dot(way_) / way_.squaredNorm();
+    return (map_.MapPlace(point) - from_).dot(path_) / path_.squaredNorm();
   }
 
   /// Returns true if the line enters across the boundary side between two vertices.
@@ -45,12 +45,12 @@ class Course {
  private:
   double Left(int32_t vertex) const {
     const Eigen::Vector2d p = map_.map_mm()[vertex] - from_;
-    return way_.x() * p.y() - way_.y() * p.x();
+    return path_.x() * p.y() - path_.y() * p.x();
   }
 
   const SurfaceMap& map_;
   Eigen::Vector2d from_;
-  Eigen::Vector2d way_;
+  Eigen::Vector2d path_;
 };
 
 SurfacePoint VertexPoint(const SurfaceMap& map, int32_t vertex) {

@@ -98,10 +98,10 @@ UnitTexture Weave(const TextureSpec& spec) {
 }
 
 double ToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d way = b - a;
-  const double length = way.squaredNorm();
-  const double t = length > 0 ? Clamp01((p - a).dot(way) / length) : 0;
-  return (p - a - t * way).norm();
+  const Eigen::Vector2d path = b - a;
+  const double length = path.squaredNorm();
+  const double t = length > 0 ? Clamp01((p - a).dot(path) / length) : 0;
+  return (p - a - t * path).norm();
 }
 
 UnitTexture Letters(const TextureSpec& spec) {

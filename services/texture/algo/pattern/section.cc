@@ -17,8 +17,8 @@ double Turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 /// line.
 void AddShareOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p,
                 std::vector<double>* shares) {
-  const Eigen::Vector2d way = b - a;
-  const double share = (p - a).dot(way) / way.squaredNorm();
+  const Eigen::Vector2d path = b - a;
+  const double share = (p - a).dot(path) / path.squaredNorm();
   if (share > 0 && share < 1) shares->push_back(share);
 }
 

@@ -60,58 +60,58 @@ EdgeGraph GraphOf(const SurfaceMesh& mesh) {
 }
 
 /// Shortest paths along edges to the nearest of several source vertices.
-struct ShortestWays {
+struct ShortestPaths {
   std::vector<double> distance;
   /// Next edge towards the source; -1 for a source, or if no source is reachable.
   std::vector<int32_t> edge;
 
   /// Returns the edges from a vertex to its source.
-  std::vector<int32_t> WayFrom(const EdgeGraph& graph, int32_t vertex) const {
-    std::vector<int32_t> way;
+  std::vector<int32_t> PathFrom(const EdgeGraph& graph, int32_t vertex) const {
+    std::vector<int32_t> path;
     while (edge[vertex] >= 0) {
-      way.push_back(edge[vertex]);
+      path.push_back(edge[vertex]);
       const SeamEdge& ends = graph.edges[edge[vertex]].ends;
       vertex = ends[0] == vertex ? ends[1] : ends[0];
     }
-    return way;
+    return path;
   }
 };
 
 /// Runs Dijkstra's algorithm. Of two paths with equal length, it takes the path by the lower
 /// vertex.
-ShortestWays WaysTo(const EdgeGraph& graph, const std::vector<int32_t>& sources) {
+ShortestPaths PathsTo(const EdgeGraph& graph, const std::vector<int32_t>& sources) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  ShortestWays ways{.distance = std::vector<double>(graph.at.size(), kFar),
-                    .edge = std::vector<int32_t>(graph.at.size(), -1)};
+  ShortestPaths paths{.distance = std::vector<double>(graph.at.size(), kFar),
+                      .edge = std::vector<int32_t>(graph.at.size(), -1)};
   using Entry = std::pair<double, int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   for (const int32_t source : sources) {
-    ways.distance[source] = 0;
+    paths.distance[source] = 0;
     open.emplace(0, source);
   }
   while (!open.empty()) {
     const auto [distance, vertex] = open.top();
     open.pop();
-    if (distance > ways.distance[vertex]) continue;
+    if (distance > paths.distance[vertex]) continue;
     for (const int32_t e : graph.at[vertex]) {
       const SeamEdge& ends = graph.edges[e].ends;
       const int32_t other = ends[0] == vertex ? ends[1] : ends[0];
       const double there = distance + graph.edges[e].length;
-      if (there >= ways.distance[other]) continue;
-      ways.distance[other] = there;
-      ways.edge[other] = e;
+      if (there >= paths.distance[other]) continue;
+      paths.distance[other] = there;
+      paths.edge[other] = e;
       open.emplace(there, other);
     }
   }
-  return ways;
+  return paths;
 }
 
-int32_t Farthest(const ShortestWays& ways) {
+int32_t Farthest(const ShortestPaths& paths) {
   int32_t farthest = 0;
   double most = -1;
-  for (int32_t v = 0; v < static_cast<int32_t>(ways.distance.size()); ++v) {
-    if (std::isfinite(ways.distance[v]) && ways.distance[v] > most) {
-      most = ways.distance[v];
+  for (int32_t v = 0; v < static_cast<int32_t>(paths.distance.size()); ++v) {
+    if (std::isfinite(paths.distance[v]) && paths.distance[v] > most) {
+      most = paths.distance[v];
       farthest = v;
     }
   }
@@ -120,15 +120,15 @@ int32_t Farthest(const ShortestWays& ways) {
 
 /// Returns shortest paths between points that are far from each other.
 std::vector<int32_t> SeamBetweenExtremities(const SurfaceMesh& mesh, const EdgeGraph& graph) {
-  const int32_t first = Farthest(WaysTo(graph, {mesh.triangles[0][0]}));
+  const int32_t first = Farthest(PathsTo(graph, {mesh.triangles[0][0]}));
   std::vector<int32_t> seam, reached = {first};
   double span = 0;
   for (size_t i = 1; i < kMostExtremities; ++i) {
-    const ShortestWays ways = WaysTo(graph, reached);
-    const int32_t next = Farthest(ways);
-    if (i == 1) span = ways.distance[next];
-    if (ways.distance[next] < kExtremityShare * span) break;
-    for (const int32_t e : ways.WayFrom(graph, next)) {
+    const ShortestPaths paths = PathsTo(graph, reached);
+    const int32_t next = Farthest(paths);
+    if (i == 1) span = paths.distance[next];
+    if (paths.distance[next] < kExtremityShare * span) break;
+    for (const int32_t e : paths.PathFrom(graph, next)) {
       seam.push_back(e);
       for (const int32_t vertex : graph.edges[e].ends) reached.push_back(vertex);
     }
@@ -139,9 +139,9 @@ std::vector<int32_t> SeamBetweenExtremities(const SurfaceMesh& mesh, const EdgeG
 /// Returns the edges that are neither in the tree of shortest paths nor crossed by a dual tree: two
 /// for each handle. The dual tree takes the edges of the longest loops first.
 std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
-                               const SurfaceTopology& topology, const ShortestWays& ways) {
+                               const SurfaceTopology& topology, const ShortestPaths& paths) {
   std::vector<bool> in_tree(graph.edges.size(), false);
-  for (const int32_t e : ways.edge) {
+  for (const int32_t e : paths.edge) {
     if (e >= 0) in_tree[e] = true;
   }
   // A hole is a separate face, reached last: the surface must be connected without it.
@@ -161,7 +161,7 @@ std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
     if (in_tree[e]) continue;
     const Edge& edge = graph.edges[e];
     crossings.push_back({edge.triangles[1] < 0,
-                         ways.distance[edge.ends[0]] + ways.distance[edge.ends[1]] + edge.length,
+                         paths.distance[edge.ends[0]] + paths.distance[edge.ends[1]] + edge.length,
                          e});
   }
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
@@ -207,17 +207,17 @@ std::vector<int32_t> SeamAroundHandles(const SurfaceMesh& mesh, const EdgeGraph&
                                        const SurfaceTopology& topology) {
   std::vector<int32_t> best, roots = {mesh.triangles[0][0]};
   for (int i = 0; i < kRootsTried; ++i) {
-    const ShortestWays ways = WaysTo(graph, {roots.back()});
+    const ShortestPaths paths = PathsTo(graph, {roots.back()});
     std::vector<int32_t> seam;
-    for (const int32_t e : LoopEdges(mesh, graph, topology, ways)) {
+    for (const int32_t e : LoopEdges(mesh, graph, topology, paths)) {
       seam.push_back(e);
       for (const int32_t end : graph.edges[e].ends) {
-        for (const int32_t on_way : ways.WayFrom(graph, end)) seam.push_back(on_way);
+        for (const int32_t on_way : paths.PathFrom(graph, end)) seam.push_back(on_way);
       }
     }
     Prune(graph, &seam);
     if (i == 0 || LengthOf(graph, seam) < LengthOf(graph, best)) best = std::move(seam);
-    roots.push_back(Farthest(WaysTo(graph, roots)));
+    roots.push_back(Farthest(PathsTo(graph, roots)));
   }
   return best;
 }

@@ -51,8 +51,8 @@ void TakeEvent(const v1::JobEvent& event, Watch& watch, RunLog& log) {
   watch.request.set_after_sequence(event.sequence());
   watch.last = event.job();
   if (event.time() < watch.begin) return;  // the event is older than the watch
-  const auto way = TimeUtil::GetCurrentTime() - event.time();
-  log.StepTook("Event", TimeUtil::DurationToNanoseconds(way));
+  const auto path = TimeUtil::GetCurrentTime() - event.time();
+  log.StepTook("Event", TimeUtil::DurationToNanoseconds(path));
 }
 
 void StartWatch(v1::Jobs::Stub& stub, const CallContext& context,

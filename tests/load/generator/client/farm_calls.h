@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "slicefarm/v1/jobs.grpc.pb.h"
 #include "tests/load/generator/client/calls.h"
 #include "tests/load/generator/client/part_supply.h"
-#include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::load {
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
+#include "slicefarm/v1/jobs.grpc.pb.h"
 #include "tests/load/generator/client/calls.h"
 #include "tests/load/generator/client/part_supply.h"
-#include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::load {
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <numeric>
 
-
 namespace slicefarm::ordering {
 namespace {
 

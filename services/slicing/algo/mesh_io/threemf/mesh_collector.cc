@@ -113,8 +113,8 @@ absl::Status MeshCollector::CountTriangle() {
   return absl::OkStatus();
 }
 
-absl::Status MeshCollector::AddMarks(std::string_view code,
-                                     const std::array<uint32_t, 3>& corners, Marks& marks) {
+absl::Status MeshCollector::AddMarks(std::string_view code, const std::array<uint32_t, 3>& corners,
+                                     Marks& marks) {
   Facet facet;
   if (reading_.keep)
     for (size_t i = 0; i < 3; ++i) facet[i] = mesh_.positions[corners[i]];

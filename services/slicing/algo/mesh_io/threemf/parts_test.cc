@@ -122,8 +122,7 @@ TEST(PartsOf, EachUseOfAMeshHasItsOwnSettings) {
   object.object = 6;
   object.parts.resize(2);
   object.parts[0] = {.name = "body", .component = 5, .settings = {{"extruder", "1"}}};
-  object.parts[1] = {
-      .name = "hole", .role = PartRole::kNegative, .component = 5, .settings = {}};
+  object.parts[1] = {.name = "hole", .role = PartRole::kNegative, .component = 5, .settings = {}};
   Notes notes;
   const auto tree = ComponentTree::Make(package);
   const auto parts = PartsOf({package, *tree, settings}, {0, 1}, "thing", notes);
@@ -161,9 +160,8 @@ TEST(PartsOf, NotesPaintAndEmptyMeshes) {
   const auto parts = Parts(package, {}, notes);
   ASSERT_TRUE(parts.ok()) << parts.status();
   EXPECT_TRUE(parts->empty());
-  EXPECT_THAT(notes.Lines(),
-              testing::ElementsAre("painted fuzzy skin of `thing`",
-                                   "parts without a triangle of `thing`"));
+  EXPECT_THAT(notes.Lines(), testing::ElementsAre("painted fuzzy skin of `thing`",
+                                                  "parts without a triangle of `thing`"));
 }
 
 }  // namespace

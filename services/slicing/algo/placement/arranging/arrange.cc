@@ -194,7 +194,8 @@ Packing InGrids(const PackingTask& task, size_t variant, Coord distance_nm) {
   Packing packing;
   size_t left = task.sequence.size();
   while (left > 0 && (task.max_plates == 0 || packing.plates < task.max_plates)) {
-    const std::vector<Point> places = GridPlaces(task.bed, shape.hull, distance_nm, left, shape.kept_off);
+    const std::vector<Point> places =
+        GridPlaces(task.bed, shape.hull, distance_nm, left, shape.kept_off);
     if (places.empty()) break;
     for (const Point place : places)
       packing.items.push_back(PackedItem{packing.plates, variant, place});
@@ -236,14 +237,14 @@ struct Group {
 /// a straight line, as far as the bed's outline and its excluded areas allow.
 Point TowardsMiddle(const Polygon& bed, Group group) {
   const auto twice_middle = [](const Box& box) { return box.min + box.max; };
-  const Point way = twice_middle(Bounds(bed)) - twice_middle(Bounds(group.corners));
+  const Point path = twice_middle(Bounds(bed)) - twice_middle(Bounds(group.corners));
   FreePlaces free(bed, ConvexHull(std::move(group.corners)), {0, 0});
   free.AddObstacles(std::move(group.kept_off));
   const auto at = [&](Coord part, Coord of) {
     const auto rounded = [&](Coord whole) {
       return std::llround(0.5 * whole * part / of / kPlaceStep) * kPlaceStep;
     };
-    return Point{rounded(way.x), rounded(way.y)};
+    return Point{rounded(path.x), rounded(path.y)};
   };
   constexpr Coord kParts = 1 << 12;
   Coord good = 0, bad = kParts + 1;

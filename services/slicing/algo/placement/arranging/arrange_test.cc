@@ -147,8 +147,8 @@ TEST(Arrange, KeepsOutOfExcludedAreas) {
     ArrangeOptions options = OnBed(Rectangle(256, 256));
     options.excluded = excluded;
     const MultiPolygon areas = Union(excluded, FillRule::kNonZero);
-    for (const auto& items : {Copies(Rectangle(20, 20), 80), Copies(Rectangle(110, 60), 3),
-                              Copies(Bracket(), 7)}) {
+    for (const auto& items :
+         {Copies(Rectangle(20, 20), 80), Copies(Rectangle(110, 60), 3), Copies(Bracket(), 7)}) {
       const Arrangement result = ArrangeOrDie(items, options);
       ExpectSound(items, options, result);
       EXPECT_THAT(result.left_over, IsEmpty());

@@ -12,8 +12,7 @@ struct PaintedArea {
   int64_t triangles = 0;
   /// triangles of the area; empty if meshes are not kept, and after they are moved to a package
   RawMesh mesh;
-  int32_t number =
-      -1;  ///< index of the mesh in its package; -1: not in a package yet, or no mesh
+  int32_t number = -1;  ///< index of the mesh in its package; -1: not in a package yet, or no mesh
 };
 
 /// Areas where a feature is enforced, and areas where it is blocked.

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "common/model/path.h"
+
+namespace slicefarm {
+
+/// Number of overhang degrees: walls with 0, 25, 50 and 75 % of their width on the layer below.
+inline constexpr int kOverhangDegrees = 4;
+
+/// Loops of a region that get a scarf seam.
+enum class ScarfPlacement : uint8_t {
+  kNowhere,
+  kContours,  ///< outer contours of islands
+  kEverywhere,
+};
+
+/// Options of a scarf seam: a loop begins low and thin, rises, and ends on top of its own
+/// beginning. The scarf replaces a butt joint, which would be visible.
+struct ScarfOptions {
+  ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< setting scarf_seam_placement
+  bool only_on_smooth = true;  ///< `scarf_seam_only_on_smooth`: no scarf at corners
+  bool on_inner = false;       ///< setting scarf_seam_on_inner_perimeters
+  bool entire_loop = false;    ///< `scarf_seam_entire_loop`: the scarf is as long as the loop
+  /// `scarf_seam_start_height`: start height as a share of the layer height
+  double start_height_ratio = 0;
+  double length_mm = 20;      ///< setting scarf_seam_length
+  double max_segment_mm = 1;  ///< `scarf_seam_max_segment_length`: longest segment with one flow
+
+  friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
+};
+
+/// Speeds, scarf seams and bridges of one region.
+struct RegionMotion {
+  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15, 60,
+                                                  60, 60, 60, 15, 0,  0};  ///< speed per Feature
+  double small_perimeter_speed_mm_s = 15;  ///< `small_perimeter_speed`: speed of small loops
+  /// `small_perimeter_threshold`: radius of the largest small loop
+  double small_perimeter_radius_mm = 6.5;
+  bool dynamic_overhangs = false;  ///< setting enable_dynamic_overhang_speeds
+  /// overhang_speed_0 to _3, per overhang degree.
+  std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
+  ScarfOptions scarf;
+  /// overhangs: walls without support below are bridges, with the speed, fan and flow of bridges.
+  bool bridging_walls = false;
+  double bridge_flow = 1;           ///< setting bridge_flow_ratio
+  double internal_bridge_flow = 0;  ///< setting internal_bridge_flow; 0: bridge_flow
+  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+
+  friend bool operator==(const RegionMotion&, const RegionMotion&) = default;
+};
+
+}  // namespace slicefarm

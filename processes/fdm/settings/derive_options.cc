@@ -1,0 +1,329 @@
+#include "processes/fdm/settings/derive_options.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+#include "common/config/reported_settings.h"
+#include "common/config/table/settings_table.h"
+#include "common/config/table/value.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/macro/job_code.h"
+#include "common/model/bead_section.h"
+#include "common/model/fields/field_text.h"
+#include "common/model/limits.h"
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/beading_options.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/planning_options.h"
+#include "common/model/options/support_options.h"
+#include "processes/fdm/model/fdm_settings.h"
+#include "processes/fdm/settings/joined_gcode.h"
+#include "processes/fdm/settings/shells.h"
+#include "processes/fdm/settings/template_faults.h"
+
+namespace slicefarm::config::fdm {
+namespace {
+
+/// Maximum number of tools of a machine.
+constexpr double kMostTools = 255;
+
+/// Returns the number of extruders of the machine: the number of its nozzles, or num_extruders if
+/// it is larger.
+size_t ToolCount(std::span<const Setting> given) {
+  size_t nozzles = 1, told = 0;
+  for (const Setting& setting : given) {
+    if (setting.key == "nozzle_diameter") nozzles = Split(setting.value, ",;").size();
+    const auto number = ToNumber(Trim(setting.value));
+    if (setting.key == "num_extruders" && number && *number >= 1 && *number <= kMostTools)
+      told = static_cast<size_t>(*number);
+  }
+  return std::max(nozzles, told);
+}
+
+absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) {
+  std::string code = options.before_layer_gcode.str() + "\n" + options.layer_gcode.str();
+  const WritingOptions& writing = options.writing;
+  if (!writing.height_code.empty())
+    for (const SharedText& text_there :
+         {writing.color_change_gcode, writing.pause_gcode, writing.template_gcode})
+      code += "\n" + text_there.str();
+  options.layer_settings = LinesNamedIn(code, text);
+  const auto size = static_cast<int64_t>(options.layer_settings.size());
+  if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "bytes of the settings that layer_gcode names",
+                    limits::kMaxSettingBytes, size);
+}
+
+/// Sets the width of thin places that elefant_foot_compensation must preserve: space for the outer
+/// wall of the first layer and the adjacent wall, as in PrusaSlicer.
+void TakeFootWidth(JobRows& settings) {
+  const Coord width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
+  const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
+  settings.object.elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
+}
+
+/// Sets the space for the head around arranged copies that are printed one after another.
+void TakeClearance(JobRows& settings) {
+  const SequencePlanOptions& sequence = FdmOf(settings).machine.plan.sequence;
+  settings.slicing.clearance_radius_nm =
+      sequence.complete_objects ? sequence.clearance_radius_nm : 0;
+}
+
+/// Returns the material and speed data of auto_brim: the length at which a part warps, the
+/// adhesion, and the highest print speed. The material values are OrcaSlicer's.
+AutomaticBrim AutomaticBrimOf(const JobRows& settings) {
+  struct Material {
+    std::string_view type;
+    double thermal_length_mm, adhesion;
+  };
+  constexpr Material kMaterials[] = {{"ABS", 100, 1}, {"PA-CF", 100, 1},  {"PET-CF", 100, 1},
+                                     {"PC", 40, 1},   {"TPU", 1000, 0.5}, {"PETG", 200, 2},
+                                     {"PCTG", 200, 2}};
+  AutomaticBrim brim = FdmOf(settings).object.brim.automatic;
+  const auto material =
+      std::ranges::find(kMaterials, FdmOf(settings).tool.filament_type, &Material::type);
+  if (material != std::end(kMaterials)) {
+    brim.thermal_length_mm = material->thermal_length_mm;
+    brim.adhesion = material->adhesion;
+  }
+  const auto& speeds = FdmOf(settings).region.motion.speed_mm_s;
+  for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
+                                Feature::kInternalInfill, Feature::kSolidInfill})
+    brim.max_speed_mm_s = std::max(brim.max_speed_mm_s, speeds[static_cast<size_t>(feature)]);
+  return brim;
+}
+
+/// Copies values that skirt, brim and raft need from other settings.
+void TakeAdhesion(JobRows& settings) {
+  const Coord first_height_nm = settings.slicing.first_layer_height_nm;
+  const Coord line_width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
+  SkirtOptions& skirt = FdmOf(settings).machine.plan.skirt;
+  skirt.width_nm = line_width_nm;
+  skirt.height_nm = first_height_nm;
+  const double radius_mm = FdmOf(settings).tool.filament_diameter_mm / 2;
+  skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
+  ObjectPlanOptions& object = FdmOf(settings).object;
+  object.brim.line_width_nm = line_width_nm;
+  object.brim.automatic = AutomaticBrimOf(settings);
+  RaftHeights& raft = object.raft.heights;
+  raft.first_nm = first_height_nm;
+  raft.others_nm = std::max(settings.object.layer_height_nm,
+                            FromMm(0.75 * FdmOf(settings).tool.nozzle_diameter_mm));
+  settings.object.on_bed = raft.layers == 0;
+  settings.object.lift_nm = raft.LiftNm();
+  object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
+}
+
+/// Sets the area for planning: the bed without its excluded areas. Sets the same area for travel if
+/// there are excluded areas.
+absl::Status TakeRoom(JobRows& settings) {
+  const JobSlicingOptions& slicing = settings.slicing;
+  MachineRow& machine = FdmOf(settings).machine;
+  if (slicing.bed.empty()) return absl::OkStatus();
+  machine.plan.bed = {{slicing.bed, {}}};
+  if (slicing.excluded.empty()) return absl::OkStatus();
+  machine.plan.bed = Difference(machine.plan.bed, Union(slicing.excluded, FillRule::kNonZero));
+  machine.order.travel.room = machine.motion.room = machine.plan.bed;
+  if (!machine.plan.bed.empty()) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "bed_exclude_area covers the whole bed_shape",
+                   {{"setting", "bed_exclude_area"}});
+}
+
+constexpr Coord kLowestLayerNm = 10'000;
+
+/// Limits the range of adaptive layer heights.
+void TakeAdaptiveHeights(JobRows& settings) {
+  AdaptiveHeights& adaptive = settings.object.adaptive;
+  const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
+  if (adaptive.max_nm == 0) adaptive.max_nm = nozzle_nm * 3 / 4;
+  adaptive.max_nm = std::max(adaptive.max_nm, kLowestLayerNm);
+  adaptive.min_nm = std::clamp<Coord>(adaptive.min_nm, kLowestLayerNm, adaptive.max_nm);
+}
+
+/// Copies values that supports need from other settings.
+void TakeSupports(JobRows& settings) {
+  SupportOptions& support = FdmOf(settings).object.support;
+  support.wall_width_nm = FdmOf(settings).region.walls.external_width_nm;
+  support.walls_nm = FdmOf(settings).region.infill.walls_nm;
+  support.layer_height_nm = settings.object.layer_height_nm;
+  support.first_layer_height_nm =
+      settings.object.on_bed ? settings.slicing.first_layer_height_nm : support.layer_height_nm;
+  support.min_layer_height_nm = std::min(support.min_layer_height_nm, support.layer_height_nm);
+}
+
+/// Sets the total width of the walls of an island that has space for all of them.
+void TakeWalls(JobRows& settings) {
+  const BeadingOptions& walls = FdmOf(settings).region.walls;
+  FdmOf(settings).region.infill.walls_nm =
+      walls.perimeters == 0
+          ? 0
+          : walls.external_width_nm + (walls.perimeters - 1) * walls.inner_width_nm;
+}
+
+/// Sets the first hollow layer of a vase. Its bottom has the requested number of layers, and at
+/// least one.
+void TakeVase(JobRows& settings) {
+  int32_t& hollow_from = settings.object.hollow_from;
+  if (hollow_from == 0) return;
+  const BeadingOptions& walls = FdmOf(settings).region.walls;
+  hollow_from = std::max(1, BottomLayers(settings));
+  FdmOf(settings).object.spiral = {.width_nm = walls.external_width_nm,
+                                   .blends = walls.fuzzy == FuzzySkin::kNone};
+}
+
+/// Sets the halo of a density field: the number of layers above and below that a density depends on
+/// through the distance to the surface.
+absl::Status TakeDensityField(JobRows& settings) {
+  InfillOptions& infill = FdmOf(settings).region.infill;
+  if (infill.density_field.empty()) return absl::OkStatus();
+  const auto& field = DensityFieldOf(infill.density_field);
+  if (!field.ok()) return field.status();
+  if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+        "density_field: dither has no effect on the lines of stress_field: omit one of them",
+        {{"setting", "density_field"}});
+  }
+  const double height_mm = ToMm(settings.object.layer_height_nm);
+  const double layers = std::ceil(field->ReachMm() / height_mm);
+  if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+        fmt::format("density_field: length = {} mm is out of range: it must be at most "
+                    "{} layers of layer_height = {} mm",
+                    PrintNumber(field->ReachMm()), limits::kMaxFieldHaloLayers,
+                    PrintNumber(height_mm)),
+        {{"setting", "density_field"}});
+  }
+  infill.field_halo_layers = static_cast<int32_t>(layers);
+  return absl::OkStatus();
+}
+
+/// Refuses density fields for patterns that planning lays out, because these patterns cannot follow
+/// a field.
+absl::Status CheckPlannedPattern(const InfillOptions& infill) {
+  const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
+  if (!planned || infill.density_field.empty()) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("density_field: fill_pattern = {} is planned over the whole part "
+                               "and cannot follow a density field",
+                               infill.choose_pattern ? "auto" : InfoOf(infill.pattern).name),
+                   {{"setting", "density_field"}});
+}
+
+ShrinkageCompensation GrowthOf(const SettingValues& draft) {
+  const auto growth = [&](std::string_view key) { return 100 / (100 - draft.Number(key)); };
+  return {growth("filament_shrinkage_compensation_xy"),
+          growth("filament_shrinkage_compensation_z")};
+}
+
+/// Limits the number of combined infill layers so that beads are not higher than the nozzle
+/// diameter. Returns a note if the number changed.
+std::optional<std::string> TakeEveryLayers(JobRows& settings) {
+  int32_t& every = FdmOf(settings).region.infill.every_layers;
+  const Coord height_nm = settings.object.layer_height_nm;
+  const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
+  const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
+  if (every <= most) return std::nullopt;
+  const int32_t asked = std::exchange(every, most);
+  return fmt::format("infill_every_layers = {}: layer_height and nozzle_diameter allow only {}",
+                     asked, most);
+}
+
+/// Makes inner walls with a scarf separate loops. A wall that is printed in one path with the next
+/// wall has no seam for a scarf.
+void TakeInnerScarfs(JobRows& settings) {
+  const ScarfOptions& scarf = FdmOf(settings).region.motion.scarf;
+  FdmOf(settings).region.order.whole_loops =
+      scarf.placement != ScarfPlacement::kNowhere && scarf.on_inner;
+}
+
+/// Sets the limits of the machine's silent mode: the second value of each list, or the first value
+/// of a list with only one. Only Marlin firmware has a silent mode.
+absl::Status TakeSilentMode(const SettingValues& draft, JobRows& settings) {
+  MachineMotion& motion = FdmOf(settings).machine.motion;
+  const bool marlin =
+      motion.flavor == GcodeFlavor::kMarlin2 || motion.flavor == GcodeFlavor::kMarlinLegacy;
+  if (!marlin || draft.Number("silent_mode") == 0) return absl::OkStatus();
+  JobRows silent{.slicing = {}, .object = {}, .own = FdmRows()};
+  FdmOf(silent).machine.motion.limits = motion.limits;
+  const auto table = SettingsTable(draft.process());
+  for (size_t i = 0; i < table.size(); ++i) {
+    if (table[i].list != List::kPerMode || draft.Number("machine_limits_usage") == kIgnoreLimits)
+      continue;
+    const std::vector<std::string_view> values = Split(draft.entries()[i].all, ",");
+    if (values.size() < 2) continue;
+    const auto value = ParseValue(table[i], Trim(values[1]));
+    if (!value.ok()) return value.status();
+    table[i].field.set(silent, *value);
+  }
+  motion.silent_limits = FdmOf(silent).machine.motion.limits;
+  return absl::OkStatus();
+}
+
+/// Sets the number of the tool that prints, if the machine has several tools.
+void TakeTool(const OptionSources& settling) {
+  const size_t tools = ToolCount(settling.given);
+  if (tools <= 1) return;
+  FdmOf(settling.result.settings).tool.number = static_cast<int32_t>(ToolOf(settling.given));
+  settling.told["num_extruders"] = fmt::format("{}", tools);
+}
+
+}  // namespace
+
+size_t ToolOf(std::span<const Setting> given) {
+  size_t tool = 0;
+  for (const Setting& setting : given) {
+    if (setting.key != "extruder") continue;
+    const auto number = ToNumber(Trim(setting.value));
+    const bool valid = number && *number >= 1 && *number <= kMostTools;
+    tool = valid ? static_cast<size_t>(*number) - 1 : 0;
+  }
+  return tool;
+}
+
+absl::Status DeriveOptions(const OptionSources& settling) {
+  JobRows& settings = settling.result.settings;
+  settling.result.growth = GrowthOf(settling.draft);
+  TakeFootWidth(settings);
+  TakeTool(settling);
+  if (absl::Status ok = TakeSilentMode(settling.draft, settings); !ok.ok()) return ok;
+  auto code = macro::ParseJobCode(MotionOf(FdmOf(settings)));
+  while (!code.ok() && LeaveOutTemplate(code.status(), settling.draft, settling.result))
+    code = macro::ParseJobCode(MotionOf(FdmOf(settings)));
+  if (!code.ok()) return NamingOwnGcode(code.status(), settling.draft);
+  if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
+  TakeClearance(settings);
+  TakeAdhesion(settings);
+  if (absl::Status ok = TakeRoom(settings); !ok.ok()) return ok;
+  TakeAdaptiveHeights(settings);
+  TakeWalls(settings);
+  TakeSupports(settings);
+  TakeShells(settling.draft, settings);
+  TakeVase(settings);
+  TakeInnerScarfs(settings);
+  if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
+  if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).region.infill); !ok.ok()) return ok;
+  if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));
+  return absl::OkStatus();
+}
+
+absl::Status TakeGcode(const SettingValues& draft, ResolvedSettings& result) {
+  const FdmRows& rows = FdmOf(result.settings);
+  absl::Status ok = macro::CheckJobCode(MotionOf(rows), result.effective_text);
+  while (!ok.ok() && LeaveOutTemplate(ok, draft, result))
+    ok = macro::CheckJobCode(MotionOf(rows), result.effective_text);
+  if (!ok.ok()) return NamingOwnGcode(ok, draft);
+  return TakeLayerSettings(result.effective_text, FdmOf(result.settings).machine.motion);
+}
+
+}  // namespace slicefarm::config::fdm

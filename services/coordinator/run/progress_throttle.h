@@ -1,0 +1,22 @@
+#pragma once
+
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
+
+namespace slicefarm::coordinator {
+
+/// Limits the progress reports of a run: at most five per second, and at most a hundred per job.
+class ProgressThrottle {
+ public:
+  /// Returns true if this progress is to be reported now. `now_s` may come from any clock that does
+  /// not run backwards.
+  bool Passes(const PipelineProgress& progress, double now_s);
+
+  /// Returns the last progress that was to be reported.
+  const PipelineProgress& told() const { return told_; }
+
+ private:
+  PipelineProgress told_;
+  double told_at_s_ = 0;
+};
+
+}  // namespace slicefarm::coordinator

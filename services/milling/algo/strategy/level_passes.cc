@@ -1,0 +1,95 @@
+#include "services/milling/algo/strategy/level_passes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/simplify.h"
+
+namespace slicefarm::milling {
+namespace {
+
+/// Length below which a ring counts as a point.
+constexpr double kLeastRingNm = 10'000;
+/// Tolerance for removing points on straight parts of inner rings. Each further inset would
+/// multiply these points.
+constexpr Coord kRingChordNm = 2'000;
+
+/// Returns true if a part of an outline is along the outside of the stock, not only along the part.
+bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
+  const MultiPolygon inside = Offset(reach, -1'000);
+  return std::any_of(outer.begin(), outer.end(), [&](Point p) {
+    return std::none_of(inside.begin(), inside.end(), [&](const PolygonWithHoles& island) {
+      return Locate(p, island) == Side::kInside;
+    });
+  });
+}
+
+/// Makes the rings of an area by repeated insets. The free side of an outline is on its left. So
+/// passes that end at the outline have the stock on the right; passes from the outside inwards have
+/// it on the left.
+class RingMaker {
+ public:
+  RingMaker(Coord stepover_nm, bool from_outside, const CancelToken& cancel)
+      : stepover_nm_(stepover_nm), from_outside_(from_outside), cancel_(cancel) {}
+
+  void Add(const PolygonWithHoles& area, std::vector<Polygon>& ways, int depth = 0) const {
+    if (from_outside_) AddRing({area.outer.rbegin(), area.outer.rend()}, ways);
+    if (depth < kMostRings && !cancel_.Cancelled()) {
+      const OffsetOptions round{.join = Join::kRound};
+      for (const PolygonWithHoles& inner :
+           Simplify(Offset({area}, -stepover_nm_, round), kRingChordNm))
+        Add(inner, ways, depth + 1);
+    }
+    for (const Polygon& hole : area.holes) AddRing(hole, ways);
+    if (!from_outside_) AddRing(area.outer, ways);
+  }
+
+ private:
+  static void AddRing(Polygon ring, std::vector<Polygon>& ways) {
+    if (Perimeter(ring) >= kLeastRingNm) ways.push_back(std::move(ring));
+  }
+
+  Coord stepover_nm_;
+  bool from_outside_;
+  const CancelToken& cancel_;
+};
+
+void Turn(std::vector<Polygon>& ways, CutDirection direction) {
+  if (direction == CutDirection::kClimb) return;
+  for (Polygon& pass : ways) std::reverse(pass.begin(), pass.end());
+}
+
+}  // namespace
+
+std::vector<CutArea> RoughingPasses(const FreeArea& level, const MillingOptions& options,
+                                    const CancelToken& cancel) {
+  MultiPolygon wide = level.free;
+  if (const Coord half = FromMm(options.minimum_width_mm / 2); half > 0)
+    wide = Intersection(OffsetTwice(wide, -half, half), level.free);
+  std::vector<CutArea> areas;
+  for (PolygonWithHoles& area : wide) {
+    CutArea cut{.area = std::move(area), .ways = {}};
+    const RingMaker rings(FromMm(options.stepover_mm()),
+                          ReachesOutside(cut.area.outer, level.reach), cancel);
+    rings.Add(cut.area, cut.ways);
+    Turn(cut.ways, options.machining.direction);
+    areas.push_back(std::move(cut));
+  }
+  return areas;
+}
+
+std::vector<CutArea> FinishingPasses(const FreeArea& level, const MillingOptions& options) {
+  std::vector<CutArea> areas;
+  for (const PolygonWithHoles& area : level.free) {
+    CutArea cut{.area = area, .ways = area.holes};
+    cut.ways.push_back(area.outer);
+    Turn(cut.ways, options.machining.direction);
+    areas.push_back(std::move(cut));
+  }
+  return areas;
+}
+
+}  // namespace slicefarm::milling

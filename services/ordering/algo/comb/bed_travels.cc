@@ -1,0 +1,61 @@
+#include "services/ordering/algo/comb/bed_travels.h"
+
+#include <vector>
+
+#include "common/geometry/offset/paths_within.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+/// Keeps each leg of the path `from`, `corners`, `to` within the room. All points are moved by
+/// `shift`.
+void Lead(const PathsWithin& routes, Point from, Point to, Point shift,
+          std::vector<Point>& corners) {
+  std::vector<Point> led;
+  Point at = from + shift;
+  const auto go_to = [&](Point next) {
+    for (const Point corner : routes.Between(at, next)) led.push_back(corner - shift);
+    at = next;
+  };
+  for (const Point corner : corners) {
+    go_to(corner + shift);
+    led.push_back(corner);
+  }
+  go_to(to + shift);
+  corners = std::move(led);
+}
+
+/// Keeps the travels between the paths of a visit's block within the room.
+void LeadBlock(const PathsWithin& routes, Point shift, PathBlock& block) {
+  if (block.spiral) return;
+  for (size_t i = 1; i < block.paths.size(); ++i) {
+    const Point from = EndOf(block.paths[i - 1]), to = StartOf(block.paths[i]);
+    Travel travel = block.travels.empty() ? Travel{} : block.travels[i];
+    const std::vector<Point> before = travel.corners;
+    Lead(routes, from, to, shift, travel.corners);
+    if (travel.corners == before) continue;
+    travel.hidden = false;
+    block.travels.resize(block.paths.size());
+    block.travels[i] = std::move(travel);
+  }
+}
+
+}  // namespace
+
+void KeepInRoom(const MultiPolygon& room, OrderedLayer& layer) {
+  if (room.empty()) return;
+  const PathsWithin routes(room);
+  const auto block_of = [&](const BlockVisit& visit) -> PathBlock& {
+    return layer.blocks[static_cast<size_t>(visit.block)];
+  };
+  for (const BlockVisit& visit : layer.visits) LeadBlock(routes, visit.shift, block_of(visit));
+  for (size_t i = 1; i < layer.visits.size(); ++i) {
+    const BlockVisit& before = layer.visits[i - 1];
+    BlockVisit& visit = layer.visits[i];
+    if (before.pass != visit.pass) continue;
+    Lead(routes, EndOf(block_of(before).paths.back()) + before.shift,
+         StartOf(block_of(visit).paths.front()) + visit.shift, {}, visit.corners);
+  }
+}
+
+}  // namespace slicefarm::ordering
