@@ -14,8 +14,8 @@ namespace slicefarm::infill {
 /// and the height shrinks again. At 0.25 P the waves of both directions have the same diagonals:
 /// the turned lines rest on them. Waves of neighbours stay a spacing apart.
 ///
-/// Density: exact over a period. P is the pitch times the ratio of a row's mean length to a straight
-/// line's length: 1.04 to 1.1 at common densities.
+/// Density: exact over a period. P is the pitch times the ratio of a row's mean length to a
+/// straight line's length: 1.04 to 1.1 at common densities.
 MakePattern Crosshatch;
 
 }  // namespace slicefarm::infill
