@@ -15,9 +15,10 @@ KinematicMove LimitedByMarlin(KinematicMove move, const MachineLimits& limits);
 /// Returns the greatest squared speed (mm^2/s^2) from `before` to `move` by junction deviation, in
 /// x, y, z and e: v^2 = a jd s / (1 - s). s is the sine of half the angle between the directions,
 /// jd the junction deviation, and a the acceleration that the axes allow in the direction of the
-/// change. Moves below 1 mm that change direction by less than 45 degrees are also limited to a L /
-/// (angle of this change), with their length L. REQUIRES: both moves are results of
-/// LimitedByMarlin. Source: Marlin 2.1, Planner::_populate_block, JUNCTION_DEVIATION.
+/// change. For a move shorter than 1 mm that turns by less than 45 degrees, v^2 is also at most
+/// a L / angle: L is the length of `move`, and `angle` the turn in radians. REQUIRES: both moves
+/// are results of LimitedByMarlin. Source: Marlin 2.1, Planner::_populate_block,
+/// JUNCTION_DEVIATION.
 double JunctionDeviationV2(const KinematicMove& before, const KinematicMove& move,
                            const MachineLimits& limits);
 

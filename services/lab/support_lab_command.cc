@@ -149,8 +149,8 @@ void AddSupportLab(CLI::App& app, cli::CommandContext& context) {
       ->type_name("MM");
   command
       ->add_option("--threshold", options->threshold_degrees,
-                   "Slope below which undersides are supported, from horizontal, in degrees; 0: by "
-                   "the width of a wall")
+                   "Undersides less steep than this angle from horizontal are supported; 0: layers "
+                   "that overhang by more than half a wall's width (organic: two thirds)")
       ->check(cli::InRange(0.0, 89.0))
       ->type_name("DEGREES");
   command

@@ -67,10 +67,10 @@ struct SkeletalGraph {
 
 /// Precision of the chords that replace curved edges (parabolas) of the medial axis.
 struct SkeletalOptions {
-  double tolerance_nm = 2'000;  ///< largest deviation of chords from the curves, and of their radii
+  double tolerance_nm = 2'000;  ///< largest error of a chord, in position and in radius
   double step_nm = 800'000;     ///< length of the longest chord
-  /// Angle in radians between the sides below which an edge is central. A chord ends where a curve
-  /// passes this angle.
+  /// An edge is central if the two boundary sides beside it form an angle below this one (radians).
+  /// A chord ends where a curve passes this angle.
   double transition_angle = 0.1745;
 };
 

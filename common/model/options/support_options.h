@@ -48,7 +48,7 @@ struct SupportOptions {
   bool automatic = true;
   SupportStyle style = SupportStyle::kGrid;  ///< setting support_material_style
   /// `support_material_threshold`: walls that rise less steeply are supported. 0: supports walls
-  /// that overhang by more than half of the outer wall's width.
+  /// that overhang by more than half of the outer wall's width; for kTree, by more than two thirds.
   double threshold_rad = 0;
   /// `support_material_enforce_layers`: number of layers supported regardless of the threshold
   int32_t enforced_layers = 0;

@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Largest number of spans of one job over all its runs. So many spans take some hundreds of KiB.
+/// Largest number of spans of one job over all its runs. They take a few hundred KiB.
 inline constexpr size_t kMaxJobSpans = 4096;
 
 /// Spans of all finished runs of a job.

@@ -36,14 +36,14 @@ struct SparseFill {
 
 /// Fills a region with a pattern of the given density. At two widths from the boundary and deeper,
 /// path length per area is exactly density / spacing. Links and anchors along the boundary join the
-/// lines into long paths and attach them to the walls (LinkedPaths). They are beads of the same
-/// width, in addition to this length. Patterns with lines along the boundary begin at the boundary.
-/// Parts so narrow that beads along both sides would overlap stay empty. Single paths shorter than
-/// two and a half widths are omitted for patterns with a density formula.
+/// lines into long paths and attach them to the walls (LinkedPaths). Links and anchors are
+/// beads of the same width and add to this length. Patterns with lines along the boundary begin at
+/// the boundary. Parts so narrow that beads along both sides would overlap stay empty. Single paths
+/// shorter than two and a half widths are omitted for patterns with a density formula.
 ///
-/// With a field, the density is correct at each point, see PiecesOfField. Lines of a dithered field
-/// have up to 15 % more or less plastic, so that a layer has the total plastic that the field
-/// requests.
+/// With a field, the density is correct at each point, see PiecesOfField. With a dithered field,
+/// one factor of 0.85 to 1.15 scales the plastic of all beads of a layer, so that the layer's total
+/// is the total of the field.
 ///
 /// Errors: REQUEST_TOO_LARGE or SETTING_OUT_OF_RANGE, see MakePattern and CheckRingSpacing. Cost:
 /// O(n log n) for the inset, n points, and the cost of the pattern and of LinkedPaths.

@@ -153,8 +153,9 @@ std::vector<SettingSpec> Cooling() {
                    .kind = Kind::kChoice,
                    .standard = "uniform_cooling",
                    .doc = "Extrusion that is slowed down in short layers. uniform_cooling: all of "
-                          "it alike. consistent_surface: the two outermost walls only if slowing "
-                          "the rest is not enough, so that the surface looks even",
+                          "it alike. consistent_surface: first everything except the two "
+                          "outermost walls; these too only if that is not enough, so that the "
+                          "surface looks even",
                    .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
                    .field = Bind<&ToolRow::cooling, &CoolingOptions::consistent_surface>()}),
       PerExtruder({.key = "cooling_perimeter_transition_distance",

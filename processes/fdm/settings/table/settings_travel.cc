@@ -183,8 +183,8 @@ std::vector<SettingSpec> Travels() {
        .min = 0,
        .max = 1000,
        .standard = "30",
-       .doc = "Length of a travel inside the part from which it retracts in spite of "
-              "only_retract_when_crossing_perimeters; 0: no travel inside retracts",
+       .doc = "With only_retract_when_crossing_perimeters, travels inside the part retract all the "
+              "same if they are at least this long; 0: they never retract",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>()},
       {.key = "avoid_crossing_perimeters",
        .kind = Kind::kFlag,

@@ -52,7 +52,8 @@ struct RunEnvironment {
 /// writes nothing more.
 class JobRun {
  public:
-  /// Creates the run of a claimed job. `calm_us`: calm time of this coordinator (LostRuns).
+  /// Creates the run of a claimed job. `calm_us`: time for which this coordinator has run
+  /// without losing a lease (LostRuns).
   JobRun(RunEnvironment& environment, JobRecord job, int64_t calm_us);
 
   /// Takes all steps of the run. Returns when the run is over.

@@ -33,12 +33,11 @@ Coord HatchTrim(const ExposureOptions& options);
 /// only the area that middle lines melt (thin_walls.h), or nothing. 0: there are no narrow parts.
 Coord NarrowDepth(const ExposureOptions& options, int32_t border_lines = 0);
 
-/// Two depths below the outline: the depth to which lines have melted so far, and the depth of the
-/// next line. A part that is deeper than the first depth, but nowhere as deep as the second,
-/// remains unmelted.
+/// Two distances from the outline, inwards in the layer. A part with its innermost point between
+/// the two distances does not get the next line, so its middle stays unmelted.
 struct LineLevel {
-  Coord melted_nm = 0;
-  Coord line_nm = 0;
+  Coord melted_nm = 0;  ///< distance up to which the area is melted already
+  Coord line_nm = 0;    ///< distance of the next line
 };
 /// Returns the levels from the outline inwards: the first contour, each further contour, then the
 /// hatch's border lines or the outermost ring. Hatch leaves nothing unmelted beside the last border

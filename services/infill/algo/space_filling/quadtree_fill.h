@@ -17,9 +17,9 @@ struct QuadtreeOptions {
 /// region form a quadtree. Each leaf of the tree is filled by a ring of four Hilbert curves
 /// (Moore's closed form). The cells have a side of two spacings, on a grid through the origin of
 /// coordinates, so that copies and layers agree. The band between the cells and the boundary is
-/// filled by lines at constant distances from both. LinkRings joins all curves and lines, leaves in
-/// the order of the curve, into one path for each part of the region that is connected half a
-/// spacing inside.
+/// filled by lines at constant distances from both. LinkRings joins all curves and lines into one
+/// path for each connected piece of the region inset by half a spacing. The leaves of the tree are
+/// joined in the order of the Hilbert curve.
 ///
 /// Length times spacing is the region's area: exactly in the cells, see RingsFrom for the band.
 ///

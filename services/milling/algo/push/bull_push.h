@@ -5,13 +5,14 @@
 
 namespace slicefarm::milling {
 
-/// Returns the contact of a bull nose that moves along the fiber with a part of an edge. The points
-/// of the part are from + s step. The result is the s in [0, length] at which side * along(s) +
-/// sqrt(width(s)^2 - across(s)^2) is largest. If the cutter does not reach the fiber, the result is
-/// the s at which it is nearest.
+/// Returns the position s, in [0, length] on a part of an edge, at which a bull nose moved along
+/// the fiber touches it. If the cutter does not reach the part, returns the nearest position.
 ///
-/// The function is concave. Its derivative gives the search direction; outside of its domain, the
-/// derivative of width - |across| does. The root is bracketed, by false position and bisection.
+/// The point at s is from + s step; along(s) and across(s) are its FiberPoint fields, and width(s)
+/// is the width of `piece` at its height. At the contact, side * along(s) + sqrt(width(s)^2 -
+/// across(s)^2) is largest. The function is concave. Its derivative gives the search direction.
+/// Where the root is not real, the derivative of width - |across| gives the direction. The search
+/// uses false position and bisection.
 /// REQUIRES: the heights of the part are on the arc of `piece`; length >= 0. Cost: about ten steps
 /// of 15 ns.
 double BullContact(const ProfilePiece& piece, const FiberPoint& from, const FiberPoint& step,

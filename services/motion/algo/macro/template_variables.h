@@ -21,18 +21,20 @@ macro::TemplateVariables JobVariables(const MotionOptions& options, std::string_
 
 /// Returns the variables of templates in a layer:
 /// - layer_num, counted over all passes;
-/// - layer_z and max_layer_z, the highest so far (mm);
+/// - layer_z, the height of the layer's top (mm);
+/// - max_layer_z, the greatest height printed so far (mm);
 /// - current_object_idx, the number of the pass;
 /// - total_layer_count, if the facts have it. It is the planned number, including top layers that
 ///   turn out to be too thin for a bead.
 macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts& facts);
 
 /// Returns the variables that are known after all layers:
-///   total_layer_count
-///   first_layer_print_min / _max / _size and first_layer_print_convex_hull: area of the first
-///   layer used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost print_time, as
-///   "1h 2m 3s"; time_s is the time of the layers. silent_print_time, from silent_s, if the machine
-///   has a silent mode. num_objects, num_instances, input_filename, input_filename_base
+/// - total_layer_count;
+/// - first_layer_print_min, _max, _size and _convex_hull, the area of the first layer;
+/// - used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost;
+/// - print_time, as "1h 2m 3s", from `time_s`, the time of the layers;
+/// - silent_print_time, from `silent_s`, if the machine has a silent mode;
+/// - num_objects, num_instances, input_filename, input_filename_base.
 macro::TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
                                         double time_s, std::optional<double> silent_s = {});
 

@@ -32,7 +32,7 @@ std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const 
 /// bounds in the settings.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
-/// Returns the fan for bridges and overhangs.
+/// Returns the fan in percent for bridges and overhangs, at least `fan_percent`.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
 
 /// Returns the largest rest, in percent, of walls with the fan for bridges, or -1 if only bridges

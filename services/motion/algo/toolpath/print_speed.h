@@ -27,8 +27,8 @@ class PrintSpeeds {
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
   /// Returns `speed_mm_s`, lowered to the largest volumetric flow.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;
-  /// Returns a feed rate in mm/min, lowered to the largest volumetric flow with a tolerance of 0.1
-  /// %.
+  /// Returns `feed_rate` (mm/min), or the feed rate at the largest volumetric flow if `feed_rate`
+  /// exceeds it by more than 0.1 %.
   int32_t WithinFlow(int32_t feed_rate, double section_mm2) const;
 
  private:

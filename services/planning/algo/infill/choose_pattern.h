@@ -14,8 +14,9 @@ namespace slicefarm::planning {
 /// Size of a region, as input of the choice of a pattern.
 struct PartShape {
   double height_mm = 0;  ///< height of the region
-  double width_mm =
-      0;  ///< 4 area / perimeter over all layers: a disc's diameter, twice a wall's thickness
+  /// Mean width: 4 (total area) / (total perimeter) of all layers. For a disc this is its diameter,
+  /// for a thin wall twice its thickness.
+  double width_mm = 0;
 };
 
 /// Measures the region of a stack. Returns zeros if no layer has the region.

@@ -35,12 +35,12 @@ struct StepCost {
   double Of(Point from, Point to, double away_mm) const;
 };
 
-/// Chooses one point per ring so that the total cost is smallest: the costs of points, and of the
-/// steps from each ring to its parent. Where an island splits, each piece follows it. Where islands
-/// merge, the ring follows one of them. So the rings form trees. The result is exact, by dynamic
-/// programming from the leaves down. Of equal choices the first is taken. Shapes: an index into
-/// `places` for each node. Cost: O(n log n) for n points, if points are not closer together than
-/// steps are long.
+/// Chooses one point per ring, and returns its index in `places` for each node, so that the total
+/// cost is smallest: the costs of points, and of the steps from each ring to its parent. Where an
+/// island splits, each piece follows it. Where islands merge, the ring follows one of them. So the
+/// rings form trees. The result is exact, by dynamic programming from the leaves down. Of equal
+/// choices the first is taken. Cost: O(n log n) for n points, if the points of a ring are at least
+/// StepCost::longest_mm apart.
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step);
 
 }  // namespace slicefarm::planning

@@ -7,9 +7,9 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the distance by which a part for seams acts beyond its own volume. It is large enough to
-/// include the outline under the part even after `edits` moved that outline. So a seam point is
-/// found even in a very small painted area. PrusaSlicer uses 0.35 mm.
+/// Returns the distance by which the volume of a seam modifier is grown. The grown volume still
+/// covers the outline on which it was painted, even if `edits` moved that outline. So a seam point
+/// is found even in a very small painted area. PrusaSlicer uses 0.35 mm.
 Coord SeamReach(const RegionEdits& edits);
 
 /// Returns the distance by which a painted surface for supports acts beyond itself. It leaves no

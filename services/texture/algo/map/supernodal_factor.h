@@ -70,7 +70,8 @@ class SupernodalFactor {
   std::vector<double> numbers_;
   PanelProduct product_;
   // State of the current factorization:
-  /// First of the supernodes that contribute to each supernode.
+  /// Head of each supernode's queue, linked by next_: the finished supernodes to subtract from its
+  /// panel.
   std::vector<int32_t> waiting_;
   std::vector<int32_t> next_;      ///< next supernode in the same queue, per supernode
   std::vector<int32_t> used_;      ///< number of rows used, per supernode
