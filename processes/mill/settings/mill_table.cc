@@ -202,9 +202,8 @@ std::vector<SettingSpec> OutputSettings() {
        .kind = Kind::kChoice,
        .standard = "model",
        .doc = "Zero point of the program. model: the origin of the first object's file. bed: the "
-              "corner of the bed with the least x and y, at its top. stock_top: the corner of the "
-              "stock with the least x "
-              "and y, at its top",
+              "origin of the bed coordinates, at the top of the bed. stock_top: the corner of the "
+              "stock with the least x and y, at its top",
        .choices = {Named("model", MillOrigin::kModel), Named("bed", MillOrigin::kBed),
                    Named("stock_top", MillOrigin::kStockTop)},
        .field = Bind<&MillSettings::origin>()},

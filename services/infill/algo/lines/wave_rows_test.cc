@@ -12,7 +12,7 @@
 namespace slicefarm::infill::wave_rows_test {
 namespace {
 
-MultiPolygon Square() { return MakePolygonsOrDie("(0 0, 1000000 0, 1000000 1000000, 0 1000000)"); }
+MultiPolygon Square() { return MakePolygonsOrDie("(0 0, 1 0, 1 1, 0 1)"); }
 
 TEST(RowsOver, StraightRowsAreApart) {
   const auto curves = RowsOver(Square(), {.apart_nm = 250'000, .period_nm = 1'000'000});
