@@ -119,10 +119,10 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.limits.max_acceleration_retracting_mm_s2, 1500);
   EXPECT_FALSE(m.limits.emit_to_gcode);
   // Values by Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt,
-  // support and its interface 60, ironing 15. Solid infill over bridges has 0: it has the speed of
-  // other solid infill.
+  // support and its interface 60, ironing 15. Solid infill over bridges and bridges over sparse
+  // infill have 0: they have the speed of other solid infill and of other bridges.
   EXPECT_THAT(m.speeds[0].speed_mm_s,
-              ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60, 15, 0));
+              ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60, 15, 0, 0));
   EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
   EXPECT_EQ(m.travel_speed_mm_s, 150);
   EXPECT_EQ(m.first_layer_speed_mm_s, 30);
