@@ -8,6 +8,7 @@ Rules:
           outside of the loops, for example ASSERT_FALSE(result.empty()).
   clock   an expectation compares a time that was measured. Times belong in tests/bench.
   sleep   a test sleeps. Wait for the event instead.
+  stub    a test file has an empty namespace and no test.
 """
 import pathlib
 import re
@@ -23,6 +24,7 @@ VISIBLE = re.compile(
 )
 CLOCK = re.compile(r"\b(?:EXPECT|ASSERT)_(?:LT|LE|GT|GE|NEAR)\([^;]*\b(?:steady_clock|high_resolution_clock)::now\(\)")
 SLEEP = re.compile(r"\bstd::this_thread::sleep_(?:for|until)\(|\babsl::SleepFor\(|\b(?:usleep|nanosleep)\(")
+STUB = re.compile(r"\bnamespace \{\s*\}")
 TEXT = re.compile(r'R"\((?:.|\n)*?\)"|"(?:[^"\\\n]|\\.)*"|//[^\n]*|\'(?:[^\'\\\n]|\\.)\'')
 
 
@@ -84,7 +86,7 @@ def faults(path, text):
         loops = list(unseen_loops(body, code))
         if checks and all(any(begin <= at < end for begin, end in loops) for at in checks):
             yield f"{path}:{line}: empty: {name} passes without results"
-    for rule, pattern in (("clock", CLOCK), ("sleep", SLEEP)):
+    for rule, pattern in (("clock", CLOCK), ("sleep", SLEEP), ("stub", STUB)):
         for found in pattern.finditer(code):
             yield f"{path}:{code.count(chr(10), 0, found.start()) + 1}: {rule}"
 

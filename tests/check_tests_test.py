@@ -43,6 +43,7 @@ TREE = {
     ),
     "tests/clock_test.cc": ("TEST(Lines, AreFast) {\n  Work();\n  EXPECT_LT(std::chrono::steady_clock::now() - begin, kLimit);\n}\n",),
     "tests/sleep_test.cc": ("TEST(Lines, Arrive) {\n  std::this_thread::sleep_for(kWhile);\n  EXPECT_TRUE(arrived);\n}\n",),
+    "tests/stub_test.cc": ("namespace slicefarm::stub_test {\nnamespace {}  // namespace\n}  // namespace slicefarm::stub_test\n",),
 }
 EXPECTED = [
     "common/a/empty_test.cc:1: empty: Lines.AreLong passes without results",
@@ -53,6 +54,7 @@ EXPECTED = [
     "common/a/pairs_test.cc:4: empty: Lines.OfNoPairs passes without results",
     "tests/clock_test.cc:3: clock",
     "tests/sleep_test.cc:2: sleep",
+    "tests/stub_test.cc:2: stub",
 ]
 
 

@@ -8,7 +8,6 @@
 #include "common/rpc/status_mapping.h"
 
 namespace slicefarm::rpc {
-namespace {}  // namespace
 
 ClientCall::ClientCall(const ClientCallOptions& options) : cancel_(options.cancel) {
   context_.set_deadline(std::chrono::system_clock::now() + options.deadline);
