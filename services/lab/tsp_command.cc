@@ -14,9 +14,10 @@
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"
 #include "services/lab/commands.h"
+#include "services/lab/tours/christofides.h"
+#include "services/lab/tours/first_tours.h"
+#include "services/lab/tours/spanning_tree.h"
 #include "services/ordering/algo/tours/constructions.h"
-#include "services/ordering/algo/tours/graphs/christofides.h"
-#include "services/ordering/algo/tours/graphs/spanning_tree.h"
 #include "services/ordering/algo/tours/tour_search.h"
 #include "services/ordering/algo/tours/tsplib.h"
 
@@ -60,9 +61,9 @@ Tour StartingTour(const ordering::TspInstance& instance, const ordering::Neighbo
                   Start start) {
   const ordering::Costs& costs = instance.costs;
   if (start == Start::kGreedy) return GreedyEdgeTour(costs, neighbours, instance.fixed);
-  const Tour tour = start == Start::kNearest     ? ordering::NearestNeighbourTour(costs, 0)
-                    : start == Start::kInsertion ? ordering::InsertionTour(costs)
-                                                 : ordering::ChristofidesTour(costs);
+  const Tour tour = start == Start::kNearest     ? NearestNeighbourTour(costs, 0)
+                    : start == Start::kInsertion ? InsertionTour(costs)
+                                                 : ChristofidesTour(costs);
   return WithFixedEdges(tour, ordering::FixedEdges(costs.size(), instance.fixed));
 }
 
@@ -97,7 +98,7 @@ Solution Solve(const ordering::TspInstance& instance, const TspOptions& options,
 }
 
 std::string BoundRows(const ordering::Costs& costs) {
-  const ordering::SpanningTree tree = MinimumSpanningTree(costs);
+  const SpanningTree tree = MinimumSpanningTree(costs);
   std::vector<int> degree(static_cast<size_t>(costs.size()), 0);
   for (const ordering::NodePair& edge : tree.edges) {
     ++degree[static_cast<size_t>(edge.a)];

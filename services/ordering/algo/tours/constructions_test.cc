@@ -20,19 +20,9 @@ Tour Greedy(const Costs& costs, std::span<const NodePair> fixed = {}, size_t nei
   return GreedyEdgeTour(costs, Neighbours(costs, neighbours, 0), fixed);
 }
 
-TEST(Constructions, NearestNeighbourGoesOnToTheNearest) {
-  EXPECT_THAT(NearestNeighbourTour(OnALine({0, 10, 3, -4}), 0), ElementsAre(0, 2, 1, 3));
-}
-
 TEST(Constructions, GreedyTakesTheShortestEdgesFirst) {
   // The shortest edge is 1-2, the next one is 0-1. Node 3 is joined last.
   EXPECT_THAT(Greedy(OnALine({0, 4, 6, 11})), ElementsAre(0, 1, 2, 3));
-}
-
-TEST(Constructions, InsertionTakesTheFarthest) {
-  // On a line, every order of insertion gives the best tour: to the far end and back.
-  const Costs costs = OnALine({0, 10, 3, -4, 7});
-  EXPECT_EQ(TourLength(costs, InsertionTour(costs)), 28);
 }
 
 TEST(Constructions, OfFewOrCoincidentNodes) {
@@ -40,9 +30,7 @@ TEST(Constructions, OfFewOrCoincidentNodes) {
     for (const int range : {1, 100}) {
       const Costs costs = RandomCosts(count, 5, range);
       const auto size = static_cast<int32_t>(count);
-      EXPECT_TRUE(Keeps(NearestNeighbourTour(costs, size - 1), size, {}));
       EXPECT_TRUE(Keeps(Greedy(costs), size, {}));
-      EXPECT_TRUE(Keeps(InsertionTour(costs), size, {}));
     }
   }
 }
@@ -76,9 +64,7 @@ TEST(Constructions, AreAsGoodAsTheyUsedToBe) {
     const auto ratio = [&](const Tour& tour) {
       return static_cast<double>(TourLength(costs, tour)) / optimum;
     };
-    EXPECT_LE(ratio(NearestNeighbourTour(costs, 0)), 1.35) << name;
     EXPECT_LE(ratio(Greedy(costs)), 1.32) << name;
-    EXPECT_LE(ratio(InsertionTour(costs)), 1.15) << name;
   }
 }
 

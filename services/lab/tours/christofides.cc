@@ -1,12 +1,16 @@
-#include "services/ordering/algo/tours/graphs/christofides.h"
+#include "services/lab/tours/christofides.h"
 
 #include <algorithm>
 
 #include "common/base/perfect_matching.h"
-#include "services/ordering/algo/tours/graphs/spanning_tree.h"
+#include "services/lab/tours/spanning_tree.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::lab {
 namespace {
+
+using ordering::Costs;
+using ordering::NodePair;
+using ordering::Tour;
 
 constexpr size_t kNearest = 8;
 
@@ -109,4 +113,4 @@ Tour ChristofidesTour(const Costs& costs) {
   return tour;
 }
 
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::lab

@@ -1,4 +1,4 @@
-#include "services/ordering/algo/tours/graphs/spanning_tree.h"
+#include "services/lab/tours/spanning_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,11 @@
 
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering::spanning_tree_test {
+namespace slicefarm::lab::spanning_tree_test {
 namespace {
+
+using ordering::Costs;
+using ordering::NodePair;
 
 /// Returns the length of the shortest tree, by Kruskal's algorithm.
 int64_t TreeLength(const Costs& costs) {
@@ -99,4 +102,4 @@ TEST(OneTreeBound, OfTsplib) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering::spanning_tree_test
+}  // namespace slicefarm::lab::spanning_tree_test

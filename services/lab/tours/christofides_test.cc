@@ -1,4 +1,4 @@
-#include "services/ordering/algo/tours/graphs/christofides.h"
+#include "services/lab/tours/christofides.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,12 @@
 
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering::christofides_test {
+namespace slicefarm::lab::christofides_test {
 namespace {
+
+using ordering::Costs;
+using ordering::NodePair;
+using ordering::Tour;
 
 /// Returns the least sum of lengths of pairs, by dynamic programming over sets.
 int64_t LightestPairs(const Costs& costs) {
@@ -85,4 +89,4 @@ TEST(Christofides, OfTsplib) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering::christofides_test
+}  // namespace slicefarm::lab::christofides_test

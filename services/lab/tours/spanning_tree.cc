@@ -1,11 +1,15 @@
-#include "services/ordering/algo/tours/graphs/spanning_tree.h"
+#include "services/lab/tours/spanning_tree.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
-namespace slicefarm::ordering {
+namespace slicefarm::lab {
 namespace {
+
+using ordering::Costs;
+using ordering::FixedEdges;
+using ordering::NodePair;
 
 constexpr int64_t kUnreached = std::numeric_limits<int64_t>::max();
 /// Penalty units per length unit.
@@ -170,4 +174,4 @@ int64_t OneTreeBound(const Costs& costs, std::span<const NodePair> fixed,
   return RoundedUp(best);
 }
 
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::lab

@@ -7,17 +7,17 @@
 #include "services/ordering/algo/tours/costs.h"
 #include "services/ordering/algo/tours/tour_rules.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::lab {
 
 /// Edges of a tree over all nodes, and their total length.
 struct SpanningTree {
-  std::vector<NodePair> edges;
+  std::vector<ordering::NodePair> edges;
   int64_t length = 0;
 };
 
 /// Returns the shortest tree that joins all nodes. No tour is shorter than this tree. Cost: O(n^2),
 /// n nodes.
-SpanningTree MinimumSpanningTree(const Costs& costs);
+SpanningTree MinimumSpanningTree(const ordering::Costs& costs);
 
 /// Limits of the search for a lower bound.
 struct BoundOptions {
@@ -31,7 +31,7 @@ struct BoundOptions {
 /// Penalties and sums are whole numbers, so that the bound is exact to the last unit. Cost: O(n^2)
 /// per iteration, n nodes. Source: M. Held, R. M. Karp, "The Traveling-Salesman Problem and Minimum
 /// Spanning Trees: Part II", Mathematical Programming 1 (1971).
-int64_t OneTreeBound(const Costs& costs, std::span<const NodePair> fixed,
+int64_t OneTreeBound(const ordering::Costs& costs, std::span<const ordering::NodePair> fixed,
                      const BoundOptions& options);
 
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::lab
