@@ -39,7 +39,7 @@ int64_t LengthOf(const Costs& costs, const std::vector<NodePair>& pairs) {
 TEST(Christofides, MatchingIsTheLightest) {
   for (const size_t size : {2, 4, 10, 14}) {
     for (uint32_t seed = 1; seed <= 12; ++seed) {
-      const Costs costs = RandomCosts(size, seed, seed % 2 == 0 ? 1000 : 6);
+      const Costs costs = ordering::RandomCosts(size, seed, seed % 2 == 0 ? 1000 : 6);
       Tour nodes(size);
       std::iota(nodes.begin(), nodes.end(), 0);
       EXPECT_EQ(LengthOf(costs, MinimumMatching(costs, nodes)), LightestPairs(costs));
@@ -51,10 +51,10 @@ TEST(Christofides, MatchingIsTheLightest) {
 TEST(Christofides, MatchingLooksBeyondNeighbours) {
   std::vector<Vector2> places;
   for (const double x : {0.0, 1e5, 3e5, 3.9e5}) {
-    for (const Vector2& place : RandomPlaces(11, 7, 100))
+    for (const Vector2& place : ordering::RandomPlaces(11, 7, 100))
       places.push_back({place.x() + x, place.y()});
   }
-  const Costs costs = Costs::OfPlaces(places, Metric::kNearest);
+  const Costs costs = Costs::OfPlaces(places, ordering::Metric::kNearest);
   Tour nodes(places.size());
   std::iota(nodes.begin(), nodes.end(), 0);
   const int64_t length = LengthOf(costs, MinimumMatching(costs, nodes));
@@ -62,17 +62,19 @@ TEST(Christofides, MatchingLooksBeyondNeighbours) {
   EXPECT_LE(length, 190'000 + 2000);
 }
 
-TEST(Christofides, OfNoNodes) { EXPECT_TRUE(MinimumMatching(RandomCosts(3, 1), {}).empty()); }
+TEST(Christofides, OfNoNodes) {
+  EXPECT_TRUE(MinimumMatching(ordering::RandomCosts(3, 1), {}).empty());
+}
 
 TEST(Christofides, AtMostHalfAsMuchAgainAsTheShortest) {
   for (size_t size = 1; size <= 10; ++size) {
     for (uint32_t seed = 1; seed <= 20; ++seed) {
       // Rounding up preserves the triangle inequality.
-      const Costs costs =
-          Costs::OfPlaces(RandomPlaces(size, seed, seed % 3 == 0 ? 5 : 1000), Metric::kUp);
+      const Costs costs = Costs::OfPlaces(
+          ordering::RandomPlaces(size, seed, seed % 3 == 0 ? 5 : 1000), ordering::Metric::kUp);
       const Tour tour = ChristofidesTour(costs);
-      ASSERT_TRUE(Keeps(tour, static_cast<int32_t>(size), {}));
-      EXPECT_LE(2 * TourLength(costs, tour), 3 * ShortestTour(costs));
+      ASSERT_TRUE(ordering::Keeps(tour, static_cast<int32_t>(size), {}));
+      EXPECT_LE(2 * TourLength(costs, tour), 3 * ordering::ShortestTour(costs));
     }
   }
 }
@@ -80,9 +82,9 @@ TEST(Christofides, AtMostHalfAsMuchAgainAsTheShortest) {
 TEST(Christofides, OfTsplib) {
   for (const auto& [name, optimum] : {std::pair("att48", 10628), std::pair("berlin52", 7542),
                                       std::pair("kroA100", 21282), std::pair("d1291", 50801)}) {
-    const Costs costs = CorpusInstance(name).costs;
+    const Costs costs = ordering::CorpusInstance(name).costs;
     const Tour tour = ChristofidesTour(costs);
-    ASSERT_TRUE(Keeps(tour, costs.size(), {}));
+    ASSERT_TRUE(ordering::Keeps(tour, costs.size(), {}));
     EXPECT_GE(TourLength(costs, tour), optimum);
     EXPECT_LE(static_cast<double>(TourLength(costs, tour)), 1.2 * optimum) << name;
   }

@@ -35,7 +35,7 @@ int64_t TreeLength(const Costs& costs) {
 TEST(SpanningTree, IsTheShortest) {
   for (const size_t size : {1, 2, 3, 30}) {
     for (const int range : {1, 8, 1000}) {
-      const Costs costs = RandomCosts(size, 3, range);
+      const Costs costs = ordering::RandomCosts(size, 3, range);
       const SpanningTree tree = MinimumSpanningTree(costs);
       EXPECT_EQ(tree.edges.size(), size - 1);
       EXPECT_EQ(tree.length, TreeLength(costs));
@@ -45,10 +45,10 @@ TEST(SpanningTree, IsTheShortest) {
 
 // Lengths of minimum spanning trees computed by another program.
 TEST(SpanningTree, OfTsplib) {
-  EXPECT_EQ(MinimumSpanningTree(CorpusInstance("att48").costs).length, 8767);
-  EXPECT_EQ(MinimumSpanningTree(CorpusInstance("berlin52").costs).length, 6078);
-  EXPECT_EQ(MinimumSpanningTree(CorpusInstance("eil51").costs).length, 375);
-  EXPECT_EQ(MinimumSpanningTree(CorpusInstance("kroA100").costs).length, 18772);
+  EXPECT_EQ(MinimumSpanningTree(ordering::CorpusInstance("att48").costs).length, 8767);
+  EXPECT_EQ(MinimumSpanningTree(ordering::CorpusInstance("berlin52").costs).length, 6078);
+  EXPECT_EQ(MinimumSpanningTree(ordering::CorpusInstance("eil51").costs).length, 375);
+  EXPECT_EQ(MinimumSpanningTree(ordering::CorpusInstance("kroA100").costs).length, 18772);
 }
 
 TEST(OneTreeBound, IsBelowEveryTour) {
@@ -56,8 +56,8 @@ TEST(OneTreeBound, IsBelowEveryTour) {
   double optima = 0;
   for (size_t size = 1; size <= 10; ++size) {
     for (uint32_t seed = 1; seed <= 10; ++seed) {
-      const Costs costs = RandomCosts(size, seed, seed % 3 == 0 ? 5 : 1000);
-      const int64_t optimum = ShortestTour(costs);
+      const Costs costs = ordering::RandomCosts(size, seed, seed % 3 == 0 ? 5 : 1000);
+      const int64_t optimum = ordering::ShortestTour(costs);
       const int64_t bound = OneTreeBound(costs, {}, {.iterations = 60, .upper_bound = optimum});
       ASSERT_LE(bound, optimum) << size << " nodes, seed " << seed;
       bounds += static_cast<double>(bound);
@@ -71,7 +71,7 @@ TEST(OneTreeBound, CountsFixedEdges) {
   double bounds = 0;
   double optima = 0;
   for (uint32_t seed = 1; seed <= 20; ++seed) {
-    const Costs costs = RandomCosts(9, seed);
+    const Costs costs = ordering::RandomCosts(9, seed);
     const std::vector<NodePair> fixed = {{0, 8}, {3, 5}, {5, 1}};
     // Each edge that is not fixed costs so much more that every best tour contains all fixed edges.
     const FixedEdges edges(9, fixed);
@@ -81,7 +81,7 @@ TEST(OneTreeBound, CountsFixedEdges) {
       for (int32_t b = 0; b < 9; ++b)
         table.push_back(static_cast<int32_t>(costs(a, b)) + (edges.Has(a, b) ? 0 : kAway));
     }
-    const int64_t optimum = ShortestTour(Costs::OfTable(9, table)) - 6 * kAway;
+    const int64_t optimum = ordering::ShortestTour(Costs::OfTable(9, table)) - 6 * kAway;
     const int64_t bound = OneTreeBound(costs, fixed, {.iterations = 60, .upper_bound = optimum});
     ASSERT_LE(bound, optimum) << "seed " << seed;
     ASSERT_GE(bound, OneTreeBound(costs, {}, {.iterations = 1, .upper_bound = optimum}));
@@ -94,8 +94,8 @@ TEST(OneTreeBound, CountsFixedEdges) {
 TEST(OneTreeBound, OfTsplib) {
   for (const auto& [name, optimum] : {std::pair("att48", 10628), std::pair("berlin52", 7542),
                                       std::pair("eil51", 426), std::pair("kroA100", 21282)}) {
-    const int64_t bound =
-        OneTreeBound(CorpusInstance(name).costs, {}, {.iterations = 150, .upper_bound = optimum});
+    const int64_t bound = OneTreeBound(ordering::CorpusInstance(name).costs, {},
+                                       {.iterations = 150, .upper_bound = optimum});
     EXPECT_LE(bound, optimum) << name;
     EXPECT_GE(static_cast<double>(bound), 0.98 * optimum) << name;
   }
