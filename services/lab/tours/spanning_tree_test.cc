@@ -74,7 +74,7 @@ TEST(OneTreeBound, CountsFixedEdges) {
     const Costs costs = ordering::RandomCosts(9, seed);
     const std::vector<NodePair> fixed = {{0, 8}, {3, 5}, {5, 1}};
     // Each edge that is not fixed costs so much more that every best tour contains all fixed edges.
-    const FixedEdges edges(9, fixed);
+    const ordering::FixedEdges edges(9, fixed);
     std::vector<int32_t> table;
     constexpr int32_t kAway = 100'000;
     for (int32_t a = 0; a < 9; ++a) {
