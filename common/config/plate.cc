@@ -95,9 +95,11 @@ class Resolver {
     absl::StatusOr<ResolvedSettings> resolved = Resolve(all, process_, parsed_);
     if (!resolved.ok()) return OfObject(object, resolved.status());
     DropMetNeeds(own, resolved->no_effect);
-    for (const std::string& note : resolved->no_effect)
-      if (told_.insert(note).second && !IsOverride(note, own))
-        plate_.no_effect.push_back(object + ": " + note);
+    for (SettingNote& note : resolved->no_effect) {
+      if (!told_.insert(note).second || IsOverride(note, own)) continue;
+      note.text = object + ": " + note.text;
+      plate_.no_effect.push_back(std::move(note));
+    }
     for (const std::string& warning : resolved->warnings)
       if (warned_.insert(warning).second) plate_.warnings.push_back(object + ": " + warning);
     for (const MissingFeature& each : resolved->missing) TellMissing(each);
@@ -108,7 +110,7 @@ class Resolver {
   /// Reports, once, a request that changes the print and cannot be fulfilled.
   void Warn(const std::string& text) {
     if (!warned_.insert(text).second) return;
-    plate_.no_effect.insert(plate_.no_effect.begin(), text);
+    plate_.no_effect.insert(plate_.no_effect.begin(), {text});
     plate_.warnings.push_back(text);
   }
 
@@ -130,9 +132,9 @@ class Resolver {
       } else if (setting.source == Source::kRequest) {
         return OfObject(object, Misplaced(setting, process_, place));
       } else {
-        plate_.no_effect.push_back(fmt::format("{}: {} = {}: is a setting of {}", object,
-                                               setting.key, setting.value,
-                                               ScopeName(ScopeOf(setting, process_))));
+        plate_.no_effect.push_back(
+            {fmt::format("{}: {} = {}: is a setting of {}", object, setting.key, setting.value,
+                         ScopeName(ScopeOf(setting, process_)))});
       }
     }
     return fitting;
@@ -149,22 +151,22 @@ class Resolver {
 
   /// Removes the job's notes on unmet needs if an object meets the need. Example: a setting of the
   /// job requires a raft, and only one object has a raft.
-  void DropMetNeeds(const Settings& own, const std::vector<std::string>& notes_there) {
-    std::erase_if(plate_.no_effect, [&](const std::string& note) {
-      if (!of_job_.contains(note) || note.find(": needs ") == std::string::npos) return false;
+  void DropMetNeeds(const Settings& own, const std::vector<SettingNote>& notes_there) {
+    std::erase_if(plate_.no_effect, [&](const SettingNote& note) {
+      if (!of_job_.contains(note) || note.why != SettingNote::Why::kUnmetNeed) return false;
       const bool still = std::ranges::find(notes_there, note) != notes_there.end();
-      const bool replaced = std::ranges::any_of(
-          own, [&](const Setting& setting) { return note.starts_with(setting.key + " = "); });
-      return !still && !replaced;
+      return !still && !HasKey(own, note.key);
     });
   }
 
   /// Returns true if a note only reports that an object's own value overrides the value of the job,
   /// which is intended.
-  static bool IsOverride(const std::string& note, const Settings& own) {
-    return std::ranges::any_of(own, [&](const Setting& setting) {
-      return note.ends_with("overridden by a later " + setting.key);
-    });
+  static bool IsOverride(const SettingNote& note, const Settings& own) {
+    return note.why == SettingNote::Why::kOverridden && HasKey(own, note.key);
+  }
+
+  static bool HasKey(const Settings& settings, std::string_view key) {
+    return std::ranges::find(settings, key, &Setting::key) != settings.end();
   }
 
   const Settings job_;
@@ -173,8 +175,9 @@ class Resolver {
   ResolvedPlate& plate_;
   ShrinkageCompensation growth_;
   JobRows job_rows_;  ///< rows of the job's own settings
-  std::set<std::string> told_, warned_;
-  std::set<std::string> of_job_;             ///< notes on the job's own settings
+  std::set<SettingNote> told_;
+  std::set<SettingNote> of_job_;  ///< notes on the job's own settings
+  std::set<std::string> warned_;
   std::map<Settings, JobRows, Less> known_;  ///< resolved rows per set of own settings
   ParsedTexts parsed_;
   ResolvedBytes bytes_;  ///< size of all sets in `known_`

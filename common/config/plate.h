@@ -23,7 +23,7 @@ struct ResolvedPlate {
   /// `object_settings = ` follows with these settings as JSON.
   std::string effective_text;
   /// Notes as in ResolvedSettings. Notes on an object begin with the object's name.
-  std::vector<std::string> no_effect;
+  std::vector<SettingNote> no_effect;
   int64_t beside_print = 0;
   std::vector<std::string> warnings;
   /// Missing features for which the job is refused unless it allows them (CheckMissing). `warnings`

@@ -135,7 +135,7 @@ TEST(ResolvePlate, TellsOfEnforcersWithoutSupports) {
   const std::string note =
       "cup: support enforcers, painted or as parts: needs support_material = 1";
   const ResolvedPlate without = PlateOrDie({}, {object});
-  EXPECT_THAT(without.no_effect, ElementsAre(note));
+  EXPECT_THAT(TextsOf(without.no_effect), ElementsAre(note));
   EXPECT_THAT(without.warnings, ElementsAre(note));
   EXPECT_THAT(PlateOrDie({{"support_material", "1"}}, {object}).warnings, IsEmpty());
   object.settings = Settings({{"support_material", "1"}});
@@ -148,9 +148,9 @@ TEST(ResolvePlate, TellsOfEnforcersWithoutSupports) {
 TEST(ResolvePlate, TellsOfHeightsThatAProfileTakesThePlaceOf) {
   SceneObject object = ObjectNamed("cup");
   object.ranges = {{1, 2, Settings({{"layer_height", "0.1"}, {"perimeters", "4"}})}};
-  EXPECT_THAT(PlateOrDie({}, {object}).no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(PlateOrDie({}, {object}).no_effect), IsEmpty());
   object.settings = Settings({{"layer_height_profile", "0;0.2;10;0.2"}});
-  EXPECT_THAT(PlateOrDie({}, {object}).no_effect,
+  EXPECT_THAT(TextsOf(PlateOrDie({}, {object}).no_effect),
               ElementsAre("cup: layer_height = 0.1 from 1 to 2 mm: needs no layer_height_profile, "
                           "which replaces it"));
 }
@@ -314,7 +314,7 @@ TEST(ResolvePlate, ASettingOfTheObjectIsMisplacedInAPart) {
 TEST(ResolvePlate, AMisplacedSettingOfAFileIsTold) {
   SceneObject object = ObjectNamed("box");
   object.settings = Settings({{"temperature", "200"}}, Source::kProfile);
-  EXPECT_THAT(PlateOrDie({}, {object}).no_effect,
+  EXPECT_THAT(TextsOf(PlateOrDie({}, {object}).no_effect),
               Contains("box: temperature = 200: is a setting of the job"));
 }
 

@@ -10,7 +10,6 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
-#include "common/config/setting_need.h"
 #include "common/config/setting_values.h"
 #include "common/config/table/setting_spec.h"
 #include "common/model/scene/scene.h"
@@ -77,8 +76,6 @@ class ProcessSettings {
   virtual ProcessValue PlateOf(const ProcessValue& job) const = 0;
   /// Returns all settings that have an effect, with their scopes, in any order. It is called once.
   virtual std::vector<SettingSpec> Table() const = 0;
-  /// Returns the settings that have an effect only if another setting has a certain value.
-  virtual std::vector<Need> Needs() const { return {}; }
   /// Returns true if a key outside of the table belongs to this process. Files contain such keys,
   /// but they have no effect.
   virtual bool Knows(std::string_view /*key*/) const { return false; }

@@ -83,7 +83,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   PutInto(result.settings, draft);
   if (absl::Status status = own.DeriveOptions({draft, given, result, told}); !status.ok())
     return status;
-  for (std::string& note : UnmetNeeds(own.Needs(), draft, result.settings))
+  for (SettingNote& note : UnmetNeeds(draft, result.settings))
     result.no_effect.push_back(std::move(note));
   result.effective_text = EffectiveText(result.settings, told);
   if (absl::Status status = own.Finish(draft, result); !status.ok()) return status;

@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/config/missing_feature.h"
 #include "common/config/reported_settings.h"
+#include "common/config/setting_note.h"
 #include "common/model/options/settings.h"
 #include "common/model/setting.h"
 
@@ -30,8 +31,8 @@ struct ResolvedSettings {
   /// Text of the settings by EffectiveText, including given settings that no stage uses
   /// (told_settings.h). Resolve of these lines gives the same `settings` and the same text.
   std::string effective_text;
-  /// Given settings without effect or without full effect, as `key = value: why`.
-  std::vector<std::string> no_effect;
+  /// Given settings without effect or without full effect.
+  std::vector<SettingNote> no_effect;
   /// Number of entries of no_effect that do not influence the print.
   int64_t beside_print = 0;
   /// Entries of no_effect that change the print, and other warnings.

@@ -146,7 +146,7 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.end_gcode, "M84");
   EXPECT_THAT(resolved.warnings, IsEmpty());
   EXPECT_FALSE(m.writing.relative_e);
-  EXPECT_THAT(resolved.no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(resolved.no_effect), IsEmpty());
 }
 
 // The profile has everything that PrusaSlicer 2.5 writes when it saves its own defaults.
@@ -155,8 +155,8 @@ TEST(Resolve, TakesAWholeProfile) {
   ASSERT_TRUE(given.ok()) << given.status();
   ASSERT_GT(given->size(), 250);
   const ResolvedSettings resolved = ResolveOrDie(*given);
-  EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
-  EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("clip_multipart_objects = 1")));
+  EXPECT_THAT(TextsOf(resolved.no_effect), Not(Contains(HasSubstr(": unknown"))));
+  EXPECT_THAT(TextsOf(resolved.no_effect), Contains(HasSubstr("clip_multipart_objects = 1")));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("gcode_flavor = reprap")));
   // The entries that a user should read.
   EXPECT_EQ(std::ssize(resolved.no_effect) - resolved.beside_print, 2);
@@ -359,8 +359,9 @@ TEST(Resolve, LooksAtNoValueThatALaterOneReplaces) {
 }
 
 TEST(Resolve, SaysThatAValueIsReplacedThoughItIsOutOfRange) {
-  EXPECT_THAT(ResolveOrDie(Settings({{"perimeters", "-3"}, {"perimeters", "4"}})).no_effect,
-              Contains("perimeters = -3: overridden by a later perimeters"));
+  EXPECT_THAT(
+      TextsOf(ResolveOrDie(Settings({{"perimeters", "-3"}, {"perimeters", "4"}})).no_effect),
+      Contains("perimeters = -3: overridden by a later perimeters"));
 }
 
 TEST(Resolve, LetsNoEmptyValueOfAProfileReplaceANumber) {
@@ -404,7 +405,7 @@ TEST(Resolve, ReadsItsOwnEffectiveText) {
     const ResolvedSettings second = ResolveOrDie(*lines);
     EXPECT_EQ(second.settings, first.settings);
     EXPECT_EQ(second.effective_text, first.effective_text);
-    EXPECT_THAT(second.no_effect, IsEmpty());
+    EXPECT_THAT(TextsOf(second.no_effect), IsEmpty());
     EXPECT_THAT(second.warnings, IsEmpty());
   }
 }
@@ -444,14 +445,14 @@ TEST(Resolve, RefusesUnknownKeysOfARequestWithASuggestion) {
 TEST(Resolve, ReportsUnknownKeysOfAProfile) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"new_in_3_0", "1"}, {"layer_height", "0.2"}}, Source::kProfile));
-  EXPECT_THAT(resolved.no_effect, ElementsAre("new_in_3_0 = 1: unknown"));
+  EXPECT_THAT(TextsOf(resolved.no_effect), ElementsAre("new_in_3_0 = 1: unknown"));
   EXPECT_EQ(resolved.settings.object.layer_height_nm, 200'000);
 }
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   for (const auto& [key, value] : Pairs{{"colorprint_heights", "5"}, {"post_process", "/bin/rm"}}) {
     const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
-    EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
+    EXPECT_THAT(TextsOf(resolved.no_effect), ElementsAre(HasSubstr(key + " = " + value))) << key;
     EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
     // A request for a named value is either fulfilled or an error.
     const ErrorDetail detail = DetailOf(Refusal({{key, value}}));
@@ -461,7 +462,7 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   }
   const ResolvedSettings off = ResolveOrDie(Settings(
       {{"colorprint_heights", ""}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
-  EXPECT_THAT(off.no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(off.no_effect), IsEmpty());
   EXPECT_THAT(off.warnings, IsEmpty());
 }
 
@@ -531,7 +532,7 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   EXPECT_EQ(FdmOf(resolved.settings).machine.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("gcode_flavor = reprap: not supported yet: marlin2 is used"));
-  EXPECT_EQ(resolved.no_effect, resolved.warnings);
+  EXPECT_EQ(TextsOf(resolved.no_effect), resolved.warnings);
 }
 
 TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
@@ -636,7 +637,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
   EXPECT_EQ(FdmOf(given.settings).region.motion.speed_mm_s[static_cast<size_t>(Feature::kIroning)],
             22);
-  EXPECT_THAT(given.no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(given.no_effect), IsEmpty());
   // Reading the effective text gives the same values.
   EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_pattern", "auto"}})).effective_text,
@@ -664,7 +665,7 @@ TEST(Resolve, ReadsTheSpeedOverBridges) {
   EXPECT_EQ(HaloLayers(OneRegion(with.settings)), 2);
   EXPECT_EQ(FdmOf(with.settings).region.motion.speed_mm_s[kFeature], 22);
   EXPECT_EQ(FdmOf(with.settings).machine.motion.acceleration_mm_s2[kFeature], 700);
-  EXPECT_THAT(with.no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(with.no_effect), IsEmpty());
   EXPECT_THAT(with.effective_text, HasSubstr("\nover_bridge_speed = 22\n"));
 }
 
@@ -676,8 +677,8 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
   EXPECT_TRUE(FdmOf(given.settings).region.infill.small_area_flow);
   EXPECT_EQ(FdmOf(given.settings).region.infill.small_area_flow_table, "0,0.5;2,0.9;8,1");
   EXPECT_THAT(given.effective_text, HasSubstr("_model = 0,0.5;2,0.9;8,1\n"));
-  EXPECT_THAT(given.no_effect, IsEmpty());
-  EXPECT_THAT(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect,
+  EXPECT_THAT(TextsOf(given.no_effect), IsEmpty());
+  EXPECT_THAT(TextsOf(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect),
               ElementsAre(HasSubstr("needs small_area_infill_flow_compensation = 1")));
   const auto refused = Resolve(Settings({{kTable, "0,0;3,0.9"}}), Process::kFdm);
   ASSERT_FALSE(refused.ok());
@@ -689,8 +690,8 @@ TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
   EXPECT_EQ(FdmOf(resolved.settings).region.infill.every_layers, 2);
-  EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: layer_height and "
-                                              "nozzle_diameter allow only 2"));
+  EXPECT_THAT(TextsOf(resolved.no_effect), ElementsAre("infill_every_layers = 5: layer_height and "
+                                                       "nozzle_diameter allow only 2"));
 }
 
 TEST(Resolve, LinesOfTheWholePartFollowNoField) {
@@ -713,7 +714,7 @@ TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(given, Source::kProfile));
   EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16/QOI,313x173,640x480\n"));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("written as PNG")));
-  EXPECT_EQ(resolved.no_effect, resolved.warnings);
+  EXPECT_EQ(TextsOf(resolved.no_effect), resolved.warnings);
 
   const absl::Status status = Refusal(given);
   EXPECT_EQ(DetailOf(status).reason, Reason::kNotSupported);
@@ -757,10 +758,10 @@ TEST(Resolve, SaysThatOnlyTheFirstExtruderCounts) {
               ElementsAre(HasSubstr("only the first value, 210")));
   EXPECT_THAT(ResolveOrDie(Settings({{"filament_type", "PLA;PETG"}})).warnings,
               ElementsAre(HasSubstr("only the first value, PLA")));
-  EXPECT_THAT(ResolveOrDie(Settings({{"temperature", "210,210"}})).no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(ResolveOrDie(Settings({{"temperature", "210,210"}})).no_effect), IsEmpty());
   const ResolvedSettings modes = ResolveOrDie(Settings({{"machine_max_feedrate_x", "500,200"}}));
   EXPECT_THAT(modes.warnings, IsEmpty());
-  EXPECT_THAT(modes.no_effect, ElementsAre(HasSubstr("only the first value, 500")));
+  EXPECT_THAT(TextsOf(modes.no_effect), ElementsAre(HasSubstr("only the first value, 500")));
 }
 
 TEST(Resolve, SilentModeHasTheSecondValues) {
@@ -770,7 +771,7 @@ TEST(Resolve, SilentModeHasTheSecondValues) {
                  {"machine_max_acceleration_extruding", "1250,960"},
                  {"machine_max_jerk_e", "7"}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(given));
-  EXPECT_THAT(resolved.no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(resolved.no_effect), IsEmpty());
   const MotionOptions motion = MotionOf(FdmOf(resolved.settings));
   ASSERT_TRUE(motion.silent_limits.has_value());
   MachineLimits expected = motion.limits;
@@ -792,11 +793,11 @@ TEST(Resolve, SilentModeHasTheSecondValues) {
 TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
   const std::vector<Setting> twice =
       Settings({{"perimeters", "2"}, {"perimeters", "4"}}, Source::kProfile);
-  EXPECT_THAT(ResolveOrDie(twice).no_effect,
+  EXPECT_THAT(TextsOf(ResolveOrDie(twice).no_effect),
               ElementsAre("perimeters = 2: overridden by a later perimeters"));
   const std::vector<Setting> over = {{"perimeters", "2", Source::kProfile},
                                      {"perimeters", "4", Source::kRequest}};
-  EXPECT_THAT(ResolveOrDie(over).no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(ResolveOrDie(over).no_effect), IsEmpty());
 }
 
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
@@ -899,7 +900,7 @@ TEST(Resolve, ShortensLongValuesInReports) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"notes", std::string(1000, 'n')}}, Source::kProfile));
   ASSERT_EQ(resolved.no_effect.size(), 1);
-  EXPECT_LT(resolved.no_effect[0].size(), 150);
+  EXPECT_LT(resolved.no_effect[0].text.size(), 150);
 }
 
 }  // namespace

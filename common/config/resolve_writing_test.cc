@@ -46,7 +46,7 @@ TEST(ResolveWriting, ReadsHowGcodeIsWritten) {
   EXPECT_EQ(motion.tool().retraction.length_mm, 1);
   EXPECT_TRUE(FdmOf(resolved.settings).machine.order.travel.retract_layer_change);
   EXPECT_THAT(resolved.effective_text, HasSubstr("\ngcode_substitutions = M204;M205;;\n"));
-  EXPECT_THAT(resolved.no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(resolved.no_effect), IsEmpty());
 }
 
 TEST(ResolveWriting, RefusesWhatNoFirmwareReads) {

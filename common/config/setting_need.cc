@@ -2,19 +2,15 @@
 
 #include <fmt/core.h>
 
-#include "common/base/text.h"
+#include "common/config/table/need.h"
 #include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 namespace {
 
 /// Returns true if a person wants the setting. False if a profile merely lists it.
-bool IsWanted(const Need& need, const SettingValues& draft, std::string_view key) {
-  const SettingValues::Entry& entry = draft.At(key);
-  if (!entry.given || !entry.value.has_value()) return false;
-  if (need.only_requested) return entry.requested;
-  const int index = FindSetting(key, draft.process());
-  return entry.requested || !IsStandard(SettingsTable(draft.process())[index], entry.written);
+bool IsWanted(const Need& need, const SettingSpec& spec, const SettingValues::Entry& entry) {
+  return entry.requested || (!need.only_requested && !IsStandard(spec, entry.written));
 }
 
 bool IsMet(const Need& need, const SettingValues& draft, const JobRows& settings) {
@@ -23,14 +19,18 @@ bool IsMet(const Need& need, const SettingValues& draft, const JobRows& settings
 
 }  // namespace
 
-std::vector<std::string> UnmetNeeds(std::span<const Need> needs, const SettingValues& draft,
-                                    const JobRows& settings) {
-  std::vector<std::string> notes;
-  for (const Need& need : needs) {
-    if (IsMet(need, draft, settings)) continue;
-    for (const std::string_view key : Split(need.keys, " ")) {
-      if (IsWanted(need, draft, key))
-        notes.push_back(fmt::format("{} = {}: needs {}", key, draft.At(key).written, need.what));
+std::vector<SettingNote> UnmetNeeds(const SettingValues& draft, const JobRows& settings) {
+  std::vector<SettingNote> notes;
+  const auto table = SettingsTable(draft.process());
+  for (size_t i = 0; i < table.size(); ++i) {
+    const SettingValues::Entry& entry = draft.entries()[i];
+    if (!entry.given || !entry.value.has_value()) continue;
+    for (const Need* need : table[i].needs) {
+      if (IsWanted(*need, table[i], entry) && !IsMet(*need, draft, settings))
+        notes.push_back(
+            {.text = fmt::format("{} = {}: needs {}", table[i].key, entry.written, need->what),
+             .key = std::string(table[i].key),
+             .why = SettingNote::Why::kUnmetNeed});
     }
   }
   return notes;

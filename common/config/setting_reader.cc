@@ -170,7 +170,7 @@ SettingValues SettingReader::Finish(ResolvedSettings& result) {
   for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
   for (const auto& [key, other] : foreign_)
     no_effect_.push_back(
-        fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
+        {fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first)});
   result.beside_print = std::ssize(last_notes_);
   SortNotes();
   result.no_effect = std::move(no_effect_);
@@ -231,12 +231,14 @@ void SettingReader::NoteOverridden(const Setting& setting, std::string_view valu
   std::string& last = entry->second;
   if (first || last == value) return;
   no_effect_.push_back(
-      fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
+      {.text = fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key),
+       .key = setting.key,
+       .why = SettingNote::Why::kOverridden});
   last = std::string(value);
 }
 
 void SettingReader::Warn(std::string text) {
-  no_effect_.push_back(text);
+  no_effect_.push_back({text});
   warnings_.push_back(std::move(text));
 }
 
@@ -280,7 +282,7 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const SettingValues:
   if (spec.list == List::kPerExtruder && entry.requested) {
     Warn(text);
   } else {
-    last_notes_.push_back(text);
+    last_notes_.push_back({text});
   }
 }
 
@@ -294,7 +296,7 @@ void SettingReader::NoteMissingPercent(const SettingSpec& spec, std::string_view
 void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
                               const std::string& value) {
   if (known == nullptr) {
-    no_effect_.push_back(Quoted(key, value) + ": unknown");
+    no_effect_.push_back({Quoted(key, value) + ": unknown"});
     return;
   }
   if (IsNeutral(*known, value)) return;
@@ -304,16 +306,16 @@ void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
     if (known->spoils_print) missing_.push_back({key, text, {{"setting", key}, {"value", value}}});
   } else {
     const bool matters = known->of_print && !known->of_several_extruders;
-    (matters ? no_effect_ : last_notes_).push_back(text);
+    (matters ? no_effect_ : last_notes_).push_back({text});
   }
 }
 
 /// Sorts the notes: changes of the print first, descriptions of profiles last.
 void SettingReader::SortNotes() {
-  std::vector<std::string>& notes = no_effect_;
+  std::vector<SettingNote>& notes = no_effect_;
   const std::set<std::string> weighty(warnings_.begin(), warnings_.end());
   std::stable_partition(notes.begin(), notes.end(),
-                        [&](const std::string& note) { return weighty.contains(note); });
+                        [&](const SettingNote& note) { return weighty.contains(note.text); });
   std::ranges::move(last_notes_, std::back_inserter(notes));
 }
 

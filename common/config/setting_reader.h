@@ -66,11 +66,11 @@ class SettingReader {
   const size_t tool_;
   ParsedTexts& parsed_;
   SettingValues draft_;
-  std::vector<std::string> no_effect_;
+  std::vector<SettingNote> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;
   /// notes that do not matter to the print; they follow no_effect_
-  std::vector<std::string> last_notes_;
+  std::vector<SettingNote> last_notes_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
   std::map<std::pair<Source, std::string>, std::string> last_;

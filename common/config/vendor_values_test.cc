@@ -102,7 +102,7 @@ TEST(Resolve, ToldByWeight) {
   const ResolvedSettings resolved = Profile(
       {{"a_new_key", "1"}, {"notes", "mine"}, {"colorprint_heights", "5"}, {"wipe_tower", "1"}});
   const auto at = [&](const char* key) {
-    const auto& notes = resolved.no_effect;
+    const std::vector<std::string> notes = TextsOf(resolved.no_effect);
     return std::find_if(notes.begin(), notes.end(),
                         [&](const std::string& note) { return note.starts_with(key); }) -
            notes.begin();

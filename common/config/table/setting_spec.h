@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "common/config/table/field.h"
+#include "common/config/table/need.h"
 #include "common/config/table/orca_name.h"
 
 namespace slicefarm::config {
@@ -93,7 +95,8 @@ struct SettingSpec {
   std::string_view group = {};  ///< part of the table, such as "walls" or "infill"
   std::optional<Scope> own_scope =
       {};  ///< scope, if the setting has no field, or if its scope is not the scope of the field
-  std::vector<OrcaName> orca = {};  ///< names in OrcaSlicer; a later name wins
+  std::vector<OrcaName> orca = {};      ///< names in OrcaSlicer; a later name wins
+  std::vector<const Need*> needs = {};  ///< requirements without which the setting has no effect
 
   Scope scope() const { return own_scope.value_or(field.scope); }
 };
@@ -101,6 +104,12 @@ struct SettingSpec {
 /// Returns the setting with a scope that differs from the scope of its row.
 inline SettingSpec InScope(Scope scope, SettingSpec spec) {
   spec.own_scope = scope;
+  return spec;
+}
+
+/// Returns the setting with its requirements.
+inline SettingSpec Needing(std::initializer_list<const Need*> needs, SettingSpec spec) {
+  spec.needs = needs;
   return spec;
 }
 

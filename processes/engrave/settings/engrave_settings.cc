@@ -1,28 +1,10 @@
 #include "processes/engrave/settings/engrave_settings.h"
 
-#include <iterator>
-
 #include "processes/engrave/model/engrave_settings.h"
 #include "processes/engrave/settings/engrave_table.h"
 
 namespace slicefarm::config::engrave {
 namespace {
-
-bool IsProgram(const JobRows& s) { return EngraveOf(s).format == EngraveFormat::kGcode; }
-bool IsMesh(const JobRows& s) {
-  const EngraveFormat format = EngraveOf(s).format;
-  return format == EngraveFormat::kStl || format == EngraveFormat::kObj;
-}
-bool HasImage(const JobRows& s) { return !EngraveOf(s).texture.image.empty(); }
-
-constexpr Need kNeeds[] = {
-    {"texture_width texture_height", "a texture_image", HasImage},
-    {"texture texture_pitch", "no texture_image, which replaces it",
-     [](const JobRows& s) { return !HasImage(s); }},
-    {"axes tool centre pivot tilt steepest power feed link_feed turn_feed", "output_format = gcode",
-     IsProgram},
-    {"displaced_edge", "output_format = stl or obj", IsMesh},
-};
 
 class OfEngraving : public ProcessSettings {
  public:
@@ -40,7 +22,6 @@ class OfEngraving : public ProcessSettings {
     constexpr SettingGroup kGroups[] = {{"engraving", EngraveTable}};
     return TableOf(kGroups);
   }
-  std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
   absl::Status Derive(SettingValues& /*draft*/, ResolvedSettings& /*result*/) const override {
     return absl::OkStatus();
   }

@@ -35,7 +35,7 @@ TEST(ResolveEngrave, SettingsReachTheirOptions) {
   EXPECT_EQ(engrave.lines.normals, NormalKind::kInterpolated);
   EXPECT_EQ(engrave.machine.axes, AxisLayout::kHeadAb);
   EXPECT_EQ(engrave.format, EngraveFormat::kGcode);
-  EXPECT_THAT(resolved->no_effect, testing::IsEmpty());
+  EXPECT_THAT(TextsOf(resolved->no_effect), testing::IsEmpty());
 }
 
 // The default values in the table equal the default values of the options.
@@ -53,7 +53,7 @@ TEST(ResolveEngrave, NamesTextsThatCannotBeRead) {
 TEST(ResolveEngrave, AMachineNeedsAProgram) {
   const auto resolved = OfEngrave({{"axes", "none"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect,
+  EXPECT_THAT(TextsOf(resolved->no_effect),
               testing::ElementsAre("axes = none: needs output_format = gcode"));
 }
 
@@ -61,10 +61,10 @@ TEST(ResolveEngrave, AnEdgeNeedsAMesh) {
   const auto mesh = OfEngrave({{"output_format", "obj"}, {"displaced_edge", "0.5"}});
   ASSERT_TRUE(mesh.ok()) << mesh.status();
   EXPECT_EQ(EngraveOf(mesh->settings).displaced_edge_mm, 0.5);
-  EXPECT_THAT(mesh->no_effect, testing::IsEmpty());
+  EXPECT_THAT(TextsOf(mesh->no_effect), testing::IsEmpty());
   const auto picture = OfEngrave({{"output_format", "png"}, {"displaced_edge", "0.5"}});
   ASSERT_TRUE(picture.ok()) << picture.status();
-  EXPECT_THAT(picture->no_effect,
+  EXPECT_THAT(TextsOf(picture->no_effect),
               testing::ElementsAre("displaced_edge = 0.5: needs output_format = stl or obj"));
 }
 

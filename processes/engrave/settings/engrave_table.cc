@@ -5,6 +5,7 @@
 
 #include "common/config/table/bind.h"
 #include "processes/engrave/model/engrave_settings.h"
+#include "processes/engrave/settings/needs.h"
 
 namespace slicefarm::config::engrave {
 namespace {
@@ -43,11 +44,15 @@ SettingSpec Text(std::string_view key, std::string_view standard, std::string_vi
 
 std::vector<SettingSpec> TextureTable() {
   return {
-      Text("texture", "bumps",
-           "Texture: a computed one, kind:key=value,... (bumps, cones, pyramids, grooves, waves, "
-           "hexagons, weave, letters, cells, noise, scales, knurl), or the name of an object, a "
-           "flat solid",
-           Bind<&EngraveSettings::texture, &TextureSettings::texture>()),
+      Needing(
+          {&needs::kNoImage},
+          Text(
+              "texture", "bumps",
+              "Texture: a computed one, kind:key=value,... (bumps, cones, pyramids, grooves, "
+              "waves, "
+              "hexagons, weave, letters, cells, noise, scales, knurl), or the name of an object, a "
+              "flat solid",
+              Bind<&EngraveSettings::texture, &TextureSettings::texture>())),
       Text("texture_image", "",
            "Height image used as the texture, a PNG file in base64; replaces `texture`",
            Bind<&EngraveSettings::texture, &TextureSettings::image>()),
@@ -55,15 +60,19 @@ std::vector<SettingSpec> TextureTable() {
            "Mask image, a PNG file in base64, laid over the bounding box of the map: bright areas "
            "are worked; empty: everywhere",
            Bind<&EngraveSettings::texture, &TextureSettings::mask>()),
-      Number("texture_width", {"mm", 0.001, 10'000}, "20", "Width of a height image on the surface",
-             Bind<&EngraveSettings::texture, &TextureSettings::width_mm>()),
-      Number("texture_height", {"mm", 0.001, 1000}, "0.5",
-             "Height of the texture where its image is white",
-             Bind<&EngraveSettings::texture, &TextureSettings::height_mm>()),
-      Text("texture_pitch", "",
-           "Pitch at which an object used as the texture repeats: X,Y in mm; empty: its bounding "
-           "box",
-           Bind<&EngraveSettings::texture, &TextureSettings::pitch>()),
+      Needing({&needs::kImage},
+              Number("texture_width", {"mm", 0.001, 10'000}, "20",
+                     "Width of a height image on the surface",
+                     Bind<&EngraveSettings::texture, &TextureSettings::width_mm>())),
+      Needing({&needs::kImage},
+              Number("texture_height", {"mm", 0.001, 1000}, "0.5",
+                     "Height of the texture where its image is white",
+                     Bind<&EngraveSettings::texture, &TextureSettings::height_mm>())),
+      Needing({&needs::kNoImage}, Text("texture_pitch", "",
+                                       "Pitch at which an object used as the texture repeats: X,Y "
+                                       "in mm; empty: its bounding "
+                                       "box",
+                                       Bind<&EngraveSettings::texture, &TextureSettings::pitch>())),
       Number("texture_scale", {"", 0.001, 1000}, "1",
              "Scale of the texture in width and length; 1: as it is",
              Bind<&EngraveSettings::texture, &TextureSettings::scale>()),
@@ -138,36 +147,50 @@ std::vector<SettingSpec> MachineTable() {
        .choices = {Named("none", AxisLayout::kNone), Named("table-ab", AxisLayout::kTableAb),
                    Named("table-bc", AxisLayout::kTableBc), Named("head-ab", AxisLayout::kHeadAb),
                    Named("head-bc", AxisLayout::kHeadBc)},
-       .field = Bind<&EngraveSettings::machine, &EngraveMachineSettings::axes>()},
+       .field = Bind<&EngraveSettings::machine, &EngraveMachineSettings::axes>(),
+       .needs = {&needs::kProgram}},
       {.key = "tool",
        .kind = Kind::kChoice,
        .standard = "beam",
        .doc = "Tool of the machine: a beam, a spindle or an extruder",
        .choices = {Named("beam", ToolKind::kBeam), Named("spindle", ToolKind::kSpindle),
                    Named("extruder", ToolKind::kExtruder)},
-       .field = Bind<&EngraveSettings::machine, &EngraveMachineSettings::tool>()},
-      Text("centre", "",
-           "Point where the rotary axes of a table meet: X,Y,Z in mm; empty: the origin",
-           Bind<&EngraveSettings::machine, &EngraveMachineSettings::centre>()),
-      Number("pivot", {"mm", 0, 10'000}, "100",
-             "Distance from the rotary axes of a head to the tip of the tool",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::pivot_mm>()),
-      Number("tilt", {"degrees", 0, 180}, "110",
-             "Largest angle of the rotary axes A and B, in either direction",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::tilt_deg>()),
-      Number("steepest", {"degrees", 0, 90}, "60",
-             "Steepest slope of the surface that a machine without rotary axes may work, from "
-             "horizontal",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::steepest_deg>()),
-      Number("power", {"", 0, 1e6}, "1000",
-             "Value of S in the program: power of a beam, or revolutions per minute of a spindle",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::power>()),
-      Number("feed", {"mm/min", 0.1, 1e6}, "1200", "Speed of the tip over the surface",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::feed_mm_min>()),
-      Number("link_feed", {"mm/min", 0.1, 1e6}, "6000", "Speed of the tip between lines",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::link_mm_min>()),
-      Number("turn_feed", {"degrees/min", 0.1, 1e7}, "7200", "Largest speed of a rotary axis",
-             Bind<&EngraveSettings::machine, &EngraveMachineSettings::turn_deg_min>()),
+       .field = Bind<&EngraveSettings::machine, &EngraveMachineSettings::tool>(),
+       .needs = {&needs::kProgram}},
+      Needing({&needs::kProgram},
+              Text("centre", "",
+                   "Point where the rotary axes of a table meet: X,Y,Z in mm; empty: the origin",
+                   Bind<&EngraveSettings::machine, &EngraveMachineSettings::centre>())),
+      Needing({&needs::kProgram},
+              Number("pivot", {"mm", 0, 10'000}, "100",
+                     "Distance from the rotary axes of a head to the tip of the tool",
+                     Bind<&EngraveSettings::machine, &EngraveMachineSettings::pivot_mm>())),
+      Needing({&needs::kProgram},
+              Number("tilt", {"degrees", 0, 180}, "110",
+                     "Largest angle of the rotary axes A and B, in either direction",
+                     Bind<&EngraveSettings::machine, &EngraveMachineSettings::tilt_deg>())),
+      Needing(
+          {&needs::kProgram},
+          Number("steepest", {"degrees", 0, 90}, "60",
+                 "Steepest slope of the surface that a machine without rotary axes may work, from "
+                 "horizontal",
+                 Bind<&EngraveSettings::machine, &EngraveMachineSettings::steepest_deg>())),
+      Needing(
+          {&needs::kProgram},
+          Number(
+              "power", {"", 0, 1e6}, "1000",
+              "Value of S in the program: power of a beam, or revolutions per minute of a spindle",
+              Bind<&EngraveSettings::machine, &EngraveMachineSettings::power>())),
+      Needing({&needs::kProgram},
+              Number("feed", {"mm/min", 0.1, 1e6}, "1200", "Speed of the tip over the surface",
+                     Bind<&EngraveSettings::machine, &EngraveMachineSettings::feed_mm_min>())),
+      Needing({&needs::kProgram},
+              Number("link_feed", {"mm/min", 0.1, 1e6}, "6000", "Speed of the tip between lines",
+                     Bind<&EngraveSettings::machine, &EngraveMachineSettings::link_mm_min>())),
+      Needing(
+          {&needs::kProgram},
+          Number("turn_feed", {"degrees/min", 0.1, 1e7}, "7200", "Largest speed of a rotary axis",
+                 Bind<&EngraveSettings::machine, &EngraveMachineSettings::turn_deg_min>())),
       {.key = "output_format",
        .kind = Kind::kChoice,
        .standard = "csv",
@@ -178,10 +201,13 @@ std::vector<SettingSpec> MachineTable() {
                    Named("stl", EngraveFormat::kStl), Named("obj", EngraveFormat::kObj),
                    Named("png", EngraveFormat::kPng), Named("map_png", EngraveFormat::kMapPng)},
        .field = Bind<&EngraveSettings::format>()},
-      Number("displaced_edge", {"mm", 0.001, 1000}, "0.2",
-             "Longest triangle edge of the written textured surface (stl, obj); smaller: finer, "
-             "larger files",
-             Bind<&EngraveSettings::displaced_edge_mm>()),
+      Needing(
+          {&needs::kMesh},
+          Number(
+              "displaced_edge", {"mm", 0.001, 1000}, "0.2",
+              "Longest triangle edge of the written textured surface (stl, obj); smaller: finer, "
+              "larger files",
+              Bind<&EngraveSettings::displaced_edge_mm>())),
   };
 }
 

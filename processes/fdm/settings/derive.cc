@@ -226,10 +226,10 @@ std::vector<std::string> DeriveVase(SettingValues& draft) {
 
 absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
   if (auto note = TakeSequentialSkirt(draft)) {
-    result.no_effect.push_back(*note);
+    result.no_effect.push_back({*note});
     result.warnings.push_back(*std::move(note));
   }
-  for (std::string& note : DeriveVase(draft)) result.no_effect.push_back(std::move(note));
+  for (std::string& note : DeriveVase(draft)) result.no_effect.push_back({std::move(note)});
   TakePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
   DeriveWidths(draft);

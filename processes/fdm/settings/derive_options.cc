@@ -313,7 +313,8 @@ absl::Status DeriveOptions(const OptionSources& settling) {
   TakeInnerScarfs(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).region.infill); !ok.ok()) return ok;
-  if (auto note = TakeEveryLayers(settings)) settling.result.no_effect.push_back(*std::move(note));
+  if (auto note = TakeEveryLayers(settings))
+    settling.result.no_effect.push_back({*std::move(note)});
   return absl::OkStatus();
 }
 

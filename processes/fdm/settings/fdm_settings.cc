@@ -6,7 +6,7 @@
 #include "processes/fdm/settings/compatibility.h"
 #include "processes/fdm/settings/derive.h"
 #include "processes/fdm/settings/derive_options.h"
-#include "processes/fdm/settings/needs.h"
+#include "processes/fdm/settings/object_needs.h"
 #include "processes/fdm/settings/plate_settings.h"
 #include "processes/fdm/settings/plate_tool.h"
 #include "processes/fdm/settings/region_table.h"
@@ -34,7 +34,6 @@ class OfFdm : public ProcessSettings {
   std::vector<SettingSpec> Table() const override { return TableOf(kGroups); }
   /// Returns true if PrusaSlicer has the key; all its keys concern FDM.
   bool Knows(std::string_view key) const override { return FindKnownKey(key) != nullptr; }
-  std::vector<Need> Needs() const override { return fdm::Needs(); }
 
   std::span<const std::string_view> MachineKeys() const override { return kMachineKeys; }
 

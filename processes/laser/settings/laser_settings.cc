@@ -9,7 +9,6 @@
 #include "processes/laser/model/exposure_settings.h"
 #include "processes/laser/settings/check_settings.h"
 #include "processes/laser/settings/derive.h"
-#include "processes/laser/settings/needs.h"
 #include "processes/laser/settings/settings_exposure.h"
 
 namespace slicefarm::config::laser {
@@ -53,7 +52,6 @@ class LaserSettings : public ProcessSettings {
         {"exposure", ExposureTable}, {"layers", ThinLayers}, {"machine", PlateSettings}};
     return TableOf(kGroups);
   }
-  std::vector<Need> Needs() const override { return laser::Needs(); }
   absl::Status Derive(SettingValues& draft, ResolvedSettings& /*result*/) const override {
     return laser::Derive(draft);
   }

@@ -50,9 +50,9 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
   EXPECT_EQ(ExposureOf(resolved->settings).output.format, OutputFormat::kCliBinary);
   EXPECT_EQ(resolved->settings.object.layer_height_nm, 30'000);
   // Rings do not turn, there is no upskin, and a CLI file has no jumps.
-  EXPECT_THAT(resolved->no_effect,
-              ElementsAre(HasSubstr("hatch_rotation = 90: "), HasSubstr("upskin_power = 150: "),
-                          HasSubstr("jump_speed = 7000: ")));
+  EXPECT_THAT(TextsOf(resolved->no_effect),
+              ElementsAre(HasSubstr("hatch_rotation = 90: "), HasSubstr("jump_speed = 7000: "),
+                          HasSubstr("upskin_power = 150: ")));
 }
 
 // The default values in the table equal the default values of the options.
@@ -71,7 +71,7 @@ TEST(ResolveLaser, ReadsItsOwnEffectiveText) {
   ASSERT_TRUE(second.ok()) << second.status();
   EXPECT_EQ(second->settings, first->settings);
   EXPECT_EQ(second->effective_text, first->effective_text);
-  EXPECT_THAT(second->no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(second->no_effect), IsEmpty());
 }
 
 TEST(ResolveLaser, SettingsOfOtherProcessesAreRefused) {
@@ -90,15 +90,17 @@ TEST(ResolveLaser, SettingsOfOtherProcessesAreRefused) {
 TEST(ResolveLaser, ThoseOfAProfileAreTold) {
   const auto resolved = OfLaser({{"perimeters", "3"}}, Source::kProfile);
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect, ElementsAre("perimeters = 3: a setting of process fdm"));
+  EXPECT_THAT(TextsOf(resolved->no_effect),
+              ElementsAre("perimeters = 3: a setting of process fdm"));
 }
 
 TEST(ResolveLaser, TellsWhatHasNoEffect) {
   const auto resolved =
       OfLaser({{"scan_strategy", "hatch"}, {"stripe_width", "4"}, {"output_layer", "2"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect, ElementsAre("stripe_width = 4: needs scan_strategy = stripes",
-                                               "output_layer = 2: needs output_format = dxf"));
+  EXPECT_THAT(TextsOf(resolved->no_effect),
+              ElementsAre("output_layer = 2: needs output_format = dxf",
+                          "stripe_width = 4: needs scan_strategy = stripes"));
 }
 
 TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
@@ -148,7 +150,7 @@ TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
     SCOPED_TRACE(c.given.back().first);
     const auto resolved = OfLaser(c.given);
     ASSERT_TRUE(resolved.ok()) << resolved.status();
-    EXPECT_EQ(resolved->no_effect, c.notes);
+    EXPECT_EQ(TextsOf(resolved->no_effect), c.notes);
   }
 }
 
@@ -182,7 +184,7 @@ TEST(ResolveLaser, TemplatesAreCheckedBeforeAnyWork) {
   ASSERT_TRUE(fine.ok()) << fine.status();
   EXPECT_EQ(ExposureOf(fine->settings).output.start_gcode, "; [model_name]\nG28");
   EXPECT_EQ(ExposureOf(fine->settings).output.recoat_s, 9);
-  EXPECT_THAT(fine->no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(fine->no_effect), IsEmpty());
   for (const char* key : {"start_gcode", "before_layer_gcode", "layer_gcode", "end_gcode"}) {
     const ErrorDetail detail =
         DetailOf(OfLaser({{key, "G4\\n[extruded_volume]"}, {"output_format", "marlin"}}).status());

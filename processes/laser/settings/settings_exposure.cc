@@ -10,6 +10,7 @@
 #include "common/config/table/bind.h"
 #include "processes/laser/model/exposure_options.h"
 #include "processes/laser/model/exposure_settings.h"
+#include "processes/laser/settings/needs.h"
 
 namespace slicefarm::config {
 
@@ -93,7 +94,8 @@ std::vector<SettingSpec> ScanSettings() {
                    Named("optimal", DecomposeMethod::kOptimal),
                    Named("approximate", DecomposeMethod::kApproximate),
                    Named("ymonotone", DecomposeMethod::kYMonotone)},
-       .field = Bind<&ExposureOptions::decompose>()},
+       .field = Bind<&ExposureOptions::decompose>(),
+       .needs = {&needs::kRings}},
       {.key = "jump_order",
        .kind = Kind::kChoice,
        .standard = "nearest",
@@ -119,21 +121,24 @@ std::vector<SettingSpec> ScanSettings() {
        .max = 360,
        .standard = "45",
        .doc = "Direction of the hatch lines of the first layer, counter-clockwise from the x axis",
-       .field = Bind<&ExposureOptions::hatch_angle_deg>()},
+       .field = Bind<&ExposureOptions::hatch_angle_deg>(),
+       .needs = {&needs::kHatched}},
       {.key = "hatch_rotation",
        .unit = "degrees",
        .min = -360,
        .max = 360,
        .standard = "67",
        .doc = "Angle by which hatch lines turn from layer to layer",
-       .field = Bind<&ExposureOptions::layer_rotation_deg>()},
+       .field = Bind<&ExposureOptions::layer_rotation_deg>(),
+       .needs = {&needs::kHatched}},
       {.key = "gas_flow",
        .unit = "degrees",
        .min = -360,
        .max = 360,
        .standard = "0",
        .doc = "Direction in which the gas flows, counter-clockwise from the x axis",
-       .field = Bind<&ExposureOptions::gas_flow_deg>()},
+       .field = Bind<&ExposureOptions::gas_flow_deg>(),
+       .needs = {&needs::kGasDirection}},
       {.key = "gas_window",
        .unit = "degrees",
        .min = 0,
@@ -141,9 +146,11 @@ std::vector<SettingSpec> ScanSettings() {
        .standard = "0",
        .doc = "Largest angle to the gas flow, with it or against it, at which hatch lines are "
               "turned by 90 degrees (lines of islands by 45 degrees); 0: none are turned",
-       .field = Bind<&ExposureOptions::gas_window_deg>()},
-      Flag("alternate_hatch", "1", "Scan every second hatch line in the opposite direction",
-           Bind<&ExposureOptions::alternate_directions>()),
+       .field = Bind<&ExposureOptions::gas_window_deg>(),
+       .needs = {&needs::kHatched}},
+      Needing({&needs::kHatched},
+              Flag("alternate_hatch", "1", "Scan every second hatch line in the opposite direction",
+                   Bind<&ExposureOptions::alternate_directions>())),
       Length("minimum_vector", 10, "0",
              "Length below which hatch lines and rings are omitted; 0: none are",
              Bind<&ExposureOptions::minimum_vector_nm>()),
@@ -153,24 +160,31 @@ std::vector<SettingSpec> ScanSettings() {
        .max = 1000,
        .standard = "5",
        .doc = "Width of a stripe",
-       .field = Bind<&ExposureOptions::stripe_width_nm>()},
+       .field = Bind<&ExposureOptions::stripe_width_nm>(),
+       .needs = {&needs::kStripes}},
       {.key = "island_width",
        .unit = "mm",
        .min = 0.01,
        .max = 1000,
        .standard = "5",
        .doc = "Side length of an island",
-       .field = Bind<&ExposureOptions::island_width_nm>()},
-      Length("scan_overlap", 10, "0.1", "Overlap of neighbouring stripes or islands",
-             Bind<&ExposureOptions::overlap_nm>()),
-      Length("ring_overlap", 10, "0.02", "Overlap of the outermost rings of neighbouring pieces",
-             Bind<&ExposureOptions::ring_overlap_nm>()),
-      Flag("link_rings", "1", "Keep the laser on between the rings of a piece",
-           Bind<&ExposureOptions::link_rings>()),
-      Flag("ring_corners", "1",
-           "Extend rings into sharp corners of the ring around them, which a round spot would "
-           "leave unexposed",
-           Bind<&ExposureOptions::fill_corners>()),
+       .field = Bind<&ExposureOptions::island_width_nm>(),
+       .needs = {&needs::kIslands}},
+      Needing({&needs::kCells},
+              Length("scan_overlap", 10, "0.1", "Overlap of neighbouring stripes or islands",
+                     Bind<&ExposureOptions::overlap_nm>())),
+      Needing({&needs::kRings}, Length("ring_overlap", 10, "0.02",
+                                       "Overlap of the outermost rings of neighbouring pieces",
+                                       Bind<&ExposureOptions::ring_overlap_nm>())),
+      Needing({&needs::kRings},
+              Flag("link_rings", "1", "Keep the laser on between the rings of a piece",
+                   Bind<&ExposureOptions::link_rings>())),
+      Needing(
+          {&needs::kRings},
+          Flag("ring_corners", "1",
+               "Extend rings into sharp corners of the ring around them, which a round spot would "
+               "leave unexposed",
+               Bind<&ExposureOptions::fill_corners>())),
       Flag("shift_grids", "1",
            "Shift the lines and cells of hatch, stripes and islands from layer to layer",
            Bind<&ExposureOptions::shift_grids>()),
@@ -190,11 +204,15 @@ std::vector<SettingSpec> ScanSettings() {
        .max = 10,
        .standard = "0.08",
        .doc = "Distance between neighbouring contours, and from the innermost contour to rings",
-       .field = Bind<&ExposureOptions::contour_distance_nm>()},
-      Length("hatch_offset", 10, "0.04",
-             "Distance from the innermost contour to the ends of hatch lines; lines parallel to "
-             "the contour may be half a laser_spot closer to it",
-             Bind<&ExposureOptions::hatch_offset_nm>()),
+       .field = Bind<&ExposureOptions::contour_distance_nm>(),
+       .needs = {&needs::kSecondContour}},
+      Needing(
+          {&needs::kContoursOfHatch},
+          Length(
+              "hatch_offset", 10, "0.04",
+              "Distance from the innermost contour to the ends of hatch lines; lines parallel to "
+              "the contour may be half a laser_spot closer to it",
+              Bind<&ExposureOptions::hatch_offset_nm>())),
       {.key = "contour_start",
        .kind = Kind::kChoice,
        .standard = "scattered",
@@ -203,13 +221,18 @@ std::vector<SettingSpec> ScanSettings() {
               "corner",
        .choices = {Named("scattered", ContourStart::kScattered),
                    Named("nearest", ContourStart::kNearest), Named("rear", ContourStart::kRear)},
-       .field = Bind<&ExposureOptions::contour_start>()},
-      Length("contour_run", 10, "0",
-             "Length of the run-in before and the run-out after each contour and thin wall, with "
-             "the laser off; 0: none",
-             Bind<&ExposureOptions::contour_run_nm>()),
-      Flag("contours_first", "1", "Scan contours before the inside; 0: after it",
-           Bind<&ExposureOptions::contours_first>()),
+       .field = Bind<&ExposureOptions::contour_start>(),
+       .needs = {&needs::kContours}},
+      Needing(
+          {&needs::kContoursOrThinWalls},
+          Length(
+              "contour_run", 10, "0",
+              "Length of the run-in before and the run-out after each contour and thin wall, with "
+              "the laser off; 0: none",
+              Bind<&ExposureOptions::contour_run_nm>())),
+      Needing({&needs::kContours},
+              Flag("contours_first", "1", "Scan contours before the inside; 0: after it",
+                   Bind<&ExposureOptions::contours_first>())),
       Flag("thin_wall_exposure", "1",
            "Expose areas that are too thin for a contour, or for another line between contours, "
            "once along their middle",
@@ -222,37 +245,68 @@ std::vector<SettingSpec> ScanSettings() {
             "Number of layers below that must all support an area; other areas are downskin, with "
             "the downskin parameters. 0: no downskins",
             Bind<&ExposureOptions::downskin_layers>()),
-      Length("upskin_distance", 10, "0",
-             "Distance between neighbouring hatch lines and rings in upskins; 0: hatch_distance",
-             Bind<&ExposureOptions::upskin_distance_nm>()),
-      Length("downskin_distance", 10, "0",
-             "Distance between neighbouring hatch lines and rings in downskins; 0: hatch_distance",
-             Bind<&ExposureOptions::downskin_distance_nm>()),
+      Needing(
+          {&needs::kUpskins},
+          Length(
+              "upskin_distance", 10, "0",
+              "Distance between neighbouring hatch lines and rings in upskins; 0: hatch_distance",
+              Bind<&ExposureOptions::upskin_distance_nm>())),
+      Needing(
+          {&needs::kDownskins},
+          Length(
+              "downskin_distance", 10, "0",
+              "Distance between neighbouring hatch lines and rings in downskins; 0: hatch_distance",
+              Bind<&ExposureOptions::downskin_distance_nm>())),
       Count("z_compensation_layers", 100, "0",
             "Number of layers that the laser melts below the scanned one; areas with powder within "
             "this depth are not exposed. 0: no compensation",
             Bind<&ExposureOptions::z_compensation_layers>()),
-      Length("skin_overlap", 10, "0",
-             "Distance by which upskins and downskins extend into the rest of the area",
-             Bind<&ExposureOptions::skin_overlap_nm>()),
-      Length("skywriting", 10, "0",
-             "Length of the run-in before and the run-out after each hatch line, with the laser "
-             "off; 0: none",
-             Bind<&ExposureOptions::skywriting_nm>()),
+      Needing({&needs::kSkins},
+              Length("skin_overlap", 10, "0",
+                     "Distance by which upskins and downskins extend into the rest of the area",
+                     Bind<&ExposureOptions::skin_overlap_nm>())),
+      Needing(
+          {&needs::kHatched},
+          Length(
+              "skywriting", 10, "0",
+              "Length of the run-in before and the run-out after each hatch line, with the laser "
+              "off; 0: none",
+              Bind<&ExposureOptions::skywriting_nm>())),
       {.key = "jump_speed",
        .unit = "mm/s",
        .min = 1,
        .max = 1e5,
        .standard = "5000",
        .doc = "Speed of jumps with the laser off",
-       .field = Bind<&ExposureOptions::jump, &JumpOptions::speed_mm_s>()},
-      Delay("jump_delay", "Delay after a jump, until the mirrors have settled",
-            Bind<&ExposureOptions::jump, &JumpOptions::delay_us>()),
-      Delay("mark_delay", "Delay after each line, until the laser is off",
-            Bind<&ExposureOptions::jump, &JumpOptions::mark_delay_us>()),
-      Delay("polygon_delay", "Delay at each corner of a line",
-            Bind<&ExposureOptions::jump, &JumpOptions::polygon_delay_us>()),
+       .field = Bind<&ExposureOptions::jump, &JumpOptions::speed_mm_s>(),
+       .needs = {&needs::kJumpSpeedInFile}},
+      Needing({&needs::kDelaysInFile},
+              Delay("jump_delay", "Delay after a jump, until the mirrors have settled",
+                    Bind<&ExposureOptions::jump, &JumpOptions::delay_us>())),
+      Needing({&needs::kDelaysInFile},
+              Delay("mark_delay", "Delay after each line, until the laser is off",
+                    Bind<&ExposureOptions::jump, &JumpOptions::mark_delay_us>())),
+      Needing({&needs::kDelaysInFile},
+              Delay("polygon_delay", "Delay at each corner of a line",
+                    Bind<&ExposureOptions::jump, &JumpOptions::polygon_delay_us>())),
   };
+}
+
+/// Returns the requirements for vectors of the kind; none for hatch lines, which every job has.
+std::vector<const Need*> NeedsOf(ExposureKind kind) {
+  switch (kind) {
+    case ExposureKind::kContour:
+      return {&needs::kContours};
+    case ExposureKind::kUpskin:
+      return {&needs::kUpskins};
+    case ExposureKind::kDownskin:
+      return {&needs::kDownskins};
+    case ExposureKind::kThinWall:
+      return {&needs::kThinWalls};
+    case ExposureKind::kHatch:
+      break;
+  }
+  return {};
 }
 
 /// Appends the style settings of one kind of vector: keys `contour_power` and so on.
@@ -263,29 +317,35 @@ void AppendStyle(std::vector<SettingSpec>& all) {
   std::string prefix = words;
   for (char& c : prefix) c = c == ' ' ? '_' : c;
   const auto add = [&](std::string_view name, std::string_view unit, double min, double max,
-                       std::string_view standard, std::string_view doc, Field field) {
+                       std::string_view standard, std::string_view doc, Field field,
+                       const Need& file) {
+    std::vector<const Need*> needs = NeedsOf(kind);
+    needs.push_back(&file);
     all.push_back({.key = Kept(prefix + "_" + std::string(name)),
                    .unit = unit,
                    .min = min,
                    .max = max,
                    .standard = standard,
                    .doc = Kept(fmt::format("{} of {} vectors", doc, words)),
-                   .field = field});
+                   .field = field,
+                   .needs = std::move(needs)});
   };
   add("power", "W", 0, 1e5, "200", "Laser power",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::power_w>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::power_w>(), needs::kStylesInFile);
   add("speed", "mm/s", 0.1, 1e5, "800", "Speed",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::speed_mm_s>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::speed_mm_s>(), needs::kStylesInFile);
   add("focus", "mm", -100, 100, "0", "Focus height above the layer",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::focus_mm>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::focus_mm>(), needs::kStylesInFile);
   add("frequency", "kHz", 0, 1e5, "0", "Pulse frequency (0: continuous laser)",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::frequency_khz>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::frequency_khz>(), needs::kPulsesInFile);
   add("point_distance", "mm", 0, 10, "0", "Distance between exposure points (0: a continuous line)",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_distance_nm>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_distance_nm>(),
+      needs::kPulsesInFile);
   add("point_time", "us", 0, 1e6, "0", "Exposure time of each point",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_time_us>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_time_us>(), needs::kPulsesInFile);
   add("point_delay", "us", 0, 1e6, "0", "Delay between points",
-      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_delay_us>());
+      Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_delay_us>(),
+      needs::kPulsesInFile);
 }
 
 std::vector<SettingSpec> OutputSettings() {
@@ -301,31 +361,36 @@ std::vector<SettingSpec> OutputSettings() {
                    Named("grbl", OutputFormat::kGrbl), Named("marlin", OutputFormat::kMarlin),
                    Named("svg", OutputFormat::kSvg), Named("dxf", OutputFormat::kDxf)},
        .field = Bind<&ExposureOutput::format>()},
-      Count("output_layer", 1e6, "0", "Layer that a dxf file shows, counted from 0",
-            Bind<&ExposureOutput::layer>()),
+      Needing({&needs::kDxf},
+              Count("output_layer", 1e6, "0", "Layer that a dxf file shows, counted from 0",
+                    Bind<&ExposureOutput::layer>())),
       {.key = "cli_unit",
        .unit = "mm",
        .min = 1e-5,
        .max = 1,
        .standard = "0.001",
        .doc = "Length of one coordinate unit in a CLI file ($$UNITS)",
-       .field = Bind<&ExposureOutput::unit_mm>()},
+       .field = Bind<&ExposureOutput::unit_mm>(),
+       .needs = {&needs::kCli}},
       {.key = "laser_full_power",
        .unit = "W",
        .min = 0.001,
        .max = 1e5,
        .standard = "400",
        .doc = "Laser power at S = laser_full_s in G-code",
-       .field = Bind<&ExposureOutput::full_power_w>()},
+       .field = Bind<&ExposureOutput::full_power_w>(),
+       .needs = {&needs::kGcode}},
       {.key = "laser_full_s",
        .min = 1,
        .max = 1e6,
        .standard = "1000",
        .doc = "Value of S in G-code for laser_full_power ($30 of grbl)",
-       .field = Bind<&ExposureOutput::full_power_s>()},
-      Flag("laser_dynamic_power", "1",
-           "Scale the laser power with the head's speed (M4); 0: constant power (M3)",
-           Bind<&ExposureOutput::dynamic_power>()),
+       .field = Bind<&ExposureOutput::full_power_s>(),
+       .needs = {&needs::kGcode}},
+      Needing({&needs::kGcode},
+              Flag("laser_dynamic_power", "1",
+                   "Scale the laser power with the head's speed (M4); 0: constant power (M3)",
+                   Bind<&ExposureOutput::dynamic_power>())),
       {.key = "recoating_time",
        .unit = "s",
        .min = 0,
@@ -333,12 +398,15 @@ std::vector<SettingSpec> OutputSettings() {
        .standard = "0",
        .doc = "Duration of recoating before each layer, for the estimated time",
        .field = Bind<&ExposureOutput::recoat_s>()},
-      Gcode("start_gcode", "G-code before the first layer", Bind<&ExposureOutput::start_gcode>()),
-      Gcode("before_layer_gcode", "G-code before each layer's move in Z",
-            Bind<&ExposureOutput::before_layer_gcode>()),
-      Gcode("layer_gcode", "G-code after each layer's move in Z, such as for the recoater",
-            Bind<&ExposureOutput::layer_gcode>()),
-      Gcode("end_gcode", "G-code after the last layer", Bind<&ExposureOutput::end_gcode>()),
+      Needing({&needs::kGcode}, Gcode("start_gcode", "G-code before the first layer",
+                                      Bind<&ExposureOutput::start_gcode>())),
+      Needing({&needs::kGcode}, Gcode("before_layer_gcode", "G-code before each layer's move in Z",
+                                      Bind<&ExposureOutput::before_layer_gcode>())),
+      Needing({&needs::kGcode},
+              Gcode("layer_gcode", "G-code after each layer's move in Z, such as for the recoater",
+                    Bind<&ExposureOutput::layer_gcode>())),
+      Needing({&needs::kGcode}, Gcode("end_gcode", "G-code after the last layer",
+                                      Bind<&ExposureOutput::end_gcode>())),
   };
 }
 

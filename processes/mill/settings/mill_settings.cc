@@ -1,7 +1,6 @@
 #include "processes/mill/settings/mill_settings.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "common/config/table/shared_settings.h"
 #include "processes/mill/model/check_milling.h"
@@ -9,25 +8,6 @@
 
 namespace slicefarm::config::mill {
 namespace {
-
-bool Finishes(const JobRows& s) { return MillOf(s).how.finishing; }
-bool IsProgram(const JobRows& s) { return MillOf(s).format == MillFormat::kGcode; }
-
-constexpr Need kNeeds[] = {
-    {"finish_stepdown finish_stepover rest_angle finish_floor lead_in_radius", "finishing = 1",
-     Finishes},
-    {"helix_radius", "entry = helix",
-     [](const JobRows& s) { return MillOf(s).how.machining.entry == EntryKind::kHelix; }},
-    {"ramp_angle", "entry = helix or ramp",
-     [](const JobRows& s) { return MillOf(s).how.machining.entry != EntryKind::kPlunge; }},
-    {"stock_margin", "no stock (the stock is a box)",
-     [](const JobRows& s) { return MillOf(s).stock.empty(); }},
-    {"output_step", "output_format = svg", [](const JobRows& s) { return !IsProgram(s); }},
-    {"dialect arcs direction entry feed plunge_feed rapid spindle coolant tool_number "
-     "machine_max_acceleration_x machine_max_acceleration_y machine_max_acceleration_z jerk_limit "
-     "corner_feeds",
-     "output_format = gcode", IsProgram},
-};
 
 /// Returns the plate settings with defaults for milling. The table of a machine tool is larger than
 /// a printer's bed, and the height of the machine does not limit parts.
@@ -62,7 +42,6 @@ class OfMilling : public ProcessSettings {
     constexpr SettingGroup kGroups[] = {{"milling", MillTable}, {"machine", TableSettings}};
     return TableOf(kGroups);
   }
-  std::vector<Need> Needs() const override { return {std::begin(kNeeds), std::end(kNeeds)}; }
   absl::Status Derive(SettingValues& /*draft*/, ResolvedSettings& /*result*/) const override {
     return absl::OkStatus();
   }

@@ -44,7 +44,7 @@ TEST(ResolveMill, EverySettingReachesItsOption) {
   EXPECT_EQ(mill.stock, "blank.stl");
   EXPECT_EQ(mill.origin, MillOrigin::kStockTop);
   EXPECT_EQ(mill.dialect, MillDialect::kGrbl);
-  EXPECT_THAT(resolved->no_effect, IsEmpty());
+  EXPECT_THAT(TextsOf(resolved->no_effect), IsEmpty());
 }
 
 // The default values in the table equal the default values of the options.
@@ -100,9 +100,10 @@ TEST(ResolveMill, TellsWhatHasNoEffect) {
                                 {"helix_radius", "1"},
                                 {"output_step", "2"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect, ElementsAre("rest_angle = 30: needs finishing = 1",
-                                               "helix_radius = 1: needs entry = helix",
-                                               "output_step = 2: needs output_format = svg"));
+  EXPECT_THAT(TextsOf(resolved->no_effect),
+              ElementsAre("helix_radius = 1: needs entry = helix",
+                          "output_step = 2: needs output_format = svg",
+                          "rest_angle = 30: needs finishing = 1"));
 }
 
 }  // namespace

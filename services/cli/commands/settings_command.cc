@@ -42,6 +42,7 @@ nlohmann::ordered_json ToJson(const config::SettingSpec& spec) {
   }
   for (const config::Choice& choice : spec.choices)
     if (choice.note.empty()) json["choices"].push_back(std::string(choice.name));
+  for (const config::Need* need : spec.needs) json["needs"].push_back(std::string(need->what));
   return json;
 }
 

@@ -48,8 +48,7 @@ absl::StatusOr<config::ResolvedPlate> Resolve(const GivenPlate& given,
   auto plate =
       config::ResolvePlate(WithCreationTime(SettingsOf(given, settings)), given.objects, process);
   if (!plate.ok()) return plate;
-  plate->no_effect.insert(plate->no_effect.begin(), given.without_effect.begin(),
-                          given.without_effect.end());
+  config::PutInFront(given.without_effect, plate->no_effect);
   std::ranges::copy(given.warnings, std::back_inserter(plate->warnings));
   for (const config::MissingFeature& each : given.missing) {
     plate->missing.push_back(each);
@@ -86,7 +85,7 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
                           const config::ResolvedPlate& resolved) {
   if (!options.job.report.empty()) {
     const std::string json = coordinator::ReportJson(
-        output.report, {.settings_without_effect = resolved.no_effect,
+        output.report, {.settings_without_effect = config::TextsOf(resolved.no_effect),
                         .settings_digest = Sha256Hex(resolved.effective_text),
                         .build_id = std::string(BuildId())});
     if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
@@ -96,9 +95,9 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
 
 /// Returns the settings without effect that change the print. The user gets a warning about them.
 std::vector<std::string> ChangingPrint(const config::ResolvedPlate& plate) {
-  std::vector<std::string> notes;
-  std::ranges::copy_if(plate.no_effect, std::back_inserter(notes), [&](const std::string& note) {
-    return std::ranges::find(plate.warnings, note) != plate.warnings.end();
+  std::vector<std::string> notes = config::TextsOf(plate.no_effect);
+  std::erase_if(notes, [&](const std::string& note) {
+    return std::ranges::find(plate.warnings, note) == plate.warnings.end();
   });
   return notes;
 }

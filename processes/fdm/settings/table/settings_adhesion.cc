@@ -1,5 +1,6 @@
 #include "common/model/layers/job_plan.h"
 #include "common/model/limits.h"
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -24,7 +25,8 @@ std::vector<SettingSpec> Skirt() {
        .standard = "6",
        .doc = "Distance between the skirt and the objects with their brims",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::distance_nm>(),
-       .orca = {{"skirt_distance"}}},
+       .orca = {{"skirt_distance"}},
+       .needs = {&needs::kSkirt}},
       {.key = "skirt_height",
        .kind = Kind::kInteger,
        .unit = "layers",
@@ -33,7 +35,8 @@ std::vector<SettingSpec> Skirt() {
        .standard = "1",
        .doc = "Number of layers with a skirt",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::height_layers>(),
-       .orca = {{"skirt_height"}}},
+       .orca = {{"skirt_height"}},
+       .needs = {&needs::kSkirt}},
       {.key = "min_skirt_length",
        .unit = "mm",
        .min = 0,
@@ -42,7 +45,8 @@ std::vector<SettingSpec> Skirt() {
        .doc = "Least length of filament that the skirt uses on the first layer; loops are added "
               "until it is reached",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::min_length_nm>(),
-       .orca = {{"min_skirt_length"}}},
+       .orca = {{"min_skirt_length"}},
+       .needs = {&needs::kSkirt}},
       {.key = "draft_shield",
        .kind = Kind::kChoice,
        .standard = "disabled",
@@ -54,7 +58,8 @@ std::vector<SettingSpec> Skirt() {
                    {"0", shield(DraftShield::kDisabled)},
                    {"1", shield(DraftShield::kEnabled)}},
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::draft_shield>(),
-       .orca = {{"draft_shield"}}},
+       .orca = {{"draft_shield"}},
+       .needs = {&needs::kSkirt}},
   };
 }
 
@@ -98,7 +103,8 @@ std::vector<SettingSpec> Brim() {
        .standard = "0",
        .doc = "Width of the brim, or radius of brim ears; 0: no brim. Objects on a raft have none",
        .field = Bind<&ObjectRow::brim, &BrimOptions::width_nm>(),
-       .orca = {{"brim_width"}}},
+       .orca = {{"brim_width"}},
+       .needs = {&needs::kGivenBrimWidth, &needs::kBrim}},
       {.key = "brim_separation",
        .unit = "mm",
        .min = 0,
@@ -106,7 +112,8 @@ std::vector<SettingSpec> Brim() {
        .standard = "0",
        .doc = "Gap between an object and its brim",
        .field = Bind<&ObjectRow::brim, &BrimOptions::separation_nm>(),
-       .orca = {{"brim_object_gap"}}},
+       .orca = {{"brim_object_gap"}},
+       .needs = {&needs::kBrim}},
       {.key = "brim_ears_max_angle",
        .unit = "degrees",
        .min = 0,
@@ -114,7 +121,8 @@ std::vector<SettingSpec> Brim() {
        .standard = "125",
        .doc = "Inner angle below which a corner gets a brim ear (OrcaSlicer's setting)",
        .field = Bind<Scale::kDegrees, &ObjectRow::brim, &BrimOptions::ear_max_angle_rad>(),
-       .orca = {{"brim_ears_max_angle"}}},
+       .orca = {{"brim_ears_max_angle"}},
+       .needs = {&needs::kBrimEars}},
       {.key = "brim_ears_detection_length",
        .unit = "mm",
        .min = 0,
@@ -123,7 +131,8 @@ std::vector<SettingSpec> Brim() {
        .doc = "Tolerance by which an outline is simplified before its corners are searched for "
               "brim ears; larger: fewer ears (OrcaSlicer's setting)",
        .field = Bind<&ObjectRow::brim, &BrimOptions::ear_detection_nm>(),
-       .orca = {{"brim_ears_detection_length"}}},
+       .orca = {{"brim_ears_detection_length"}},
+       .needs = {&needs::kBrimEars}},
   };
 }
 
@@ -144,7 +153,8 @@ std::vector<SettingSpec> Raft() {
        .standard = "0.1",
        .doc = "Vertical gap between raft and object",
        .field = Bind<&ObjectRow::raft, &RaftOptions::heights, &RaftHeights::contact_distance_nm>(),
-       .orca = {{"raft_contact_distance"}}},
+       .orca = {{"raft_contact_distance"}},
+       .needs = {&needs::kRaft}},
       {.key = "raft_expansion",
        .unit = "mm",
        .min = 0,
@@ -152,7 +162,8 @@ std::vector<SettingSpec> Raft() {
        .standard = "1.5",
        .doc = "Distance by which the top of the raft extends beyond the object",
        .field = Bind<&ObjectRow::raft, &RaftOptions::expansion_nm>(),
-       .orca = {{"raft_expansion"}}},
+       .orca = {{"raft_expansion"}},
+       .needs = {&needs::kRaft}},
       {.key = "raft_first_layer_expansion",
        .unit = "mm",
        .min = 0,
@@ -161,7 +172,8 @@ std::vector<SettingSpec> Raft() {
        .doc = "Distance by which the first raft layer extends beyond the rest of the raft; without "
               "a raft, beyond the feet of organic supports",
        .field = Bind<&ObjectRow::raft, &RaftOptions::first_layer_expansion_nm>(),
-       .orca = {{"raft_first_layer_expansion", OrcaValue::kOrAuto}}},
+       .orca = {{"raft_first_layer_expansion", OrcaValue::kOrAuto}},
+       .needs = {&needs::kRaftOrTree}},
       {.key = "raft_first_layer_density",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -171,7 +183,8 @@ std::vector<SettingSpec> Raft() {
        .doc = "Density of the first raft layer",
        .field = Bind<Scale::kPercent, &ObjectRow::raft, &RaftOptions::lines,
                      &RaftLines::first_layer_density>(),
-       .orca = {{"raft_first_layer_density", OrcaValue::kPercent}}},
+       .orca = {{"raft_first_layer_density", OrcaValue::kPercent}},
+       .needs = {&needs::kRaftOrSupports}},
       {.key = "support_material_extrusion_width",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -192,7 +205,8 @@ std::vector<SettingSpec> Raft() {
        .doc = "Gap between lines of supports and of the raft base; larger: less material",
        .field = Bind<&ObjectRow::raft, &RaftOptions::lines, &RaftLines::spacing_nm>(),
        .also = Bind<&ObjectRow::support, &SupportOptions::spacing_nm>(),
-       .orca = {{"support_base_pattern_spacing"}}},
+       .orca = {{"support_base_pattern_spacing"}},
+       .needs = {&needs::kRaftOrSupports}},
       {.key = "support_material_angle",
        .unit = "degrees",
        .min = 0,
@@ -203,7 +217,8 @@ std::vector<SettingSpec> Raft() {
        .field =
            Bind<Scale::kDegrees, &ObjectRow::raft, &RaftOptions::lines, &RaftLines::angle_rad>(),
        .also = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::angle_rad>(),
-       .orca = {{"support_angle"}}},
+       .orca = {{"support_angle"}},
+       .needs = {&needs::kRaftOrSupports}},
   };
 }
 

@@ -1,3 +1,4 @@
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -87,13 +88,16 @@ std::vector<SettingSpec> Cooling() {
       Orca({"reduce_fan_stop_start_freq"},
            flag("fan_always_on", "0", "Keep the fan at min_fan_speed or above",
                 Bind<&ToolRow::cooling, &CoolingOptions::fan_always_on>())),
-      Orca({"fan_min_speed"}, whole("min_fan_speed", "%", 100, "35",
-                                    "Fan speed in layers that take nearly fan_below_layer_time",
-                                    Bind<&ToolRow::cooling, &CoolingOptions::min_fan_percent>())),
+      Orca({"fan_min_speed"},
+           Needing({&needs::kFan},
+                   whole("min_fan_speed", "%", 100, "35",
+                         "Fan speed in layers that take nearly fan_below_layer_time",
+                         Bind<&ToolRow::cooling, &CoolingOptions::min_fan_percent>()))),
       Orca({"fan_max_speed"},
-           whole("max_fan_speed", "%", 100, "100",
-                 "Fan speed in layers that take slowdown_below_layer_time or less",
-                 Bind<&ToolRow::cooling, &CoolingOptions::max_fan_percent>())),
+           Needing({&needs::kCooling},
+                   whole("max_fan_speed", "%", 100, "100",
+                         "Fan speed in layers that take slowdown_below_layer_time or less",
+                         Bind<&ToolRow::cooling, &CoolingOptions::max_fan_percent>()))),
       Orca({"overhang_fan_speed"},
            whole("bridge_fan_speed", "%", 100, "100", "Fan speed at bridges",
                  Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan_percent>())),
@@ -142,13 +146,18 @@ std::vector<SettingSpec> Cooling() {
       OverhangFan<3>("overhang_fan_speed_3",
                      "Fan speed at walls of which 75 % of the width rest on the layer below"),
       Orca({"fan_cooling_layer_time"},
-           whole("fan_below_layer_time", "s", 1000, "60",
-                 "Layer time below which the fan runs, faster the shorter the layer is",
-                 Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>())),
-      Orca({"slow_down_layer_time"},
-           whole("slowdown_below_layer_time", "s", 1000, "5",
-                 "Layer time below which printing is slowed down, until the layer takes this long",
-                 Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>())),
+           Needing({&needs::kCooling},
+                   whole("fan_below_layer_time", "s", 1000, "60",
+                         "Layer time below which the fan runs, faster the shorter the layer is",
+                         Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>()))),
+      Orca(
+          {"slow_down_layer_time"},
+          Needing(
+              {&needs::kCooling},
+              whole(
+                  "slowdown_below_layer_time", "s", 1000, "5",
+                  "Layer time below which printing is slowed down, until the layer takes this long",
+                  Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>()))),
       PerExtruder({.key = "cooling_slowdown_logic",
                    .kind = Kind::kChoice,
                    .standard = "uniform_cooling",
@@ -166,7 +175,8 @@ std::vector<SettingSpec> Cooling() {
                    .doc = "Length of extrusion before each outer wall that counts as part of the "
                           "wall, so that the flow is steady where the wall begins; for "
                           "cooling_slowdown_logic = consistent_surface",
-                   .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>()}),
+                   .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>(),
+                   .needs = {&needs::kConsistentSurface}}),
       PerExtruder({.key = "min_print_speed",
                    .unit = "mm/s",
                    .min = 0,
@@ -174,7 +184,8 @@ std::vector<SettingSpec> Cooling() {
                    .standard = "10",
                    .doc = "Lowest speed to which short layers are slowed down",
                    .field = Bind<&ToolRow::cooling, &CoolingOptions::min_print_speed_mm_s>(),
-                   .orca = {{"slow_down_min_speed"}}}),
+                   .orca = {{"slow_down_min_speed"}},
+                   .needs = {&needs::kCooling}}),
   };
 }
 

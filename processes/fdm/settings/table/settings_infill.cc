@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -47,7 +48,8 @@ std::vector<SettingSpec> IroningSettings() {
                    {"topmost", static_cast<int>(IroningType::kTopmost)},
                    {"solid", static_cast<int>(IroningType::kSolid)}},
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::type>(),
-       .orca = {{"ironing_type", OrcaValue::kChoice}}},
+       .orca = {{"ironing_type", OrcaValue::kChoice}},
+       .needs = {&needs::kIroning}},
       {.key = "ironing_flowrate",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -57,7 +59,8 @@ std::vector<SettingSpec> IroningSettings() {
        .doc = "Flow of ironing relative to the flow that would fill the layer",
        .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::ironing,
                      &IroningOptions::flow>(),
-       .orca = {{"ironing_flow", OrcaValue::kPercent}}},
+       .orca = {{"ironing_flow", OrcaValue::kPercent}},
+       .needs = {&needs::kIroning}},
       {.key = "ironing_spacing",
        .unit = "mm",
        .min = 0.01,
@@ -65,7 +68,8 @@ std::vector<SettingSpec> IroningSettings() {
        .standard = "0.1",
        .doc = "Distance between ironing lines",
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::spacing_nm>(),
-       .orca = {{"ironing_spacing"}}},
+       .orca = {{"ironing_spacing"}},
+       .needs = {&needs::kIroning}},
       {.key = "ironing_inset",
        .unit = "mm",
        .min = 0,
@@ -73,7 +77,8 @@ std::vector<SettingSpec> IroningSettings() {
        .standard = "0",
        .doc = "Distance of ironing from the edges of the part; 0: half of the nozzle diameter",
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::inset_nm>(),
-       .orca = {{"ironing_inset"}}},
+       .orca = {{"ironing_inset"}},
+       .needs = {&needs::kIroning}},
   };
 }
 
@@ -152,7 +157,8 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "20%",
        .doc = "Density of the sparse infill; 100%: solid",
        .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::density>(),
-       .orca = {{"sparse_infill_density", OrcaValue::kPercent}}},
+       .orca = {{"sparse_infill_density", OrcaValue::kPercent}},
+       .needs = {&needs::kNoDensityField}},
       {.key = "fill_pattern",
        .kind = Kind::kChoice,
        .standard = "grid",
@@ -162,7 +168,8 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Convert<RegionRow>(
            [](RegionRow& row, const Value& value) { SetPattern(row.infill, value); },
            [](const RegionRow& row) { return PatternOf(row.infill); }),
-       .orca = {{"sparse_infill_pattern", OrcaValue::kChoice}}},
+       .orca = {{"sparse_infill_pattern", OrcaValue::kChoice}},
+       .needs = {&needs::kNoStressField}},
       {.key = "infill_goal",
        .kind = Kind::kChoice,
        .standard = "strength",
@@ -170,7 +177,8 @@ std::vector<SettingSpec> InfillSettings() {
        .choices = {{"strength", static_cast<int>(FillGoal::kStrength)},
                    {"time", static_cast<int>(FillGoal::kTime)},
                    {"flexibility", static_cast<int>(FillGoal::kFlexibility)}},
-       .field = Bind<&RegionRow::infill, &InfillOptions::goal>()},
+       .field = Bind<&RegionRow::infill, &InfillOptions::goal>(),
+       .needs = {&needs::kAutoPattern}},
       Orca({"internal_solid_infill_pattern", OrcaValue::kChoice},
            SolidFill("solid_fill_pattern", "rectilinear",
                      "Pattern of solid infill inside the part, which is not visible",
@@ -242,7 +250,8 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "0",
        .doc = "Smoothing of the lines of fill_pattern = medialaxis: details shorter than about six "
               "times this length disappear; 0: none",
-       .field = Bind<&RegionRow::infill, &InfillOptions::smoothing_nm>()},
+       .field = Bind<&RegionRow::infill, &InfillOptions::smoothing_nm>(),
+       .needs = {&needs::kMedialAxis}},
       {.key = "solid_infill_every_layers",
        .kind = Kind::kInteger,
        .min = 0,
@@ -321,7 +330,8 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Largest height of combined infill; the nozzle diameter limits it as well",
        .relative_to = "nozzle_diameter",
        .own_scope = Scope::kRegion,
-       .orca = {{"infill_combination_max_layer_height"}}},
+       .orca = {{"infill_combination_max_layer_height"}},
+       .needs = {&needs::kCombinedByHeight}},
       {.key = "infill_every_layers",
        .kind = Kind::kInteger,
        .min = 1,
@@ -329,7 +339,8 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "1",
        .doc = "Number of layers that share one sparse infill, printed as a thicker line in the "
               "topmost of them; the nozzle diameter limits its height. 1: every layer has its own",
-       .field = Bind<&RegionRow::infill, &InfillOptions::every_layers>()},
+       .field = Bind<&RegionRow::infill, &InfillOptions::every_layers>(),
+       .needs = {&needs::kCombinedByNumber}},
       {.key = "interface_shells",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -351,7 +362,8 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Flow factor of a solid infill line by its length between two turns: "
               "LENGTH,FACTOR;..., lengths in mm, interpolated between them",
        .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow_table>(),
-       .orca = {{"small_area_infill_flow_compensation_model", OrcaValue::kPairs}}},
+       .orca = {{"small_area_infill_flow_compensation_model", OrcaValue::kPairs}},
+       .needs = {&needs::kSmallAreaFlow}},
       {.key = "infill_only_where_needed",
        .kind = Kind::kFlag,
        .standard = "0",

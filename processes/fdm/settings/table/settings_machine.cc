@@ -1,4 +1,5 @@
 #include "common/config/table/shared_settings.h"
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -28,10 +29,11 @@ std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
       Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
             Bind<&MachineRow::motion, &MachineMotion::limits,
                  &MachineLimits::max_acceleration_mm_s2, kAxis>()),
-      Limit(keys[2], "mm/s", 0, 100'000, standards[2],
-            "Largest instantaneous change of speed of this axis at corners (Marlin's classic jerk)",
-            Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s,
-                 kAxis>()),
+      Needing({&needs::kMarlin}, Limit(keys[2], "mm/s", 0, 100'000, standards[2],
+                                       "Largest instantaneous change of speed of this axis at "
+                                       "corners (Marlin's classic jerk)",
+                                       Bind<&MachineRow::motion, &MachineMotion::limits,
+                                            &MachineLimits::max_jerk_mm_s, kAxis>())),
   };
 }
 
@@ -52,21 +54,26 @@ std::vector<SettingSpec> WholeMachineLimits() {
                  "Acceleration limit of travels; 0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::max_acceleration_travel_mm_s2>())),
-      Orca({"machine_max_junction_deviation"},
-           Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
-                 "Junction deviation of Marlin; larger: faster through corners. 0: the firmware "
-                 "uses classic jerk",
-                 Bind<&MachineRow::motion, &MachineMotion::limits,
-                      &MachineLimits::junction_deviation_mm>())),
-      Limit("square_corner_velocity", "mm/s", 0, 1000, "5",
-            "Speed at a corner of 90 degrees (Klipper's square_corner_velocity)",
-            Bind<&MachineRow::motion, &MachineMotion::limits,
-                 &MachineLimits::square_corner_velocity_mm_s>()),
-      Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
-            "Smallest share of a short move that runs at constant speed (Klipper's "
-            "minimum_cruise_ratio); larger: lower top speed on short moves",
-            Bind<&MachineRow::motion, &MachineMotion::limits,
-                 &MachineLimits::minimum_cruise_ratio>()),
+      Orca(
+          {"machine_max_junction_deviation"},
+          Needing(
+              {&needs::kMarlin},
+              Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
+                    "Junction deviation of Marlin; larger: faster through corners. 0: the firmware "
+                    "uses classic jerk",
+                    Bind<&MachineRow::motion, &MachineMotion::limits,
+                         &MachineLimits::junction_deviation_mm>()))),
+      Needing({&needs::kKlipper},
+              Limit("square_corner_velocity", "mm/s", 0, 1000, "5",
+                    "Speed at a corner of 90 degrees (Klipper's square_corner_velocity)",
+                    Bind<&MachineRow::motion, &MachineMotion::limits,
+                         &MachineLimits::square_corner_velocity_mm_s>())),
+      Needing({&needs::kKlipper},
+              Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
+                    "Smallest share of a short move that runs at constant speed (Klipper's "
+                    "minimum_cruise_ratio); larger: lower top speed on short moves",
+                    Bind<&MachineRow::motion, &MachineMotion::limits,
+                         &MachineLimits::minimum_cruise_ratio>())),
       Orca({"machine_min_extruding_rate"}, Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0",
                                                  "Lowest speed of moves with extrusion",
                                                  Bind<&MachineRow::motion, &MachineMotion::limits,
@@ -266,10 +273,12 @@ std::vector<SettingSpec> CustomGcode() {
               "gcode_flavor = bambu after it",
        .orca = {{"time_lapse_gcode", OrcaValue::kGcode}}},
       Orca({"printing_by_object_gcode", OrcaValue::kGcode},
-           gcode("between_objects_gcode", "",
-                 "G-code between objects that are printed one after the other; runs high above "
-                 "them",
-                 Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>())),
+           Needing(
+               {&needs::kObjectByObject},
+               gcode("between_objects_gcode", "",
+                     "G-code between objects that are printed one after the other; runs high above "
+                     "them",
+                     Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()))),
   };
 }
 
@@ -311,7 +320,8 @@ std::vector<SettingSpec> Sequence() {
               "keep this distance",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_radius_nm>(),
-       .orca = {{"extruder_clearance_radius"}, {"extruder_clearance_max_radius"}}},
+       .orca = {{"extruder_clearance_radius"}, {"extruder_clearance_max_radius"}},
+       .needs = {&needs::kObjectByObject}},
       {.key = "extruder_clearance_height",
        .unit = "mm",
        .min = 0,
@@ -322,7 +332,8 @@ std::vector<SettingSpec> Sequence() {
               "(extruder_clearance_height_to_lid)",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_height_nm>(),
-       .orca = {{"extruder_clearance_height_to_rod"}}},
+       .orca = {{"extruder_clearance_height_to_rod"}},
+       .needs = {&needs::kObjectByObject}},
       {.key = "extruder_clearance_height_to_lid",
        .unit = "mm",
        .min = 0,
@@ -334,7 +345,8 @@ std::vector<SettingSpec> Sequence() {
               "whole bed",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::lid_height_nm>(),
-       .orca = {{"extruder_clearance_height_to_lid"}}},
+       .orca = {{"extruder_clearance_height_to_lid"}},
+       .needs = {&needs::kObjectByObject}},
       {.key = "extruder_clearance_dist_to_rod",
        .unit = "mm",
        .min = 0,
@@ -344,7 +356,8 @@ std::vector<SettingSpec> Sequence() {
               "extruder_clearance_height_to_lid",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::gantry_reach_nm>(),
-       .orca = {{"extruder_clearance_dist_to_rod"}}},
+       .orca = {{"extruder_clearance_dist_to_rod"}},
+       .needs = {&needs::kObjectByObject}},
       {.key = "nozzle_height",
        .unit = "mm",
        .min = 0,
@@ -355,7 +368,8 @@ std::vector<SettingSpec> Sequence() {
               "apart. Automatic arrangement always keeps extruder_clearance_radius",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::nozzle_height_nm>(),
-       .orca = {{"nozzle_height"}}},
+       .orca = {{"nozzle_height"}},
+       .needs = {&needs::kObjectByObject}},
   };
 }
 

@@ -1,3 +1,4 @@
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -29,7 +30,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .standard = "0",
        .doc = "Adapt the layer height to the shape instead of using layer_height: low layers where "
               "the surface is flat, high ones where it is steep, and flat faces met exactly",
-       .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::on>()},
+       .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::on>(),
+       .needs = {&needs::kNoHeightProfile}},
       {.key = "adaptive_layer_cusp",
        .unit = "mm",
        .min = 0.005,
@@ -37,13 +39,15 @@ std::vector<SettingSpec> SlicingSettings() {
        .standard = "0.1",
        .doc = "Highest step that adaptive layers may leave, measured perpendicular to the surface; "
               "smaller: finer layers",
-       .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::cusp_nm>()},
+       .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::cusp_nm>(),
+       .needs = {&needs::kAdaptiveLayers, &needs::kNoHeightProfile}},
       {.key = "adaptive_layer_ratio",
        .min = 1,
        .max = kMostHeightRatio,
        .standard = "1.5",
        .doc = "Largest ratio between the heights of neighbouring adaptive layers",
-       .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::max_ratio>()},
+       .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::max_ratio>(),
+       .needs = {&needs::kAdaptiveLayers, &needs::kNoHeightProfile}},
       {.key = "min_layer_height",
        .unit = "mm",
        .min = 0,

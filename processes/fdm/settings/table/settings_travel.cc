@@ -1,6 +1,7 @@
 #include <iterator>
 #include <utility>
 
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -21,7 +22,8 @@ void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_v
 
 void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
                    std::string_view filament_key, std::string_view unit, double max,
-                   std::string_view standard, std::string_view doc, Field field, double min = 0) {
+                   std::string_view standard, std::string_view doc, Field field,
+                   std::vector<const Need*> needs = {}, double min = 0) {
   AddRetraction(to,
                 {.key = key,
                  .unit = unit,
@@ -29,7 +31,8 @@ void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
                  .max = max,
                  .standard = standard,
                  .doc = doc,
-                 .field = field},
+                 .field = field,
+                 .needs = std::move(needs)},
                 filament_key);
 }
 
@@ -40,27 +43,33 @@ std::vector<SettingSpec> Retraction() {
                 Bind<&ToolRow::retraction, &RetractionOptions::length_mm>());
   AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
                 "Speed of retractions",
-                Bind<&ToolRow::retraction, &RetractionOptions::speed_mm_s>());
+                Bind<&ToolRow::retraction, &RetractionOptions::speed_mm_s>(),
+                {&needs::kRetractLength});
   AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
                 "Speed of pushing the filament back after a retraction; 0: retract_speed",
-                Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>());
+                Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>(),
+                {&needs::kRetractLength});
   AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
                 "Extra length of filament that is pushed after a retraction; negative: less is "
                 "pushed than was retracted",
                 Bind<&ToolRow::retraction, &RetractionOptions::restart_extra_mm>(),
-                /*min=*/-100);
+                {&needs::kRetractLength, &needs::kOwnRetraction}, /*min=*/-100);
   AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
                 "2", "Shortest travel that retracts; travels across outer walls always do",
-                Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>());
+                Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>(),
+                {&needs::kRetractLength});
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
                 "Height by which the nozzle is lifted for a travel (Z hop); 0: none",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>());
+                Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>(),
+                {&needs::kRetractLength, &needs::kStraightLift});
   AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
                 "Height above the bed below which the nozzle is not lifted",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>());
+                Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>(),
+                {&needs::kAnyLift});
   AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
                 "Height above the bed beyond which the nozzle is not lifted; 0: no upper limit",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>());
+                Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>(),
+                {&needs::kAnyLift});
   const auto after = [](LiftAfter a) { return static_cast<int>(a); };
   AddRetraction(
       settings,
@@ -87,18 +96,20 @@ std::vector<SettingSpec> Retraction() {
   AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
                 "Largest height by which the nozzle is lifted along a travel with "
                 "travel_ramping_lift; shorter travels lift less",
-                Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>());
+                Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>(),
+                {&needs::kRampingLift});
   AddRetraction(
       settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
       "Slope at which the nozzle is lifted along a travel, from horizontal; 0 and 90: straight up",
-      Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>());
+      Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>(), {&needs::kRampingLift});
   AddRetraction(settings,
                 {.key = "travel_lift_before_obstacle",
                  .kind = Kind::kFlag,
                  .standard = "0",
                  .doc = "Lift the nozzle more steeply if the travel would otherwise cross an edge "
                         "of the layer below before the nozzle is high enough",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>()},
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>(),
+                 .needs = {&needs::kRampingLift}},
                 "filament_travel_lift_before_obstacle");
   AddRetraction(
       settings,
@@ -108,7 +119,8 @@ std::vector<SettingSpec> Retraction() {
        .doc =
            "Move the nozzle along the printed line while it retracts, which leaves smaller blobs",
        .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>(),
-       .orca = {{"wipe"}}},
+       .orca = {{"wipe"}},
+       .needs = {&needs::kRetractLength}},
       "filament_wipe");
   AddRetraction(
       settings,
@@ -118,7 +130,8 @@ std::vector<SettingSpec> Retraction() {
        .doc = "Retract at each layer change, even if the travel is hidden inside the part. "
               "Labelled objects and custom G-code between layers always cause a retraction",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::retract_layer_change>(),
-       .orca = {{"retract_when_changing_layer"}}},
+       .orca = {{"retract_when_changing_layer"}},
+       .needs = {&needs::kHiddenTravels}},
       "filament_retract_layer_change");
   AddRetraction(
       settings,
@@ -129,7 +142,8 @@ std::vector<SettingSpec> Retraction() {
        .standard = "0%",
        .doc = "Share of retract_length that is retracted before the wipe begins",
        .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>(),
-       .orca = {{"retract_before_wipe"}}},
+       .orca = {{"retract_before_wipe"}},
+       .needs = {&needs::kWipe}},
       "filament_retract_before_wipe");
   AddRetraction(settings,
                 {.key = "wipe_distance",
@@ -139,7 +153,8 @@ std::vector<SettingSpec> Retraction() {
                  .standard = "0",
                  .doc = "Length of the move of wipe. Filament that retract_speed cannot retract "
                         "within it is retracted before it. 0: as long as the retraction takes",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>()},
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>(),
+                 .needs = {&needs::kWipe}},
                 "filament_wipe_distance");
   return settings;
 }
@@ -166,7 +181,8 @@ SettingSpec MaxDetour() {
               "crosses the wall. 0: no limit",
           .percent_of = "the straight travel",
           .field = Convert<MachineRow>(set, get),
-          .orca = {{"max_travel_detour_distance"}}};
+          .orca = {{"max_travel_detour_distance"}},
+          .needs = {&needs::kAvoidCrossing}};
 }
 
 std::vector<SettingSpec> Travels() {
@@ -185,7 +201,8 @@ std::vector<SettingSpec> Travels() {
        .standard = "30",
        .doc = "With only_retract_when_crossing_perimeters, travels inside the part retract all the "
               "same if they are at least this long; 0: they never retract",
-       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>()},
+       .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>(),
+       .needs = {&needs::kHiddenTravels}},
       {.key = "avoid_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -201,13 +218,15 @@ std::vector<SettingSpec> Travels() {
        .standard = "80%",
        .doc = "Speed of the move of wipe as a percentage of travel_speed",
        .field = Bind<Scale::kPercent, &MachineRow::motion, &MachineMotion::wipe_speed_ratio>(),
-       .orca = {{"wipe_speed", OrcaValue::kShareOf, "travel_speed"}}},
+       .orca = {{"wipe_speed", OrcaValue::kShareOf, "travel_speed"}},
+       .needs = {&needs::kWipe, &needs::kOwnWipeSpeed}},
       {.key = "role_based_wipe_speed",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Wipe at the speed of the line before it, at least 10 mm/s, instead of wipe_speed",
        .field = Bind<&MachineRow::motion, &MachineMotion::wipe_as_printed>(),
-       .orca = {{"role_based_wipe_speed"}}},
+       .orca = {{"role_based_wipe_speed"}},
+       .needs = {&needs::kWipe}},
       {.key = "avoid_crossing_curled_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",

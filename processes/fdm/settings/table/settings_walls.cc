@@ -1,3 +1,4 @@
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -130,7 +131,8 @@ std::vector<SettingSpec> FuzzySkins() {
        .standard = "0.3",
        .doc = "Largest distance by which points of a fuzzy skin move outwards or inwards",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_thickness_nm>(),
-       .orca = {{"fuzzy_skin_thickness"}}},
+       .orca = {{"fuzzy_skin_thickness"}},
+       .needs = {&needs::kFuzzySkin}},
       {.key = "fuzzy_skin_point_dist",
        .unit = "mm",
        .min = 0.01,
@@ -138,7 +140,8 @@ std::vector<SettingSpec> FuzzySkins() {
        .standard = "0.8",
        .doc = "Mean distance between the points of a fuzzy skin; smaller: finer",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_point_distance_nm>(),
-       .orca = {{"fuzzy_skin_point_distance"}}},
+       .orca = {{"fuzzy_skin_point_distance"}},
+       .needs = {&needs::kFuzzySkin}},
   };
 }
 

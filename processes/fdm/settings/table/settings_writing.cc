@@ -1,3 +1,4 @@
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
@@ -63,7 +64,8 @@ std::vector<SettingSpec> AtHeights() {
        .doc = "Actions at heights of the print: z in mm, type (color_change, pause, template, "
               "custom) and text (colour, message or G-code)",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::height_code>(),
-       .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}}},
+       .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}},
+       .needs = {&needs::kLayerByLayer}},
       gcode("color_change_gcode", "M600", "G-code of a colour change",
             Bind<&MachineRow::motion, &MachineMotion::writing,
                  &WritingOptions::color_change_gcode>()),

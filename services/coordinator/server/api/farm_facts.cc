@@ -58,6 +58,7 @@ v1::ListSettingsResponse::Info ToProto(const config::SettingSpec& spec) {
   info.set_scope(std::string(place.substr(place.find(' ') + 1)));
   for (const config::Choice& choice : spec.choices)
     if (choice.note.empty()) info.add_choices(std::string(choice.name));
+  for (const config::Need* need : spec.needs) info.add_needs(std::string(need->what));
   if (spec.min < spec.max) {
     info.set_min(spec.min);
     info.set_max(spec.max);

@@ -26,9 +26,10 @@ constexpr std::chrono::milliseconds kLastWritePause{200};
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
   JobReport& report = output.report;
   RunOutput run;
-  run.report_json = ReportJson(report, {.settings_without_effect = job.plate.no_effect,
-                                        .settings_digest = job.settings_digest,
-                                        .build_id = std::string(build_id)});
+  run.report_json =
+      ReportJson(report, {.settings_without_effect = config::TextsOf(job.plate.no_effect),
+                          .settings_digest = job.settings_digest,
+                          .build_id = std::string(build_id)});
   run.program = std::move(output.program);
   run.result.print_time_s = report.print_time_s;
   run.result.filament_mm = report.filament.length_mm;

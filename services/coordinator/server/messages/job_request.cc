@@ -127,7 +127,7 @@ std::string ActionText(const JobRequest& request, const config::ResolvedPlate& s
   ActionWriter(text).Add(request.scene);
   text += settings.effective_text;
   // The report lists these settings, so they belong to the result as well.
-  for (const std::string& line : settings.no_effect) {
+  for (const std::string& line : config::TextsOf(settings.no_effect)) {
     text += fmt::format("unused {}:{}\n", line.size(), line);
   }
   // The report also lists warnings that do not follow from the settings.
@@ -198,8 +198,7 @@ absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view buil
   auto settings =
       config::ResolvePlate(request.settings, request.scene.objects, request.process, cancel);
   if (!settings.ok()) return settings.status();
-  settings->no_effect.insert(settings->no_effect.begin(), request.without_effect.begin(),
-                             request.without_effect.end());
+  config::PutInFront(request.without_effect, settings->no_effect);
   std::ranges::copy(request.warnings, std::back_inserter(settings->warnings));
   for (const config::MissingFeature& each : request.missing) {
     settings->missing.push_back(each);

@@ -124,7 +124,7 @@ TEST(CheckRequest, WantsAnObject) {
 TEST(ResolveJob, ReportsWhatTheClientSaysHasNoEffect) {
   JobRequest request = SimpleRequest();
   request.without_effect = {"painted seams"};
-  EXPECT_EQ(ResolveJob(request, "b", "")->plate.no_effect.front(), "painted seams");
+  EXPECT_EQ(ResolveJob(request, "b", "")->plate.no_effect.front().text, "painted seams");
 }
 
 TEST(ResolveJob, SettingsOfTheJobAreRefusedForAnObject) {

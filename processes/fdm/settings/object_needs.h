@@ -1,14 +1,12 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "common/config/setting_need.h"
+#include "common/model/options/settings.h"
 #include "common/model/scene/scene.h"
 
 namespace slicefarm::config::fdm {
-
-/// Returns the conditions under which settings have an effect on FDM.
-std::vector<Need> Needs();
 
 /// Returns notes about settings of an object's parts and ranges that have no effect because other
 /// settings switch them off. See ProcessSettings::UnmetNeedsOf.

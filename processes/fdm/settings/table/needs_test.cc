@@ -1,4 +1,4 @@
-#include "processes/fdm/settings/needs.h"
+#include "processes/fdm/settings/table/needs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::vector<std::string> Notes(const std::vector<std::pair<std::string, std::str
   for (const auto& [key, value] : given) settings.push_back({key, value, source});
   const auto resolved = Resolve(settings, Process::kFdm);
   EXPECT_TRUE(resolved.ok()) << resolved.status();
-  return resolved.ok() ? resolved->no_effect : std::vector<std::string>{};
+  return resolved.ok() ? TextsOf(resolved->no_effect) : std::vector<std::string>{};
 }
 
 struct NeedCase {
