@@ -7,13 +7,13 @@
 
 namespace slicefarm::coordinator {
 
-/// Held job: a coordinator has claimed it, and the lease has not expired. It occupies a slot of
-/// this coordinator until it ends.
+/// Held job: a coordinator has claimed the job, and the claim's lease has not expired. The job
+/// occupies a slot of this coordinator until the job ends.
 struct HeldPlace {
   std::string tenant;
   std::string owner;  ///< name of the coordinator
   bool interactive = false;
-  int64_t start_us = 0;  ///< 0 if the job has not begun yet
+  int64_t start_us = 0;  ///< time at which the job began; 0 if it has not begun yet
 
   friend bool operator==(const HeldPlace&, const HeldPlace&) = default;
 };
@@ -39,8 +39,8 @@ struct TenantQueue {
 struct QueueSnapshot {
   /// Held jobs in the order in which they began; jobs that have not begun are last.
   std::vector<HeldPlace> held = {};
-  /// Action digests of the held jobs, except jobs that are to be cancelled. A waiting job with one
-  /// of these digests waits for the held job.
+  /// Action digests of the held jobs, except held jobs that are to be cancelled. A waiting job with
+  /// one of these digests has the same work as a held job, and waits for it.
   std::set<std::string> held_work = {};
   std::vector<TenantQueue> tenants = {};  ///< tenants with waiting jobs, sorted by name
   std::vector<int64_t> runs_us = {};      ///< run times of the latest jobs

@@ -19,7 +19,8 @@ class RateLimits {
 
  private:
   struct Bucket {
-    /// Content of the bucket, as the time in us in which it accumulates; may be negative.
+    /// Content of the bucket, as the time in us in which this content accumulates. Negative after a
+    /// Take of more units than the content.
     int64_t left_us = 0;
     int64_t at_us = 0;
   };

@@ -22,7 +22,7 @@ struct RemoteOptions {
   /// unreachable. The death of a machine or process is noticed earlier, because it breaks the
   /// connection.
   std::chrono::milliseconds deadline{300'000};
-  /// Number of outline points for which the deadline increases by `deadline`.
+  /// number of outline points for which a call gets one more `deadline` of time
   int64_t points_a_deadline = 15'000'000;
 
   /// Returns the deadline of one try for work with `points` outline points.
@@ -37,10 +37,13 @@ struct RemoteOptions {
 /// this process: out of memory, or cancelled.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
-/// Returns the outcome of a call that ended with `status`: LostCall if the call ended at its
-/// deadline or with its connection; BUILD_MISMATCH if the server does not have the method; else
-/// `status`. LostCall and BUILD_MISMATCH do not concern the input. A server without the method is
-/// an older build, but it can only report that the method is missing.
+/// Returns the outcome of a call that ended with `status`:
+/// - LostCall if the call ended at its deadline or with its connection;
+/// - BUILD_MISMATCH if the server does not have the method, because it is an older build, which
+///   cannot report this itself;
+/// - `status` in all other cases.
+///
+/// LostCall and BUILD_MISMATCH do not concern the input.
 absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
                        absl::Status status);
 

@@ -21,8 +21,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Converts a response to a model and stores it. The result is a vector with one model per message,
-/// or a single model.
+/// Function that converts a response to a model and adds it to the result. The result is a vector
+/// with one model per message, or a single model.
 struct TakeModel {
   template <typename Response, typename Model>
   absl::Status operator()(Response& response, std::vector<Model>& models) const {
@@ -36,7 +36,7 @@ struct TakeModel {
   }
 };
 
-/// Writes nothing after the start of a call.
+/// Function for calls without further requests: writes nothing after the first message.
 struct WriteNoMore {
   template <typename Stream>
   absl::Status operator()(Stream& /*stream*/) const {

@@ -30,9 +30,9 @@ struct WorkerPoolOptions {
 };
 
 /// Pool of the workers at the addresses of some names. A worker joins the runners when it has
-/// reported its build and its slots. It leaves when its address disappears or when it has not
-/// answered for a while. Interruptions of some seconds are allowed (Runner::await_ready). Workers
-/// of another build do not join.
+/// reported its build and its slots. It leaves when its address disappears, or when it does not
+/// answer a request within `greeting_patience`. Interruptions of some seconds are allowed
+/// (Runner::await_ready). Workers of another build do not join.
 ///
 /// The pool requests the info of all workers at regular intervals, because a restarted worker may
 /// have other slots or another build. BUILD_MISMATCH as the answer to a range also shows that a

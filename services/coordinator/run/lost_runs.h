@@ -38,8 +38,8 @@ class LostRuns {
  public:
   LostRuns() = default;
 
-  /// Creates the state of a claimed job. `calm_us`: calm time of the coordinator that has claimed
-  /// it.
+  /// Creates the state of a claimed job from its counts of lost and deadly runs. `calm_us`: calm
+  /// time of the coordinator that has claimed the job.
   LostRuns(const JobRecord& job, int64_t calm_us);
 
   /// Returns OK if a run may begin now. Errors: JOB_POISONED.

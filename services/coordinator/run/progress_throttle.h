@@ -11,7 +11,7 @@ class ProgressThrottle {
   /// not run backwards.
   bool Passes(const PipelineProgress& progress, double now_s);
 
-  /// Returns the last progress that was to be reported.
+  /// Returns the last progress for which Passes returned true.
   const PipelineProgress& told() const { return told_; }
 
  private:

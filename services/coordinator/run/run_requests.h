@@ -34,7 +34,7 @@ class RunRequests {
   bool lost() const { return lost_; }
   /// Returns true if the deadline has passed.
   bool Overdue(int64_t now_us) const { return now_us >= deadline_us_; }
-  /// Returns true if any of these four reasons requires the end of the run.
+  /// Returns true if the run must end: it is cancelled, handed back, lost or overdue.
   bool GivenUp(int64_t now_us) const {
     return cancelled_ || handed_back_ || lost_ || Overdue(now_us);
   }

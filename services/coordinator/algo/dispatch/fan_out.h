@@ -51,7 +51,7 @@ class FanOut {
     JobId job = 0;
     Ticket ticket = 0;  ///< ticket of the copy in the job's scheduler
     int32_t range = 0;
-    bool alone = false;  ///< true if the runner gets no other range meanwhile
+    bool alone = false;  ///< true if the runner gets no other range until this copy ends
   };
 
   /// Effect of a range's error on its job.
@@ -70,14 +70,15 @@ class FanOut {
   /// Removes the job. Later results of its ranges are ignored.
   void Remove(JobId job);
 
-  /// Returns the next range for a free slot of the runner; nullopt if there is none. `can`: the
-  /// processes that the runner supports, also in the next functions. REQUIRES: the runner can be
-  /// reached.
+  /// Returns the next range for a free slot of the runner; nullopt if there is none. In this
+  /// function and the next ones, `can` contains the processes that the runner supports. REQUIRES:
+  /// the runner can be reached.
   std::optional<Grant> Take(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
-  /// Returns true if Take would grant a queued or suspect range, or if a suspect range waits for
-  /// this runner to be reachable again. Each slot without work calls this function again whenever a
-  /// call returns, and from time to time if there are suspect ranges.
+  /// Returns true if Take would return a queued or a suspect range. Also returns true if a suspect
+  /// range waits until this runner can be reached again. Second copies of slow ranges are not
+  /// considered. A slot without work calls this function whenever a call of another slot ends, and
+  /// from time to time if there are suspect ranges.
   bool MayTake(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
   /// Records that the call of a grant has ended, no matter how. The job may have been removed.
@@ -128,8 +129,8 @@ class FanOut {
   JobId next_job_ = 1;
   int64_t next_turn_ = 1;
   double hedges_left_;
-  /// Counts of ranges. `requeued` and `hedged` contain only removed jobs, because the schedulers of
-  /// the other jobs have their own counts.
+  /// Counts of ranges. `requeued` and `hedged` count only ranges of removed jobs; the scheduler of
+  /// each other job has its own counts.
   DispatchCounts counts_;
 };
 

@@ -25,12 +25,12 @@ struct RunnerAtWork {
   std::vector<TaskAtWork> tasks;
 };
 
-/// Wraps the runners of another set and records each of their calls, so that the current tasks of
-/// each runner are known. Writes the time and the outcome of each task to the span log of the job.
-/// Each call gets a span of its own in the job's trace. Thread-safe.
+/// Adds runners to another RunnerSet and records each call that they get, so that the current tasks
+/// of each runner are known. Writes the time and the outcome of each task to the span log of its
+/// job. Each call gets a span of its own in the job's trace. Thread-safe.
 class Fleet : public RunnerSet {
  public:
-  /// Adds all runners to `runners`, which must outlive this object.
+  /// Creates a fleet that adds all its runners to `runners`, which must outlive this object.
   explicit Fleet(RunnerSet& runners) : runners_(runners) {}
 
   RunnerId Join(Runner runner) override;

@@ -13,23 +13,25 @@ namespace slicefarm::coordinator {
 
 /// Limits for failing and slow ranges.
 struct SchedulerOptions {
-  /// Failed tries of a range after which the job fails, if they were on `poison_runners` runners.
+  /// Number of failed tries of a range after which the job fails. Applies only if the range has
+  /// failed on `poison_runners` different runners.
   int poison_tries = 3;
-  /// `poison_tries` applies only if the range has failed on at least this many different runners.
+  /// Smallest number of different runners on which the range must have failed for `poison_tries`.
   int poison_runners = 2;
-  int refused_tries = 3;  ///< refusals of a range after which the job fails
+  int refused_tries = 3;  ///< number of refusals of a range (see Refused) after which the job fails
   /// Failed tries of a range after which the job fails, even if all of them were on one runner.
   int max_tries = 10;
-  /// Time that a suspect range waits for the runner that died of it, in seconds. After this time,
-  /// any runner may get the range.
+  /// Longest wait of a suspect range for a runner that should get it first (see NextSuspect), in
+  /// seconds. After this time, any idle runner may get the range.
   double elsewhere_after_s = 2;
-  /// Shortest running time of a slow range, in seconds. `hedge_after_ratio` applies as well.
+  /// Time in seconds after which a running range counts as slow, if it has also exceeded
+  /// `hedge_after_ratio`.
   double hedge_after_s = 1;
-  /// Smallest running time of a slow range, as a multiple of the time of the slowest finished
-  /// range.
+  /// Multiple of the slowest finished range's time after which a running range counts as slow, if
+  /// it has also exceeded `hedge_after_s`.
   double hedge_after_ratio = 2;
-  double hedge_share = 0.05;  ///< number of second copies allowed per finished range
-  /// Largest number of allowed copies that may accumulate; also the number at the start.
+  double hedge_share = 0.05;  ///< number of second copies that each finished range allows
+  /// Largest number of allowed second copies that may accumulate; also their number at the start.
   double hedge_burst = 16;
 };
 
@@ -86,9 +88,10 @@ class RangeScheduler {
   /// Returns true if NextSuspect would grant a range.
   bool MayTakeSuspect(RunnerId runner, double now_s);
 
-  /// Starts a second copy of a slow range on `runner`: of the range that has run longest on another
-  /// runner. Returns nullopt if there is none. Skips ranges that have failed too often. REQUIRES:
-  /// Queued() == 0.
+  /// Starts a second copy of a slow range on `runner`. Chooses the range that has run longest on
+  /// another runner. Returns nullopt if no range is slow. Skips ranges that have reached the limit
+  /// of failed tries, because their last running copy decides about the job. REQUIRES: Queued() ==
+  /// 0.
   std::optional<Grant> Hedge(RunnerId runner, double now_s);
 
   /// Records a result. Late results from runners that left count as well, because a range's result

@@ -36,7 +36,8 @@ class RunnerLoads {
   bool IsTaken(RunnerId runner) const { return lone_ && lone_->first == runner; }
   /// Returns true if a task runs alone on any runner.
   bool AnyAlone() const { return lone_.has_value(); }
-  /// Returns true if the runner may get a task that must run alone.
+  /// Returns true if the runner may get a task that must run alone: the runner has no call, and no
+  /// runner has a task that runs alone.
   bool MayTakeAlone(RunnerId runner) const {
     const auto found = calls_.find(runner);
     return !lone_ && (found == calls_.end() || found->second.empty());

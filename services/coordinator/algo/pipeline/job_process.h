@@ -68,8 +68,8 @@ struct JobOutput {
   JobReport report;
 };
 
-/// Job between the stages that need the whole job and the tasks. Owns the data to which the tasks
-/// point.
+/// Job after the stages that need the whole job have run, and before its tasks run. Owns the data
+/// to which the tasks point.
 class PlannedJob {
  public:
   virtual ~PlannedJob() = default;

@@ -23,9 +23,9 @@ class FullQueues {
   /// largest number of open jobs of the tenant.
   void Note(const std::string& tenant, const absl::Status& created, int64_t max_open);
 
-  /// Returns the last refusal of the tenant; OK if its queue was not full. A refusal is valid for
-  /// at most one second, and ends when a job is accepted again. If the queue is so short that it
-  /// might be empty before, the refusal is valid for a shorter time.
+  /// Returns the last refusal of the tenant if it is still valid, otherwise OK. A refusal is valid
+  /// for at most one second, and ends when a job is accepted again. If the queue is so short that
+  /// it might be empty earlier, the refusal is valid for a shorter time.
   absl::Status Check(const std::string& tenant);
 
  private:

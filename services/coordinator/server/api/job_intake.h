@@ -23,7 +23,8 @@ namespace slicefarm::coordinator {
 /// Request for a job, with its tenant and the limits of the tenant.
 struct Submission {
   std::string tenant = {};
-  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< limit of the tenant, like the next two
+  /// largest number of open jobs; like the next two, a limit of the tenant
+  int64_t max_open_jobs = limits::kMaxOpenJobs;
   int64_t max_kept_jobs = INT64_MAX;
   int64_t max_kept_bytes = INT64_MAX;
   std::string request_id;  ///< already checked

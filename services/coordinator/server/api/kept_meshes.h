@@ -23,9 +23,10 @@ absl::StatusOr<v1::ListMeshesResponse> MeshesAfter(BlobStore& blobs, JobStore& j
 absl::StatusOr<bool> DeleteUnlessUsed(BlobStore& blobs, JobStore& jobs, const std::string& tenant,
                                       const std::string& digest);
 
-/// Removes the specs of all plates of a project except one, because each spec may have a MiB.
-/// `plate`: number of this plate; 0: the project's only plate. Errors: REQUEST_MALFORMED if the
-/// project has no such plate; REQUEST_TOO_LARGE if the spec is too large for a job.
+/// Returns the project without the specs of all plates except one, because each spec may have a
+/// MiB. `plate`: number of the plate that keeps its spec; 0: the project's only plate. Errors:
+/// REQUEST_MALFORMED if the project has no such plate; REQUEST_TOO_LARGE if the spec is too large
+/// for a job.
 absl::StatusOr<v1::ReadProjectResponse> WithSpecOf(int32_t plate, v1::ReadProjectResponse project);
 
 }  // namespace slicefarm::coordinator

@@ -28,8 +28,8 @@ class TenantBudgets {
   /// Checks that the tenant may store `more` further jobs. `most`: limit of the tenant. Errors:
   /// DISK_LOW, with `budget`, `limit`, `got` and the time after which to retry; see JobStore.
   absl::Status CheckJobs(const std::string& tenant, int64_t most, int64_t more);
-  /// Checks that the tenant may store `more` further bytes. Errors: as in CheckJobs, and of
-  /// BlobStore.
+  /// Checks that the tenant may store `more` further bytes. `most`: limit of the tenant. Errors: as
+  /// in CheckJobs; see BlobStore.
   absl::Status CheckBytes(const std::string& tenant, int64_t most, int64_t more);
 
  private:

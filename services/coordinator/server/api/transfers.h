@@ -19,8 +19,9 @@ struct TransferOptions {
   rpc::StreamTimes times = {};
 };
 
-/// Limits calls that occupy a server thread for as long as their client takes. Limits their number,
-/// and ends calls without progress. Thread-safe.
+/// Limits calls that occupy a server thread for as long as their client sends or receives. Limits
+/// the number of these calls, and cuts off calls that are slower than the options allow.
+/// Thread-safe.
 class Transfers {
  public:
   /// Function that must be called for each message, with its number of bytes.

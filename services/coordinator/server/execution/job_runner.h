@@ -86,7 +86,8 @@ class JobRunner {
   int64_t calm_since_us_ = 0;  ///< start of this process, or time of the last lost lease
   bool unanswered_ = false;    ///< true if the last renewal failed or has no answer yet
   int at_work_ = 0;            ///< threads that claim or run a job
-  int at_any_ = 0;             ///< running jobs in slots of kind kAny
+  /// number of running jobs that are neither guests nor in the slot for interactive jobs
+  int at_any_ = 0;
   bool draining_ = false;
   bool stopping_ = false;
   int64_t wakes_ = 0;

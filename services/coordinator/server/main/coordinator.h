@@ -57,7 +57,8 @@ struct CoordinatorOptions {
 /// Stages that the coordinator calls itself, at least slicing. The executor calls the stages of
 /// tasks. They must outlive the coordinator.
 struct JobStages {
-  Stages stages;  ///< the coordinator supports each process with all its stages in this set
+  /// stages; the coordinator supports each process that has all its stages in this set
+  Stages stages;
   const ArrangingStage& arranging;
   const ProjectReader& projects;
 };

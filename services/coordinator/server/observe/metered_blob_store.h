@@ -15,9 +15,9 @@
 namespace slicefarm::coordinator {
 
 /// Blob stores that count their content and their writes, over all tenants:
-///   slicefarm_blob_bytes, slicefarm_blobs       content at the last complete listing of each
-///   store; slicefarm_blob_written_bytes_total          bytes of uploads and results;
-///   slicefarm_blob_corrupt_total                blobs that were found damaged.
+///   slicefarm_blob_bytes, slicefarm_blobs   content at the last complete listing of each store;
+///   slicefarm_blob_written_bytes_total      bytes of uploads and results;
+///   slicefarm_blob_corrupt_total            blobs that were found damaged.
 class MeteredBlobStores : public BlobStores {
  public:
   /// Wraps `stores`. `stores` and `registry` must outlive this object and the stores that it

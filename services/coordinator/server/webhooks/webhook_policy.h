@@ -13,8 +13,8 @@ namespace slicefarm::coordinator {
 
 /// Allowed URLs of a tenant's webhooks, and the secrets with which their messages are signed.
 struct WebhookRules {
-  /// URL prefixes. A webhook must have the scheme, host and port of one of them, and its path or a
-  /// path below.
+  /// URL prefixes. The URL of a webhook must have the scheme, host and port of one prefix. Its path
+  /// must be the prefix's path or a path below it.
   std::vector<std::string> allow;
   /// Secrets of the HMACs: one, or the new and the old one during a replacement.
   std::vector<std::string> secrets;
@@ -24,9 +24,9 @@ struct WebhookRules {
 /// Rules for the webhooks of a farm, by tenant. The name "" is for a farm without tenants.
 class WebhookPolicy {
  public:
-  /// Reads the JSON: `{"TENANT": {"allow": ["https://host/path"], "secret": "...", "private":
-  /// false}}`, or `"secrets": ["NEW", "OLD"]` instead of `secret`. Errors: InvalidArgument with the
-  /// key.
+  /// Reads the JSON `{"TENANT": {"allow": ["https://host/path"], "secret": "...", "private":
+  /// false}}`. `"secrets": ["NEW", "OLD"]` may replace `secret`. Errors: InvalidArgument with the
+  /// faulty key.
   static absl::StatusOr<WebhookPolicy> Parse(std::string_view json);
 
   /// Checks that the tenant's webhooks may use the URL. Errors: REQUEST_TOO_LARGE; WEBHOOK_REFUSED

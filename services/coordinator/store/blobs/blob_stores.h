@@ -10,10 +10,10 @@
 
 namespace slicefarm::coordinator {
 
-/// Blob stores of all tenants, one store per tenant. If two tenants have the same bytes, they are
-/// stored twice. Otherwise a tenant could learn about another tenant's data from an answer, from
-/// the time that the answer takes, or from how long a blob stays; and it could damage or finish
-/// another tenant's upload. Thread-safe.
+/// Blob stores of all tenants, one store per tenant. If two tenants have the same bytes, the bytes
+/// are stored twice. If they were stored once, a tenant could learn about another tenant's data:
+/// from an answer, from the time that the answer takes, or from the time for which a blob stays. A
+/// tenant could also damage or finish another tenant's upload. Thread-safe.
 class BlobStores {
  public:
   virtual ~BlobStores() = default;

@@ -16,15 +16,15 @@ namespace slicefarm::coordinator {
 
 /// Blob store in a local directory:
 ///
-///   blobs/ab/abcd...   complete blobs; written elsewhere, fsynced and renamed, then the folder is
-///                      fsynced;
+///   blobs/ab/abcd...   complete blobs; written in uploads/ or tmp/, fsynced and renamed, then the
+///                      folder is fsynced;
 ///   uploads/abcd...    incomplete uploads;
 ///   tmp/               files that Put is writing; emptied at the start;
 ///   corrupt/abcd...    blobs with changed bytes, moved so that a new upload can use the name.
 class DirectoryBlobStore : public BlobStore {
  public:
   /// Opens the store in a directory, which is created if it does not exist. REQUIRES: no other
-  /// process uses it.
+  /// process uses the directory.
   static absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> OpenAt(const std::string& root);
 
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override;

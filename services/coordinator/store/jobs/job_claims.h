@@ -51,9 +51,9 @@ struct ClaimTry {
 /// the work of several jobs could deadlock with each other.
 absl::StatusOr<ClaimTry> TakeFirst(SqlConnection& db, const Queue& queue,
                                    const ClaimRequest& request);
-/// Claims the first job that the tenants of the queue have now, in case the first job of the queue
-/// is not free any more. Skips jobs that another transaction is writing. Runs in its own
-/// transaction, like TakeFirst.
+/// Claims the first job that the tenants of the queue have now. To be called if another coordinator
+/// has taken the first job of the queue. Skips jobs that another transaction is writing. Runs in
+/// its own transaction, like TakeFirst.
 absl::StatusOr<ClaimTry> TakeNext(SqlConnection& db, const Queue& queue,
                                   const ClaimRequest& request);
 

@@ -180,10 +180,12 @@ class JobStore {
   /// Returns a page of a list of jobs.
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
-  /// Gives an open job that no coordinator holds to `owner` until `until_us`; nullopt if there is
-  /// none. Skips jobs that `filter` excludes. Also skips a job with the same action_digest as a
-  /// held job, so that the same work is done only once; except if the held job is to be cancelled,
-  /// or the skipped job itself, which then ends at once.
+  /// Gives an open job that no coordinator holds to `owner` until `until_us`. Returns nullopt if
+  /// there is none. Skips jobs that `filter` excludes.
+  ///
+  /// Skips a job with the same action_digest as a held job, so that the same work is done only
+  /// once. Exception: if one of the two jobs is to be cancelled, the other job does not have to
+  /// wait for it.
   ///
   /// Tenants take turns; tenants with fewer held jobs come first. Of a tenant's jobs, higher
   /// priorities come first, then earlier deadlines, then older jobs. Errors: DATA_LOSS if the
@@ -206,10 +208,10 @@ class JobStore {
   virtual absl::StatusOr<bool> Adopt(const Lease& lease, const JobIdentity& identity,
                                      int64_t now_us) = 0;
 
-  /// Extends these leases at least to `until_us`, and returns the jobs that are still held. Each
-  /// lease is renewed separately, not all leases of an owner. So the lease of a job that its owner
-  /// has given up expires, and the job is claimed again. Never shortens a lease, so a late renewal
-  /// does no harm.
+  /// Extends these leases at least to `until_us`, and returns the jobs that are still held. Renews
+  /// the given leases only, not all leases of an owner. So the lease of a job that its owner has
+  /// given up expires, and the job is claimed again. Never shortens a lease, so a late renewal does
+  /// no harm.
   virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 
@@ -258,8 +260,8 @@ class JobStore {
 
   /// Returns at most `limit` events of the tenant's jobs after the position `after`, in the order
   /// of TenantEvent::place. An event may appear in the store after events with later times, because
-  /// its time is taken before it is written. Cost: reads the events of all tenants from this time
-  /// on.
+  /// its time is taken before it is written. Cost: reads all tenants' events from the time of
+  /// `after` on.
   virtual absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
                                                             const EventPlace& after,
                                                             int32_t limit) = 0;
@@ -290,13 +292,13 @@ class JobStore {
   /// reads the index of open jobs, and the last kLatestRuns ended jobs.
   virtual absl::StatusOr<QueueSnapshot> ReadQueue(int64_t now_us) = 0;
 
-  /// Returns the digests that are inputs, results or traces of jobs, of the given digests of the
-  /// tenant's blobs. Cost: one statement.
+  /// Returns the subset of `digests` that are inputs, results or traces of jobs of the tenant.
+  /// Cost: one statement.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
 
-  /// Returns the digests that are results or traces of jobs, of the given digests of the tenant's
-  /// blobs.
+  /// Returns the subset of `digests` that are results or traces of jobs. `digests`: names of blobs
+  /// of the tenant.
   virtual absl::StatusOr<std::set<std::string>> Artifacts(const std::string& tenant,
                                                           const std::set<std::string>& digests) = 0;
 

@@ -51,8 +51,9 @@ class ProfileStore {
   virtual absl::Status Delete(const std::string& tenant, const std::string& name, int64_t revision,
                               int64_t now_us) = 0;
 
-  /// Removes revisions that already had kKeptRevisions newer ones at `before_us`, and the marks of
-  /// revisions that were deleted before. Returns the number of removed rows.
+  /// Removes each revision that at the time `before_us` already had kKeptRevisions newer revisions.
+  /// Also removes the rows that mark revisions deleted before this time. Returns the number of
+  /// removed rows.
   virtual absl::StatusOr<int64_t> Expire(int64_t before_us) = 0;
 
   static constexpr int64_t kKeptRevisions = 10;

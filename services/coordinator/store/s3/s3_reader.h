@@ -32,7 +32,8 @@ class S3Reader : public BlobReader {
 /// like an unreachable server, because access may be granted again.
 absl::Status BucketAway(const absl::Status& status);
 
-/// Reads a blob of the staging store. If the blob moves into the bucket meanwhile, continues there.
+/// Reads a blob of the staging store. If the blob is moved into the bucket during the reads,
+/// continues with the object in the bucket.
 class MovingReader : public BlobReader {
  public:
   MovingReader(std::unique_ptr<BlobReader> reader, std::string digest,

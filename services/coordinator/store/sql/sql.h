@@ -19,10 +19,12 @@ struct SqlDialect {
   std::string_view for_update;  ///< ends a SELECT: locks the rows, which the transaction will write
   /// Like for_update, but skips rows that another transaction has locked.
   std::string_view skip_locked;
-  /// Locks a tenant until the transaction ends. Empty if only one transaction at a time can write.
+  /// Statement that locks a tenant until the transaction ends. Empty if only one transaction at a
+  /// time can write.
   std::string_view lock_tenant;
   std::string_view lock_work;  ///< like lock_tenant, but locks an action digest
-  /// Notifies other coordinators of a change of a job. Empty if there are none.
+  /// Statement that notifies other coordinators of a change of a job. Empty if the database cannot
+  /// be shared.
   std::string_view notify;
   /// Expression for the spec of the selected row of `jobs`. The spec may be in another table.
   std::string_view spec;
