@@ -45,10 +45,10 @@ std::vector<SettingSpec> LayerSettings() {
       {.key = "slicing_mode",
        .kind = Kind::kChoice,
        .standard = "regular",
-       .doc =
-           "Inside of a part where outlines overlap. regular: enclosed by any outline. even_odd: "
-           "enclosed by an odd number of outlines. positive: enclosed more often by outer outlines "
-           "than by holes. close_holes: enclosed by any outer outline, holes are ignored",
+       .doc = "Rule for the inside of a part where outlines overlap. regular: enclosed by any "
+              "outline. even_odd: enclosed by an odd number of outlines. positive: enclosed more "
+              "often by outer outlines than by holes. close_holes: enclosed by any outer outline; "
+              "holes are ignored",
        .choices = {{"regular", fill_rule(FillRule::kNonZero)},
                    {"even_odd", fill_rule(FillRule::kEvenOdd)},
                    {"positive", fill_rule(FillRule::kPositive)},
@@ -62,7 +62,8 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 10,
        .standard = "0.049",
-       .doc = "Half the width of cracks that are closed, in meshes that are not closed",
+       .doc = "Half the width of the widest crack that is closed; only for meshes with holes or "
+              "other defects",
        .field = Bind<&ObjectSlicingOptions::closing_radius_nm>(),
        .orca = {{"slice_closing_radius"}}},
       {.key = "open_loop_max_gap",
@@ -70,16 +71,16 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 100,
        .standard = "2",
-       .doc = "Widest gap over which open outlines of a mesh with holes are closed; outlines with "
-              "wider gaps are left out and reported",
+       .doc = "Widest gap in an outline that is closed, for meshes with holes; an outline with a "
+              "wider gap is left out and reported",
        .field = Bind<&JobSlicingOptions::max_gap_nm>()},
       {.key = "xy_size_compensation",
        .unit = "mm",
        .min = -5,
        .max = 5,
        .standard = "0",
-       .doc = "Distance by which the outlines of every layer grow, so that holes shrink; negative: "
-              "the opposite",
+       .doc = "Distance by which every layer grows: outer contours move outwards and holes shrink; "
+              "negative: outer contours move inwards and holes grow",
        .field = Bind<&ObjectSlicingOptions::xy_compensation_nm>(),
        .orca = {{"xy_contour_compensation"}}},
       {.key = "xy_hole_compensation",
@@ -96,14 +97,15 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 1,
        .standard = "0.005",
-       .doc = "Tolerance to which outlines are simplified; larger: fewer points",
+       .doc = "Largest deviation of a simplified outline from the original; larger: fewer points",
        .field = Bind<&JobSlicingOptions::resolution_nm>()},
       {.key = "resolution",
        .unit = "mm",
        .min = 0,
        .max = 1,
        .standard = "0",
-       .doc = "Tolerance to which outlines are simplified, if greater than outline_resolution"},
+       .doc = "Largest deviation of a simplified outline from the original; the larger value of "
+              "resolution and outline_resolution is used"},
   };
 }
 

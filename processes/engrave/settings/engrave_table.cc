@@ -44,57 +44,57 @@ SettingSpec Text(std::string_view key, std::string_view standard, std::string_vi
 
 std::vector<SettingSpec> TextureTable() {
   return {
-      Needing(
-          {&needs::kNoImage},
-          Text(
-              "texture", "bumps",
-              "Texture: a computed one, kind:key=value,... (bumps, cones, pyramids, grooves, "
-              "waves, "
-              "hexagons, weave, letters, cells, noise, scales, knurl), or the name of an object, a "
-              "flat solid",
-              Bind<&EngraveSettings::texture, &TextureSettings::texture>())),
+      Needing({&needs::kNoImage},
+              Text("texture", "bumps",
+                   "Texture: a computed one as KIND:KEY=VALUE,... or the name of an object that is "
+                   "a flat solid. Kinds: bumps, cones, pyramids, grooves, waves, hexagons, weave, "
+                   "letters, cells, noise, scales, knurl",
+                   Bind<&EngraveSettings::texture, &TextureSettings::texture>())),
       Text("texture_image", "",
            "Height image used as the texture, a PNG file in base64; replaces `texture`",
            Bind<&EngraveSettings::texture, &TextureSettings::image>()),
       Text("mask_image", "",
-           "Mask image, a PNG file in base64, laid over the bounding box of the map: bright areas "
-           "are worked; empty: everywhere",
+           "Mask image, a PNG file in base64, that covers the bounding box of the surface's flat "
+           "map: only bright areas are worked; empty: the whole surface",
            Bind<&EngraveSettings::texture, &TextureSettings::mask>()),
       Needing({&needs::kImage},
               Number("texture_width", {"mm", 0.001, 10'000}, "20",
-                     "Width of a height image on the surface",
+                     "Width of texture_image on the surface",
                      Bind<&EngraveSettings::texture, &TextureSettings::width_mm>())),
       Needing({&needs::kImage},
               Number("texture_height", {"mm", 0.001, 1000}, "0.5",
-                     "Height of the texture where its image is white",
+                     "Height of the texture where texture_image is white",
                      Bind<&EngraveSettings::texture, &TextureSettings::height_mm>())),
-      Needing({&needs::kNoImage}, Text("texture_pitch", "",
-                                       "Pitch at which an object used as the texture repeats: X,Y "
-                                       "in mm; empty: its bounding "
-                                       "box",
-                                       Bind<&EngraveSettings::texture, &TextureSettings::pitch>())),
+      Needing({&needs::kNoImage},
+              Text("texture_pitch", "",
+                   "Distances in x and y at which an object used as the texture repeats: X,Y in "
+                   "mm; empty: the size of the object's bounding box",
+                   Bind<&EngraveSettings::texture, &TextureSettings::pitch>())),
       Number("texture_scale", {"", 0.001, 1000}, "1",
-             "Scale of the texture in width and length; 1: as it is",
+             "Scale of the texture in width and length; 1: original size",
              Bind<&EngraveSettings::texture, &TextureSettings::scale>()),
       Text("anchor", "",
            "Point on the surface where the origin of the texture is placed: X,Y,Z in mm; empty: "
-           "the middle of the map",
+           "the middle of the surface's flat map",
            Bind<&EngraveSettings::texture, &TextureSettings::anchor>()),
       Text("orient", "",
-           "Direction of the texture's x at the anchor: X,Y,Z; empty: the x of the map",
+           "Direction of the texture's x axis at the anchor: X,Y,Z; empty: the x axis of the "
+           "surface's flat map",
            Bind<&EngraveSettings::texture, &TextureSettings::orient>()),
-      Number("texture_turn", {"degrees", -360, 360}, "0",
-             "Angle by which the texture is turned, counter-clockwise, in addition to orient",
-             Bind<&EngraveSettings::texture, &TextureSettings::turn_deg>()),
+      Number(
+          "texture_turn", {"degrees", -360, 360}, "0",
+          "Angle by which the texture is turned counter-clockwise from the direction in `orient`",
+          Bind<&EngraveSettings::texture, &TextureSettings::turn_deg>()),
       Flag("texture_once", "0", "Place a single tile, centred on the anchor; 0: repeat the texture",
            Bind<&EngraveSettings::texture, &TextureSettings::once>()),
       Number("margin", {"mm", 0, 10'000}, "0",
-             "Distance from the surface's boundary that remains untouched, measured in the map",
+             "Width of a border of the surface that remains untouched, measured in the flat map",
              Bind<&EngraveSettings::texture, &TextureSettings::margin_mm>()),
       Flag("engraved", "0", "Work the texture into the surface; 0: build it up on the surface",
            Bind<&EngraveSettings::texture, &TextureSettings::engraved>()),
       Flag("outside", "0",
-           "Work the area outside the texture, from its top down; 0: work the texture itself",
+           "Work the area around the texture, from the top of the texture down; 0: work the "
+           "texture itself",
            Bind<&EngraveSettings::texture, &TextureSettings::outside>()),
   };
 }
@@ -118,21 +118,23 @@ std::vector<SettingSpec> LineTable() {
       {.key = "normals",
        .kind = Kind::kChoice,
        .standard = "faces",
-       .doc = "Normals along which points are lifted from the surface: normals of the faces, or "
-              "interpolated between the vertices",
+       .doc = "Normals along which points are lifted from the surface. faces: normals of the "
+              "triangles. interpolated: normals interpolated between the vertices",
        .choices = {Named("faces", NormalKind::kFaces),
                    Named("interpolated", NormalKind::kInterpolated)},
        .field = Bind<&EngraveSettings::lines, &EngraveLineSettings::normals>()},
       Flag("connect", "1", "Connect neighbouring lines at their ends",
            Bind<&EngraveSettings::lines, &EngraveLineSettings::connect>()),
       Number("clearance", {"mm", 0, 1000}, "0",
-             "Height of links above the surface and the texture worked so far; 0: links stay at "
-             "the height of their layer",
+             "Height of the links between lines above the surface and the texture worked so far; "
+             "0: links stay at the height of their layer",
              Bind<&EngraveSettings::lines, &EngraveLineSettings::clearance_mm>()),
       Number("shortest", {"mm", 0, 1000}, "0",
-             "Length below which parts of lines are omitted; 0: none are",
+             "Length below which parts of lines are omitted; 0: no part is omitted",
              Bind<&EngraveSettings::lines, &EngraveLineSettings::shortest_mm>()),
-      Flag("seam", "1", "Cut surfaces open that are no disk; 0: such a surface is refused",
+      Flag("seam", "1",
+           "Cut a surface open if it cannot be laid flat in one piece, such as a sphere or a tube; "
+           "0: refuse such a surface",
            Bind<&EngraveSettings::lines, &EngraveLineSettings::seam>()),
   };
 }

@@ -76,9 +76,10 @@ std::vector<SettingSpec> ScanSettings() {
       {.key = "scan_strategy",
        .kind = Kind::kChoice,
        .standard = "stripes",
-       .doc = "Pattern that scans the inside of an outline: rings in convex pieces, outwards "
-              "(rings) or inwards (rings_inward), parallel stripes, a chequerboard of islands, or "
-              "lines across the whole area (hatch)",
+       .doc = "Pattern that scans the inside of an outline. rings, rings_inward: the outline is "
+              "divided into convex pieces, each scanned in rings outwards or inwards. stripes: "
+              "parallel stripes. islands: a chequerboard of squares. hatch: lines across the whole "
+              "area",
        .choices = {Named("rings", ScanStrategy::kRings),
                    Named("rings_inward", ScanStrategy::kRingsInward),
                    Named("stripes", ScanStrategy::kStripes),
@@ -99,10 +100,10 @@ std::vector<SettingSpec> ScanSettings() {
       {.key = "jump_order",
        .kind = Kind::kChoice,
        .standard = "nearest",
-       .doc = "Order of pieces, stripes or islands. nearest: the nearest next. chequerboard: every "
-              "second one first. farthest: the farthest next, which spreads heat. against_gas: "
-              "from the downstream end of gas_flow, so that smoke blows over scanned areas; it "
-              "orders copies, contours and the lines of a stripe too",
+       .doc = "Order of convex pieces, stripes or islands. nearest: the nearest next. "
+              "chequerboard: every second one first. farthest: the farthest next, which spreads "
+              "heat. against_gas: from the downstream end of gas_flow, so that smoke blows over "
+              "scanned areas; also orders copies, contours and the lines of a stripe",
        .choices = {Named("nearest", JumpOrder::kNearest),
                    Named("chequerboard", JumpOrder::kChequerboard),
                    Named("farthest", JumpOrder::kFarthest),
@@ -144,15 +145,15 @@ std::vector<SettingSpec> ScanSettings() {
        .min = 0,
        .max = kWidestGasWindowDeg,
        .standard = "0",
-       .doc = "Largest angle to the gas flow, with it or against it, at which hatch lines are "
-              "turned by 90 degrees (lines of islands by 45 degrees); 0: none are turned",
+       .doc = "Angle to the gas flow, in either direction, below which hatch lines are turned by "
+              "90 degrees (lines of islands by 45 degrees); 0: no lines are turned",
        .field = Bind<&ExposureOptions::gas_window_deg>(),
        .needs = {&needs::kHatched}},
       Needing({&needs::kHatched},
               Flag("alternate_hatch", "1", "Scan every second hatch line in the opposite direction",
                    Bind<&ExposureOptions::alternate_directions>())),
       Length("minimum_vector", 10, "0",
-             "Length below which hatch lines and rings are omitted; 0: none are",
+             "Length below which hatch lines and rings are omitted; 0: none are omitted",
              Bind<&ExposureOptions::minimum_vector_nm>()),
       {.key = "stripe_width",
        .unit = "mm",
@@ -174,10 +175,11 @@ std::vector<SettingSpec> ScanSettings() {
               Length("scan_overlap", 10, "0.1", "Overlap of neighbouring stripes or islands",
                      Bind<&ExposureOptions::overlap_nm>())),
       Needing({&needs::kRings}, Length("ring_overlap", 10, "0.02",
-                                       "Overlap of the outermost rings of neighbouring pieces",
+                                       "Overlap of neighbouring convex pieces (scan_strategy "
+                                       "rings), at their outermost rings",
                                        Bind<&ExposureOptions::ring_overlap_nm>())),
       Needing({&needs::kRings},
-              Flag("link_rings", "1", "Keep the laser on between the rings of a piece",
+              Flag("link_rings", "1", "Keep the laser on between the rings of a convex piece",
                    Bind<&ExposureOptions::link_rings>())),
       Needing(
           {&needs::kRings},
@@ -188,15 +190,16 @@ std::vector<SettingSpec> ScanSettings() {
       Flag("shift_grids", "1",
            "Shift the lines and cells of hatch, stripes and islands from layer to layer",
            Bind<&ExposureOptions::shift_grids>()),
-      Flag("turn_rings", "1",
-           "Change the starts of rings and the division into pieces from layer to layer",
-           Bind<&ExposureOptions::turn_rings>()),
+      Flag(
+          "turn_rings", "1",
+          "Start rings at other points in each layer, and divide the area into other convex pieces",
+          Bind<&ExposureOptions::turn_rings>()),
       Length("laser_spot", 10, "0.08", "Width of the line that the laser melts or cures",
              Bind<&ExposureOptions::spot_nm>()),
       Length("beam_compensation", 10, "0.04",
              "Distance from the outline to the centre line of the outermost contour",
              Bind<&ExposureOptions::beam_compensation_nm>()),
-      Count("contours", 100, "2", "Number of contours along the outline; 0: none",
+      Count("contours", 100, "2", "Number of contours along the outline; 0: no contours",
             Bind<&ExposureOptions::contours>()),
       {.key = "contour_distance",
        .unit = "mm",
@@ -216,20 +219,18 @@ std::vector<SettingSpec> ScanSettings() {
       {.key = "contour_start",
        .kind = Kind::kChoice,
        .standard = "scattered",
-       .doc = "Start of contours. scattered: elsewhere in each layer, so that no seam runs up the "
-              "part. nearest: at the corner nearest to the laser's position. rear: at the rearmost "
-              "corner",
+       .doc = "Start point of contours. scattered: another point in each layer, so that no seam "
+              "runs up the part. nearest: the corner nearest to the laser's position. rear: the "
+              "rearmost corner",
        .choices = {Named("scattered", ContourStart::kScattered),
                    Named("nearest", ContourStart::kNearest), Named("rear", ContourStart::kRear)},
        .field = Bind<&ExposureOptions::contour_start>(),
        .needs = {&needs::kContours}},
-      Needing(
-          {&needs::kContoursOrThinWalls},
-          Length(
-              "contour_run", 10, "0",
-              "Length of the run-in before and the run-out after each contour and thin wall, with "
-              "the laser off; 0: none",
-              Bind<&ExposureOptions::contour_run_nm>())),
+      Needing({&needs::kContoursOrThinWalls},
+              Length("contour_run", 10, "0",
+                     "Length by which the scanner moves before and after each contour and thin "
+                     "wall with the laser off; 0: no such moves",
+                     Bind<&ExposureOptions::contour_run_nm>())),
       Needing({&needs::kContours},
               Flag("contours_first", "1", "Scan contours before the inside; 0: after it",
                    Bind<&ExposureOptions::contours_first>())),
@@ -258,20 +259,17 @@ std::vector<SettingSpec> ScanSettings() {
               "Distance between neighbouring hatch lines and rings in downskins; 0: hatch_distance",
               Bind<&ExposureOptions::downskin_distance_nm>())),
       Count("z_compensation_layers", 100, "0",
-            "Number of layers that the laser melts below the scanned one; areas with powder within "
-            "this depth are not exposed. 0: no compensation",
+            "Number of layers below the scanned layer that the laser melts as well; areas with "
+            "powder within this depth are not exposed. 0: no compensation",
             Bind<&ExposureOptions::z_compensation_layers>()),
       Needing({&needs::kSkins},
               Length("skin_overlap", 10, "0",
                      "Distance by which upskins and downskins extend into the rest of the area",
                      Bind<&ExposureOptions::skin_overlap_nm>())),
-      Needing(
-          {&needs::kHatched},
-          Length(
-              "skywriting", 10, "0",
-              "Length of the run-in before and the run-out after each hatch line, with the laser "
-              "off; 0: none",
-              Bind<&ExposureOptions::skywriting_nm>())),
+      Needing({&needs::kHatched}, Length("skywriting", 10, "0",
+                                         "Length by which the scanner moves before and after each "
+                                         "hatch line with the laser off; 0: no such moves",
+                                         Bind<&ExposureOptions::skywriting_nm>())),
       {.key = "jump_speed",
        .unit = "mm/s",
        .min = 1,

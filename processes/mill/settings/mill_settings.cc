@@ -26,7 +26,8 @@ std::vector<SettingSpec> TableSettings() {
     if (spec.key == "duplicate_distance") {
       spec.standard = "20";
       spec.doc =
-          "Distance between copies that are arranged automatically; the cutter needs this room";
+          "Distance between copies that are arranged automatically; the cutter must fit between "
+          "them";
     }
   }
   return all;

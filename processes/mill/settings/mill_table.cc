@@ -65,10 +65,10 @@ std::vector<SettingSpec> StrategySettings() {
       Number("allowance", {"mm", 0, 100}, "0.2",
              "Thickness of material that roughing leaves around the part for finishing",
              Bind<&MillSettings::how, &MillingOptions::allowance_mm>()),
-      Number(
-          "minimum_width", {"mm", 0, 1000}, "0.05",
-          "Width below which roughing leaves an area to finishing, measured for the cutter's tip",
-          Bind<&MillSettings::how, &MillingOptions::minimum_width_mm>()),
+      Number("minimum_width", {"mm", 0, 1000}, "0.05",
+             "Width below which roughing leaves a passage to finishing, measured across the "
+             "positions that the cutter's tip can reach",
+             Bind<&MillSettings::how, &MillingOptions::minimum_width_mm>()),
       Flag("finishing", "1", "Add finishing passes, which touch the part, after roughing",
            Bind<&MillSettings::how, &MillingOptions::finishing>()),
       Needing(
@@ -108,7 +108,7 @@ std::vector<SettingSpec> StrategySettings() {
                      "Margin of the stock box around the parts, at the sides and the top",
                      Bind<&MillSettings::how, &MillingOptions::stock_margin_mm>())),
       Number("bottom", {"mm", 0, 10'000}, "0",
-             "Lowest height of the cutter's tip above the bottom of the stock",
+             "Smallest height of the cutter's tip above the bottom of the stock",
              Bind<&MillSettings::how, &MillingOptions::bottom_mm>()),
       Flag("open_mesh", "0",
            "Accept meshes that are open surfaces; 0: a mesh must enclose a volume",
@@ -121,8 +121,8 @@ std::vector<SettingSpec> MachineSettings() {
       {.key = "direction",
        .kind = Kind::kChoice,
        .standard = "climb",
-       .doc = "Cutting direction; climb: the stock is on the right of the toolpath, as seen along "
-              "the feed",
+       .doc = "Cutting direction. climb: the stock is on the right of the toolpath, as seen along "
+              "the feed. conventional: on the left",
        .choices = {Named("climb", CutDirection::kClimb),
                    Named("conventional", CutDirection::kConventional)},
        .field =
@@ -131,8 +131,8 @@ std::vector<SettingSpec> MachineSettings() {
       {.key = "entry",
        .kind = Kind::kChoice,
        .standard = "helix",
-       .doc = "Entry of the cutter into the stock. helix: where there is room for it, elsewhere a "
-              "ramp. ramp: sloping along the toolpath. plunge: straight down",
+       .doc = "Entry of the cutter into the stock. helix: a helix where it fits, elsewhere a ramp. "
+              "ramp: sloping along the toolpath. plunge: straight down",
        .choices = {Named("helix", EntryKind::kHelix), Named("ramp", EntryKind::kRamp),
                    Named("plunge", EntryKind::kPlunge)},
        .field = Bind<&MillSettings::how, &MillingOptions::machining, &MachiningOptions::entry>(),
@@ -228,7 +228,7 @@ std::vector<SettingSpec> OutputSettings() {
        .standard = "model",
        .doc = "Zero point of the program. model: the origin of the first object's file. bed: the "
               "origin of the bed coordinates, at the top of the bed. stock_top: the corner of the "
-              "stock with the least x and y, at its top",
+              "stock's box with the smallest x and y, at its top",
        .choices = {Named("model", MillOrigin::kModel), Named("bed", MillOrigin::kBed),
                    Named("stock_top", MillOrigin::kStockTop)},
        .field = Bind<&MillSettings::origin>()},

@@ -14,8 +14,8 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = limits::kMaxSkirtLoops,
        .standard = "0",
-       .doc = "Number of skirt loops around all objects, which start the flow; 0: no skirt. The "
-              "default of PrusaSlicer is 1",
+       .doc = "Number of loops that are printed around all objects first, so that the filament "
+              "flows steadily; 0: no skirt. Default in PrusaSlicer: 1",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::loops>(),
        .orca = {{"skirt_loops"}}},
       {.key = "skirt_distance",
@@ -23,7 +23,7 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1000,
        .standard = "6",
-       .doc = "Distance between the skirt and the objects with their brims",
+       .doc = "Distance between the skirt and the objects, or their brims if they have brims",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::distance_nm>(),
        .orca = {{"skirt_distance"}},
        .needs = {&needs::kSkirt}},
@@ -42,16 +42,17 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1e6,
        .standard = "0",
-       .doc = "Least length of filament that the skirt uses on the first layer; loops are added "
-              "until it is reached",
+       .doc = "Smallest length of filament that the skirt uses on the first layer; loops are added "
+              "until the skirt is that long",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::min_length_nm>(),
        .orca = {{"min_skirt_length"}},
        .needs = {&needs::kSkirt}},
       {.key = "draft_shield",
        .kind = Kind::kChoice,
        .standard = "disabled",
-       .doc = "Skirt that shields the part from draft, at skirt_distance from the part; it takes "
-              "precedence over brims. limited: as high as skirt_height. enabled: on all layers",
+       .doc = "Skirt that shields the part from cold air, at skirt_distance from the part; brims "
+              "are cut off where they would overlap it. limited: as high as skirt_height. enabled: "
+              "on all layers",
        .choices = {{"disabled", shield(DraftShield::kDisabled)},
                    {"limited", shield(DraftShield::kLimited)},
                    {"enabled", shield(DraftShield::kEnabled)},
@@ -83,7 +84,7 @@ std::vector<SettingSpec> Brim() {
       {.key = "brim_type",
        .kind = Kind::kChoice,
        .standard = "outer_only",
-       .doc = "Place of the brim. outer_only: around the object. inner_only: in its holes. "
+       .doc = "Position of the brim. outer_only: around the object. inner_only: in its holes. "
               "outer_and_inner: both. brim_ears: discs at sharp corners. auto_brim: around the "
               "object, as wide as its shape and material need",
        .choices = {{"no_brim", type(BrimType::kNone)},
@@ -101,7 +102,8 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 200,
        .standard = "0",
-       .doc = "Width of the brim, or radius of brim ears; 0: no brim. Objects on a raft have none",
+       .doc =
+           "Width of the brim, or radius of brim ears; 0: no brim. Objects on a raft get no brim",
        .field = Bind<&ObjectRow::brim, &BrimOptions::width_nm>(),
        .orca = {{"brim_width"}},
        .needs = {&needs::kGivenBrimWidth, &needs::kBrim}},

@@ -34,18 +34,20 @@ std::vector<SettingSpec> Temperatures() {
   };
   return {
       Orca({"nozzle_temperature"},
-           temperature("temperature", "200", 600,
-                       "Nozzle temperature after the first layer; 0: no command sets it",
-                       Bind<&ToolRow::temperature_c>())),
-      Orca({"nozzle_temperature_initial_layer"},
-           temperature("first_layer_temperature", "200", 600,
-                       "Nozzle temperature of the first layer; 0: no command sets it",
-                       Bind<&ToolRow::first_layer_temperature_c>())),
+           temperature(
+               "temperature", "200", 600,
+               "Nozzle temperature after the first layer; 0: no temperature command is written",
+               Bind<&ToolRow::temperature_c>())),
+      Orca(
+          {"nozzle_temperature_initial_layer"},
+          temperature("first_layer_temperature", "200", 600,
+                      "Nozzle temperature of the first layer; 0: no temperature command is written",
+                      Bind<&ToolRow::first_layer_temperature_c>())),
       temperature("bed_temperature", "0", 300,
-                  "Bed temperature after the first layer; 0: no command sets it",
+                  "Bed temperature after the first layer; 0: no temperature command is written",
                   Bind<&ToolRow::bed_temperature_c>()),
       temperature("first_layer_bed_temperature", "0", 300,
-                  "Bed temperature of the first layer; 0: no command sets it",
+                  "Bed temperature of the first layer; 0: no temperature command is written",
                   Bind<&ToolRow::first_layer_bed_temperature_c>()),
   };
 }
@@ -83,7 +85,8 @@ std::vector<SettingSpec> Cooling() {
   return {
       Orca({"slow_down_for_layer_cooling"},
            flag("cooling", "1",
-                "Slow short layers down and set the fan speed by the time that a layer takes",
+                "Slow down layers that take a short time, and set the fan speed from the time of "
+                "the layer",
                 Bind<&ToolRow::cooling, &CoolingOptions::enabled>())),
       Orca({"reduce_fan_stop_start_freq"},
            flag("fan_always_on", "0", "Keep the fan at min_fan_speed or above",
@@ -108,23 +111,21 @@ std::vector<SettingSpec> Cooling() {
            .min = 0,
            .max = 100,
            .standard = "100%",
-           .doc =
-               "Smallest share of a wall's width without support below at which bridge_fan_speed "
-               "cools the wall. 0%: all outer walls. 100%: only walls that are bridges",
+           .doc = "Share of a wall's width that must have no support below it, so that the wall is "
+                  "cooled with bridge_fan_speed. 0%: all outer walls. 100%: only walls that are "
+                  "bridges",
            .field = Bind<Scale::kPercent, &ToolRow::cooling, &CoolingOptions::overhang_fan_share>(),
            .orca = {{"overhang_fan_threshold", OrcaValue::kPercent}}}),
-      PerExtruder(
-          {.key = "support_material_interface_fan_speed",
-           .kind = Kind::kInteger,
-           .unit = "%",
-           .min = -1,
-           .max = 100,
-           .standard = "-1",
-           .doc =
-               "Fan speed at support interfaces, after disable_fan_first_layers; -1: as at other "
-               "lines",
-           .field = Bind<&ToolRow::cooling, &CoolingOptions::interface_fan_percent>(),
-           .orca = {{"support_material_interface_fan_speed"}}}),
+      PerExtruder({.key = "support_material_interface_fan_speed",
+                   .kind = Kind::kInteger,
+                   .unit = "%",
+                   .min = -1,
+                   .max = 100,
+                   .standard = "-1",
+                   .doc = "Fan speed at support interfaces; -1: the same as at other lines. The "
+                          "fan stays off in the layers of disable_fan_first_layers",
+                   .field = Bind<&ToolRow::cooling, &CoolingOptions::interface_fan_percent>(),
+                   .orca = {{"support_material_interface_fan_speed"}}}),
       Orca({"close_fan_the_first_x_layers"},
            whole("disable_fan_first_layers", "layers", 1000, "3",
                  "Number of first layers that are printed with the fan off",
@@ -132,7 +133,7 @@ std::vector<SettingSpec> Cooling() {
       Orca({"full_fan_speed_layer"},
            whole("full_fan_speed_layer", "layers", 100'000, "0",
                  "Layer from which the fan runs at full speed; from disable_fan_first_layers up to "
-                 "this layer it speeds up step by step. 0: at full speed at once",
+                 "this layer, the speed rises step by step. 0: full speed at once",
                  Bind<&ToolRow::cooling, &CoolingOptions::full_fan_speed_layer>())),
       flag("enable_dynamic_fan_speeds", "0",
            "Set the fan speed at overhanging walls by overhang_fan_speed_0 to _3, interpolated "
@@ -140,16 +141,18 @@ std::vector<SettingSpec> Cooling() {
            Bind<&ToolRow::cooling, &CoolingOptions::dynamic_fan>()),
       OverhangFan<0>("overhang_fan_speed_0", "Fan speed at walls that overhang completely"),
       OverhangFan<1>("overhang_fan_speed_1",
-                     "Fan speed at walls of which 25 % of the width rest on the layer below"),
+                     "Fan speed at walls with 25 % of their width on the layer below"),
       OverhangFan<2>("overhang_fan_speed_2",
-                     "Fan speed at walls of which 50 % of the width rest on the layer below"),
+                     "Fan speed at walls with 50 % of their width on the layer below"),
       OverhangFan<3>("overhang_fan_speed_3",
-                     "Fan speed at walls of which 75 % of the width rest on the layer below"),
+                     "Fan speed at walls with 75 % of their width on the layer below"),
       Orca({"fan_cooling_layer_time"},
-           Needing({&needs::kCooling},
-                   whole("fan_below_layer_time", "s", 1000, "60",
-                         "Layer time below which the fan runs, faster the shorter the layer is",
-                         Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>()))),
+           Needing(
+               {&needs::kCooling},
+               whole(
+                   "fan_below_layer_time", "s", 1000, "60",
+                   "Layer time below which the fan runs; the shorter the layer, the faster the fan",
+                   Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>()))),
       Orca(
           {"slow_down_layer_time"},
           Needing(
@@ -158,22 +161,22 @@ std::vector<SettingSpec> Cooling() {
                   "slowdown_below_layer_time", "s", 1000, "5",
                   "Layer time below which printing is slowed down, until the layer takes this long",
                   Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>()))),
-      PerExtruder({.key = "cooling_slowdown_logic",
-                   .kind = Kind::kChoice,
-                   .standard = "uniform_cooling",
-                   .doc = "Extrusion that is slowed down in short layers. uniform_cooling: all of "
-                          "it alike. consistent_surface: first everything except the two "
-                          "outermost walls; these too only if that is not enough, so that the "
-                          "surface looks even",
-                   .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
-                   .field = Bind<&ToolRow::cooling, &CoolingOptions::consistent_surface>()}),
+      PerExtruder(
+          {.key = "cooling_slowdown_logic",
+           .kind = Kind::kChoice,
+           .standard = "uniform_cooling",
+           .doc = "Lines that are slowed down in short layers. uniform_cooling: all lines alike. "
+                  "consistent_surface: first all lines except the two outermost walls; these walls "
+                  "only if the layer is still too short, so that the surface looks even",
+           .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
+           .field = Bind<&ToolRow::cooling, &CoolingOptions::consistent_surface>()}),
       PerExtruder({.key = "cooling_perimeter_transition_distance",
                    .unit = "mm",
                    .min = 0,
                    .max = 1000,
                    .standard = "0",
-                   .doc = "Length of extrusion before each outer wall that counts as part of the "
-                          "wall, so that the flow is steady where the wall begins; for "
+                   .doc = "Distance before each outer wall from which lines are slowed down like "
+                          "the wall, so that the flow is steady where the wall begins; for "
                           "cooling_slowdown_logic = consistent_surface",
                    .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>(),
                    .needs = {&needs::kConsistentSurface}}),
@@ -202,7 +205,7 @@ std::vector<SettingSpec> Material() {
                    .min = 0,
                    .max = 1000,
                    .standard = "0",
-                   .doc = "Chamber temperature; 0: no command sets it",
+                   .doc = "Chamber temperature; 0: no temperature command is written",
                    .field = Bind<&ToolRow::chamber_temperature_c>(),
                    .orca = {{"chamber_temperature"}}}),
       {.key = "activate_chamber_temp_control",
@@ -255,7 +258,7 @@ std::vector<SettingSpec> Material() {
                      "for it. 1%: an uncompensated part of 100 mm measures 99 mm")),
       Orca({"filament_shrinkage_compensation_z", OrcaValue::kRest},
            Shrinkage("filament_shrinkage_compensation_z",
-                     "Shrinkage of the filament in z; parts are printed higher to make up for it")),
+                     "Shrinkage of the filament in z; parts are printed taller to make up for it")),
       PerExtruder({.key = "filament_density",
                    .unit = "g/cm3",
                    .min = 0,
@@ -285,7 +288,7 @@ std::vector<SettingSpec> Material() {
                    .max = 100,
                    .standard = "0",
                    .doc = "Pressure advance (linear advance) of the filament, in the unit of the "
-                          "firmware; 0: no command sets it",
+                          "firmware; 0: no pressure advance command is written",
                    .field = Bind<&ToolRow::pressure_advance>()}),
       Orca({"filament_type"},
            text("filament_type", "PLA", "Name of the material, shown by printer hosts",

@@ -144,11 +144,12 @@ std::vector<SettingSpec> InfillSettings() {
       Orca({"top_shell_thickness"},
            MinThickness("top_solid_min_thickness",
                         "Smallest thickness of the top shell: solid layers are added to "
-                        "top_solid_layers until it is reached; 0: none are added")),
+                        "top_solid_layers until the shell is this thick; 0: no layers are added")),
       Orca({"bottom_shell_thickness"},
-           MinThickness("bottom_solid_min_thickness",
-                        "Smallest thickness of the bottom shell: solid layers are added to "
-                        "bottom_solid_layers until it is reached; 0: none are added")),
+           MinThickness(
+               "bottom_solid_min_thickness",
+               "Smallest thickness of the bottom shell: solid layers are added to "
+               "bottom_solid_layers until the shell is this thick; 0: no layers are added")),
       {.key = "fill_density",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -199,17 +200,16 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::angle_rad>(),
        .orca = {{"infill_direction"}}},
       Orca({"sparse_infill_rotate_template"},
-           AnglesByLayer(
-               "fill_angle_template",
-               "Directions of sparse infill lines by layer, instead of fill_angle: 0,90 or 45#2,0 "
-               "for angles, +30 for a turn from layer to layer; empty: fill_angle",
-               Bind<&RegionRow::infill, &InfillOptions::angle_template>())),
+           AnglesByLayer("fill_angle_template",
+                         "Directions of sparse infill lines, a list that repeats over the layers. "
+                         "0,90: alternating angles. 45#2,0: 45 degrees in two layers, then 0 in "
+                         "one. +30: turned by 30 degrees from layer to layer. Empty: fill_angle",
+                         Bind<&RegionRow::infill, &InfillOptions::angle_template>())),
       Orca({"solid_infill_rotate_template"},
-           AnglesByLayer(
-               "solid_fill_angle_template",
-               "Directions of solid infill lines by layer, instead of fill_angle, written like "
-               "fill_angle_template; bridges keep their own direction. Empty: fill_angle",
-               Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>())),
+           AnglesByLayer("solid_fill_angle_template",
+                         "Directions of solid infill lines, in the form of fill_angle_template; "
+                         "bridges keep their own direction. Empty: fill_angle",
+                         Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>())),
       {.key = "infill_overlap",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -226,8 +226,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1000,
        .standard = "600%",
-       .doc = "Length along the wall by which a sparse infill line without a connection to another "
-              "one is extended; 0: none",
+       .doc = "Length by which a sparse infill line without a connection to another line is "
+              "extended along the wall; 0: not extended",
        .relative_to = "infill_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::anchor_nm>(),
        .orca = {{"infill_anchor"}}},
@@ -249,7 +249,7 @@ std::vector<SettingSpec> InfillSettings() {
        .max = 10,
        .standard = "0",
        .doc = "Smoothing of the lines of fill_pattern = medialaxis: details shorter than about six "
-              "times this length disappear; 0: none",
+              "times this length disappear; 0: no smoothing",
        .field = Bind<&RegionRow::infill, &InfillOptions::smoothing_nm>(),
        .needs = {&needs::kMedialAxis}},
       {.key = "solid_infill_every_layers",
@@ -257,7 +257,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1000000,
        .standard = "0",
-       .doc = "Interval of layers with only solid infill, such as every 10th layer; 0: none",
+       .doc = "Interval of layers that have only solid infill; 10: every 10th layer. 0: no such "
+              "layers",
        .field = Bind<&RegionRow::infill, &InfillOptions::solid_every_layers>()},
       {.key = "bridge_angle",
        .unit = "degrees",
@@ -294,8 +295,8 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "thick_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print bridges as round threads as wide as the nozzle, which span more and sag below "
-              "their layer; 0: as lines of the layer's height",
+       .doc = "Print bridges as round strands as wide as the nozzle, which span longer gaps but "
+              "hang below their layer; 0: as lines of the layer's height",
        .field = Bind<&RegionRow::infill, &InfillOptions::thick_bridges>(),
        .also = Bind<&RegionRow::motion, &RegionMotion::thick_bridges>(),
        .orca = {{"thick_bridges"}}},
@@ -310,7 +311,7 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "thick_internal_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print bridges over sparse infill as round threads as wide as the nozzle; 0: as "
+       .doc = "Print bridges over sparse infill as round strands as wide as the nozzle; 0: as "
               "lines of the layer's height",
        .field = Bind<&RegionRow::infill, &InfillOptions::thick_internal_bridges>(),
        .orca = {{"thick_internal_bridges"}}},
@@ -327,7 +328,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 10,
        .standard = "100%",
-       .doc = "Largest height of combined infill; the nozzle diameter limits it as well",
+       .doc = "Largest height of the sparse infill lines of combined layers; also limited by the "
+              "nozzle diameter",
        .relative_to = "nozzle_diameter",
        .own_scope = Scope::kRegion,
        .orca = {{"infill_combination_max_layer_height"}},
@@ -337,15 +339,16 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 1,
        .max = 100,
        .standard = "1",
-       .doc = "Number of layers that share one sparse infill, printed as a thicker line in the "
-              "topmost of them; the nozzle diameter limits its height. 1: every layer has its own",
+       .doc = "Number of layers that are combined for sparse infill: thicker lines are printed in "
+              "the topmost of these layers only, at most as thick as the nozzle diameter. 1: "
+              "sparse infill in every layer",
        .field = Bind<&RegionRow::infill, &InfillOptions::every_layers>(),
        .needs = {&needs::kCombinedByNumber}},
       {.key = "interface_shells",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print solid layers also where a region with its own settings borders on another one "
-              "above or below",
+       .doc = "Print solid layers also where two regions with different settings are on top of "
+              "each other",
        .field = Bind<&RegionRow::infill, &InfillOptions::interface_shells>(),
        .own_scope = Scope::kObject,
        .orca = {{"interface_shells"}}},
@@ -372,9 +375,9 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "ensure_vertical_shell_thickness",
        .kind = Kind::kChoice,
        .standard = "enabled",
-       .doc = "Solid infill behind walls of slopes, where the wall alone is too thin. enabled: "
-              "everywhere. partial: where this infill is at least three lines wide, as on gentle "
-              "slopes. disabled: none. 0 and 1 are older names of partial and enabled",
+       .doc = "Solid infill behind the walls of slopes, where the walls alone are too thin. "
+              "enabled: everywhere. partial: where this infill is at least three lines wide, as on "
+              "gentle slopes. disabled: none. 0 and 1 are older names of partial and enabled",
        .choices = {{"disabled", static_cast<int>(ShellThickness::kDisabled)},
                    {"partial", static_cast<int>(ShellThickness::kPartial)},
                    {"enabled", static_cast<int>(ShellThickness::kEnabled)},

@@ -83,20 +83,20 @@ std::vector<SettingSpec> WholeMachineLimits() {
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::min_travel_rate_mm_s>())),
       Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
-            "Largest change of acceleration per second, for machines that follow this program's "
-            "own motion planner",
+            "Largest change of acceleration per second, for machines that are driven by this "
+            "program's own motion planner",
             Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::jerk_mm_s3>()),
       {.key = "silent_mode",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Estimate the time in the silent mode of a Marlin machine too, from the second value "
-              "of each of its limits"},
+       .doc = "Estimate also the time in the silent mode of a Marlin machine, from the second "
+              "value of each machine_max_ setting"},
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
        .doc = "Use of the machine_max_ and machine_min_ limits. emit_to_gcode: for the estimated "
-              "time and written into the G-code. time_estimate_only: for the estimated time. "
-              "ignore: the defaults are used in place of the given limits",
+              "time and written into the G-code. time_estimate_only: only for the estimated time. "
+              "ignore: the given limits have no effect; the estimated time uses the defaults",
        .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
        .field = Convert<MachineRow>(
            [](MachineRow& row, const Value& value) {
@@ -156,16 +156,15 @@ std::vector<SettingSpec> Machine() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Heating rate of the nozzle, for the estimated time; 0: waiting for the nozzle "
-              "counts as no time",
+       .doc =
+           "Heating rate of the nozzle, for the estimated time; 0: the heating time is not counted",
        .field = Bind<&MachineRow::motion, &MachineMotion::nozzle_heating_c_s>()},
       {.key = "bed_heating_rate",
        .unit = "C/s",
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Heating rate of the bed, for the estimated time; 0: waiting for the bed counts as "
-              "no time",
+       .doc = "Heating rate of the bed, for the estimated time; 0: the heating time is not counted",
        .field = Bind<&MachineRow::motion, &MachineMotion::bed_heating_c_s>()},
       {.key = "autoemit_temperature_commands",
        .kind = Kind::kFlag,
@@ -185,8 +184,8 @@ std::vector<SettingSpec> Machine() {
        .kind = Kind::kPoint,
        .unit = "mm",
        .standard = "0x0",
-       .doc = "Position of the nozzle relative to the head; the G-code's coordinates are shifted "
-              "back by it",
+       .doc = "Offset of the nozzle from the print head; it is subtracted from all positions in "
+              "the G-code",
        .list = List::kPerExtruder,
        .field = Bind<&ToolRow::offset>(),
        .orca = {{"extruder_offset"}}},
@@ -273,12 +272,11 @@ std::vector<SettingSpec> CustomGcode() {
               "gcode_flavor = bambu after it",
        .orca = {{"time_lapse_gcode", OrcaValue::kGcode}}},
       Orca({"printing_by_object_gcode", OrcaValue::kGcode},
-           Needing(
-               {&needs::kObjectByObject},
-               gcode("between_objects_gcode", "",
-                     "G-code between objects that are printed one after the other; runs high above "
-                     "them",
-                     Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()))),
+           Needing({&needs::kObjectByObject},
+                   gcode("between_objects_gcode", "",
+                         "G-code between objects that are printed one after the other; the printer "
+                         "executes it after the nozzle has risen above them",
+                         Bind<&MachineRow::motion, &MachineMotion::between_objects_gcode>()))),
   };
 }
 
@@ -289,8 +287,9 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 255,
        .standard = "0",
-       .doc = "Extruder that prints the job, counted from 1; its item in each list of nozzle and "
-              "filament settings applies. 0: the first one. All objects must use the same extruder",
+       .doc = "Extruder that prints the job, counted from 1. If a nozzle or filament setting is a "
+              "list, the item of this extruder applies. 0: the first extruder. All objects must "
+              "use the same extruder",
        .own_scope = Scope::kRegion,
        .orca = {{"extruder"}}},
       {.key = "creation_time",
@@ -327,9 +326,9 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 1000,
        .standard = "20",
-       .doc = "Height of the gantry above the nozzle tip; with complete_objects, only the last "
-              "copy may be higher, or only copies that the gantry does not pass "
-              "(extruder_clearance_height_to_lid)",
+       .doc = "Height of the gantry above the nozzle tip. With complete_objects, only the last "
+              "copy may be higher; extruder_clearance_height_to_lid also allows higher copies that "
+              "the gantry does not reach",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_height_nm>(),
        .orca = {{"extruder_clearance_height_to_rod"}},
@@ -340,9 +339,9 @@ std::vector<SettingSpec> Sequence() {
        .max = 2000,
        .standard = "0",
        .doc = "Height of the printer's lid above the nozzle tip. With complete_objects, only the "
-              "last copy may be higher. A copy higher than extruder_clearance_height must be where "
-              "the gantry, a rod along x, does not pass for later copies. 0: the gantry covers the "
-              "whole bed",
+              "last copy may be higher. The gantry, a rod along x, must not reach a copy higher "
+              "than extruder_clearance_height while later copies are printed. 0: the gantry covers "
+              "the whole bed",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::lid_height_nm>(),
        .orca = {{"extruder_clearance_height_to_lid"}},
@@ -363,9 +362,9 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Height of the nozzle below the print head. With complete_objects, copies that are "
-              "lower may stand within extruder_clearance_radius of later copies, 2 mm or more "
-              "apart. Automatic arrangement always keeps extruder_clearance_radius",
+       .doc = "Height of the print head above the nozzle tip. With complete_objects, copies lower "
+              "than this may be nearer to later copies than extruder_clearance_radius, but at "
+              "least 2 mm apart. Automatic arrangement always keeps extruder_clearance_radius",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::nozzle_height_nm>(),
        .orca = {{"nozzle_height"}},
@@ -381,7 +380,7 @@ std::vector<SettingSpec> Plate() {
        .kind = Kind::kAreas,
        .unit = "mm",
        .standard = "",
-       .doc = "Areas of the bed that parts, skirts, brims and travels avoid, such as that of a "
+       .doc = "Areas of the bed that parts, skirts, brims and travels avoid, such as the area of a "
               "cutter: corners XxY, separated by commas. Each four corners that form a rectangle "
               "are one area; otherwise all corners form one polygon. Custom G-code is not checked",
        .field = Bind<&JobSlicingOptions::excluded>(),

@@ -10,9 +10,9 @@ std::vector<SettingSpec> ScarfSettings() {
       {.key = "scarf_seam_placement",
        .kind = Kind::kChoice,
        .standard = "nowhere",
-       .doc = "Loops that get a scarf: they begin low and thin, rise to the layer height and end "
-              "on top of their own beginning (not in the first layer). contours: outer contours. "
-              "everywhere: holes too",
+       .doc = "Loops with a scarf seam: the loop begins low and thin, rises to the layer height "
+              "and ends on top of its own beginning. The first layer has no scarfs. contours: "
+              "outer contours. everywhere: also holes",
        .choices = {{"nowhere", placement(ScarfPlacement::kNowhere)},
                    {"contours", placement(ScarfPlacement::kContours)},
                    {"everywhere", placement(ScarfPlacement::kEverywhere)}},
@@ -21,7 +21,7 @@ std::vector<SettingSpec> ScarfSettings() {
       {.key = "scarf_seam_only_on_smooth",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Omit the scarf where the seam is at a corner, which hides it",
+       .doc = "Omit the scarf where the seam is hidden at a corner",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::only_on_smooth>(),
        .orca = {{"seam_slope_conditional"}}},
       {.key = "scarf_seam_start_height",
@@ -72,9 +72,9 @@ std::vector<SettingSpec> SeamSettings() {
       {.key = "seam_position",
        .kind = Kind::kChoice,
        .standard = "aligned",
-       .doc =
-           "Start of loops. aligned: in line up the object, at corners. nearest: near the nozzle. "
-           "rear: at the back. random: anywhere. hidden: in line where the seam is least visible",
+       .doc = "Start point of loops. aligned: above each other, at corners. nearest: near the "
+              "nozzle. rear: at the back. random: anywhere. hidden: above each other, where the "
+              "seam is least visible",
        .choices = {{"aligned", seam(SeamPosition::kAligned)},
                    {"nearest", seam(SeamPosition::kNearest)},
                    {"rear", seam(SeamPosition::kRear)},
@@ -97,8 +97,8 @@ std::vector<SettingSpec> SeamSettings() {
                   .max = 10,
                   .standard = "0",
                   .doc =
-                      "Gap left at the end of a loop, so that no blob forms where it meets its "
-                      "beginning; loops with a scarf have none",
+                      "Gap between the end and the beginning of a loop, so that no blob forms "
+                      "there; loops with a scarf have no gap",
                   .relative_to = "nozzle_diameter",
                   .field = Bind<&MachineRow::motion, &MachineMotion::seam_gap_mm>(),
                   .orca = {{"seam_gap"}}};
@@ -107,8 +107,8 @@ std::vector<SettingSpec> SeamSettings() {
   gap.list = List::kPerExtruder;
   gap.standard = kNotSet;
   gap.doc =
-      "Value for this filament that replaces the setting of the same name without filament_; nil: "
-      "not replaced";
+      "Value for this filament, instead of the setting with this name without the prefix "
+      "`filament_`; nil: that setting applies";
   gap.field = {};
   settings.push_back(gap);
   for (SettingSpec& scarf : ScarfSettings()) settings.push_back(std::move(scarf));

@@ -17,9 +17,10 @@ std::vector<SettingSpec> SlicingSettings() {
       {.key = "counterbore_hole_bridging",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc = "Printing of a hole that begins above a wider recess. none: its edge is printed on "
-              "air. partiallybridge: on bridges beside the hole, then bridges across these. "
-              "sacrificiallayer: one layer closes the recess and must be drilled through",
+       .doc = "Printing of a hole that begins above a wider recess. none: the hole's edge is "
+              "printed in the air. partiallybridge: the edge is printed on bridges beside the hole "
+              "and bridges across them. sacrificiallayer: one layer closes the recess and must be "
+              "drilled through",
        .choices = {{"none", static_cast<int>(CounterboreBridging::kNone)},
                    {"partiallybridge", static_cast<int>(CounterboreBridging::kPartial)},
                    {"sacrificiallayer", static_cast<int>(CounterboreBridging::kSacrificial)}},
@@ -29,7 +30,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Adapt the layer height to the shape instead of using layer_height: low layers where "
-              "the surface is flat, high ones where it is steep, and flat faces met exactly",
+              "the surface is flat, high layers where it is steep. A layer ends exactly at each "
+              "flat face",
        .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::on>(),
        .needs = {&needs::kNoHeightProfile}},
       {.key = "adaptive_layer_cusp",
@@ -37,7 +39,7 @@ std::vector<SettingSpec> SlicingSettings() {
        .min = 0.005,
        .max = 5,
        .standard = "0.1",
-       .doc = "Highest step that adaptive layers may leave, measured perpendicular to the surface; "
+       .doc = "Largest step between adaptive layers, measured perpendicular to the surface; "
               "smaller: finer layers",
        .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::cusp_nm>(),
        .needs = {&needs::kAdaptiveLayers, &needs::kNoHeightProfile}},
@@ -86,7 +88,7 @@ std::vector<SettingSpec> SlicingSettings() {
       {.key = "thumbnails_format",
        .kind = Kind::kChoice,
        .standard = "PNG",
-       .doc = "Format of thumbnails that are given without one",
+       .doc = "Format of the pictures in thumbnails that have no FORMAT",
        .choices = {{"PNG", static_cast<int>(PictureFormat::kPng)},
                    {"QOI", static_cast<int>(PictureFormat::kQoi)},
                    {"JPG", static_cast<int>(PictureFormat::kJpg)},

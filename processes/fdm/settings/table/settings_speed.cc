@@ -95,15 +95,18 @@ std::vector<SettingSpec> Overhangs() {
       Orca({"overhang_4_4_speed"},
            OverhangSpeed<0>("overhang_speed_0", "15",
                             "Speed of walls that overhang completely; 0: not slowed down")),
-      Orca({"overhang_3_4_speed"}, OverhangSpeed<1>("overhang_speed_1", "15",
-                                                    "Speed of walls of which 25 % of the width "
-                                                    "rest on the layer below; 0: not slowed down")),
-      Orca({"overhang_2_4_speed"}, OverhangSpeed<2>("overhang_speed_2", "20",
-                                                    "Speed of walls of which 50 % of the width "
-                                                    "rest on the layer below; 0: not slowed down")),
-      Orca({"overhang_1_4_speed"}, OverhangSpeed<3>("overhang_speed_3", "25",
-                                                    "Speed of walls of which 75 % of the width "
-                                                    "rest on the layer below; 0: not slowed down")),
+      Orca({"overhang_3_4_speed"},
+           OverhangSpeed<1>(
+               "overhang_speed_1", "15",
+               "Speed of walls with 25 % of their width on the layer below; 0: not slowed down")),
+      Orca({"overhang_2_4_speed"},
+           OverhangSpeed<2>(
+               "overhang_speed_2", "20",
+               "Speed of walls with 50 % of their width on the layer below; 0: not slowed down")),
+      Orca({"overhang_1_4_speed"},
+           OverhangSpeed<3>(
+               "overhang_speed_3", "25",
+               "Speed of walls with 75 % of their width on the layer below; 0: not slowed down")),
   };
 }
 
@@ -167,8 +170,8 @@ std::vector<SettingSpec> Speeds() {
        .min = 0,
        .max = 1000,
        .standard = "6.5",
-       .doc = "Radius of the largest loops that are printed at small_perimeter_speed; 0: none. The "
-              "default of OrcaSlicer is 0",
+       .doc = "Radius of the largest loops that are printed at small_perimeter_speed; 0: no loops. "
+              "Default in OrcaSlicer: 0",
        .field = Bind<&RegionRow::motion, &RegionMotion::small_perimeter_radius_mm>(),
        .orca = {{"small_perimeter_threshold"}}},
       Orca({"sparse_infill_speed"},
@@ -227,10 +230,10 @@ std::vector<SettingSpec> Speeds() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Number of layers over which the speed rises evenly from first_layer_speed to the "
-              "speed in other layers; walls start from first_layer_speed, all else from "
-              "first_layer_infill_speed if it is set. 0 and 1: from the second layer on at full "
-              "speed",
+       .doc = "Number of layers over which the speed rises evenly from the speed in the first "
+              "layer to the speed in other layers. The first layer prints walls at "
+              "first_layer_speed, and all else at first_layer_infill_speed if it is set. 0 and 1: "
+              "full speed from the second layer on",
        .field = Bind<&MachineRow::motion, &MachineMotion::slow_down_layers>(),
        .orca = {{"slow_down_layers"}}},
       {.key = "max_print_speed",
@@ -238,7 +241,7 @@ std::vector<SettingSpec> Speeds() {
        .min = 1,
        .max = kMaxSpeed,
        .standard = "80",
-       .doc = "Speed of extrusion with a speed setting of 0",
+       .doc = "Speed of all lines for which the speed setting is 0",
        .field = Bind<&MachineRow::motion, &MachineMotion::max_print_speed_mm_s>()},
       {.key = "travel_speed",
        .unit = "mm/s",
@@ -260,8 +263,8 @@ std::vector<SettingSpec> Speeds() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Highest flow of the print, in volume per second, besides "
-              "filament_max_volumetric_speed; 0: no limit"},
+       .doc = "Highest flow of the print, in volume per second; filament_max_volumetric_speed is a "
+              "second limit. 0: no limit"},
       FlowSlope("max_volumetric_extrusion_rate_slope_positive",
                 "Largest increase of the flow per second between neighbouring lines; smaller: "
                 "smoother. 0: no limit",
@@ -288,10 +291,10 @@ Field OtherBridgesAcceleration() {
 std::vector<SettingSpec> Accelerations() {
   return {
       Orca({"default_acceleration"},
-           Acceleration(
-               "default_acceleration",
-               "Acceleration of extrusion without a setting of its own; 0: no command sets it",
-               Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
+           Acceleration("default_acceleration",
+                        "Acceleration of lines for which the acceleration setting is 0; 0: no "
+                        "accelerations are written at all",
+                        Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
       Orca({"inner_wall_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
            Needing({&needs::kDefaultAcceleration},
                    Acceleration("perimeter_acceleration",

@@ -52,8 +52,8 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = kMostLayers,
        .standard = "0",
-       .doc = "Number of lowest layers in which all overhangs are supported, regardless of the "
-              "threshold",
+       .doc = "Number of lowest layers in which all overhangs are supported, regardless of "
+              "support_material_threshold",
        .field = Bind<&ObjectRow::support, &SupportOptions::enforced_layers>(),
        .orca = {{"enforce_support_layers"}},
        .needs = {&needs::kSupports}},
@@ -150,8 +150,8 @@ std::vector<SettingSpec> Lines() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Gap between lines of the dense interface layers; 0: none, so that the interface is "
-              "solid",
+       .doc = "Gap between lines of the dense interface layers; 0: no gap, so that the interface "
+              "is solid",
        .field = Bind<&ObjectRow::support, &SupportOptions::interface_spacing_nm>(),
        .orca = {{"support_interface_spacing"}},
        .needs = {&needs::kRaftOrSupports}},

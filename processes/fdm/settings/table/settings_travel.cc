@@ -14,8 +14,8 @@ void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_v
   spec.key = filament_key;
   spec.standard = kNotSet;
   spec.doc =
-      "Value for this filament that replaces the setting of the same name without filament_; nil: "
-      "not replaced";
+      "Value for this filament, instead of the setting with this name without the prefix "
+      "`filament_`; nil: that setting applies";
   spec.field = {};
   to.push_back(spec);
 }
@@ -54,12 +54,12 @@ std::vector<SettingSpec> Retraction() {
                 "pushed than was retracted",
                 Bind<&ToolRow::retraction, &RetractionOptions::restart_extra_mm>(),
                 {&needs::kRetractLength, &needs::kOwnRetraction}, /*min=*/-100);
-  AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
-                "2", "Shortest travel that retracts; travels across outer walls always do",
-                Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>(),
-                {&needs::kRetractLength});
+  AddRetraction(
+      settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000, "2",
+      "Shortest travel with a retraction; travels across outer walls always have one",
+      Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>(), {&needs::kRetractLength});
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
-                "Height by which the nozzle is lifted for a travel (Z hop); 0: none",
+                "Height by which the nozzle is lifted for a travel (Z hop); 0: no lift",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>(),
                 {&needs::kRetractLength, &needs::kStraightLift});
   AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
@@ -145,17 +145,18 @@ std::vector<SettingSpec> Retraction() {
        .orca = {{"retract_before_wipe"}},
        .needs = {&needs::kWipe}},
       "filament_retract_before_wipe");
-  AddRetraction(settings,
-                {.key = "wipe_distance",
-                 .unit = "mm",
-                 .min = 0,
-                 .max = 100,
-                 .standard = "0",
-                 .doc = "Length of the move of wipe. Filament that retract_speed cannot retract "
-                        "within it is retracted before it. 0: as long as the retraction takes",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>(),
-                 .needs = {&needs::kWipe}},
-                "filament_wipe_distance");
+  AddRetraction(
+      settings,
+      {.key = "wipe_distance",
+       .unit = "mm",
+       .min = 0,
+       .max = 100,
+       .standard = "0",
+       .doc = "Length of the move that `wipe` adds. If the retraction takes longer than this move, "
+              "a part of it is done before the move. 0: as long as the retraction takes",
+       .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>(),
+       .needs = {&needs::kWipe}},
+      "filament_wipe_distance");
   return settings;
 }
 
@@ -191,7 +192,7 @@ std::vector<SettingSpec> Travels() {
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Do not retract before travels inside the part; travels to outer walls and over top "
-              "surfaces still retract. The default of PrusaSlicer is 0",
+              "surfaces still retract. Default in PrusaSlicer: 0",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::hide>(),
        .orca = {{"reduce_infill_retraction"}}},
       {.key = "retract_inside_after",
@@ -199,8 +200,8 @@ std::vector<SettingSpec> Travels() {
        .min = 0,
        .max = 1000,
        .standard = "30",
-       .doc = "With only_retract_when_crossing_perimeters, travels inside the part retract all the "
-              "same if they are at least this long; 0: they never retract",
+       .doc = "With only_retract_when_crossing_perimeters, the shortest travel inside the part "
+              "that still retracts; 0: travels inside the part never retract",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>(),
        .needs = {&needs::kHiddenTravels}},
       {.key = "avoid_crossing_perimeters",
@@ -216,14 +217,15 @@ std::vector<SettingSpec> Travels() {
        .min = 1,
        .max = 1000,
        .standard = "80%",
-       .doc = "Speed of the move of wipe as a percentage of travel_speed",
+       .doc = "Speed of the move that `wipe` adds, as a percentage of travel_speed",
        .field = Bind<Scale::kPercent, &MachineRow::motion, &MachineMotion::wipe_speed_ratio>(),
        .orca = {{"wipe_speed", OrcaValue::kShareOf, "travel_speed"}},
        .needs = {&needs::kWipe, &needs::kOwnWipeSpeed}},
       {.key = "role_based_wipe_speed",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Wipe at the speed of the line before it, at least 10 mm/s, instead of wipe_speed",
+       .doc = "Wipe at the speed of the preceding line, but at least at 10 mm/s, instead of "
+              "wipe_speed",
        .field = Bind<&MachineRow::motion, &MachineMotion::wipe_as_printed>(),
        .orca = {{"role_based_wipe_speed"}},
        .needs = {&needs::kWipe}},

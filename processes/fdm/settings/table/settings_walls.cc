@@ -60,8 +60,8 @@ std::vector<SettingSpec> VariableWalls() {
       {.key = "thin_walls",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc =
-           "Print features thinner than two walls as a single line (classic; arachne always does)",
+       .doc = "Print features thinner than two walls as a single line. Only for wall_generator = "
+              "classic; arachne always does this",
        .field = Bind<&RegionRow::walls, &BeadingOptions::thin_walls>(),
        .orca = {{"detect_thin_wall"}}},
       Orca({"wall_transition_length", OrcaValue::kPercent},
@@ -106,7 +106,8 @@ std::vector<SettingSpec> VariableWalls() {
       {.key = "lock_outer_width",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Keep the extrusion width of the outer wall wherever a narrow inner wall fits",
+       .doc = "Keep the extrusion width of the outer walls where a third, narrow wall fits between "
+              "them",
        .field = Bind<&RegionRow::walls, &BeadingOptions::lock_outer_width>(),
        .own_scope = Scope::kObject},
   };
@@ -158,8 +159,8 @@ std::vector<SettingSpec> Widths() {
       InScope(Scope::kObject,
               Orca({"line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
                    Width("extrusion_width",
-                         "Extrusion width of lines with a width setting of 0; 0: 1.125 times the "
-                         "nozzle diameter, for top surfaces the nozzle diameter",
+                         "Extrusion width of lines for which the width setting is 0; 0: 1.125 "
+                         "times the nozzle diameter (top surfaces: the nozzle diameter)",
                          {}))),
       first,
       Orca({"inner_wall_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
@@ -223,8 +224,8 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Add walls in slopes until at least 70 % of the walls above are supported; not where "
-              "there is no infill. The default of PrusaSlicer is 1, that of its printer profiles 0",
+       .doc = "Add walls in slopes until at least 70 % of the walls above are supported; only "
+              "where there is infill. Default in PrusaSlicer: 1; in its printer profiles: 0",
        .field = Bind<&RegionRow::walls, &BeadingOptions::extra_perimeters>()},
       {.key = "external_perimeters_first",
        .kind = Kind::kFlag,
@@ -249,14 +250,14 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 5,
        .standard = "0.08",
-       .doc = "Narrowest gap that gap fill fills; narrower ones remain empty",
+       .doc = "Narrowest gap that gap fill fills; narrower gaps remain empty",
        .field = Bind<&RegionRow::walls, &BeadingOptions::min_gap_width_nm>()},
       {.key = "gap_fill_max_width",
        .unit = "mm",
        .min = 0,
        .max = 20,
        .standard = "0.8",
-       .doc = "Widest gap that gap fill fills; infill fills wider ones",
+       .doc = "Widest gap that gap fill fills; infill fills wider gaps",
        .field = Bind<&RegionRow::walls, &BeadingOptions::max_gap_width_nm>()},
       {.key = "prefer_clockwise_movements",
        .kind = Kind::kFlag,

@@ -14,9 +14,9 @@ std::vector<SettingSpec> WritingWords() {
       Orca({"use_relative_e_distances"},
            WritingFlag(
                "use_relative_e_distances", "1",
-               "Write the extrusion of each move (relative E); 0: the sum of all moves (absolute "
-               "E). The default of PrusaSlicer is 0; relative programs can be cut and joined "
-               "anywhere",
+               "Write the extrusion of each move (relative E), so that programs can be cut and "
+               "joined anywhere; 0: write the sum of all moves (absolute E). Default in "
+               "PrusaSlicer: 0",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::relative_e>())),
       WritingFlag(
           "use_volumetric_e", "0",
@@ -24,14 +24,15 @@ std::vector<SettingSpec> WritingWords() {
           "in start_gcode)",
           Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::volumetric_e>()),
       Orca({"use_firmware_retraction"},
-           WritingFlag("use_firmware_retraction", "0",
-                       "Write retractions as G10 and G11; the firmware sets their length and "
-                       "speed. retract_length and its speeds only affect the estimated time",
-                       Bind<&MachineRow::motion, &MachineMotion::writing,
-                            &WritingOptions::firmware_retraction>())),
+           WritingFlag(
+               "use_firmware_retraction", "0",
+               "Write retractions as G10 and G11; the firmware sets their length and speed. Then "
+               "retract_length, retract_speed and deretract_speed affect only the estimated time",
+               Bind<&MachineRow::motion, &MachineMotion::writing,
+                    &WritingOptions::firmware_retraction>())),
       Orca({"gcode_comments"},
            WritingFlag(
-               "gcode_comments", "0", "Add a comment with its purpose to each move",
+               "gcode_comments", "0", "Add a comment to each move that says the move's purpose",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::comments>())),
       WritingFlag("binary_gcode", "0", "Write binary G-code (.bgcode), which Prusa printers read",
                   Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::binary>()),
@@ -45,7 +46,7 @@ std::vector<SettingSpec> WritingWords() {
       {.key = "output_filename_format",
        .kind = Kind::kText,
        .standard = "[input_filename_base].gcode",
-       .doc = "Name of the output file if no other is given; may contain the placeholders of "
+       .doc = "Name of the output file if the job gives no name; may contain the placeholders of "
               "custom G-code",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::file_name>(),
        .orca = {{"filename_format", OrcaValue::kGcode}}},
@@ -66,15 +67,17 @@ std::vector<SettingSpec> AtHeights() {
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::height_code>(),
        .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}},
        .needs = {&needs::kLayerByLayer}},
-      gcode("color_change_gcode", "M600", "G-code of a colour change",
+      gcode("color_change_gcode", "M600", "G-code that is inserted for a colour change",
             Bind<&MachineRow::motion, &MachineMotion::writing,
                  &WritingOptions::color_change_gcode>()),
       Orca({"machine_pause_gcode", OrcaValue::kGcode},
            gcode(
-               "pause_print_gcode", "M601", "G-code of a pause",
+               "pause_print_gcode", "M601", "G-code that is inserted for a pause",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::pause_gcode>())),
       Orca({"template_custom_gcode", OrcaValue::kGcode},
-           gcode("template_custom_gcode", "", "G-code at heights of type template",
+           gcode("template_custom_gcode", "",
+                 "G-code that is inserted at the heights in custom_gcode_per_print_z with the type "
+                 "template",
                  Bind<&MachineRow::motion, &MachineMotion::writing,
                       &WritingOptions::template_gcode>())),
   };
