@@ -109,8 +109,8 @@ std::vector<SettingSpec> LineTable() {
            "layers in turn",
            Bind<&EngraveSettings::lines, &EngraveLineSettings::spacing>()),
       Text("angle", "0",
-           "Directions of the lines, counter-clockwise from the texture's x, in degrees; several "
-           "values, separated by commas, apply to the layers in turn",
+           "Directions of the lines, counter-clockwise from the texture's x axis, in degrees; "
+           "several values, separated by commas, apply to the layers in turn",
            Bind<&EngraveSettings::lines, &EngraveLineSettings::angle>()),
       Flag("equidistant", "0",
            "Bend lines so that their distance on the surface is the requested spacing everywhere",

@@ -130,7 +130,7 @@ ExitCode DeleteMesh(const FarmOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto deleted = client.DeleteMesh(options.sha256);
   if (!deleted.ok()) return Fail(deleted.status());
-  Print(*deleted ? "deleted\n" : "kept: a job has it, or there is none\n");
+  Print(*deleted ? "deleted\n" : "not deleted: a job uses the mesh, or there is no such mesh\n");
   return ExitCode::kOk;
 }
 
@@ -227,7 +227,7 @@ void AddEvents(CLI::App& app, CommandContext& context) {
       ->type_name("TIME");
   command
       ->add_option("--cursor", options->cursor,
-                   "Cursor of an event that --json printed; shows the events after it")
+                   "Cursor that --json printed with an event; shows only the events after this one")
       ->excludes("--from");
   command->add_option("--count", options->count, "Number of events after which the command ends")
       ->check(AboveZero())

@@ -59,9 +59,8 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->check(InRange(0.01, 600.0))
       ->capture_default_str()
       ->type_name("S");
-  command->add_flag(
-      "--live", options->live,
-      "Check only that the process runs; it may not be ready, for example if its store is away");
+  command->add_flag("--live", options->live,
+                    "Check only that the process runs, not that it is ready to serve");
   rpc::AddTlsOptions(*command, &options->security);
   command->footer(
       "Exit code 0: serving; 5: not serving, or no answer; 2: your own certificate cannot be used. "

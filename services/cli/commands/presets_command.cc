@@ -186,23 +186,24 @@ void AddPresets(CLI::App& app, CommandContext& context) {
   AddPresetCommand(*command, "list", "List the presets that a job may name", options, context,
                    ListPresets)
       ->add_option("--printer", options->printer,
-                   "Only this printer, or all printers of this model, with the presets that are "
-                   "made for it")
+                   "Name of a printer or of a printer model: list only this printer, or the "
+                   "printers of this model, and the presets made for them")
       ->type_name("NAME");
-  CLI::App* show = AddPresetCommand(
-      *command, "show",
-      "Print all settings of a preset, or of a job with --printer, with the preset that each one "
-      "comes from",
-      options, context, ShowPreset);
+  CLI::App* show = AddPresetCommand(*command, "show",
+                                    "Print all settings of a preset or, with --printer, of a job; "
+                                    "each setting has the name of the preset that defines it",
+                                    options, context, ShowPreset);
   CLI::Option* name =
-      show->add_option("NAME", options->name, "A printer, process or filament preset");
+      show->add_option("NAME", options->name, "Name of a printer, process or filament preset");
   CLI::Option* printer =
-      show->add_option("--printer", options->printer, "Printer of a job")->type_name("NAME");
+      show->add_option("--printer", options->printer, "Printer preset of the job to show")
+          ->type_name("NAME");
   show->require_option(2, 0);
   printer->excludes(name);
   for (const auto& [option, value] :
        {std::pair("--process", &options->process), std::pair("--filament", &options->filament)})
-    show->add_option(option, *value, "Default: the one that the printer names")
+    show->add_option(option, *value,
+                     "Preset of the job; default: the one that the printer preset names")
         ->needs(printer)
         ->type_name("NAME");
   command->footer(

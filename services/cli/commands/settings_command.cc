@@ -129,8 +129,8 @@ void AddSettings(CLI::App& app, CommandContext& context) {
       ->excludes(json);
   command
       ->add_option("--coverage", options->coverage,
-                   "Profile to check: prints how many of its keys have an effect here, and the "
-                   "keys without effect")
+                   "PrusaSlicer config.ini to check: prints how many of its keys have an effect in "
+                   "slicefarm, and the keys without effect")
       ->type_name("PROFILE.ini");
   command->footer(
       "Names and meanings are the same as in PrusaSlicer's config.ini.\nExample:\n  slicefarm "

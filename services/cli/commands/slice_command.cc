@@ -131,8 +131,8 @@ absl::Status CheckPlate(const SliceOptions& options, const config::ResolvedPlate
 void WarnWithoutMachine(const std::vector<Setting>& settings, Process process) {
   const absl::Status named = config::CheckMachineNamed(settings, process);
   if (named.ok()) return;
-  Warn({std::string(named.message()) +
-        "; give the printer's profile (--config FILE), or --generic if it is meant"});
+  Warn({std::string(named.message()) + "; give the printer's profile with --config FILE, or add "
+                                       "--generic if no particular printer is meant"});
 }
 
 /// Slices one plate of `models` and writes its results. Moves the models' files into the job.
@@ -209,13 +209,15 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
   AddJobOptions(*command, options->job);
   command
-      ->add_option("-o,--output", options->output,
-                   "File for the G-code or other output; -: to stdout; a folder, or no -o for the "
-                   "model's folder: a file in it, named by output_filename_format")
+      ->add_option(
+          "-o,--output", options->output,
+          "File for the G-code or other output; -: to stdout; a folder: a file in it, named by "
+          "output_filename_format. Default: a file of this name in the model's folder")
       ->type_name("OUT.gcode");
   command
-      ->add_option("--orient", options->job.texture.orient,
-                   "Direction of the texture's x at --anchor; for a farm: --set orient=X,Y,Z")
+      ->add_option(
+          "--orient", options->job.texture.orient,
+          "Direction of the texture's x axis at --anchor; `submit` has --set orient=X,Y,Z instead")
       ->type_name("X,Y,Z");
   command
       ->add_option("--threads", options->threads,

@@ -418,8 +418,9 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
       ->check(AboveZero())
       ->type_name("S");
   command
-      ->add_option("--webhook", options->webhook,
-                   "URL that receives the job by POST when it has ended; the farm must allow it")
+      ->add_option(
+          "--webhook", options->webhook,
+          "URL that receives the job by POST when the job has ended; the farm must allow the URL")
       ->type_name("URL");
   command->add_flag("--json", options->json,
                     "Print each job as one line of JSON: id, state, result, warnings, error, and "
@@ -427,8 +428,8 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
   command->add_flag("--quote", options->quote,
                     "Compute only time, filament and cost; no G-code is made");
   command->add_flag("--check", options->check,
-                    "Check only whether the job can be made, and estimate it; the farm stores "
-                    "nothing but the mesh");
+                    "Check whether the job can be made, and estimate it, without creating a job; "
+                    "the farm stores only the mesh");
   command->add_flag("--orient", options->orient,
                     "Report objects that would print better in another orientation, with a large "
                     "face on the bed and little support (with --check)");

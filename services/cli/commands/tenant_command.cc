@@ -82,8 +82,8 @@ void AddTenant(CLI::App& app, CommandContext& context) {
   erase->add_flag("--yes", options->yes,
                   "Confirm the erasure; nothing is erased without this flag");
   erase->footer(
-      "Remove the tenant's entry from --tenants first, so that no new data arrives. Backups, logs "
-      "and the audit trail are not changed.");
+      "Remove the tenant's entry from the coordinator's --tenants file first, so that no new data "
+      "arrives. Backups, logs and the audit trail are not changed.");
 }
 
 }  // namespace slicefarm::cli

@@ -41,7 +41,7 @@ std::string AdviceOnFeature(const ErrorDetail& detail) {
   if (allow == detail.metadata.end()) return AdviceOnValue(detail);
   const bool tools = allow->second == config::kSeveralTools;
   return fmt::format(
-      "{}--allow {} makes the job without it, with a warning",
+      "{}--allow {} makes the job without this feature, with a warning",
       tools ? "give all objects the same extruder, or print them as separate jobs; " : "",
       allow->second);
 }
@@ -91,7 +91,7 @@ std::string Advice(const absl::Status& status) {
     case Reason::kOverloaded:
     case Reason::kQueueFull:
     case Reason::kDiskLow:
-      return "the farm accepted no more jobs for as long as --patience says: try again later, or "
+      return "the farm accepted no more jobs during the time of --patience: try again later, or "
              "with a larger --patience";
     case Reason::kJobNotFound:
       return "`slicefarm list` shows the existing jobs";

@@ -37,21 +37,20 @@ absl::Status CheckText(const config::Setting& setting) {
 void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
-      app.add_option(
-             "--printer", options.printer,
-             "Printer preset of --presets; --config and --set override its settings, and it "
-             "overrides the settings of a project")
+      app.add_option("--printer", options.printer,
+                     "Printer preset from --presets. Its settings override the settings of a "
+                     "project; --config and --set override its settings")
           ->needs(sources)
           ->type_name("NAME");
   sources->needs(printer);
   app.add_option("--process", options.process,
-                 "Process preset (print settings), by its name or the part before @; default: the "
-                 "one that the printer names")
+                 "Process preset (print settings), by its name or the part of the name before @; "
+                 "default: the one that the printer preset names")
       ->needs(sources)
       ->type_name("NAME");
   app.add_option("--filament", options.filament,
-                 "Filament preset, by its name or the part before @; default: the one that the "
-                 "printer names")
+                 "Filament preset, by its name or the part of the name before @; default: the one "
+                 "that the printer preset names")
       ->needs(sources)
       ->type_name("NAME");
 }
@@ -150,10 +149,11 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->type_name("FIELD.json");
   app.add_option("--texture", options.texture.texture,
                  "Texture for --machine engrave: a flat solid (STL, OBJ, PLY), a height image "
-                 "(PNG), or a computed texture, kind:key=value,...")
+                 "(PNG), or a computed texture as KIND:KEY=VALUE,...")
       ->type_name("TEXTURE");
-  app.add_option("--mask", options.texture.mask,
-                 "Mask image (PNG) over the surface's map: bright areas are engraved")
+  app.add_option(
+         "--mask", options.texture.mask,
+         "Mask image (PNG) that covers the surface's flat map: only bright areas are engraved")
       ->type_name("MASK.png");
   app.add_option("--anchor", options.texture.anchor,
                  "Point on the surface where the texture's origin is placed, in mm")
@@ -173,7 +173,7 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
   app.add_flag("--generic", options.generic,
-               "Allow a job for no particular printer, in which no profile sets bed_shape, "
+               "Allow a job for no particular printer: no profile has to set bed_shape, "
                "nozzle_diameter and gcode_flavor");
   app.add_option("--report", options.report,
                  "File for a report of the result, as JSON; -: to stdout")

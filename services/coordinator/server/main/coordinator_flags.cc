@@ -117,9 +117,11 @@ constexpr StageFlag kStageFlags[] = {
     {Stage::kSlicing, "Addresses of slicing services, host:port,...", true},
     {Stage::kPlanning, "Addresses of planning services, host:port,...", true},
     {Stage::kMotion, "Addresses of motion services, host:port,...", true},
-    {Stage::kBeading, "Addresses of beading services, host:port,..., for split stages"},
-    {Stage::kInfill, "Addresses of infill services, host:port,..."},
-    {Stage::kOrdering, "Addresses of ordering services, host:port,..."},
+    {Stage::kBeading,
+     "Addresses of beading services, host:port,...; with --infill and --ordering instead of "
+     "--workers"},
+    {Stage::kInfill, "Addresses of infill services, host:port,...; see --beading"},
+    {Stage::kOrdering, "Addresses of ordering services, host:port,...; see --beading"},
     {Stage::kExposure,
      "Addresses of exposure services; without them, jobs that need exposure are refused"},
     {Stage::kMilling,
@@ -171,23 +173,26 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--keep-blobs", flags->keep_blobs_hours,
-                 "Hours for which meshes and results without a job are kept")
+                 "Hours after which meshes and results without a job are removed")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
   app.add_option(
          "--sweep-after", flags->sweep_after_hours,
-         "Hours after the start with a new or restored database in which nothing is removed")
+         "Hours in which nothing is removed after the start with a new or restored database")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   AddStageFlags(app, flags);
-  app.add_option("--workers", flags->workers, "Addresses of fused workers, host:port,...");
+  app.add_option("--workers", flags->workers,
+                 "Addresses of workers that run all stages of layers, host:port,...");
   app.add_option("--split-slots", flags->split_slots,
-                 "Number of layer ranges that split stages process at the same time")
+                 "Number of layer ranges in progress at the same time, with --beading, --infill "
+                 "and --ordering")
       ->check(CLI::Range(1, 1024))
       ->needs("--beading")
       ->capture_default_str();
   app.add_option("--jobs", flags->runner.jobs,
-                 "Number of jobs that run at the same time; one more if it is INTERACTIVE")
+                 "Number of jobs that run at the same time; one more job may run if its priority "
+                 "is INTERACTIVE")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option(
@@ -201,7 +206,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->check(CLI::ExistingFile);
   app.add_flag("--share-cache", flags->share_cache,
                "Let tenants share cached results of the same work; a tenant can then find out that "
-               "another one sliced it");
+               "another tenant has sliced the same model");
   app.add_option("--client-certs", flags->serve.client_certs,
                  "Client certificates with TLS: required or optional")
       ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
