@@ -19,7 +19,7 @@ std::string Advice(const absl::Status& status);
 /// Prints one line `warning: ...` per text to stderr.
 void Warn(const std::vector<std::string>& warnings);
 
-/// Prints the warnings that are not in `told`, the warnings that were already printed.
+/// Prints the warnings that are not in `told`. `told`: warnings that were already printed.
 void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told);
 
 /// Prints text to stdout, or to stderr if stdout contains the result.

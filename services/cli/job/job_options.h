@@ -62,7 +62,7 @@ struct JobOptions : SettingOptions {
   TextureArguments texture;
   std::string format;  ///< output format; empty: determined by the output's name or by the settings
   std::vector<std::string> allow;  ///< features that may be missing (config::Allowances)
-  bool generic = false;            ///< true if the job is for no particular printer
+  bool generic = false;            ///< true if the job is for no particular printer (--generic)
   std::string report;
   bool quiet = false;
 };
@@ -84,8 +84,8 @@ void AddMachineOption(CLI::App& app, Process& process);
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
 /// Adds the current time as `creation_time`, with the lowest priority, if a template in the
-/// settings may use it. Templates are texts of G-code and of the output's name. `anyway`: adds it
-/// in any case.
+/// settings may use it. Templates are texts of G-code and of the output's name. `anyway`: adds the
+/// time even if no template may use it.
 std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings,
                                               bool anyway = false);
 

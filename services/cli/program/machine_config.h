@@ -19,10 +19,10 @@ struct MachineConfig {
 /// Errors: see ReadIni and Resolve.
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text);
 
-/// Returns the machine of a G-code file. `config_file`: the file of --config, a Klipper printer.cfg
-/// if it has a section [printer], otherwise settings. If `config_file` is empty, the settings in
-/// the G-code are used, if they can be read. Otherwise PrusaSlicer's defaults are used; the shape
-/// of the bed and the largest print height are then not known.
+/// Returns the machine of a G-code file. `config_file`: the file of --config, which is a Klipper
+/// printer.cfg if it has a section [printer], and a settings file otherwise. If `config_file` is
+/// empty, uses the settings in the G-code. If the G-code has no readable settings, uses
+/// PrusaSlicer's defaults; the shape of the bed and the largest print height are then not known.
 absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::string_view gcode);
 
 }  // namespace slicefarm::cli
