@@ -21,7 +21,8 @@ struct SurfaceInput {
 /// Surface, cut open where necessary, with its one-to-one map into the plane.
 struct MappedSurface {
   SurfaceMesh mesh;
-  std::vector<int32_t> vertex_of;       ///< index before the cut, per vertex of `mesh`
+  /// index of the vertex in the surface before the cut, per vertex of `mesh`
+  std::vector<int32_t> vertex_of;
   std::vector<Eigen::Vector2d> map_mm;  ///< position of each vertex in the plane
 
   friend bool operator==(const MappedSurface&, const MappedSurface&) = default;

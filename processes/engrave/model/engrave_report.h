@@ -44,7 +44,8 @@ struct LayerNumbers {
   double on_mm = 0;
   double off_mm = 0;
   double section_mm2 = 0;
-  /// Number of path segments that run backwards after the offset along the normals.
+  /// Number of path segments that change their direction to the opposite when their points are
+  /// lifted along the normals.
   int64_t folds = 0;
   double folds_mm = 0;
   Eigen::Vector3d first_fold_mm = Eigen::Vector3d::Zero();

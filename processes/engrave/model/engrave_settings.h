@@ -76,7 +76,8 @@ struct TextureSettings {
 /// Settings of the layers and of the lines in them.
 struct EngraveLineSettings {
   double layer_height_mm = 0.05;
-  std::string spacing = "0.1";  ///< line spacing per layer, as a list that repeats from the start
+  /// line spacing per layer in mm, as a list that repeats from the start
+  std::string spacing = "0.1";
   /// Line angle per layer in degrees, as a list that repeats from the start.
   std::string angle = "0";
   bool equidistant = false;

@@ -24,8 +24,8 @@ struct SpooledProgram {
 absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
                                                     SpoolFile& spool);
 
-/// Returns all programs in the order of printing: by pass, then from the bottom up. `programs` are
-/// sorted by layer. Errors:
+/// Returns all programs in the order of printing: sorted by pass (see Copy::pass), within a pass
+/// from the bottom up. `programs` are sorted by layer. Errors:
 /// - INTERNAL unless there are programs of `layer_count` layers, and each layer has only passes
 ///   that the layer before it has.
 /// - NOTHING_TO_PRINT if no program has a bead.

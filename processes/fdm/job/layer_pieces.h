@@ -35,7 +35,7 @@ class LayerJoin {
 
  private:
   ModeValues set_;         ///< current modes; an empty value is unknown
-  bool retracted_ = true;  ///< state of the filament; other G-code does not change it
+  bool retracted_ = true;  ///< true if the filament is retracted; other G-code does not change this
 };
 
 }  // namespace slicefarm::coordinator

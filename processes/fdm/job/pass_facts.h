@@ -9,8 +9,9 @@
 
 namespace slicefarm::coordinator {
 
-/// Facts about the passes that are known before any layer is programmed. Stacks of the plate, such
-/// as a raft, belong to the first pass.
+/// Facts about the passes that are known before any layer is programmed. A pass prints its copies
+/// layer by layer before the next pass begins (Copy::pass). Stacks of the plate, such as a raft,
+/// belong to the first pass.
 struct PassPlan {
   std::vector<PassFacts> passes;  ///< one per pass; empty if there is only one pass
   int32_t layer_count = 0;        ///< total number of layers of all passes

@@ -24,7 +24,7 @@ struct LayerEstimate {
 std::vector<LayerEstimate> EstimateLayers(const SlicedOutlines& job, const FdmSettings& settings);
 
 /// Estimates a print from the areas and outlines of its layers alone. The model has these rules:
-/// - Walls have the width of the number of walls.
+/// - The walls along an outline are as wide as the number of walls times the width of a line.
 /// - A layer has solid skin where it is larger than one of the layers near it, and sparse infill in
 ///   the rest.
 /// - Lines are printed at their speed, with a full stop at each sharp corner.

@@ -17,8 +17,9 @@ size_t ToolOf(std::span<const Setting> given);
 /// in Resolve.
 absl::Status DeriveOptions(const OptionSources& settling);
 
-/// Adds the settings that the G-code of each layer refers to, and no further settings. Then a layer
-/// does not depend on other settings. Errors: any error in the job's G-code templates;
+/// Copies the settings that the G-code of each layer refers to into the options of the motion
+/// stage. A layer then depends on no other settings of the job. Templates with errors are left out
+/// if LeaveOutTemplate allows it. Errors: any error in the job's G-code templates;
 /// REQUEST_TOO_LARGE.
 absl::Status TakeGcode(const SettingValues& draft, ResolvedSettings& result);
 

@@ -13,11 +13,12 @@ namespace slicefarm::config::fdm {
 /// Sets one bead width for walls and infill.
 void SetWidths(Coord width_nm, JobRows& settings);
 
-/// Disables everything in walls except the requested number of walls.
+/// Disables all options that make walls differ from a constant number of smooth walls: one wall on
+/// the bed or on top, extra perimeters, fuzzy skin.
 void MakePlain(BeadingOptions& beading);
 
-/// Disables skins: the whole region is filled uniformly, with lines that have the same direction in
-/// all layers. `density`: density of the lines, in [0, 1].
+/// Disables skins: the whole region is filled with lines of one density and one direction in all
+/// layers. `density`: density of the lines, in [0, 1].
 void FillAlike(double density, double angle_rad, InfillOptions& infill);
 
 /// Returns the density of lines with gaps of `free_nm` between them; 0 fills a layer of this height

@@ -14,14 +14,14 @@ struct ExposureSettings;
 
 namespace slicefarm::coordinator {
 
-/// Checks that the scanner stays on the bed where it moves on beyond lines with the laser off
-/// (skywriting, contour_run). The distance of the exposed area from the boundary of the bed must be
-/// at least the longest of these moves. Returns OUT_OF_BUILD_VOLUME, with the setting, if it is
-/// smaller. `exposed`: bounding box of the exposed area on the plate.
+/// Checks that the scanner stays on the bed when it moves beyond the ends of lines with the laser
+/// off (skywriting, contour_run). The distance of the exposed area from the boundary of the bed
+/// must be at least the longest of these moves. Returns OUT_OF_BUILD_VOLUME, with the setting, if
+/// the distance is smaller. `exposed`: bounding box of the exposed area on the plate.
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed, const Box& exposed);
 
-/// Makes the check before anything is scanned, with the outermost contours as the exposed area.
-/// Thin walls are left out. Cost: O(points), and an offset of each outline if the check with
+/// Makes the same check before anything is scanned, with the outermost contours as the exposed
+/// area. Ignores thin walls. Cost: O(points), and an offset of each outline if the check with
 /// unshrunk outlines fails.
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed,
                        const SlicedOutlines& job);

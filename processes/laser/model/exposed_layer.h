@@ -118,7 +118,7 @@ struct ExposedLayer {
 
 /// Totals of one kind of vector.
 struct KindExposure {
-  int64_t vectors = 0;  ///< number of edges
+  int64_t vectors = 0;  ///< number of straight segments of lines
   int64_t lines = 0;    ///< number of times that the beam is switched on and off
   double length_mm = 0;
   double time_s = 0;  ///< time, including the delays at the ends and corners of lines

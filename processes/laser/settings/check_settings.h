@@ -5,7 +5,9 @@
 
 namespace slicefarm::config::laser {
 
-/// Checks that the values are consistent with each other. Errors: SETTING_OUT_OF_RANGE.
+/// Checks rules between settings: widths of stripes and islands against overlaps and hatch
+/// distances; gas_window for islands; powers against laser_full_power. Errors:
+/// SETTING_OUT_OF_RANGE.
 absl::Status CheckSettings(const SettingValues& draft);
 
 }  // namespace slicefarm::config::laser

@@ -22,7 +22,8 @@ struct PhaseReport {
 /// Statistics of a program and result of its gouge check.
 struct MillReport {
   std::array<PhaseReport, kMillPhaseCount> phases;  ///< totals per MillPhase
-  int64_t ways = 0;  ///< number of toolpaths: loops and runs that were cut
+  /// number of toolpaths that were cut: closed loops on levels, and paths along rows
+  int64_t ways = 0;
   double removed_mm3 = 0;
 
   /// Number of checked positions of the tip: ends and midpoints of moves and of the chords of arcs.

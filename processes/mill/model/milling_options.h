@@ -76,14 +76,17 @@ struct MillingOptions {
   double stepover_share = 0.4;
   /// Thickness of stock that roughing leaves around the part for finishing.
   double allowance_mm = 0.2;
-  /// passages for the tip that are narrower than this width are left to finishing
+  /// smallest width of a passage, measured across the positions of the tip; roughing leaves
+  /// narrower passages to finishing
   double minimum_width_mm = 0.05;
   bool finishing = true;
   double finish_stepdown_mm = 0.25;  ///< largest distance between two waterlines
   double finish_stepover_mm = 0.25;  ///< distance between parallel toolpaths
   double rest_angle_deg = 45;  ///< slope below which the part is finished by parallel toolpaths
   bool finish_floor = false;   ///< true: finishes the stock's floor beside the part, too
-  double sampling_mm = 0.1;    ///< distance of sampling fibers
+  /// distance between fibers, the horizontal lines along which the cutter is pushed to find
+  /// waterlines
+  double sampling_mm = 0.1;
   /// largest distance between a toolpath and exact contact with the mesh
   double tolerance_mm = 0.01;
   double stock_margin_mm = 1;  ///< margin of a stock box around the part, at its sides and top
