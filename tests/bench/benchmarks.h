@@ -4,7 +4,7 @@
 
 namespace slicefarm::bench {
 
-/// Each function prints `key value` rows to stdout and returns the exit code.
+/// Benchmarks. Each function prints `key value` rows to stdout and returns the exit code.
 int BenchSlice();
 int BenchPlanning();
 int BenchHop();

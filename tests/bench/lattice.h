@@ -7,7 +7,7 @@
 namespace slicefarm::bench {
 
 /// Returns layer `index` of `layers` of a lattice of `cells` by `cells` round bars, one every 2 mm.
-/// The bars are discs of 32 corners with a size that changes with the height.
+/// Each bar is a disc of 32 corners; its diameter changes with the height.
 SlicedLayer LatticeLayer(int32_t index, int32_t layers, int cells);
 
 }  // namespace slicefarm::bench

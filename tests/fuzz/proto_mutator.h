@@ -7,9 +7,9 @@
 
 namespace slicefarm::fuzz {
 
-/// Changes a serialized message into another one, usually field by field, so that it can still be
-/// parsed. Random changes of bytes rarely do this to nested messages. `scratch` is an empty message
-/// of its type. Called by LLVMFuzzerCustomMutator. Returns the new size.
+/// Changes a serialized message into another message, usually field by field, so that the result
+/// can still be parsed. Random changes of bytes rarely achieve this for nested messages. `scratch`:
+/// an empty message of the same type. Called by LLVMFuzzerCustomMutator. Returns the new size.
 size_t MutateProto(google::protobuf::Message& scratch, uint8_t* data, size_t size, size_t max_size,
                    unsigned int seed);
 

@@ -16,7 +16,7 @@
 
 namespace slicefarm::fuzz {
 
-/// Messages of a call, as a stage's service reads them.
+/// Stream of the request messages of a call, with the interface that a stage's service reads from.
 template <typename Request>
 class Requests {
  public:
@@ -51,7 +51,7 @@ inline CancelToken WithDeadline(
   return CancelToken([end] { return std::chrono::steady_clock::now() > end; });
 }
 
-/// Calls ToProto in each of its forms.
+/// Returns the model as a message, with the form of ToProto that the model's type has.
 template <typename Proto, typename Model>
 Proto Encoded(const Model& model) {
   Proto proto;
@@ -82,7 +82,8 @@ std::string Serialized(const Proto& proto) {
   return bytes;
 }
 
-/// Checks that an accepted message is forwarded without loss.
+/// Checks that a message that FromProto accepts is converted to a model and back without loss.
+/// Aborts if not.
 template <typename Proto>
 void CheckRoundTrip(const Proto& proto) {
   const auto model = FromProto(proto);

@@ -20,13 +20,14 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Reads stdout up to a line that begins with `prefix`, and returns the rest of that line; empty
-  /// if the process ended before.
+  /// Reads stdout up to a line that begins with `prefix`, and returns the rest of that line.
+  /// Returns an empty text if the process ended before such a line.
   std::string AwaitLine(std::string_view prefix);
 
   void Signal(int signal) const;
 
-  /// Waits for the end. Returns the exit code, or minus the signal that ended the process.
+  /// Waits for the end of the process. Returns the exit code, or minus the signal that ended the
+  /// process.
   int Wait();
 
   pid_t pid() const { return pid_; }

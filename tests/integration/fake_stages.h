@@ -30,13 +30,14 @@
 
 namespace slicefarm {
 
-/// Recorded arguments of the fake stages, and the action before they answer with the sample
-/// results.
+/// State of the fake stages: the arguments of the last call, and the function `before`, which each
+/// stage calls before it answers with the sample results. If `before` returns an error, the answer
+/// is this error.
 struct FakeStages {
   std::function<absl::Status(const StageCall&)> before = [](const StageCall&) {
     return absl::OkStatus();
   };
-  /// Every answer lacks one layer.
+  /// If true, each answer lacks one layer.
   bool lose_a_layer = false;
 
   // Arguments of the last call:
@@ -64,8 +65,9 @@ struct FakeStages {
   FdmSettings fdm_settings;
 };
 
-/// A small job in all intermediate states: two of ten layers to work on, [3, 5), with a halo of
-/// one. Its objects 0 and 2 are printed. Object 0 has two regions and is printed in two passes.
+/// A small job in all intermediate states. It has ten layers; the range to work on is [3, 5), with
+/// a halo of one layer. Objects 0 and 2 are printed. Object 0 has two regions and is printed in two
+/// passes (Copy::pass).
 struct Sample {
   static constexpr LayerRange kRange{3, 5};
   static constexpr int32_t kLayerCount = 10;
@@ -102,7 +104,8 @@ class FakeSlicing : public SlicingStage {
   FakeStages& fakes_;
 };
 
-/// Planning has its algorithm within its service, so the fake is the service.
+/// Fake of the planning service. It replaces the whole service, because the planning algorithm has
+/// no stage class of its own.
 class FakePlanning final : public v1::Planning::Service {
  public:
   FakePlanning(FakeStages& fakes, rpc::CallLimiter& gate) : fakes_(fakes), gate_(gate) {}

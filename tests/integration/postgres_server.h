@@ -4,12 +4,14 @@
 
 namespace slicefarm {
 
-/// PostgreSQL server of one test process, by `deploy/postgres/server.sh`, until its scope ends.
+/// PostgreSQL server of one test process, started by `deploy/postgres/server.sh`. The destructor
+/// stops the server.
 class PostgresServer {
  public:
   enum class Disk { kTrusted, kFsync };
 
-  /// Aborts if the server does not start. Without fsync it is faster, and it still survives kills.
+  /// Starts the server. Aborts if it does not start. `disk`: kTrusted runs without fsync, which is
+  /// faster; the data still survives kills of the server's processes.
   explicit PostgresServer(Disk disk = Disk::kTrusted);
   ~PostgresServer();
   PostgresServer(const PostgresServer&) = delete;
@@ -23,9 +25,10 @@ class PostgresServer {
   /// Starts the server again after Kill.
   void Start();
 
-  /// Stops all processes of the server: it does not answer, and no connection ends.
+  /// Stops all processes of the server with SIGSTOP: the server does not answer, and no connection
+  /// ends.
   void Pause();
-  /// Continues after Pause.
+  /// Lets the processes continue after Pause.
   void Resume();
 
  private:

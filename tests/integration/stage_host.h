@@ -32,7 +32,8 @@ struct HostedStages {
   const OrderingStage& ordering;
   const MotionStage& motion;
   const TaskRunner& runner;
-  /// Planning has its algorithm within its service.
+  /// Returns the planning service with this limit of calls. Planning is a service and not a stage
+  /// class, because its algorithm is within the service.
   std::function<std::unique_ptr<grpc::Service>(rpc::CallLimiter&)> planning =
       planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: not served

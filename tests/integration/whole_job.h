@@ -17,13 +17,14 @@ namespace slicefarm {
 /// Returns a job of the corpus: a box with letters on it, about 150 layers.
 SliceInput TextBox();
 
-/// Runs a whole job, from the text box to its G-code.
+/// Slices the text box with these stages and returns its G-code. `layers_done` receives the number
+/// of finished layers.
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
                                     const MotionStage& motion, coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done = {});
 
-/// Returns the G-code of this process, by one runner with one slot. All other configurations must
-/// have the same result.
+/// Returns the G-code of the text box, made in this process by one runner with one slot. Every
+/// other configuration must make the same G-code.
 const std::string& GcodeOfThisProcess();
 
 }  // namespace slicefarm

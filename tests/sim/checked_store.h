@@ -48,11 +48,11 @@ class CheckedStore : public ForwardingJobStore {
   absl::Status Delete(const std::string& id) override;
 
  private:
-  /// Observed history of a job.
+  /// History of a job as this object has observed it.
   struct Seen {
     JobRecord job;
     size_t events = 0;
-    /// Epoch of the claim under which the end was requested; -1: no request.
+    /// Epoch of the claim during which the client requested the end of the job; -1: no request.
     int64_t cancel_epoch = -1;
     int64_t claimed_us = 0;  ///< time of the last claim, on the claimer's clock
   };

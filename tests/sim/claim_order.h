@@ -31,17 +31,18 @@ class ClaimOrder {
   /// Tenant with open jobs at the time of the claim.
   struct Tenant {
     int64_t held = 0;
-    std::optional<JobRecord> next;  ///< next of its jobs; empty if none may be claimed
+    /// next claimable job of this tenant; empty if no job may be claimed
+    std::optional<JobRecord> next;
   };
 
   std::optional<std::string> CheckPassedOver(const Call& call, const std::string& taken);
-  /// Returns the tenant that is next; nullptr if no job may be claimed.
+  /// Returns the tenant that must get the next claim; nullptr if no job may be claimed.
   const Tenant* First() const;
 
   std::map<std::string, Tenant> tenants_;
   std::map<std::string, int64_t> turns_us_;  ///< time of the last claim of a job of the tenant
-  /// Number of times that other tenants were served while this tenant held nothing and had a
-  /// waiting job.
+  /// Number of claims for other tenants since this tenant's last claim, while this tenant held no
+  /// job and had a claimable job.
   std::map<std::string, size_t> passed_over_;
   int64_t latest_us_ = 0;
 };

@@ -22,15 +22,15 @@ class EventQueue {
   /// Returns the number of events so far.
   int64_t steps() const { return steps_; }
 
-  /// Adds an event at this time.
+  /// Adds an event at the time `at_us` of the simulated clock.
   void At(int64_t at_us, Action action);
-  /// Adds an event after this delay.
+  /// Adds an event `delay_us` after the current time.
   void After(int64_t delay_us, Action action) { At(now_us_ + delay_us, std::move(action)); }
 
   /// Runs the next event. Returns false if there is none.
   bool Step();
 
-  /// Runs all events up to this time.
+  /// Runs all events up to `until_us`, and sets the clock to this time.
   void RunUntil(int64_t until_us);
 
  private:

@@ -26,8 +26,8 @@ using RangeHashes = std::vector<uint64_t>;
 /// Simulated workers, and the network between them and the coordinators.
 class Farm {
  public:
-  /// Function that is called when an answer or the end of the call arrives. It is called twice if
-  /// the answer is doubled.
+  /// Function that receives the answer to a call, or the error with which the call ended. If the
+  /// network doubles the answer, it is called twice.
   using Reply = std::function<void(const absl::StatusOr<RangeHashes>&)>;
 
   explicit Farm(World& world);
@@ -42,15 +42,15 @@ class Farm {
   /// Sends a range to a worker.
   void Call(int coordinator, int worker, const RangeOfWork& range, Reply reply);
 
-  /// Returns true if the connection considers the worker reachable. It detects a broken line only
-  /// after a while.
+  /// Returns true if the coordinator's connection to the worker seems to work. The connection
+  /// detects a broken line only after a while.
   bool Reachable(int coordinator, int worker) const;
 
-  /// Kills a worker, which restarts after this time.
+  /// Kills a worker. It restarts after `restart_after_us`.
   void Kill(int worker, int64_t restart_after_us);
-  /// Pauses a worker until this time.
+  /// Pauses a worker until the time `until_us`.
   void Pause(int worker, int64_t until_us) { nodes_[worker]->process.Pause(until_us); }
-  /// Breaks the line between a coordinator and a worker until this time.
+  /// Breaks the line between a coordinator and a worker until the time `until_us`.
   void Partition(int coordinator, int worker, int64_t until_us);
 
  private:
@@ -69,8 +69,8 @@ class Farm {
   struct Node {
     explicit Node(EventQueue& events) : process(events) {}
     Process process;
-    std::list<Flight> flights;  ///< calls that it is working on
-    std::vector<Line> lines;    ///< lines by coordinator
+    std::list<Flight> flights;  ///< calls that this worker is working on
+    std::vector<Line> lines;    ///< lines to the coordinators, indexed by coordinator
   };
 
   int64_t Delay();
@@ -83,7 +83,9 @@ class Farm {
 
   World& world_;
   std::vector<std::unique_ptr<Node>> nodes_;
-  RangeHashes last_made_;  ///< result of the last range, for mixed-up answers
+  /// result of the range that any worker made last; the answer to another range if answers are
+  /// mixed up
+  RangeHashes last_made_;
 };
 
 }  // namespace slicefarm::coordinator::sim

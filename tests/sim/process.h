@@ -16,7 +16,8 @@ class Process {
 
   /// Returns true if the process runs.
   bool up() const { return up_; }
-  /// Returns the number of the current life.
+  /// Returns the number of kills so far. It identifies the current life: the time between two
+  /// kills.
   int64_t life() const { return life_; }
   /// Returns true if the process is paused.
   bool paused() const { return events_.now_us() < paused_until_us_; }
@@ -31,17 +32,18 @@ class Process {
     ++life_;
     paused_until_us_ = 0;
   }
-  /// Pauses the process until this time.
+  /// Pauses the process until the time `until_us`.
   void Pause(int64_t until_us) { paused_until_us_ = std::max(paused_until_us_, until_us); }
 
-  /// Adds an action of the current life after a delay.
+  /// Adds an action after a delay. The action is dropped if the process is killed before.
   void After(int64_t delay_us, EventQueue::Action action) {
     events_.After(delay_us, [this, life = life_, action = std::move(action)]() mutable {
       Deliver(life, std::move(action));
     });
   }
 
-  /// Adds an action for the life at that time, such as a message from outside.
+  /// Adds an action after a delay, such as a message from outside. The action happens if the
+  /// process runs at that time, even after a restart.
   void Arrive(int64_t delay_us, EventQueue::Action action) {
     events_.After(delay_us, [this, action = std::move(action)]() mutable {
       Deliver(life_, std::move(action));

@@ -34,7 +34,7 @@ class SimBlobs {
     return true;
   }
 
-  /// Deletes a blob. Returns false if it was used after this time.
+  /// Deletes a blob. Returns false and keeps the blob if it was used after `used_before_us`.
   bool Delete(const BlobKey& key, int64_t used_before_us) {
     const auto found = used_us_.find(key);
     if (found == used_us_.end() || found->second > used_before_us) return false;

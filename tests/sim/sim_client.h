@@ -11,16 +11,17 @@ namespace slicefarm::coordinator::sim {
 
 using Coordinators = std::vector<std::unique_ptr<SimCoordinator>>;
 
-/// Simulated client. It creates a job and repeats the call until the job is acknowledged. It may
-/// cancel the job, watches its events by their numbers, and may delete it. Each call goes to a
-/// random coordinator. It uploads its mesh if a coordinator reports that the mesh is missing.
+/// Simulated client. It creates a job and repeats the call until a coordinator acknowledges the
+/// job. It watches the job by the numbers of its events. It may cancel or delete the job. Each call
+/// goes to a random coordinator. The client uploads its mesh if a coordinator reports that the mesh
+/// is missing.
 class SimClient {
  public:
   SimClient(World& world, CheckedStore& store, Coordinators& coordinators, int index);
 
-  /// Begins with the creation of its job.
+  /// Starts the client, which first creates its job.
   void Start();
-  /// Begins with a job that was done before the simulation.
+  /// Starts the client with a job that ended before the simulation.
   void StartFromYesterday(const std::string& job_id);
   /// Returns true if the client has completed its plan.
   bool done() const { return done_; }
@@ -46,7 +47,7 @@ class SimClient {
   const int index_;
   const ClientPlan plan_;
   std::string job_id_;
-  int64_t seen_ = 0;  ///< number of the last event
+  int64_t seen_ = 0;  ///< number of the last event that the client has received
   int tries_ = 0;
   bool cancelling_ = false;
   bool done_ = false;

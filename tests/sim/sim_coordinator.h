@@ -36,7 +36,7 @@ class SimCoordinator {
   void Kill();
   /// Returns all jobs to the queue, ends, and starts again.
   void Stop();
-  /// Pauses the coordinator until this time.
+  /// Pauses the coordinator until the time `until_us`.
   void Pause(int64_t until_us) { process_.Pause(until_us); }
 
   /// Returns the process of the coordinator.
@@ -52,17 +52,18 @@ class SimCoordinator {
   void Cancel(const std::string& job_id, const ReplyTo& reply);
   /// Deletes an ended job.
   void Delete(const std::string& job_id, const ReplyTo& reply);
-  /// Returns the events of a job after `after`.
+  /// Returns the events of a job with a sequence above `after`.
   void Events(const std::string& job_id, int64_t after, const ReplyTo& reply);
 
-  /// Handles the notice that a job has changed. nullopt: notices may have been missed.
+  /// Handles the notice of a shared store that a job has changed. nullopt: notices may have been
+  /// lost, so any job may have changed.
   void Changed(const std::optional<JobChange>& change);
 
  private:
   /// Simulated thread that runs jobs.
   struct Place {
     bool idle = false;
-    int64_t naps = 0;  ///< number of the current nap, to distinguish it from earlier ones
+    int64_t naps = 0;  ///< number of the current sleep, to distinguish it from earlier sleeps
   };
   using Claimed = absl::StatusOr<std::optional<JobRecord>>;
 
@@ -95,13 +96,14 @@ class SimCoordinator {
   StoreLink link_;
   SimDispatcher dispatcher_;
   RunDesk desk_;
-  std::map<int64_t, Work> works_;  ///< works by id, which is the spec of a job
+  std::map<int64_t, Work> works_;  ///< works by Work::id; the id is also the spec of the work's job
 
   // State of the current life:
   std::optional<LeaseTable> leases_;
   int64_t calm_since_us_ = 0;
   std::map<Lease, std::shared_ptr<SimRun>> runs_;
-  /// News that a run could have learned at the last renewal.
+  /// Fact that a run should have learned at the last renewal of its lease, by lease; empty: none.
+  /// If the run has not learned the fact at the next renewal, this is a violation.
   std::map<Lease, std::string> unheard_;
   std::vector<Place> places_;
   /// Threads that wait to claim; only one claims at a time, as with claim_mutex_ of JobRunner.

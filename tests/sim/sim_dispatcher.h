@@ -26,9 +26,10 @@ class SimDispatcher {
   SimDispatcher(World& world, Process& process, Farm& farm, int coordinator)
       : world_(world), process_(process), farm_(farm), coordinator_(coordinator) {}
 
-  /// Begins a life of the coordinator: all workers join.
+  /// Starts the dispatcher when its coordinator starts: all workers join.
   void Begin();
-  /// Ends a life. Adds its ranges to the totals.
+  /// Ends the dispatcher when its coordinator dies or stops. Adds the counts of its ranges to the
+  /// totals.
   void End();
 
   /// Cuts the work into ranges and runs them. Calls `done` once, unless the job is given up.

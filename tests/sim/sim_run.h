@@ -72,10 +72,12 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   RunSteps steps_{lost_runs_};
   PipelineProgress told_;
   bool computing_ = false;
-  std::optional<FanOut::JobId> fan_out_;  ///< set while its ranges run
+  /// job in the dispatcher; set while the ranges of this run are in progress
+  std::optional<FanOut::JobId> fan_out_;
   RangeHashes layers_;
   bool ended_ = false;
-  bool fenced_ = false;  ///< true if the run was notified that it is fenced
+  /// true if the store has refused a write of this run, because the job was claimed again
+  bool fenced_ = false;
 };
 
 }  // namespace slicefarm::coordinator::sim

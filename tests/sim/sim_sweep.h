@@ -7,9 +7,9 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// Calls Sweep as a coordinator's thread does. The clock advances before each call of a store, and
-/// all other events happen meanwhile. Errors: errors of Sweep; Cancelled if the coordinator dies
-/// meanwhile.
+/// Calls Sweep like the sweep thread of a coordinator. Before each call of a store, the simulated
+/// clock advances and all other events up to that time happen. Errors: errors of Sweep; Cancelled
+/// if the coordinator dies during the sweep.
 absl::StatusOr<Swept> SweepInTime(World& world, Process& process, JobStore& jobs, int64_t now_us);
 
 }  // namespace slicefarm::coordinator::sim

@@ -14,9 +14,10 @@ namespace slicefarm::coordinator::sim {
 /// Returns the error of a failed store.
 absl::Status StoreFailed();
 
-/// Connection of a coordinator to the store. A call takes effect some time after the decision, and
-/// its answer arrives later still. Between these times the coordinator may be paused or die. A call
-/// may fail before its effect or after it, or take effect long after it seemed to have failed.
+/// Connection of a coordinator to the store. A call takes effect some time after the coordinator
+/// has made it, and its answer arrives later still. The coordinator may be paused or die between
+/// these times. A call may fail before or after its effect. It may also take effect long after it
+/// seems to have failed.
 class StoreLink {
  public:
   StoreLink(World& world, Process& process, JobStore& store)

@@ -9,8 +9,8 @@
 
 namespace slicefarm::coordinator::sim {
 
-/// Pair of stores that get the same calls. The answers of the first store are returned. Reports to
-/// the world if the second store answers differently.
+/// Pair of stores that get the same calls. Each call returns the answer of the first store. If the
+/// answer of the second store differs, reports this to the world as a violation.
 class TwinStore : public JobStoreCalls<TwinStore> {
  public:
   TwinStore(World& world, JobStore& first, std::unique_ptr<JobStore> second)

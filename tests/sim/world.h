@@ -25,17 +25,17 @@ struct World {
   const Variant variant;
   const Scenario scenario = MakeScenario(random);
   Totals totals;
-  bool quiet = false;  ///< true when no more faults happen
+  bool quiet = false;  ///< true from the time on at which no more faults happen
   int64_t store_away_until_us = 0;
   int64_t disk_full_until_us = 0;
   int64_t slicing_away_until_us = 0;
   SimBlobs blobs;
-  /// Called when a job was written.
+  /// Called after each write of a job to the store.
   std::function<void(const JobChange&)> changed = [](const JobChange&) {};
   std::optional<std::string> violation;                     ///< first broken promise
   std::function<void(const std::string& line)> trace = {};  ///< empty if no trace is requested
 
-  /// Begin of the simulation, in microseconds since 1970.
+  /// Start of the simulation, in microseconds since 1970.
   static constexpr int64_t kBeginUs = 1'000'000 * kSecondUs;
   /// Returns the time of a correct clock.
   int64_t wall_us() const { return kBeginUs + events.now_us(); }
@@ -54,9 +54,10 @@ struct World {
     if (trace) trace("VIOLATION " + *violation);
   }
 
-  /// Returns true with this probability, but never in the quiet time.
+  /// Returns true with a probability of `permille` / 1000. Returns false when no more faults
+  /// happen.
   bool Happens(int permille) { return !quiet && permille > 0 && random.Chance(permille); }
-  /// Returns true before this time.
+  /// Returns true if the current time is before `until_us`.
   bool Until(int64_t until_us) const { return events.now_us() < until_us; }
 
  private:

@@ -7,9 +7,9 @@
 
 namespace slicefarm {
 
-/// Calls `visit` once for each leaf field of `original`, for tests of converters. `visit` gets a
-/// copy with another valid value in this field only, and the field's path. In repeated fields each
-/// element is visited.
+/// Calls `visit` once for each leaf field of `original`, for tests of converters. `visit` gets the
+/// path of the field, and a copy of `original` that has another valid value in this field only.
+/// Every element of a repeated field is visited.
 void ForEachChangedField(
     const google::protobuf::Message& original,
     const std::function<void(const std::string& path, const google::protobuf::Message&)>& visit);

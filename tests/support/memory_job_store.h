@@ -12,7 +12,7 @@
 
 namespace slicefarm::coordinator {
 
-/// State of a MemoryJobStore. All stores that are opened on it share it, like a database.
+/// Content of a MemoryJobStore. Several stores may share one object of this class, like a database.
 class MemoryJobs {
  public:
   struct Entry {
@@ -46,12 +46,12 @@ class MemoryJobs {
   std::map<std::string, int64_t> chores_;     ///< end time of each chore's lease
 };
 
-/// JobStore without persistence, for simulation and tests. It fulfils the contract
-/// (job_store_contract_test.cc) with the same rules as the stores on disk, job_steps.h. Calls fail
-/// only because of errors of the caller.
+/// JobStore without persistence, for the simulation and for tests. It fulfils the contract that
+/// job_store_contract_test.cc tests, by the rules in job_steps.h, which the stores on disk use as
+/// well. Calls fail only because of errors of the caller.
 class MemoryJobStore : public JobStore {
  public:
-  /// `jobs` outlives the store.
+  /// Creates a store with the content `jobs`, which must outlive it.
   explicit MemoryJobStore(MemoryJobs& jobs) : jobs_(jobs) {}
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;

@@ -9,13 +9,13 @@
 
 namespace slicefarm::load {
 
-/// Clock of a run, in ns from its beginning. Thread-safe.
+/// Clock of a run, in ns since the run began. Thread-safe.
 class RunClock {
  public:
   virtual ~RunClock() = default;
   /// Returns the current time.
   virtual int64_t NowNs() const = 0;
-  /// Waits until this time.
+  /// Waits until NowNs() is at least `instant_ns`.
   virtual void AwaitNs(int64_t instant_ns) = 0;
 };
 

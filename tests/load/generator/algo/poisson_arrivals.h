@@ -13,8 +13,7 @@ class PoissonArrivals {
   /// Creates a process with this mean rate. REQUIRES: rate_rps > 0.
   PoissonArrivals(double rate_rps, uint64_t seed) : rate_rps_(rate_rps), random_(seed) {}
 
-  /// Returns the next start time, in ns from the beginning of the run. It is never smaller than the
-  /// previous one.
+  /// Returns the next start time, in ns since the run began. Start times never decrease.
   int64_t NextNs();
 
  private:

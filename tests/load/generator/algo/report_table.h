@@ -6,7 +6,7 @@
 
 namespace slicefarm::load {
 
-/// Returns the header of a table for a terminal.
+/// Returns the header line of the table of runs that the program prints.
 std::string TableHeader();
 /// Returns the row of a run: one line, then its errors. Adds a warning if the generator itself was
 /// so late that the results are doubtful.

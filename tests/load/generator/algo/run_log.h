@@ -28,7 +28,7 @@ struct Sample {
   std::string error;  ///< empty: none
 };
 
-/// Kinds of further counts.
+/// Kinds of counts in addition to requests.
 enum class Tally { kRetries, kEvents, kCachedJobs, kBytesSent, kBytesReceived };
 inline constexpr int kTallies = 5;
 
@@ -38,18 +38,19 @@ struct RunRecord {
   int64_t skipped = 0;   ///< requests that were not started, because too many were in flight
   int64_t end_ns = 0;    ///< end of the last request, from the beginning of the run
   LatencyHistogram latency;
-  LatencyHistogram start_lag;  ///< delays of the generator itself
+  /// delays between the intended and the actual start of requests, caused by the generator itself
+  LatencyHistogram start_lag;
   std::map<absl::StatusCode, int64_t> codes;
   std::map<std::string, int64_t> errors;
   int64_t exhausted_with_retry_info = 0;     ///< RESOURCE_EXHAUSTED with a time to retry
   int64_t exhausted_without_retry_info = 0;  ///< RESOURCE_EXHAUSTED without a time to retry
-  /// Durations of successful calls, from their own start.
+  /// Durations of successful calls by step, each from the start of the call.
   std::map<std::string, LatencyHistogram> steps;
   std::array<int64_t, kTallies> tallies = {};
   std::vector<Sample> samples;  ///< first kMaxSamples requests
   int64_t samples_left_out = 0;
 
-  /// Returns a further count.
+  /// Returns a count in addition to requests.
   int64_t tally(Tally what) const { return tallies[static_cast<size_t>(what)]; }
   /// Returns the number of successful requests.
   int64_t succeeded() const;
@@ -64,13 +65,13 @@ class RunLog {
   void Arrived();
   /// Counts a request that was skipped.
   void Skipped();
-  /// Records the delay of a start.
+  /// Records the delay of a request's start against its intended start.
   void Started(int64_t lag_ns);
   /// Records the end of a request.
   void Ended(int64_t intended_ns, int64_t end_ns, const Outcome& outcome);
   /// Records the duration of a successful call.
   void StepTook(std::string_view step, int64_t ns);
-  /// Adds to a further count.
+  /// Adds `number` to a count in addition to requests.
   void Add(Tally what, int64_t number = 1);
 
   /// Returns the record. REQUIRES: all requests have ended.

@@ -31,7 +31,8 @@ struct RunReport {
   /// Returns true for an open loop.
   bool open_loop() const { return intended_rps > 0; }
 
-  /// Returns the time from the beginning to the end of the last request; at least `seconds`.
+  /// Returns the time from the beginning of the run to the end of its last request; at least
+  /// `seconds`.
   double TotalSeconds() const;
   /// Returns the successful requests per second of TotalSeconds.
   double AchievedRps() const;

@@ -29,7 +29,7 @@ struct LoadFlags {
   double seconds = 30;
   double deadline_s = 60;
   int in_flight = 512;
-  int connections = 0;  ///< 0: the required number
+  int connections = 0;  ///< number of connections; 0: as many as the requests in flight need
   int watchers = 100;
   uint64_t seed = 0;  ///< 0: a new seed each time
   std::string json;   ///< empty: none

@@ -33,7 +33,8 @@ class Scenario {
  public:
   virtual ~Scenario() = default;
 
-  /// Creates the data that the requests need, and waits for it. Errors: errors of the calls.
+  /// Creates the data that the requests need, and waits until the farm has the data. Errors: errors
+  /// of the calls.
   virtual absl::Status Prepare(const CallContext& context) = 0;
 
   /// Starts a request. Only one thread at a time may call it. Calls `done` once.
