@@ -75,7 +75,7 @@ class Turns {
   }
 
   /// Begins the next job and returns it with its tenant. Returns nullopt if no tenant has a job for
-  /// such a slot.
+  /// this kind of slot.
   std::optional<std::pair<WaitingJob, std::string>> Begin(bool for_interactive) {
     for (auto at = order_.begin(); at != order_.end(); ++at) {
       const std::string tenant = std::get<2>(*at);

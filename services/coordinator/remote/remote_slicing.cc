@@ -54,7 +54,7 @@ absl::Status CheckSliced(const SlicedAnswer& answer) {
 }
 
 struct PlacedAnswer {
-  std::optional<PlacedScene> scene;  ///< first without its meshes
+  std::optional<PlacedScene> scene;  ///< scene; without its meshes until their pieces have arrived
   std::optional<MeshReader> meshes;
 };
 

@@ -123,9 +123,9 @@ void StagePool::Failed(Replica& replica, const absl::Status& status) {
   watch_.Refresh();
 }
 
-/// Returns the best reachable replica; null if there is none. Prefers a replica that was not tried,
-/// then one that does not rest. After that, prefers the fewest calls in flight, then the longest
-/// idle time.
+/// Returns the best reachable replica; null if there is none. Prefers, in this order: a replica
+/// that was not tried; one that has not failed within StagePoolOptions::rest; the fewest calls in
+/// flight; the longest idle time.
 std::shared_ptr<StagePool::Replica> StagePool::Pick(const std::set<std::string>& tried) {
   const auto now = Clock::now();
   const auto worth = [&](const std::shared_ptr<Replica>& replica) {

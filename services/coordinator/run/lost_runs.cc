@@ -13,9 +13,9 @@ namespace {
 constexpr int64_t kFirstCalmUs = 4'000'000;
 
 /// Returns the time without losses that a coordinator needs before the job's next run. `n`: number
-/// of such waits before, from 0. `number` varies the time between jobs. Jobs that were lost
-/// together thus begin at different times, and the job that kills coordinators is alone at some
-/// time.
+/// of earlier waits of this kind. `number`: the job's number, which varies the time between jobs.
+/// Jobs that were lost together thus begin at different times, and the job that kills coordinators
+/// is alone at some time.
 int64_t CalmUs(int n, int64_t number) {
   const int64_t eighths = n % 2 == 0 ? number / 8 % 8 : number % 8;
   return (kFirstCalmUs << n) * (8 + eighths) / 8;
@@ -36,7 +36,8 @@ LostRuns::LostRuns(const JobRecord& job, int64_t calm_us)
     : count_(job.lost_runs), deadly_(job.deadly_runs), number_(job.number) {
   const int64_t wanted_us =
       std::max(CalmAfterLostRunsUs(count_, number_), CalmAfterDeadlyRunsUs(deadly_, number_));
-  // Otherwise the job would kill one calm coordinator after another.
+  // If the last run was lost, the calm time before this claim does not count. Otherwise the job
+  // would kill one calm coordinator after another.
   const bool was_lost = job.state == JobState::kRunning;
   const int64_t before_us = was_lost ? 0 : std::max<int64_t>(0, calm_us);
   rest_us_ = std::max<int64_t>(0, wanted_us - before_us);

@@ -48,7 +48,7 @@ struct Dispatcher::Job {
   const StageCall& call;
   const std::span<const Task> tasks;
   const TakeResult& take;
-  /// Prints of first results, by range; only of ranges that may get a second result.
+  /// Fingerprints of first results, keyed by range; only for ranges that may get a second result.
   std::map<int32_t, size_t> prints = {};
   /// Calls in flight, including calls of runners that left.
   std::map<FanOut::Ticket, Flag> calls = {};
@@ -213,7 +213,7 @@ bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
   return false;
 }
 
-/// Returns true if the runner can be reached.
+/// Returns true if the runner can be reached. Waits for this for at most kReadyWait.
 bool Dispatcher::Ready(Lock& lock, const Member& member) {
   if (!member.runner.await_ready) return true;
   lock.unlock();
@@ -262,7 +262,7 @@ void Dispatcher::Report(Lock& lock, const Member& member, const Assignment& assi
   changed_.notify_all();
 }
 
-/// Passes the first result of a range to the job. Stores the print of the result if a second copy
+/// Passes the first result of a range to the job. Stores the result's fingerprint if a second copy
 /// still runs, to compare the two results later.
 void Dispatcher::Accept(Lock& lock, const Assignment& assignment, TaskResult result) {
   Job& job = *assignment.job;

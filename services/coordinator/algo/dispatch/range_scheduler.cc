@@ -32,8 +32,8 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, doub
     if (now_s - copy.since_s < slow_s) break;
     const Range& range = ranges_[copy.range];
     if (range.done || range.suspect || copy.runner == runner || range.copies != 1) continue;
-    // The last running copy decides about such a range. If each failed copy were replaced, the job
-    // would never end.
+    // The last running copy of a range that has failed too often decides about the job. If each
+    // failed copy were replaced, the job would never end.
     if (FailedTooOften(range)) continue;
     ++hedged_;
     return Start(copy.range, runner, now_s);

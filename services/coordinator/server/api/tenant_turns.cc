@@ -38,7 +38,7 @@ bool TenantTurns::MayWork(const std::string& tenant) const {
   return tenant.empty() ? free_ > 0 : AtWork(tenant) < free_;
 }
 
-/// Returns the waiting call that is next; end() if none may work now.
+/// Returns the waiting call that gets the next slot; end() if no waiting call may get a slot now.
 TenantTurns::Waiting::const_iterator TenantTurns::Next() const {
   auto next = waiting_.end();
   for (auto i = waiting_.begin(); i != waiting_.end(); ++i) {

@@ -55,7 +55,8 @@ absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(const Leas
   return *std::move(ended);
 }
 
-/// Returns the first suitable result with all its blobs.
+/// Returns the first stored result that serves the job and has all its blobs; nullopt if there is
+/// none. Removes incomplete and unreadable results from the index.
 absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job) {
   for (const std::string& action : job.serving_actions) {
     auto found = jobs_.FindResult(action);

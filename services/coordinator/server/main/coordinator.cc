@@ -34,7 +34,7 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
                                                                TaskExecutor& executor,
                                                                const rpc::JsonLog& log) {
   auto stores = OpenStores(options.stores,
-                           // One for INTERACTIVE jobs.
+                           // + 1: the slot for INTERACTIVE jobs
                            options.runner.jobs + options.runner.guests + 1);
   if (!stores.ok()) return stores.status();
   if (options.spool_dir.empty() && !options.stores.state_dir.empty())

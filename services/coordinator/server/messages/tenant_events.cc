@@ -20,7 +20,7 @@ absl::StatusOr<std::vector<TenantEvent>> TenantEvents::Next(int64_t now_us) {
     after = *page_;
   } else {
     back = now_us - looked_back_us_ >= kLookBackEveryUs;
-    // The subtraction includes the first event of that moment.
+    // 1 us is subtracted, so that events with exactly this time are included.
     after.time_us = std::max(from_us_, last_us_ - (back ? kLateUs : kSoonUs)) - 1;
     after.number = after.sequence = INT64_MAX;
   }

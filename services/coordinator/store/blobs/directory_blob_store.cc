@@ -39,7 +39,7 @@ std::optional<double> IdleSeconds(const std::filesystem::path& path) {
   return std::chrono::duration<double>(now - written).count();
 }
 
-/// Returns the print of a file; nullopt if it does not exist.
+/// Returns the properties of a file that change when it is written; nullopt if it does not exist.
 std::optional<CheckedBlobs::Print> PrintOf(const std::filesystem::path& path) {
   std::error_code error;
   const auto written = std::filesystem::last_write_time(path, error);
@@ -225,7 +225,7 @@ absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::st
   }
   absl::Status synced = SyncDirectory(folder);
   if (!synced.ok()) {
-    // Waits for threads that are settling the folder without this name.
+    // Waits for threads that call fsync for the folder without knowing this name.
     const auto settling = folders_.Take(folder);
     Lock lock(doubts_mutex_);
     settled_.erase(folder);

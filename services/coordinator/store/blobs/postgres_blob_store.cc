@@ -46,7 +46,7 @@ absl::Status AddPiece(SqlConnection& db, const Key& key, int64_t at, std::string
 
 /// Adds a piece to the end of an upload in one statement, which is sufficient for most pieces.
 /// Returns false if the upload does not end at the offset of the piece. The statement does not wait
-/// for the disk, because the upload is acknowledged only by Finish, which does.
+/// for the disk: only Finish acknowledges the upload, and Finish waits for the disk.
 absl::StatusOr<bool> Extend(SqlConnection& db, const Key& key, int64_t at, std::string_view bytes) {
   SqlQuery extend(
       db,

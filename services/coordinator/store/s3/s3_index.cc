@@ -7,8 +7,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Time after which the put of an object has ended in any case. A stalled put is aborted within a
-/// minute.
+/// Longest time that the PUT of an object can take. A stalled PUT is aborted within a minute.
 constexpr int64_t kPutWithinUs = int64_t{24} * 3600 * 1'000'000;
 
 // States of loose objects.

@@ -174,7 +174,7 @@ ALTER TABLE jobs ADD COLUMN lost_runs INTEGER NOT NULL DEFAULT 0;
 DROP INDEX jobs_by_tenant;
 CREATE INDEX jobs_by_tenant ON jobs (tenant, number, priority, create_us, state);
 )",
-    // Claims search for work that is held.
+    // Index by which a claim finds held jobs with the same work.
     R"(
 CREATE INDEX jobs_held_work ON jobs (action_digest)
   WHERE state IN ('QUEUED', 'RUNNING') AND owner <> '';
