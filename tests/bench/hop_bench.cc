@@ -102,7 +102,8 @@ struct Job {
   SlicedOutlines outlines() const { return {sliced.layers, sliced.copies}; }
 };
 
-/// Stages with ready answers, so that the whole cost of a call is the cost of the hop.
+/// Slicing stage that returns the answer of `job` without any work, so that the whole cost of a
+/// call is the cost of the hop. CannedStages does this for the remaining stages.
 class CannedSlicing : public SlicingStage {
  public:
   explicit CannedSlicing(const Job& job) : job_(job) {}
@@ -160,7 +161,7 @@ SliceInput Benchy() {
 /// Cost of a job with the stages of this process.
 struct LocalCost {
   Cost job;
-  Cost planning;  ///< cost of planning within it
+  Cost planning;  ///< part of `job` that planning costs
 };
 
 absl::StatusOr<LocalCost> Compute(Job* job) {

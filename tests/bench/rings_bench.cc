@@ -85,7 +85,8 @@ absl::StatusOr<Coverage> Covered(const MultiPolygon& region, const ExposureOptio
                   CutLength(region, options)};
 }
 
-/// Least share, and mean share by area.
+/// Shares of regions: the smallest one, the mean weighted by area, and the number of shares below
+/// 0.995.
 class Shares {
  public:
   void Add(double share, double area) {

@@ -7,7 +7,8 @@
 #include "common/config/resolve.h"
 #include "common/model/process.h"
 
-// Settings of any process that resolve have a text that resolves to the same settings.
+// Checks for each process: if settings resolve, the text of the result must resolve to the same
+// settings.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace config = slicefarm::config;
   const auto given = config::ReadIni({reinterpret_cast<const char*>(data), size});

@@ -28,8 +28,8 @@ std::vector<PresetFile> FilesOf(std::string_view bytes) {
 
 }  // namespace
 
-// Presets of any files can be flattened, or have an error; chosen ones make a job that has each
-// setting once.
+// Checks that presets in any files can be flattened or have an error. If presets can be chosen for
+// a job, the job must have each setting once.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace presets = slicefarm::config::presets;
   const auto set = presets::ReadPresets(FilesOf({reinterpret_cast<const char*>(data), size}));

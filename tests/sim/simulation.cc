@@ -103,8 +103,8 @@ class Simulation {
     }
   }
 
-  /// Returns the time until all jobs that kill coordinators are found: the calm times before each
-  /// of their runs. Runs of other such jobs end the calm.
+  /// Returns the time until all jobs that kill coordinators are found. It is the sum of the calm
+  /// times before each of their runs, because a run of another killing job ends the calm.
   int64_t CondemnedUs() const {
     return kCondemnUs *
            std::ranges::count_if(world_.scenario.clients, [](const ClientPlan& client) {

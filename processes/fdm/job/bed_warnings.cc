@@ -12,7 +12,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Distance from the edge of the bed, in nm, below which a region counts as cut by the edge.
+/// Distance from the boundary of the bed, in nm, below which a region counts as cut by the
+/// boundary.
 constexpr Coord kAtEdgeNm = 20'000;
 constexpr size_t kNamed = 5;
 
@@ -26,7 +27,8 @@ Objects NearestTo(const Polygon& place, std::span<const PlacedCopy> copies) {
   return by_distance.empty() ? Objects() : by_distance.begin()->second;
 }
 
-/// Returns the objects nearest to the places where a region reaches the edge of the bed.
+/// Returns the objects that are nearest to the points where a region reaches the boundary of the
+/// bed.
 Objects CutBeside(const MultiPolygon& region, const MultiPolygon& bed,
                   std::span<const PlacedCopy> copies) {
   Objects objects;

@@ -62,7 +62,7 @@ absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) 
                     limits::kMaxSettingBytes, size);
 }
 
-/// Sets the width of thin places that elefant_foot_compensation must preserve: space for the outer
+/// Sets the width of thin parts that elefant_foot_compensation must preserve: space for the outer
 /// wall of the first layer and the adjacent wall, as in PrusaSlicer.
 void TakeFootWidth(JobRows& settings) {
   const Coord width_nm = FdmOf(settings).region.walls.first_layer_width_nm;

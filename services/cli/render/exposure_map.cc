@@ -8,10 +8,10 @@
 namespace slicefarm::cli {
 namespace {
 
-/// Amount of one pass, in levels of 255 per pixel.
+/// Increase of a pixel's value per pass, with 255 as the largest value.
 constexpr double kLevels = 17;
 
-/// Strokes each run once. A place where a run crosses itself counts once.
+/// Draws each run as one stroke. A pixel that a run crosses several times counts once.
 void AddRuns(cairo_t* cairo, const std::vector<const BeadRun*>& runs, const Layout& layout) {
   cairo_scale(cairo, layout.px_per_mm, -layout.px_per_mm);
   cairo_translate(cairo, -layout.left_mm, -layout.top_mm);

@@ -204,7 +204,7 @@ class Reader {
   double width_mm_ = kDefaultWidthMm;
   double filament_mm_ = kDefaultFilamentMm;
   double speed_mm_s_ = 0;
-  // filament of the current run of beads
+  // filament that the current run of beads has used, in mm
   double pushed_mm_ = 0;
   double length_mm_ = 0;
   std::vector<Vector2> bead_;

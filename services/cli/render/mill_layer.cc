@@ -63,7 +63,8 @@ class PathReader {
   }
 
  private:
-  /// Reads the words of a line. The last one of G0 to G3 is remembered.
+  /// Reads the words of a line into `words`, indexed by letter. Stores the last command of G0 to
+  /// G3, because it applies to later lines without a command.
   void Read(std::string_view line, std::array<std::optional<double>, 26>& words) {
     const char* at = line.data();
     const char* const end = at + line.size();

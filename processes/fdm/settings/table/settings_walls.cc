@@ -33,7 +33,7 @@ SettingSpec OfNozzle(std::string_view key, std::string_view standard, std::strin
 }
 
 /// Returns the field of spiral_vase. Other settings determine the first hollow layer of the vase
-/// (settle.h).
+/// (derive_options.h).
 Field SpiralField() {
   return Convert<ObjectSlicingOptions>(
       [](ObjectSlicingOptions& row, const Value& value) {

@@ -13,7 +13,7 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
 
-/// Calls `next` at this time.
+/// Calls `next` at the time `time`.
 void At(system_clock::time_point time, std::function<void()> next) {
   auto* alarm = new grpc::Alarm;
   alarm->Set(time, [alarm, next = std::move(next)](bool) {
