@@ -171,12 +171,11 @@ std::vector<SettingSpec> MachineTable() {
               Number("tilt", {"degrees", 0, 180}, "110",
                      "Largest angle of the rotary axes A and B, in either direction",
                      Bind<&EngraveSettings::machine, &EngraveMachineSettings::tilt_deg>())),
-      Needing(
-          {&needs::kProgram},
-          Number("steepest", {"degrees", 0, 90}, "60",
-                 "Steepest slope of the surface that a machine without rotary axes may work, from "
-                 "horizontal",
-                 Bind<&EngraveSettings::machine, &EngraveMachineSettings::steepest_deg>())),
+      Needing({&needs::kProgram},
+              Number("steepest", {"degrees", 0, 90}, "60",
+                     "Steepest slope of the surface, measured from horizontal, that a machine "
+                     "without rotary axes may work",
+                     Bind<&EngraveSettings::machine, &EngraveMachineSettings::steepest_deg>())),
       Needing(
           {&needs::kProgram},
           Number(

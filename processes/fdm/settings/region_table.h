@@ -11,7 +11,7 @@
 
 namespace slicefarm::config::fdm {
 
-/// Regions of a plate for FDM.
+/// Settings of the regions of a plate for FDM: one row for each different set of region settings.
 class RegionTable : public RegionRows {
  public:
   absl::StatusOr<int32_t> RowOf(const JobRows& settings) override;

@@ -83,8 +83,8 @@ std::vector<SettingSpec> StrategySettings() {
                      Bind<&MillSettings::how, &MillingOptions::finish_stepover_mm>())),
       Needing({&needs::kFinishing},
               Number("rest_angle", {"degrees", 0, 80}, "45",
-                     "Slope below which finishing uses parallel passes instead of waterlines, from "
-                     "horizontal",
+                     "Slope, measured from horizontal, below which finishing uses parallel passes "
+                     "instead of waterlines",
                      Bind<&MillSettings::how, &MillingOptions::rest_angle_deg>())),
       Needing({&needs::kFinishing},
               Flag("finish_floor", "0",
@@ -138,7 +138,7 @@ std::vector<SettingSpec> MachineSettings() {
        .field = Bind<&MillSettings::how, &MillingOptions::machining, &MachiningOptions::entry>(),
        .needs = {&needs::kProgram}},
       Needing({&needs::kSlopedEntry}, Number("ramp_angle", {"degrees", 0.1, 60}, "3",
-                                             "Slope of ramps and helices, from horizontal",
+                                             "Slope of ramps and helices, measured from horizontal",
                                              Bind<&MillSettings::how, &MillingOptions::machining,
                                                   &MachiningOptions::ramp_angle_deg>())),
       Needing({&needs::kHelix},

@@ -388,7 +388,7 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "extra_perimeters_on_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Fill overhangs that no bridge can span with lines side by side, starting from the "
+       .doc = "Fill overhangs that cannot be bridged: print lines side by side, starting from the "
               "supported edge",
        .field = Bind<&RegionRow::infill, &InfillOptions::overhang_lines>(),
        .orca = {{"extra_perimeters_on_overhangs"}}},

@@ -107,8 +107,8 @@ std::vector<SettingSpec> SeamSettings() {
   gap.list = List::kPerExtruder;
   gap.standard = kNotSet;
   gap.doc =
-      "Value for this filament, instead of the setting with this name without the prefix "
-      "`filament_`; nil: that setting applies";
+      "Value for this filament; overrides the setting with the same name without the prefix "
+      "`filament_`. nil: no override";
   gap.field = {};
   settings.push_back(gap);
   for (SettingSpec& scarf : ScarfSettings()) settings.push_back(std::move(scarf));

@@ -340,7 +340,7 @@ std::vector<SettingSpec> Accelerations() {
       Needing({&needs::kTravelAcceleration},
               Acceleration(
                   "travel_short_distance_acceleration",
-                  "Acceleration of travels to outer walls that are shorter than "
+                  "Acceleration of travels that lead to an outer wall and are shorter than "
                   "retract_before_travel; 0: travel_acceleration",
                   Bind<&MachineRow::motion, &MachineMotion::short_travel_acceleration_mm_s2>())),
       Orca({"travel_acceleration"},

@@ -41,8 +41,8 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = 90,
        .standard = "0",
-       .doc = "Slope below which a surface is supported, from horizontal; larger: more supports. "
-              "0: overhangs of more than half the outer wall's width",
+       .doc = "Slope, measured from horizontal, below which a surface is supported; larger: more "
+              "supports. 0: overhangs of more than half the outer wall's width",
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::threshold_rad>(),
        .orca = {{"support_threshold_angle"}},
        .needs = {&needs::kSupports}},
@@ -112,8 +112,8 @@ std::vector<SettingSpec> Where() {
       {.key = "support_material_synchronize_layers",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Give supports the layer heights of the part; 0: the tops of supports have their own "
-              "heights",
+       .doc = "Print supports with the layer heights of the part; 0: the tops of supports may be "
+              "between two layers of the part",
        .field = Bind<&ObjectRow::support, &SupportOptions::synchronize_layers>(),
        .orca = {{"independent_support_layer_height", OrcaValue::kNot}},
        .needs = {&needs::kSupports}},
@@ -191,7 +191,7 @@ std::vector<SettingSpec> Trees() {
        .min = 0,
        .max = 85,
        .standard = "40",
-       .doc = "Largest angle of branches, from vertical",
+       .doc = "Largest angle of branches, measured from vertical",
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::tree,
                      &TreeOptions::angle_rad>(),
        .orca = {{"tree_support_branch_angle"}},
@@ -201,7 +201,8 @@ std::vector<SettingSpec> Trees() {
        .min = 0,
        .max = 85,
        .standard = "25",
-       .doc = "Angle of branches, from vertical, where no obstacle requires a larger one",
+       .doc =
+           "Angle of branches, measured from vertical, where no obstacle requires a larger angle",
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::tree,
                      &TreeOptions::slow_angle_rad>(),
        .orca = {{"tree_support_angle_slow"}},

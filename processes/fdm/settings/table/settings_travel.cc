@@ -14,8 +14,8 @@ void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_v
   spec.key = filament_key;
   spec.standard = kNotSet;
   spec.doc =
-      "Value for this filament, instead of the setting with this name without the prefix "
-      "`filament_`; nil: that setting applies";
+      "Value for this filament; overrides the setting with the same name without the prefix "
+      "`filament_`. nil: no override";
   spec.field = {};
   to.push_back(spec);
 }
@@ -98,10 +98,11 @@ std::vector<SettingSpec> Retraction() {
                 "travel_ramping_lift; shorter travels lift less",
                 Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>(),
                 {&needs::kRampingLift});
-  AddRetraction(
-      settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
-      "Slope at which the nozzle is lifted along a travel, from horizontal; 0 and 90: straight up",
-      Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>(), {&needs::kRampingLift});
+  AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
+                "Slope, measured from horizontal, at which the nozzle is lifted along a travel; 0 "
+                "and 90: straight up",
+                Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>(),
+                {&needs::kRampingLift});
   AddRetraction(settings,
                 {.key = "travel_lift_before_obstacle",
                  .kind = Kind::kFlag,
