@@ -57,7 +57,7 @@ struct ExpectedRun {
   friend bool operator==(const ExpectedRun&, const ExpectedRun&) = default;
 };
 
-/// Returns the mean duration of the latest runs in microseconds; 0 if there are too few.
+/// Returns the mean duration of the latest runs in microseconds; 0 if there are fewer than three.
 int64_t MeanRunUs(const QueueSnapshot& queue);
 
 /// Returns the waiting jobs in the order in which JobStore::Claim will give them. The tenant with

@@ -49,7 +49,7 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
                        const std::function<void(int32_t)>& weight_done) override;
   int Slots(Process process) const override;
 
-  /// Returns the dispatch counts since the start.
+  /// Returns the counts of range outcomes since the start of this object.
   DispatchCounts Counts() const;
 
  private:

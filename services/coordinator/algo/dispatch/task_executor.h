@@ -14,7 +14,8 @@ class TaskExecutor {
  public:
   virtual ~TaskExecutor() = default;
 
-  /// Takes the result of a task. An error from it ends the job with that error.
+  /// Function that takes the result of a task. If it returns an error, the job ends with this
+  /// error.
   using TakeResult = std::function<absl::Status(size_t task, TaskResult result)>;
 
   /// Runs `tasks`, which all have the same process. Calls `take` once per task as soon as its

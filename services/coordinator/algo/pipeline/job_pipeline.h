@@ -14,7 +14,7 @@ namespace slicefarm::coordinator {
 /// Progress of a job, as weights of its tasks (PlannedJob::Weight). If the process makes layers,
 /// the weight of a task is its number of layers.
 struct PipelineProgress {
-  int32_t total = 0;  ///< 0 until the job is planned
+  int32_t total = 0;  ///< weight of all tasks; 0 until the job is planned
   int32_t done = 0;
 };
 

@@ -43,7 +43,7 @@ struct JobReport {
   double object_height_mm = 0;
   double print_time_s = 0;
   std::string file_name;  ///< file name from the settings; empty if they give none
-  FilamentUse filament;   ///< empty if the process uses no filament
+  FilamentUse filament;   ///< used filament; empty if the process uses no filament
   std::unique_ptr<ProcessReport>
       own;  ///< the process's own part of the report; null if it has none
   StageTimes stage_times;

@@ -13,7 +13,7 @@ namespace slicefarm::coordinator {
 /// Facts and estimates about a job before it is made.
 struct Preflight {
   std::vector<MeshReport> meshes;
-  /// Number of layers over all copies, if the copies are printed one after the other.
+  /// Number of layers; if the copies are printed one after the other, summed over the copies.
   int32_t layers = 0;
   double first_layer_area_mm2 = 0;
   double print_time_s = 0;

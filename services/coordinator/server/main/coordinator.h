@@ -48,7 +48,8 @@ struct CoordinatorOptions {
   WatchOptions watches = {};
   CallLimits calls = {};
   Maintenance::Options maintenance = {};
-  TenantsNow tenants = {};  ///< empty: one tenant without a name
+  /// function that returns the current tenants; empty: one tenant without a name
+  TenantsNow tenants = {};
   ResultSharing sharing = ResultSharing::kOff;
   /// Registry of the metrics; null: no metrics are exported. Must outlive the coordinator.
   prometheus::Registry* metrics = nullptr;

@@ -30,7 +30,8 @@ struct CoordinatorFlags {
   std::string rates_file;
   std::string default_profile;
   std::string webhooks_file;
-  std::string tenants_file;  ///< empty: one tenant, to which all callers belong
+  /// file of tenants (tenants.h); empty: one tenant, to which all callers belong
+  std::string tenants_file;
   bool share_cache = false;
   int64_t min_free_mib = 1024;
   int64_t max_database_gib = 0;

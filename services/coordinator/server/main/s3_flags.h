@@ -11,7 +11,7 @@ namespace slicefarm::coordinator {
 
 /// Options of the bucket for blobs.
 struct S3Flags {
-  std::string url;  ///< empty: no bucket
+  std::string url;  ///< address of the bucket (s3_address.h); empty: no bucket
   bool bucket_in_host = false;
   std::string region = "us-east-1";
   std::string ca_file;

@@ -45,11 +45,11 @@ class CoordinatorMetrics : public prometheus::Collectable {
     JobStore& jobs;
     const Dispatcher& dispatcher;
     const Fleet& fleet;
-    std::string state_dir;  ///< empty if there is none
+    std::string state_dir;  ///< state directory; empty if the state is not in a directory
     std::function<absl::StatusOr<DatabaseFill>()> database_fill =
         nullptr;                     ///< measures the shared database; null if there is none
-    int64_t max_database_bytes = 0;  ///< 0: no limit
-    double keep_jobs_s = 0;          ///< 0: forever
+    int64_t max_database_bytes = 0;  ///< largest size of the shared database; 0: no limit
+    double keep_jobs_s = 0;          ///< storage time of ended jobs; 0: forever
     std::chrono::milliseconds patience{1000};  ///< longest wait for the store
   };
 

@@ -19,7 +19,7 @@ class CheckedBlobs {
     friend bool operator==(const Print&, const Print&) = default;
   };
 
-  /// Returns true if the blob was checked when it had this print.
+  /// Returns true if the blob was checked when its file had this print.
   bool Holds(const std::string& digest, const Print& print) const;
   /// Adds a blob that was checked.
   void Add(const std::string& digest, const Print& print);

@@ -28,7 +28,7 @@ JobError JobErrorOf(const absl::Status& status);
 /// Result of a job: the names of its artifacts, and the values that lists show.
 struct JobResult {
   std::string tenant;        ///< tenant that stores the artifacts as blobs
-  std::string gcode_sha256;  ///< empty for a quote
+  std::string gcode_sha256;  ///< digest of the G-code; empty for a quote, which has no G-code
   int64_t gcode_size = 0;
   std::string report_sha256;
   double print_time_s = 0;

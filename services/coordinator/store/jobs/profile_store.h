@@ -11,7 +11,7 @@ namespace slicefarm::coordinator {
 /// Revision of a tenant's profile. It never changes.
 struct ProfileRecord {
   std::string name;
-  int64_t revision = 0;       ///< counted from 1
+  int64_t revision = 0;       ///< number of the revision, counted from 1
   std::string settings = {};  ///< opaque to the store
   std::string settings_digest = {};
   int64_t create_us = 0;

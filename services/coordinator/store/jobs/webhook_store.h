@@ -15,15 +15,15 @@ struct DueWebhook {
   std::string job_id;
   std::string tenant;
   std::string url;
-  int32_t attempt = 1;  ///< counted from 1
+  int32_t attempt = 1;  ///< number of the attempt, counted from 1
 };
 
 /// Result of one delivery attempt.
 struct WebhookAttempt {
   int32_t attempt = 1;
   int64_t time_us = 0;
-  int32_t http_status = 0;  ///< 0: no answer
-  std::string error = {};   ///< empty: none
+  int32_t http_status = 0;  ///< status of the receiver's answer; 0: no answer
+  std::string error = {};   ///< reason why no answer arrived; empty: an answer arrived
 
   friend bool operator==(const WebhookAttempt&, const WebhookAttempt&) = default;
 };
