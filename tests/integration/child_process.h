@@ -13,7 +13,8 @@ class ChildProcess {
  public:
   enum class Stderr { kDropped, kWithStdout };
 
-  /// `program`: a name in build/bin, or a whole path. Aborts if it cannot be started.
+  /// Starts `program`: a name in build/bin, or a whole path. Aborts if the program cannot be
+  /// started.
   ChildProcess(const std::string& program, std::vector<std::string> arguments,
                Stderr errors = Stderr::kDropped);
   ~ChildProcess();
@@ -44,13 +45,14 @@ struct ServerProcess {
   /// Aborts if the server does not start.
   explicit ServerProcess(const std::string& program, std::vector<std::string> arguments = {});
 
-  /// Returns the value of a metric in /metrics; empty if there is no such name with these labels.
+  /// Returns the value of a metric in /metrics; empty if the server has no such metric. `name`:
+  /// name of the metric with its labels.
   std::string Metric(const std::string& name) const;
   /// Waits until /metrics has this line. REQUIRES: `--metrics-port 0` among the arguments.
   void AwaitMetric(const std::string& line) const;
 
   ChildProcess process;
-  const int metrics_port;  ///< 0: no metrics
+  const int metrics_port;  ///< port for /metrics; 0: the server exports no metrics
   const std::string address;
 };
 

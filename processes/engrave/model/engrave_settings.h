@@ -85,7 +85,7 @@ struct EngraveLineSettings {
   bool connect = true;
   double clearance_mm = 0;
   double shortest_mm = 0;
-  /// True: cuts a surface open that is not a disk; false: refuses such a surface.
+  /// True: cuts a surface open that is not a topological disk; false: refuses such a surface.
   bool seam = true;
 
   friend bool operator==(const EngraveLineSettings&, const EngraveLineSettings&) = default;

@@ -32,7 +32,7 @@ absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> pr
 absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProgram> programs,
                                                          size_t layer_count);
 
-/// Returns the data of the programs from which the frame of the job is made.
+/// Returns the data of the programs that the texts around the layers need (ProgramEnvelope).
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
 
 /// Returns the whole text: head, prologue, prefixes and programs, epilogue, tail. `substitutions`

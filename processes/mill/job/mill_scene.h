@@ -22,7 +22,7 @@ struct PlacingInput {
 /// Inputs for placing the parts and the stock.
 struct PartsAndStock {
   PlacingInput parts;
-  std::optional<PlacingInput> stock;  ///< none: the stock is a box
+  std::optional<PlacingInput> stock;  ///< input for placing the stock; none: the stock is a box
 };
 
 /// Separates the object that is the stock from the objects of a job. Errors: SETTING_MALFORMED,

@@ -40,8 +40,8 @@ CLI::Validator OneOf(std::map<std::string, Enum> values) {
       ListOf(names));
 }
 
-/// Returns the error text if `text` is no number from `min` to `max`; an empty text if it is one.
-/// `whole`: the number may not have a fraction.
+/// Returns the error text if `text` is not a number from `min` to `max`; otherwise an empty text.
+/// `whole`: the number must be a whole number. `open_end`: the number must be greater than `min`.
 std::string FaultOfNumber(const std::string& text, double min, double max, bool whole,
                           bool open_end);
 

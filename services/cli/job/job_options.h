@@ -24,8 +24,8 @@ struct SettingOptions {
 struct PresetOptions {
   std::vector<std::string> sources;  ///< folders and files of presets; empty: no presets are used
   std::string printer;
-  std::string process;   ///< empty: the printer's default
-  std::string filament;  ///< empty: the printer's default
+  std::string process;   ///< process preset; empty: the one that the printer preset names
+  std::string filament;  ///< filament preset; empty: the one that the printer preset names
 };
 
 /// Files with fields of values in space (common/model/fields/README.md); empty: no field.

@@ -24,7 +24,7 @@ struct BeadRun {
 
 /// One layer of a G-code file, from its moves and comments.
 struct GcodeLayer {
-  int index = 0;  ///< counted from 0
+  int index = 0;  ///< number of the layer, counted from 0
   int layer_count = 0;
   double z_mm = 0;
   double height_mm = 0;

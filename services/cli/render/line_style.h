@@ -9,8 +9,8 @@ namespace slicefarm::cli {
 /// Exposure parameters of the lines with one id in a CLI file.
 struct LineStyle {
   std::string kind;       ///< text before the power in the label, such as "contour" or "upskin"
-  double power_w = 0;     ///< 0: not known
-  double speed_mm_s = 0;  ///< 0: not known
+  double power_w = 0;     ///< power of the beam; 0: not known
+  double speed_mm_s = 0;  ///< scanning speed; 0: not known
   double point_distance_um = 0;  ///< distance of pulses; 0: a continuous line
   double point_time_us = 0;
 

@@ -25,7 +25,7 @@ struct Sample {
   int64_t intended_ns = 0;  ///< intended start, from the beginning of the run
   int64_t latency_ns = 0;   ///< time from the intended start to the end
   absl::StatusCode code = absl::StatusCode::kOk;
-  std::string error;  ///< empty: none
+  std::string error;  ///< error of the request; empty: the request succeeded
 };
 
 /// Kinds of counts in addition to requests.

@@ -17,7 +17,7 @@ struct RunReport {
   /// True if all requests use one part, so that the server's cache may answer.
   bool same = false;
   bool retry = false;       ///< true if refused calls were repeated when the server allowed it
-  double intended_rps = 0;  ///< 0: closed loop
+  double intended_rps = 0;  ///< intended rate of an open loop; 0: closed loop
   int in_flight = 0;        ///< largest number of requests in flight
   int connections = 0;
   double seconds = 0;     ///< time during which requests were started

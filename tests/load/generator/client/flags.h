@@ -25,14 +25,14 @@ struct LoadFlags {
   bool same = false;
   bool retry = false;
   std::vector<double> rates;
-  int closed = 0;  ///< 0: open loop
+  int closed = 0;  ///< requests in flight of a closed loop; 0: open loop
   double seconds = 30;
   double deadline_s = 60;
   int in_flight = 512;
   int connections = 0;  ///< number of connections; 0: as many as the requests in flight need
   int watchers = 100;
-  uint64_t seed = 0;  ///< 0: a new seed each time
-  std::string json;   ///< empty: none
+  uint64_t seed = 0;  ///< seed of parts and arrivals; 0: a new seed each time
+  std::string json;   ///< file for the report as JSON; empty: no such file
   std::string svg;
 
   /// Returns the options of the scenario.
