@@ -12,8 +12,9 @@ namespace slicefarm::coordinator {
 struct SweepOptions {
   /// Time after which ended jobs are removed; 0: never.
   double keep_jobs_s = 0;
-  /// Idle time after which a blob is removed if no job refers to it. It must exceed the time
-  /// between an upload and the creation of its job, and between a result and the job's record.
+  /// Idle time after which a blob is removed if no job refers to it. Must be longer than two
+  /// delays: from an upload to the creation of its job, and from the storage of a result to the
+  /// update of the job's record.
   double keep_blobs_s = 24 * 3600;
   /// Time for which a store must have been in use before anything is removed from it.
   double settle_s = 24 * 3600;

@@ -19,15 +19,15 @@ namespace slicefarm::coordinator {
 ///   a store failed                                        QUEUED, in 0.5 s, doubling up to 60 s.
 ///   the run frees memory for other jobs                   QUEUED, in 1 s, any number of times.
 ///   services are of another build                         QUEUED, in 5 s, any number of times.
-///   services are not there                                QUEUED, in 0.5 s, doubling, five times.
+///   services are unreachable                              QUEUED, in 0.5 s, doubling, five times.
 ///   the workers of a range died at each try, or a stage   QUEUED, until LostRuns allows it; FAILED
 ///   of the whole job was lost twice                       after the third such run.
-///   JOB_POISONED: coordinators may die of it              QUEUED, until LostRuns allows it; FAILED
+///   JOB_POISONED: coordinators may die of the job         QUEUED, until LostRuns allows it; FAILED
 ///                                                         after 10 lost runs.
 ///   any other error                                       FAILED.
 ///
-/// "Doubling": each wait is twice as long as the last one. After the death of workers or stages the
-/// job may run again, because they may have died of something else.
+/// "Doubling": each wait is twice as long as the previous wait. After the death of workers or
+/// stages the job may run again, because they may have died for another reason.
 JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunRequests& wishes,
                      const absl::Status& error, const PipelineProgress& told, int64_t now_us);
 

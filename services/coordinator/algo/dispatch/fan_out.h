@@ -104,7 +104,8 @@ class FanOut {
   bool AnySuspects() const;
   /// Returns the number of failed tries of the range.
   int Tries(JobId job, int32_t range) const { return jobs_.at(job).scheduler.Tries(range); }
-  /// Returns the counts of all jobs since the start, and the ranges that wait now.
+  /// Returns the counts of all jobs since the start of this object, and the number of ranges that
+  /// wait now.
   DispatchCounts Counts() const;
 
  private:

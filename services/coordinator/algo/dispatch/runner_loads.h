@@ -10,8 +10,8 @@
 namespace slicefarm::coordinator {
 
 /// Calls that are in progress on each runner. A task that a runner died of runs alone on its
-/// runner, so that no other task dies with it. Only one such task runs at a time, so that the other
-/// runners continue. Not thread-safe.
+/// runner, so that no other task dies with it. At most one runner at a time has a task that runs
+/// alone, so that the remaining runners continue. Not thread-safe.
 class RunnerLoads {
  public:
   using Call = std::pair<int64_t, int64_t>;  ///< job and ticket

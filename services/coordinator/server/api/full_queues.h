@@ -13,7 +13,7 @@ namespace slicefarm::coordinator {
 
 /// Tenants with a queue of jobs that was full a moment ago. Their meshes are refused, because their
 /// jobs would be refused as well. Without this check, a farm with twice the load that it can handle
-/// spent half of its work on receiving such meshes. Thread-safe.
+/// spent half of its work on meshes of refused jobs. Thread-safe.
 class FullQueues {
  public:
   /// Creates an empty set. `now_us`: a clock that never runs backwards.

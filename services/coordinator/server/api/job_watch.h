@@ -41,7 +41,7 @@ struct JobWatches {
   grpc::ServerCompletionQueue& queue;
   WatchReads& reads;
   JobFeed& feed;
-  /// Authenticates the caller and takes a slot for it.
+  /// Authenticates the caller and takes a slot for the watch.
   std::function<absl::StatusOr<Watcher>(const grpc::ServerContext& context)> admit;
 };
 

@@ -33,7 +33,8 @@ std::vector<std::string> PlateRequestIds(const std::string& request_id);
 /// request and bed, and the names and numbers of copies of its objects.
 void KeepWhatIsOnThePlate(v1::JobSpec& spec);
 
-/// Returns a digest of the specs of the call. It is equal for equal specs in the same order.
+/// Returns a digest of the specs of the call. Calls with equal specs in the same order have equal
+/// digests.
 std::string SpecDigest(const v1::CreatePlatesRequest& request);
 
 /// Job of a CreatePlates call: one bed of a request.

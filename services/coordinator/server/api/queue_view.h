@@ -14,8 +14,9 @@ namespace slicefarm::coordinator {
 
 /// Positions of waiting jobs in the farm's queue, and expected ends of jobs. Thread-safe.
 ///
-/// A snapshot of the queue is used again for 20 times as long as it took to read it. So snapshots
-/// use at most a twentieth of a core, for any number of calls and any length of the queue.
+/// One snapshot of the queue is used for a period of 20 times the duration of its read. So the
+/// reads of snapshots use at most a twentieth of a core, for any number of calls and any length of
+/// the queue.
 class QueueView {
  public:
   /// Creates a view of the queue in `jobs`, which must outlive it.

@@ -33,8 +33,8 @@ namespace slicefarm::coordinator {
 ///   slicefarm_workers, slicefarm_worker_slots{state};
 ///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   disk of the state directory;
 ///   slicefarm_database_bytes                size of the shared database;
-///   slicefarm_database_max_bytes            its limit, if there is one;
-///   slicefarm_database_connections, slicefarm_database_max_connections   of its server;
+///   slicefarm_database_max_bytes            limit of this size, if there is one;
+///   slicefarm_database_connections, slicefarm_database_max_connections   of the server;
 ///   slicefarm_retention_overdue             1: a job exists a day after it should have gone.
 /// Coordinators that share a store all report the values of the store: use the maximum over them,
 /// not the sum.

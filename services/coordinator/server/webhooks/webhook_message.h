@@ -15,7 +15,7 @@ std::string WebhookBody(const JobRecord& job);
 
 /// Returns `t=SECONDS,v1=HEX`, with one `v1` per secret. HEX is the HMAC-SHA256 (RFC 2104) of
 /// `SECONDS.BODY`. A receiver computes the HMAC with its own secret and accepts the message if one
-/// `v1` is equal. It should refuse messages that are some minutes old.
+/// `v1` is equal. The receiver should also refuse messages that are some minutes old.
 std::string WebhookSignature(const std::vector<std::string>& secrets, int64_t time_s,
                              const std::string& body);
 
