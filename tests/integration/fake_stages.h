@@ -87,8 +87,9 @@ struct Sample {
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramEnvelope frame;
-  JobSettings settings;                ///< without default values
-  ExposureSettings exposure_settings;  ///< without default values
+  JobSettings settings;  ///< settings that differ from the default values
+  /// exposure settings that differ from the default values
+  ExposureSettings exposure_settings;
   StageTimes times;
 };
 const Sample& TheSample();

@@ -35,7 +35,7 @@ struct Work {
 /// Returns the error of a stage for bad input.
 absl::Status BadInput();
 
-/// Returns the hash of a layer in a build. It differs between works, layers and builds.
+/// Returns the hash of a layer in a build. Different works, layers or builds have different hashes.
 uint64_t LayerHash(int64_t work, const std::string& build, int32_t layer);
 
 /// Returns the name of the G-code with these layers in this order.
@@ -47,7 +47,7 @@ std::string ExpectedGcode(const Work& work, const std::string& build);
 /// Returns the name of the work's mesh.
 std::string MeshOf(const Work& work);
 
-/// Returns the action digest of the work. It is equal for equal work in the same build.
+/// Returns the action digest of the work. Equal works in the same build have equal digests.
 std::string ActionOf(const Work& work, const std::string& build);
 
 }  // namespace slicefarm::coordinator::sim

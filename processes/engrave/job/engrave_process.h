@@ -33,8 +33,8 @@ class EngraveProcess : public JobProcess {
                                                    JobInput input) const override;
   bool EstimatesByOutlines() const override { return false; }
   /// Estimates the time from a few layers that are made for this purpose. If no worker can make
-  /// them, the estimate uses the area, the distance of lines and the number of layers. It then
-  /// assumes that every layer covers the whole surface.
+  /// them, the estimate uses the area, the distance of lines and the number of layers, and assumes
+  /// that every layer covers the whole surface.
   absl::StatusOr<JobEstimate> Estimate(const StageCall& call, SlicedJob sliced, JobInput input,
                                        TaskExecutor& executor) const override;
 

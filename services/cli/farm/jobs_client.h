@@ -22,7 +22,7 @@ namespace slicefarm::cli {
 struct JobsClientOptions {
   std::string server = "127.0.0.1:50050";
   rpc::ClientSecurity security = {};
-  /// A call fails when the server has been unreachable for this time without interruption.
+  /// Time for which the server may be unreachable without interruption before a call fails.
   std::chrono::milliseconds patience{30'000};
   CancelToken cancel = {};  ///< ends calls with the error Cancelled
   /// Trace context of the calls and of the jobs that they create; empty: none.
@@ -104,8 +104,8 @@ class JobsClient {
                          const std::function<absl::Status(const v1::WatchJobsResponse&)>& told);
 
   /// Downloads a result to `file`. `file` is complete unless an error is returned. Errors: also
-  /// BLOB_DIGEST_MISMATCH if the digest differs from `job.result()`. A trace has no digest there,
-  /// so it is not checked.
+  /// BLOB_DIGEST_MISMATCH if the digest differs from the one in `job.result()`. A trace is not
+  /// checked, because `job.result()` does not have its digest.
   absl::Status Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file);
 
   /// Returns a small result as text. Errors: as in Download.
