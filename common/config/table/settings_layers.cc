@@ -71,8 +71,8 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 100,
        .standard = "2",
-       .doc = "Widest gap in an outline that is closed, for meshes with holes; an outline with a "
-              "wider gap is left out and reported",
+       .doc = "Widest gap that is bridged where holes of the mesh interrupt an outline; an outline "
+              "with a wider gap is left out and reported",
        .field = Bind<&JobSlicingOptions::max_gap_nm>()},
       {.key = "xy_size_compensation",
        .unit = "mm",

@@ -239,11 +239,11 @@ std::vector<SettingSpec> ScanSettings() {
            "once along their middle",
            Bind<&ExposureOptions::thin_walls>()),
       Count("upskin_layers", 100, "0",
-            "Number of layers above an area that must all cover the area; otherwise it is upskin "
-            "and is scanned with the upskin parameters. 0: no upskins",
+            "Number of layers above an area that must all cover the area; otherwise the area is "
+            "upskin and is scanned with the upskin parameters. 0: no upskins",
             Bind<&ExposureOptions::upskin_layers>()),
       Count("downskin_layers", 100, "0",
-            "Number of layers below an area that must all support the area; otherwise it is "
+            "Number of layers below an area that must all support the area; otherwise the area is "
             "downskin and is scanned with the downskin parameters. 0: no downskins",
             Bind<&ExposureOptions::downskin_layers>()),
       Needing(

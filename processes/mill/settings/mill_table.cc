@@ -146,12 +146,11 @@ std::vector<SettingSpec> MachineSettings() {
                      "Radius of the tip's helix at an entry; 0: half the cutter's radius",
                      Bind<&MillSettings::how, &MillingOptions::machining,
                           &MachiningOptions::helix_radius_mm>())),
-      Needing(
-          {&needs::kFinishing},
-          Number("lead_in_radius", {"mm", 0, 100}, "1",
-                 "Radius of the quarter circles that lead onto and off finishing passes; 0: none",
-                 Bind<&MillSettings::how, &MillingOptions::machining,
-                      &MachiningOptions::lead_in_radius_mm>())),
+      Needing({&needs::kFinishing}, Number("lead_in_radius", {"mm", 0, 100}, "1",
+                                           "Radius of the quarter circles by which the tool moves "
+                                           "onto and off finishing passes; 0: no such moves",
+                                           Bind<&MillSettings::how, &MillingOptions::machining,
+                                                &MachiningOptions::lead_in_radius_mm>())),
       Needing(
           {&needs::kProgram},
           Flag("arcs", "1", "Write arcs and helices as G2 and G3; 0: as short lines",

@@ -23,7 +23,8 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1000,
        .standard = "6",
-       .doc = "Distance between the skirt and the objects, or their brims if they have brims",
+       .doc = "Distance between the skirt and the objects; for objects with a brim, between the "
+              "skirt and the brim",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::distance_nm>(),
        .orca = {{"skirt_distance"}},
        .needs = {&needs::kSkirt}},

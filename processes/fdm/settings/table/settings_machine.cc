@@ -89,8 +89,8 @@ std::vector<SettingSpec> WholeMachineLimits() {
       {.key = "silent_mode",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Estimate also the time in the silent mode of a Marlin machine, from the second "
-              "value of each machine_max_ setting"},
+       .doc = "Estimate the print time in Marlin's silent mode, too, from the second value of each "
+              "machine_max_ setting"},
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
