@@ -105,8 +105,8 @@ class JobWatch {
   bool reading_ = false;    ///< true while a read is in progress
   bool busy_ = false;       ///< true while a message is being sent
   bool left_ = false;       ///< true if the call is over
-  /// Result of the last read that Found has received and Take has not processed. All watchers of
-  /// the job share it.
+  /// Result of the last read, from the time when Found receives it until Take has processed it. All
+  /// watchers of the job share the result.
   WatchReads::Result found_ = nullptr;
   /// result of a read, with the events that are being sent
   std::shared_ptr<const JobSteps> steps_;

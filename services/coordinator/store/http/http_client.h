@@ -48,7 +48,7 @@ struct HttpRequest {
 struct HttpAnswer {
   int status = 0;
   std::string body;
-  int64_t content_length = 0;  ///< value of the header, also for HEAD
+  int64_t content_length = 0;  ///< value of the header Content-Length, also for HEAD
   bool is_cut = false;         ///< true if the body exceeded the limit of the request
 };
 

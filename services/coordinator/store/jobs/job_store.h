@@ -31,8 +31,9 @@ struct NewJob {
   std::string traceparent;
   std::string webhook_url = {};  ///< URL to notify at the job's end (webhook_store.h); empty: none
   int64_t max_open = INT64_MAX;  ///< largest number of waiting and running jobs of the tenant
-  /// If it is an error, no new job is created, and Create returns this error. A job of an earlier
-  /// call with the same request_id is returned nevertheless.
+  /// Reason to refuse a new job. If `refusal` is an error, Create makes no new job and returns
+  /// `refusal`. But if an earlier call with the same request_id has created a job, Create returns
+  /// this job.
   absl::Status refusal = absl::OkStatus();
 };
 
