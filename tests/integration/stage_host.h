@@ -36,9 +36,9 @@ struct HostedStages {
   /// class, because its algorithm is within the service.
   std::function<std::unique_ptr<grpc::Service>(rpc::CallLimiter&)> planning =
       planning::MakePlanningService;
-  const ExposureStage* exposure = nullptr;  ///< null: not served
-  const MillingStage* milling = nullptr;    ///< null: not served
-  const TextureStage* texture = nullptr;    ///< null: not served
+  const ExposureStage* exposure = nullptr;  ///< null: the host has no such service
+  const MillingStage* milling = nullptr;    ///< null: the host has no such service
+  const TextureStage* texture = nullptr;    ///< null: the host has no such service
 };
 
 /// All services of the stages and the worker behind one real socket.

@@ -17,7 +17,7 @@ namespace slicefarm::cli {
 /// Settings as written on the command line.
 struct SettingOptions {
   std::vector<std::string> config_files;
-  std::vector<std::string> sets;  ///< in the form key=value
+  std::vector<std::string> sets;  ///< settings in the form key=value
 };
 
 /// Presets of a job by name, as written on the command line.
@@ -47,13 +47,13 @@ struct TextureArguments {
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
   Process process = kDefaultProcess;
-  std::vector<std::string> copies;       ///< in the form MODEL=N
-  std::vector<std::string> object_sets;  ///< in the form MODEL:key=value
+  std::vector<std::string> copies;       ///< numbers of copies, in the form MODEL=N
+  std::vector<std::string> object_sets;  ///< settings of one model, in the form MODEL:key=value
   std::string units = "mm";
-  std::string scale;  ///< in the form S, or X,Y,Z
+  std::string scale;  ///< scale factors, in the form S, or X,Y,Z
   double rotate_z_deg = 0;
-  std::string rotate;                ///< in the form X,Y,Z
-  std::vector<std::string> centers;  ///< in the form X,Y
+  std::string rotate;                ///< angles in degrees, in the form X,Y,Z
+  std::vector<std::string> centers;  ///< positions on the bed in mm, in the form X,Y
   bool arrange = false;              ///< true: also arranges copies that already have a position
   int plate = 0;        ///< number of the plate of a project, from 1; 0: the project's only plate
   bool plates = false;  ///< true: makes one job for each plate of the project

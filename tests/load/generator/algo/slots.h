@@ -29,7 +29,8 @@ class Slots {
 
   /// Releases a slot.
   void Leave() {
-    // Notifies under the lock: a thread that waits for the last slot may then destroy this object.
+    // Notifies while it holds the lock: a thread that waits for the last slot may destroy this
+    // object as soon as the lock is free.
     const std::lock_guard lock(mutex_);
     --taken_;
     changed_.notify_all();
