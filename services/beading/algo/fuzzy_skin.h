@@ -11,18 +11,18 @@ struct BeadingOptions;
 
 namespace slicefarm::beading {
 
-/// Object and layer of a section in the job; the seed of its skin's random numbers.
+/// Indices of an object and of a layer in the job; the seed of the random numbers.
 struct SkinSeed {
   int32_t object = 0;
   int32_t layer = 0;
 };
 
-/// Roughens the outermost walls selected by fuzzy_skin. Points are added at random distances of
-/// 0.75 to 1.25 times fuzzy_skin_point_dist. Each point is moved at right angles to the wall, by up
-/// to fuzzy_skin_thickness in either direction. The same walls and seed give the same skin. Cost:
-/// O(points + length / fuzzy_skin_point_dist).
+/// Roughens the walls that the setting fuzzy_skin selects. A selected wall gets new points at
+/// random distances of 0.75 to 1.25 times fuzzy_skin_point_dist. Each point is moved at right
+/// angles to the wall, by up to fuzzy_skin_thickness in either direction. The same walls and seed
+/// give the same skin. Cost: O(points + length / fuzzy_skin_point_dist).
 ///
-/// Source: measured, PrusaSlicer 2.5 and 2.9; their skin differs each time.
+/// Source: measured, PrusaSlicer 2.5 and 2.9. Their skin differs each time.
 void Roughen(const BeadingOptions& options, SkinSeed seed, std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

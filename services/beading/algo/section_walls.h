@@ -13,10 +13,11 @@ struct BeadingOptions;
 
 namespace slicefarm::beading {
 
-/// Section of a stack, and the outlines of the layers around it.
+/// Section of a stack, and the outlines of the layers around it. The struct refers to `section` and
+/// `neighbours`; it does not own them.
 struct SectionPlace {
   const ObjectSection& section;
-  bool on_bed = false;                  ///< true: beads have the first layer's widths
+  bool on_bed = false;                  ///< true in the plate's first layer: beads have its widths
   const NeighbourOutlines& neighbours;  ///< outlines of the section's stack
   size_t index = 0;                     ///< index of the section's layer in `neighbours`
 };
@@ -24,15 +25,15 @@ struct SectionPlace {
 /// Result of WallSection.
 struct SectionResult {
   WalledSection walled;
-  /// Number of islands for which constant-width walls replaced impossible variable ones.
+  /// Number of islands for which variable walls are impossible, so they got constant-width walls.
   int32_t plain_islands = 0;
 };
 
 /// Makes the walls of one section. Regions with the same role, tool and wall class share their
-/// walls, so walls continue where only the infill's settings change. The area left for the infill
-/// is then divided by region.
+/// walls, so these walls continue where only the infill's settings change. The area left for the
+/// infill is then divided by region.
 ///
-/// `regions`: options, indexed by row of the job's tables. Errors: see local_beading_stage.h.
+/// `regions`: options, indexed by Region::settings. Errors: see local_beading_stage.h.
 absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
                                           std::span<const BeadingOptions> regions,
                                           const CancelToken& cancel);

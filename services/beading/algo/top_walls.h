@@ -8,24 +8,26 @@
 
 namespace slicefarm::beading {
 
-/// Areas inside of an island's outermost wall.
+/// Division of the area inside an island's outermost wall.
 struct TopParts {
-  MultiPolygon top;      ///< part visible from above: it gets top infill, and no inner walls
-  MultiPolygon covered;  ///< other part, with inner walls around it
+  MultiPolygon top;      ///< parts visible from above: they get top infill and no inner walls
+  MultiPolygon covered;  ///< remaining parts, which get inner walls along their boundary
 };
 
-/// Divides `inside` into the parts that `above`, the outlines of the layer above, covers or leaves
-/// visible. Areas over air count as covered, because inner walls have to support their infill. The
-/// wall beside a top surface is under the outermost wall of the layer above, which hides it. Top
-/// surfaces narrower than half an inner wall also count as covered. `below`: outlines of the layer
-/// below; null: the bed.
+/// Divides `inside`, the area inside an outermost wall, into the parts that are visible from above
+/// and the covered parts. `above`: outlines of the layer above. `below`: outlines of the layer
+/// below; null: the bed. `plan`: widths of the walls.
+///
+/// Parts over air count as covered, because inner walls have to support their infill. Top surfaces
+/// narrower than half an inner wall also count as covered. The boundary of a top surface is hidden
+/// by the outermost wall of the layer above.
 ///
 /// Cost: O(n log n), n points; only one difference if nothing is visible from above.
 TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const MultiPolygon* below,
                    const WallPlan& plan);
 
-/// Increases the inset of each wall by one and makes it an inner wall, for walls that were made
-/// inside an outermost wall.
+/// Makes walls inner walls: adds 1 to each inset and sets Feature::kPerimeter. For walls that were
+/// made as outermost walls inside the real outermost wall. Gap fill does not change.
 void MakeInner(std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

@@ -21,14 +21,15 @@ namespace slicefarm::beading {
 /// Makes the walls of a layer's islands, with variable width where needed.
 class ArachneIslands {
  public:
-  /// `plan`: the layer's walls for constant width. `deciding_radius`: see CountOptions. REQUIRES:
-  /// perimeters > 0.
+  /// `plan`: the layer's walls for constant width (constant_walls.h), from which widths and the
+  /// number of walls are taken. `deciding_radius`: see VariableWallOptions; may be empty. REQUIRES:
+  /// plan.perimeters > 0.
   ArachneIslands(const BeadingOptions& options, const WallPlan& plan,
                  const GapFillOptions& gap_options,
                  std::function<double(double x, double y, double radius_nm)> deciding_radius);
 
-  /// Returns the walls of an island. Returns nothing if walls of variable width are impossible (see
-  /// MakeVariableWalls).
+  /// Returns the walls of an island; nullopt if MakeVariableWalls returns nullopt for it. Errors:
+  /// Cancelled.
   absl::StatusOr<std::optional<IslandBeads>> Make(const PolygonWithHoles& outline,
                                                   const CancelToken& cancel) const;
 

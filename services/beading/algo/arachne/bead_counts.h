@@ -9,25 +9,28 @@
 
 namespace slicefarm::beading {
 
-/// Smallest distance in nm of a new node from an existing one.
+/// Smallest distance in nm of a node that splits an edge from the edge's ends.
 inline constexpr double kLeastPieceNm = 10'000;
 
 /// Options for PlanBeadCounts.
 struct CountOptions {
-  /// Largest change of a bead's width, in nm, that is accepted to avoid a transition between two
-  /// numbers of beads.
+  /// Largest change of a bead's width, in nm, by which a transition between two numbers of beads
+  /// may be avoided.
   double filter_deviation_nm = 100'000;
-  /// Largest length in nm of a stretch with a changed number of beads, to avoid a transition.
+  /// Length in nm of the longest stretch that may get another number of beads to avoid a
+  /// transition.
   double filter_distance_nm = 100'000'000;
-  /// Function that returns the radius that decides between two numbers of beads, for a position
-  /// with the radius `radius_nm` of its own. It is used if the thickness is within
-  /// `filter_deviation_nm` of a transition. None: `radius_nm` always decides.
+  /// Function that returns the radius from which the number of beads is chosen at a position.
+  /// `place`: the position in the graph's coordinates. `radius_nm`: the radius at this position. It
+  /// is only called if the thickness, which is twice the radius, differs from a transition by less
+  /// than `filter_deviation_nm`. If empty, `radius_nm` is used.
   std::function<double(Vector2 place, double radius_nm)> deciding_radius = nullptr;
 };
 
-/// Number of beads across a node: `count`, plus the fraction `ratio` of one bead in a transition.
+/// Number of beads across a node: `count` + `ratio`. The ratio is above 0 only within a transition
+/// from `count` beads to one more; it is the share of the additional bead.
 struct BeadCount {
-  int count = -1;  ///< -1: not decided at this node, but by its neighbours
+  int count = -1;  ///< -1: not decided here, because the node copies the beads of other nodes
   double ratio = 0;
 
   /// Returns true if the number is decided at this node.
@@ -35,16 +38,18 @@ struct BeadCount {
   friend bool operator==(const BeadCount&, const BeadCount&) = default;
 };
 
-/// Decides the number of beads along the central edges and at isolated tops, which are nodes with a
-/// locally largest radius. The result is indexed by node.
+/// Decides the number of beads along the central edges and at isolated tops. A top is a node with a
+/// locally largest radius; it is isolated if none of its edges is central. The result is indexed by
+/// node.
 ///
 /// Edges are split at the start, middle and end of transitions and at the thicknesses of
-/// BeadingStrategy::Kinks; `central` grows with the edges. A stretch is a connected part with one
-/// number of beads. Stretches that differ from a neighbour by less than the filter (`options`) are
-/// merged into this neighbour, the shortest first. Cost: O(n log n), n edges.
+/// BeadingStrategy::Kinks; `central` grows with the edges. A stretch is a set of connected central
+/// edges with the same number of beads. A stretch is merged into a neighbouring stretch if this
+/// changes widths by less than the filter in `options` allows; the shortest stretch is merged
+/// first. Cost: O(n log n), n edges.
 ///
-/// Source: Kuipers et al. 2020, section 3.3; here the ramps are a field of distances from all
-/// transitions.
+/// Source: Kuipers et al. 2020, section 3.3. Unlike there, the number of beads in a transition
+/// follows from the distance to all nearby transitions.
 std::vector<BeadCount> PlanBeadCounts(const BeadingStrategy& strategy, const CountOptions& options,
                                       SkeletalGraph& graph, std::vector<char>& central);
 

@@ -9,12 +9,14 @@ namespace slicefarm::beading {
 
 /// Returns the beads at each node of the graph.
 ///
-/// At nodes with a decided number of beads (BeadCount), the strategy lays out the beads. Every
-/// other node copies the beads of the decided node at which its steepest path towards larger radii
-/// ends, so that beads keep their distance from the boundary. A node may also be reached from a
-/// decided node with a smaller radius. Then the beads change from the layout of the smaller node to
-/// the layout of the larger one within `transition_length_nm`. Edges are split at the end of this
-/// transition; `counts` and `central` grow with them.
+/// At nodes with a decided number of beads (BeadCount), the strategy lays out the beads. From every
+/// other node, the steepest path towards larger radii leads to a decided node, and the node copies
+/// the beads of this decided node. So beads keep their distance from the outline.
+///
+/// A node may also have a path towards smaller radii to a decided node. Then its beads are a blend:
+/// within `transition_length_nm` they change from the layout of the smaller decided node to the
+/// layout of the larger one. Edges are split where a blend ends; `counts` and `central` grow with
+/// them.
 ///
 /// Cost: O(n log n), n nodes. Source: Kuipers et al. 2020, section 3.4.
 std::vector<NodeBeading> BeadingField(const BeadingStrategy& strategy, double transition_length_nm,

@@ -9,20 +9,21 @@
 namespace slicefarm::beading {
 
 /// Returns the walls of an island that is everywhere wide enough for `max_walls` walls on each side
-/// and infill between them. They are the walls that MakeVariableWalls would return, and have
-/// constant widths: insets with arcs around reflex corners, because beads keep their distance from
-/// the outline.
+/// and infill between them. They equal the walls that MakeVariableWalls would return. Each wall has
+/// a constant width. Walls are insets of the outline with arcs around reflex corners, where a plain
+/// inset would have miters.
 ///
-/// Returns nullopt for all other islands, and if an inset does not have one edge for each edge of
-/// the outline (see TryOffset). REQUIRES: max_walls > 0 is the strategy's limit. Cost: O(n log n),
-/// n points; a tenth of MakeVariableWalls.
+/// Returns nullopt if the island is not wide enough, if TryOffset fails for an inset, or if
+/// RoundReflexCorners fails. REQUIRES: max_walls > 0 is the strategy's limit per side. Cost: O(n
+/// log n), n points; a tenth of MakeVariableWalls.
 std::optional<VariableWalls> TryWideWalls(const PolygonWithHoles& island,
                                           const BeadingStrategy& strategy, int max_walls,
                                           const VariableWallOptions& options);
 
-/// Returns an inset ring in which each miter around a reflex corner of the original outline is
-/// replaced by an arc. `distance_nm`: distance of the inset from the outline. Returns nullopt if an
-/// arc does not fit between its neighbours. Exposed for tests.
+/// Replaces the miter at each reflex corner of an inset ring by an arc and returns the new ring.
+/// `distance_nm`: distance of the inset from the outline, the radius of the arcs. `tolerance_nm`:
+/// chord tolerance of the arcs. Returns nullopt if an edge is too short for the arcs at its ends,
+/// or if a corner is so sharp that the inset has a square cut there. Exposed for tests.
 std::optional<Polygon> RoundReflexCorners(const Polygon& ring, Coord distance_nm,
                                           Coord tolerance_nm);
 

@@ -6,14 +6,15 @@
 
 namespace slicefarm::beading {
 
-/// Smallest number of beads at which the neighbours of the middle bead are inner beads. With fewer
-/// beads these neighbours are the outermost beads, which must keep their width.
+/// Smallest odd number of beads at which the neighbours of the middle bead are not the outermost
+/// beads. The width of outermost beads must not change.
 inline constexpr int kLeastInnerMiddle = 5;
 
-/// Returns the number of beads along each edge after merging. `counts`: numbers that follow from
-/// the thickness of each edge; -1: the edge is not central. A stretch (connected edges with the
-/// same number) gets another number if it is not worth the transitions at its ends, or not worth a
-/// middle bead. Cost: O(n log n), n edges.
+/// Returns the number of beads along each edge after merging; -1 for edges that are not central.
+/// `counts`: for each edge, the number that follows from its thickness; -1 if the edge is not
+/// central. A stretch is a set of connected central edges with the same number. It gets the number
+/// of a neighbouring stretch if this changes widths little, or if it is too short for its half of
+/// the transition. Middle beads shorter than about 1 mm are removed. Cost: O(n log n), n edges.
 std::vector<int> MergedCounts(const BeadingStrategy& strategy, const CountOptions& options,
                               const SkeletalGraph& graph, std::vector<int> counts);
 

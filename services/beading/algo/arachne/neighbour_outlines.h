@@ -9,25 +9,26 @@
 
 namespace slicefarm::beading {
 
-/// Outlines of an object in consecutive layers. Adjacent layers use them to agree on borderline
-/// decisions. The index of an outline is built at its first use and kept for the next layers.
+/// Outlines of an object in consecutive layers. The number of beads at a position is chosen by the
+/// mean of several layers, so adjacent layers choose the same number. The index of an outline is
+/// built at its first use and remains for the next layers. Not thread-safe.
 class NeighbourOutlines {
  public:
-  /// `layers` are consecutive; each outline must outlive this object.
+  /// `layers`: outlines of consecutive layers, lowest first; must outlive this object.
   explicit NeighbourOutlines(std::vector<const MultiPolygon*> layers)
       : layers_(std::move(layers)), indexes_(layers_.size()) {}
 
-  /// Returns the outline of the layer that is `by` layers above layers[i] (below if negative).
-  /// Returns nullptr if this layer is not available.
+  /// Returns the outlines of the layer that is `by` layers above layers[i] (below if negative);
+  /// nullptr if `layers` does not contain this layer.
   const MultiPolygon* At(size_t i, int by) const {
     const size_t at = i + static_cast<size_t>(by);  // a negative sum wraps to a huge index
     return at < layers_.size() ? layers_[at] : nullptr;
   }
 
-  /// Returns the mean distance of the position (x, y) from the outlines of layers[i] and of the
-  /// layers up to `reach` layers away. `radius_nm`: the distance in layers[i]. Layers are ignored
-  /// if their distance differs from `radius_nm` by more than `band_nm`: they have another shape at
-  /// this position.
+  /// Returns the mean distance, in nm, of the position (x, y) from the outlines of layers[i] and of
+  /// the layers up to `reach` layers above and below it. `radius_nm`: the distance in layers[i]. A
+  /// layer is ignored if its distance differs from `radius_nm` by more than `band_nm`, because its
+  /// shape is different at this position.
   double MeanRadius(size_t i, size_t reach, double x, double y, double radius_nm,
                     double band_nm) const;
 

@@ -13,8 +13,9 @@ class OutlineIndex {
   /// Builds the index. Cost: O(n), n edges.
   explicit OutlineIndex(const MultiPolygon& outlines);
 
-  /// Returns how far the nearest outline is, in nm; infinity if there is none within `limit_nm`.
-  /// Cost: that of the edges in a square of the limit around the place.
+  /// Returns the distance of the position (x, y) from the nearest outline, in nm; infinity if it is
+  /// more than `limit_nm`. Cost: O(number of edges in a square with half the side `limit_nm` around
+  /// the position).
   double DistanceFrom(double x, double y, double limit_nm) const;
 
  private:

@@ -7,17 +7,18 @@
 
 namespace slicefarm::beading {
 
-/// Smallest area between the walls that is left to the infill: 0.1 mm3 in a layer of 0.2 mm. A bead
-/// in a smaller area is a dot, about as long as it is wide.
+/// Smallest area between the walls that gets infill: 0.1 mm3 in a layer of 0.2 mm. A bead in a
+/// smaller area would be a dot, about as long as it is wide.
 inline constexpr double kLeastFillNm2 = 0.5 * kNmPerMm * kNmPerMm;
 
-/// Returns for each node if it is in a small fill. This is a part that is thick enough for infill,
-/// but has an area below kLeastFillNm2, and the inner walls of both sides can be widened until they
-/// meet. With a single wall there is no small fill: the outer wall keeps its width.
+/// Returns for each node 1 if it is in a small fill, else 0. A small fill is a connected area that
+/// is thick enough for infill but smaller than kLeastFillNm2. In addition, the inner walls of both
+/// sides must be able to grow until they meet. With one wall per side there is no small fill,
+/// because the outer wall keeps its width.
 ///
-/// `edge_counts`: number of beads across each edge, -1 if its sides do not face each other. The
-/// area opposite corners of the outline is computed as if the outline were straight, which gives
-/// less than half too much. Cost: O(n), n edges.
+/// `edge_counts`: number of beads across each edge; -1 if the edge is not central. At corners of
+/// the outline the area is computed as if the outline were straight, which overestimates it by less
+/// than half. Cost: O(n), n edges.
 std::vector<char> SmallFills(const BeadingStrategy& strategy, const SkeletalGraph& graph,
                              const std::vector<int>& edge_counts);
 

@@ -6,10 +6,10 @@
 
 namespace slicefarm::beading {
 
-/// Line along the middle of a narrow region, with the region's width at each point. INVARIANT: the
-/// numbers of thicknesses and points are equal and at least two.
+/// Line along the middle of a narrow region, with the region's width at each point. INVARIANT:
+/// there are as many thicknesses as points, and at least two.
 struct ThickLine {
-  /// True if the last point is connected to the first one, which is not repeated.
+  /// True if an edge connects the last point to the first one. The first point is not repeated.
   bool closed = false;
   std::vector<Point> points;
   std::vector<Coord> thickness_nm;
@@ -20,21 +20,22 @@ struct ThickLine {
 /// Returns the length in nm, including the closing edge of a closed line.
 double Length(const ThickLine& line);
 
-/// Returns the area in nm^2 of the trapezoids along the line.
+/// Returns the area in nm^2 that the line covers: the sum of its edges' trapezoids.
 double Area(const ThickLine& line);
 
 /// Cuts `length_nm` off the end of an open line. The line is empty if nothing is left.
 void CutEnd(ThickLine& line, double length_nm);
 
 /// Extends the end of an open line by `length_nm`, straight and with the thickness of the end. The
-/// direction is taken from about the last `length_nm` of the line, not from a tiny last edge.
+/// direction is that of about the last `length_nm` of the line, because the last edge may be tiny.
 void ExtendEnd(ThickLine& line, double length_nm);
 
 /// Reverses the direction of the line.
 void Reverse(ThickLine& line);
 
-/// Removes points at which a straight line with linearly changing thickness deviates by at most the
-/// tolerance, in position and in thickness. Cost: usually O(n log n), n points.
+/// Returns the line without points that are not needed: between the remaining points, a straight
+/// line with linearly changing thickness deviates by at most the tolerance, in position and in
+/// thickness. Cost: usually O(n log n), n points.
 ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm);
 
 }  // namespace slicefarm::beading

@@ -9,7 +9,7 @@
 namespace slicefarm::beading {
 
 /// Makes the walls of an island, with constant width, and beads of variable width in the gaps
-/// between them.
+/// between them. Errors: Cancelled.
 absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline, const WallPlan& plan,
                                               const GapFillOptions& gap_options,
                                               const CancelToken& cancel);

@@ -6,25 +6,26 @@
 
 namespace slicefarm::beading {
 
-/// Widths and distances of the walls of one layer. A bead of width w is laid out as a rectangle as
-/// wide as its spacing s (see common/model/bead_section.h), because rectangles tile. Only the
-/// outermost bead keeps its full width towards the outline, because no bead is beside it there.
+/// Number, widths and spacings of the walls of one layer. A bead of width w is laid out as a
+/// rectangle as wide as its spacing s (see common/model/bead_section.h), because rectangles tile.
+/// The outermost bead's outer half has the full width, because no bead is beside it there.
 struct WallPlan {
   int perimeters = 0;
   Coord external_width_nm = 0;
   Coord inner_width_nm = 0;
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
-  bool gap_fill = false;  ///< true to search for gaps between walls
-  /// If true, parts too thin for two outermost walls get one bead. If false, they get a loop that
-  /// overlaps itself, as in PrusaSlicer, if one wall fits. Otherwise they would not be printed at
-  /// all.
+  /// true to fill gaps between walls; gaps along the outline depend on `thin_walls`
+  bool gap_fill = false;
+  /// If true, parts too thin for two outermost walls are returned as gaps and get one bead. If
+  /// false, such a part gets a loop that overlaps itself, as in PrusaSlicer, if its width is at
+  /// least that of one wall. Narrower parts are not printed.
   bool thin_walls = false;
-  /// Smallest length of a bead for a thin part, if the island also has walls; shorter beads are
+  /// Smallest length of a bead in a gap, in nm, if the island also has walls. Shorter beads are
   /// omitted.
   Coord least_tip_nm = 0;
 
-  /// Returns the plan of walls with these widths.
+  /// Returns a plan with these walls; the spacings follow from the layer height.
   static WallPlan Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
                        Coord layer_height_nm);
 };
@@ -33,37 +34,38 @@ struct WallPlan {
 struct Gap {
   PolygonWithHoles region;
   bool along_outline =
-      /// True if the gap borders on the island's outline: its bead then stays inside the outline.
+      /// True if the gap borders on the island's outline. Then its bead must stay inside the
+      /// outline.
       false;
 };
 
 /// Result of MakeConstantWalls.
 struct IslandWalls {
-  std::vector<MultiPolygon> centre_lines;  ///< rings of walls per inset, outermost first
+  /// centre lines of walls; indexed by inset, outermost first
+  std::vector<MultiPolygon> centre_lines;
   std::vector<Gap> gaps;
   MultiPolygon fill_area;  ///< area that the rectangles of infill beads may cover
 };
 
-/// Insets an island wall by wall. A wall is laid only where two opposite walls fit side by side.
-/// For the outermost walls this applies only if WallPlan::thin_walls is set. Uncovered areas
-/// between walls, or beside the outline, are returned as gaps. The remaining area inside the last
-/// wall is the fill area.
+/// Insets an island wall by wall. An inner wall is laid only where two opposite walls fit side by
+/// side. The outermost wall follows the same rule only if WallPlan::thin_walls is set. Uncovered
+/// areas between walls, or along the outline, are returned as gaps. The remaining area inside the
+/// last wall is the fill area.
 ///
 /// Invariant: rectangles of the walls, gaps and fill area tile the island. Exceptions are corners
 /// (miters), loops that overlap themselves, and the stripe of (width - spacing) / 2 along the
 /// outline. Cost: without gaps O(n) per wall, n points; otherwise a few polygon sweeps per wall.
 IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& plan);
 
-/// Parts of a connected area that are narrower than a given width.
+/// Parts of an area that are narrower than a given width.
 struct NarrowParts {
   MultiPolygon parts;
-  bool are_all = false;  ///< true if the whole area is narrow
+  bool are_all = false;  ///< true if the area is narrow everywhere
 };
 
-/// Returns the parts of `area` that are narrower than `width_nm`. Invariant: these parts, and the
-/// area that discs of diameter `width_nm` reach within `area`, tile `area`, except for 5 um along
-/// their common edges. Cost: O(n), n points, if `area` is wide everywhere; otherwise a few polygon
-/// sweeps.
+/// Returns the parts of `area` that are narrower than `width_nm`: the parts that no disc of this
+/// diameter within `area` covers. They end 5 um before the covered area. Cost: O(n), n points, if
+/// `area` is wide everywhere; otherwise a few polygon sweeps.
 NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm);
 
 }  // namespace slicefarm::beading

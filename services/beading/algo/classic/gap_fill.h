@@ -12,32 +12,32 @@ namespace slicefarm::beading {
 /// Options for filling gaps.
 struct GapFillOptions {
   Coord min_width_nm = 80'000;   ///< smallest width of a gap that is filled
-  Coord max_width_nm = 800'000;  ///< largest width of a bead; wider regions are no gaps
+  Coord max_width_nm = 800'000;  ///< largest width of a bead; a wider gap gets a bead of this width
   Coord layer_height_nm = 200'000;
 };
 
-/// Smallest area of a bead in a gap that infill does not fill. A smaller bead, a dot 0.16 mm wide,
-/// fills nothing visible.
+/// Smallest area of a bead in a gap between walls, or in a fill area that is narrow everywhere. A
+/// smaller bead is a dot, 0.16 mm wide, which fills nothing visible.
 inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
-/// Smallest area of a bead in a gap that infill also reaches: 0.4 mm3 in a layer of 0.2 mm, or 4.9
-/// mm of a bead 0.45 mm wide. services/beading/README.md describes the smaller gaps and their
-/// total.
+/// Smallest area of a bead in a narrow part of a fill area that also has wide parts. It is 0.4 mm3
+/// in a layer of 0.2 mm, or 4.9 mm of a bead 0.45 mm wide. Smaller parts are left to the infill;
+/// services/beading/README.md describes their total.
 inline constexpr double kLeastNeckNm2 = 2 * kNmPerMm * kNmPerMm;
 
 /// Returns beads of variable width along the middle of each gap (see MedialAxis). Between walls,
-/// the bead's rectangle fills the gap. Along an outline, the bead stays inside. A bead that covers
-/// less than kLeastDotNm2 is not worth its travel and is left out.
+/// the bead's rectangle fills the gap. Along an outline, the whole bead stays within the gap. A
+/// bead that covers less than kLeastDotNm2 is not worth its travel and is omitted.
 ///
 /// Paths have Feature::kGapFill and one width per point (a single width if all are equal), in no
-/// particular order.
+/// particular order. Errors: Cancelled.
 absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
                                            const GapFillOptions& options,
                                            const CancelToken& cancel);
 
-/// Fills the parts of a fill area that are narrower than `max_width_nm` and removes them from the
-/// area. These are necks between wider parts, ends, and areas that are narrow everywhere. A neck or
-/// an end is left to the infill unless its bead covers kLeastNeckNm2, because the infill's own
-/// lines continue into it.
+/// Fills the parts of a fill area that are narrower than `max_width_nm`, removes them from
+/// `fill_area` and returns their beads. Narrow parts are necks between wider parts, ends, and
+/// islands that are narrow everywhere. The lines of the infill continue into a neck or an end, so
+/// it is only filled here if its bead covers at least kLeastNeckNm2. Errors: Cancelled.
 absl::StatusOr<std::vector<Path>> FillNarrowParts(const GapFillOptions& options,
                                                   const CancelToken& cancel,
                                                   MultiPolygon& fill_area);

@@ -9,18 +9,19 @@ namespace slicefarm::beading {
 
 /// Options for MedialAxis.
 struct MedialAxisOptions {
-  Coord min_thickness_nm = 80'000;  ///< smallest width of the region along a line
+  Coord min_thickness_nm = 80'000;  ///< a line ends where the region is narrower than this
   Coord tolerance_nm = 5'000;       ///< tolerance of the lines' points and thicknesses
 };
 
 /// Returns the middle lines of a narrow region: the part of its medial axis along which two sides
-/// face each other. Branches into blunt corners are left out, because the width changes there
-/// faster than a bead can. Ends are extended towards the region's tips. If three lines meet, the
-/// straightest pair forms one line, and the third line stops at its side.
+/// of the outline face each other. Branches into blunt corners are omitted, because the width
+/// changes there faster than a bead can. Ends are extended towards the region's tips. If three
+/// lines meet, the straightest pair forms one line, and the third line ends at the side of this
+/// line's bead.
 ///
-/// Every circle around a point of a line, with its thickness as diameter, is within the region, to
-/// within the tolerance. If the Voronoi diagram of a region cannot be trusted (self-crossing by
-/// rounding, or wider than 2.1 m), the result is empty. A diagram is checked vertex by vertex
+/// A circle around a point of a line, with the point's thickness as diameter, exceeds the region by
+/// at most the tolerance. The result is empty if the Voronoi diagram is unreliable (rings that
+/// cross by rounding) or if the region is wider than 2.1 m. The diagram is checked vertex by vertex
 /// before it is used.
 ///
 /// Cost: O(n log n) for n points: a few us each. Source: Voronoi diagram of segments by

@@ -6,12 +6,12 @@
 
 namespace slicefarm::beading {
 
-/// Returns beads side by side from both sides of `thickness_nm` towards the middle. The remaining
-/// thickness is left over between the two halves.
+/// Lays out `count` beads across `thickness_nm`: one half from each side towards the middle.
+/// Thickness that the beads do not cover is left over between the two halves.
 ///
-/// `half_widths_nm`: widths of one half, outermost first. If the count is odd, the last one is the
-/// whole middle bead. The result is exactly symmetric. A left-over of one nm is the remainder of an
-/// odd thickness with two equal halves.
+/// `half_widths_nm`: widths of one half, outermost first. If `count` is odd, the last entry is the
+/// width of the whole middle bead. The result is exactly symmetric. With two equal halves and an
+/// odd thickness, 1 nm is left over.
 Beading LayOut(Coord thickness_nm, int count, const std::vector<Coord>& half_widths_nm);
 
 }  // namespace slicefarm::beading

@@ -6,7 +6,8 @@
 
 namespace slicefarm::beading {
 
-/// Moves beads towards the middle without changing their widths. Base of the two classes below.
+/// Moves beads towards the middle without changing their widths. Base of OuterWallInsetStrategy and
+/// InnerWallInsetStrategy.
 class InsetStrategy : public BeadingStrategy {
  public:
   InsetStrategy(Coord inset_nm, std::unique_ptr<const BeadingStrategy> parent)
@@ -28,8 +29,9 @@ class InsetStrategy : public BeadingStrategy {
   std::vector<Coord> Kinks() const override { return parent_->Kinks(); }
 
  protected:
-  /// Returns the parent's beads with some of them moved, at most to the middle: in the first half,
-  /// the beads from index `first` to before `last`, and their mirror images.
+  /// Returns the parent's beads, some of them moved towards the middle by the inset, but not beyond
+  /// it. In the first half, beads with an index in [first, last) are moved; the second half mirrors
+  /// them. A middle bead is not moved.
   Beading Moved(Coord thickness_nm, int count, int first, int last) const;
 
  private:
@@ -37,8 +39,8 @@ class InsetStrategy : public BeadingStrategy {
   std::unique_ptr<const BeadingStrategy> parent_;
 };
 
-/// Moves the outermost two beads, if there are at least two, to prevent bulging of the outer wall.
-/// (Upstream moves only the first one.)
+/// Moves the outermost bead on each side inwards, to prevent bulging of the outer wall. A single
+/// bead is not moved. (Upstream moves only the bead on the first side.)
 class OuterWallInsetStrategy : public InsetStrategy {
  public:
   using InsetStrategy::InsetStrategy;
@@ -47,8 +49,8 @@ class OuterWallInsetStrategy : public InsetStrategy {
   }
 };
 
-/// Moves all beads except the outermost two, so that inner walls keep a distance from the outer
-/// wall.
+/// Moves all beads inwards except the outermost bead on each side, so that inner walls keep a
+/// distance from the outer wall.
 class InnerWallInsetStrategy : public InsetStrategy {
  public:
   using InsetStrategy::InsetStrategy;

@@ -6,10 +6,10 @@
 
 namespace slicefarm::beading {
 
-/// Limits the number of beads to `max_count`, half of them on either side. The area between the two
-/// halves is left to the infill. Markers (beads of width 0) are the boundary of this area. A count
-/// of max_count + 1 represents a thickness at which beads have their optimal widths and something
-/// is left over between them.
+/// Limits the number of beads to `max_count`, half of them on either side. In thicker parts, the
+/// area between the two halves is left to the infill, and markers (beads of width 0) are its
+/// boundary. The count max_count + 1 stands for these thicker parts: `max_count` beads of optimal
+/// width with an area between the halves.
 ///
 /// REQUIRES: max_count is even.
 class LimitedStrategy : public BeadingStrategy {

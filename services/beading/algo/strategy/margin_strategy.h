@@ -6,9 +6,9 @@
 
 namespace slicefarm::beading {
 
-/// Keeps a stripe along both sides free and lays the parent's beads out between them. Beads are
-/// laid out as rectangles, which tile (common/model/bead_section.h). In print, the outermost bead
-/// bulges into the stripe, so it does not exceed the outline.
+/// Reserves a stripe along both sides, and lays the parent's beads out between the stripes. Beads
+/// are laid out as rectangles, which tile (common/model/bead_section.h). In print, the outermost
+/// bead bulges into the stripe, so it does not exceed the outline.
 class MarginStrategy : public BeadingStrategy {
  public:
   MarginStrategy(Coord margin_nm, std::unique_ptr<const BeadingStrategy> parent)

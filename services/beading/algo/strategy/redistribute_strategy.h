@@ -9,21 +9,23 @@ namespace slicefarm::beading {
 /// Options of RedistributeStrategy.
 struct RedistributeOptions {
   Coord outer_width_nm = 400'000;
-  /// Smallest width of an inner bead. If not even this fits, the outer beads shrink too.
+  /// Smallest width of an inner bead. If inner beads of this width do not fit, the outer beads
+  /// shrink too.
   Coord min_width_nm = 340'000;
-  Coord max_width_nm = 800'000;  ///< largest width of one or two beads
+  Coord max_width_nm = 800'000;  ///< largest width of a bead if there are only one or two
   /// Smallest thickness that gets a bead, as a fraction of the outer width.
   double min_outer_share = 0.5;
   double split_threshold =
-      0.7;  ///< growth of a single bead before it is split, as a fraction of the outer width
-  /// If true, two beads in transition to three do not become wider than the outer width.
+      0.7;  ///< excess thickness at which a single bead is split, as a fraction of the outer width
+  /// If true, two beads become no wider than the outer width in a thickness that is optimal for
+  /// three.
   bool lock_outer_width = false;
 };
 
-/// Keeps the width of the outermost two beads; the parent lays out beads on the thickness between
-/// them. If there are only one or two beads, they share the thickness evenly. If not even inner
-/// beads of smallest width fit between the outer beads, all beads shrink together (upstream: beads
-/// without width).
+/// Keeps the width of the outermost bead on each side; the parent lays out beads on the thickness
+/// between these two. One or two beads share the thickness evenly. If inner beads of smallest width
+/// do not fit between the outer beads, all beads shrink by the same factor. (Upstream then has
+/// beads without width.)
 class RedistributeStrategy : public BeadingStrategy {
  public:
   RedistributeStrategy(const RedistributeOptions& options,

@@ -9,11 +9,12 @@ namespace slicefarm::beading {
 /// Options of WideningStrategy.
 struct WideningOptions {
   Coord min_feature_nm = 100'000;  ///< smallest thickness that gets a bead
-  /// Smallest width of a single bead. In thinner parts it extends beyond both sides.
+  /// Smallest width of a single bead. In a thinner part the bead extends beyond both sides.
   Coord min_width_nm = 340'000;
 };
 
-/// Prints parts that are thinner than the smallest bead, with one bead of the smallest width.
+/// Gives a part thinner than the smallest bead one bead of the smallest width. Parts thinner than
+/// `min_feature_nm` get no bead.
 class WideningStrategy : public BeadingStrategy {
  public:
   WideningStrategy(const WideningOptions& options, std::unique_ptr<const BeadingStrategy> parent)
