@@ -8,18 +8,18 @@ namespace slicefarm::infill {
 
 /// Parameters of the ironing of a region.
 struct IroningFill {
-  /// Direction of the solid lines that are ironed; the ironing lines have the same direction.
+  /// Direction of the ironed solid lines and of the ironing lines.
   double angle_rad = 0;
   Coord width_nm = 450'000;  ///< width of the beads that are ironed
   Coord height_nm = 200'000;
   IroningOptions ironing = {};
 };
 
-/// Returns lines that pass over a printed region again, close together, with `flow` of the plastic
-/// that would fill the layer: section of a bead = flow * spacing * height. The lines end half a
-/// spacing inside the region's boundary and are joined back and forth. The group keeps its order.
-/// The ordering service prints it after all other paths of the island. Errors: REQUEST_TOO_LARGE
-/// (see CutLines). Cost: the cost of CutLines.
+/// Returns lines that pass close together over a printed region. Their plastic is `flow` times the
+/// plastic that would fill the layer: section of a bead = flow * spacing * height. The lines end
+/// half a spacing inside the region's boundary and are joined back and forth. The group keeps its
+/// order, and the ordering service prints it after all other paths of the island. Errors:
+/// REQUEST_TOO_LARGE (see CutLines). Cost: the cost of CutLines.
 absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningFill& fill);
 
 }  // namespace slicefarm::infill

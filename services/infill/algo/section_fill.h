@@ -15,11 +15,12 @@ struct InfillOptions;
 namespace slicefarm::infill {
 
 /// Fills the islands of one section: divides fill areas into skins and sparse infill by the
-/// object's neighbouring layers (skins.h), then lays out lines for each kind of area. `on_bed`:
-/// lines have the first layer's width. `plan`: decisions of planning for the layer. `regions`:
-/// settings, indexed by row of the job's tables; each fill area uses the row of its region.
-/// `fields`: fields of the same rows. Errors: SETTING_OUT_OF_RANGE for a width without positive
-/// spacing; REQUEST_TOO_LARGE for too many lines (see CutLines).
+/// object's neighbouring layers (skins.h), then lays out lines for each kind of area.
+///
+/// `on_bed`: true if the section is in the plate's first layer, with its line widths. `plan`:
+/// decisions of planning for the layer. `regions`: options, indexed by Region::settings. `fields`:
+/// fields with the same indices. Errors: SETTING_OUT_OF_RANGE for a width without positive spacing;
+/// REQUEST_TOO_LARGE for too many lines (see CutLines).
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           const ObjectLayers& objects, const LayerPlan& plan,
                                           std::span<const InfillOptions> regions,

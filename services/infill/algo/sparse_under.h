@@ -10,45 +10,50 @@
 
 namespace slicefarm::infill {
 
-/// Region with sparse infill. All referenced objects must outlive this struct.
+/// Region of a section, for questions about its sparse infill. All referenced objects must outlive
+/// this struct.
 struct RegionView {
   const SectionView& section;
   const InfillOptions& options;
-  const PlannedInfill* plan = nullptr;  ///< null: no plan
-  /// Row of the region that decides the skins by its outlines; none: the whole object decides.
+  const PlannedInfill* plan = nullptr;  ///< plan of the region's infill; null: no plan
+  /// Index of the settings of the region that alone decides the skins; nullopt: the whole object
+  /// decides.
   std::optional<int32_t> row = {};
 };
 
-/// Returns the distance between the lines of sparse infill in a layer of this height. Without
-/// sparse infill, returns the pitch that skins above assume: five spacings.
+/// Returns the distance in nm between the lines of sparse infill in a layer of this height. Without
+/// sparse infill, returns the distance for which skins above are planned: five spacings.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
-/// Sparse infill of the layer below a region, for the skins of all fill areas of the region. Not
-/// thread-safe.
+/// Sparse infill of the layer below a region. It decides where skins of the region are bridges. One
+/// object serves all fill areas of the region. Not thread-safe.
 class SparseUnder {
  public:
   /// REQUIRES: bridges over sparse infill are enabled (BridgesSparse). Cost: a comparison of some
   /// outlines.
   explicit SparseUnder(const RegionView& region);
 
-  /// Returns the sparse infill of the layer below within `fill_area`, without its lines: the area
-  /// without skins and walls, as computed from outlines. Returns nothing if it does not meet
-  /// `wanted`. Cost: that of SparsePart, and one offset of the layer for the first fill area.
+  /// Returns the sparse infill of the layer below within `fill_area`, computed from outlines,
+  /// without its beads. It is the area without skins and walls. Returns an empty region if this
+  /// area does not meet `wanted`. Cost: that of SparsePart, and one offset of the layer for the
+  /// first fill area.
   SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
 
-  /// Returns the areas of the beads of sparse infill, for patterns with lines that follow from a
-  /// formula. Errors: see MakePattern. Cost: that of the pattern, and a union of the lines.
+  /// Returns the areas of the beads of the sparse infill. Returns an empty area if the lines of the
+  /// pattern do not follow from a formula. Errors: see MakePattern. Cost: that of the pattern, and
+  /// a union of the lines.
   absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
 
-  /// Takes the parts of a fill area's skins that are over sparse infill and wide enough to need
-  /// bridges. `middles`: BridgeMiddles of their solid part. Errors: see BeadsIn. Cost: the cost of
-  /// Within, and of BeadsIn and TakeSparseBridges if there is a part to bridge.
+  /// Removes from a fill area's skins the parts that are over sparse infill and wide enough to need
+  /// bridges, and returns these parts. `middles`: the result of BridgeMiddles for `skins.solid`.
+  /// Errors: see BeadsIn. Cost: the cost of Within, and of BeadsIn and TakeSparseBridges if there
+  /// is a part to bridge.
   absl::StatusOr<SparseBridges> TakeBridges(const MultiPolygon& fill_area,
                                             const MultiPolygon& middles, Coord width_nm,
                                             Skins& skins);
 
  private:
-  /// Returns the area inside the walls of the layer below.
+  /// Returns the area inside the walls of the layer below; computed at the first call.
   const MultiPolygon& WithinWalls();
 
   RegionView region_;

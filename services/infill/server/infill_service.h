@@ -11,7 +11,7 @@
 
 namespace slicefarm::infill {
 
-/// Returns the gRPC service slicefarm.v1.Infill on top of an InfillStage. `stage`, `gate` and
+/// Returns the gRPC service slicefarm.v1.Infill, which calls an InfillStage. `stage`, `gate` and
 /// `shared` must outlive the service.
 std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallLimiter& gate,
                                                  SharedCache& shared);

@@ -7,9 +7,10 @@
 
 namespace slicefarm::infill {
 
-/// Returns the lines at the distances `first_nm`, `first_nm` + `pitch_nm`, ... from an axis, up to
-/// `most_nm`, as closed curves. They are round at the axis' ends, have a corner where the lines of
-/// two branches meet, and split and merge at the axis' forks and rings.
+/// Returns the lines at the distances `first_nm`, `first_nm` + `pitch_nm`, ... up to `most_nm` from
+/// an axis, as closed curves around the axis. Each curve is round at the axis' ends and has a
+/// corner where the lines of two branches meet. At forks and rings of the axis, lines split and
+/// merge.
 ///
 /// Precision: 1/350 of the distance from the axis on curves. REQUIRES: first_nm > 0, pitch_nm > 0.
 /// Cost: one offset per line (OffsetLines for the first line, FastOffset for all further lines).

@@ -10,12 +10,13 @@
 
 namespace slicefarm::infill {
 
-/// Part of a curve along cells' edges: from the middle of an edge, along one of the two sides of a
-/// doubled edge, to the middle of another edge. The strands of a tile repeat with the tile.
+/// Part of the curve of a StrandTile: from the middle of a cell's edge, along one line of a doubled
+/// edge, to the middle of another edge. The strands of a tile repeat with the tile. Positions are
+/// in sides of the tile.
 struct Strand {
   std::array<Vector2, 4> points;
-  /// Continuation at one end of a strand: the index of the next strand, which of its ends follows,
-  /// and its offset in tiles.
+  /// Continuation at one end of a strand: the index of the next strand, the end (0 or 1) at which
+  /// it is entered, and its offset in tiles.
   struct Next {
     int32_t strand = 0;
     int32_t end = 0;
@@ -25,37 +26,37 @@ struct Strand {
   std::array<Next, 2> next;
 };
 
-/// Walk along all edges of a tile's cells without a travel. Three edges meet in each vertex, so one
-/// of them has to be used twice. These doubled edges are the perfect matching of the vertices with
-/// the smallest total length. The two lines of a doubled edge are side by side, like the lines
-/// between the rows of `honeycomb`. All strands of a tile form one curve: if the two lines of a
-/// doubled edge belong to different curves, they cross, which joins the curves.
+/// Closed walk along all edges of a tile's cells, without a travel. Three edges meet in each
+/// vertex, so the walk uses one of them twice. These doubled edges are the perfect matching of the
+/// vertices with the smallest total length. The two lines of a doubled edge are side by side, like
+/// the shared edges of `honeycomb`. All strands of a tile form one curve: if the two lines of a
+/// doubled edge would belong to different curves, they cross, which joins the two curves.
 class StrandTile {
  public:
   /// Computes the walk. REQUIRES: three edges meet in each vertex, and the tile is connected.
   explicit StrandTile(VoronoiTile tile);
 
   /// Returns the strands. `gap`: distance between the two lines of a doubled edge, in sides of the
-  /// tile. Cost: O(n), n vertices: 10 ns each.
+  /// tile. Cost: O(n), n vertices: 10 ns per vertex.
   std::vector<Strand> Strands(double gap) const;
 
-  /// Returns the number of doubled edges with crossing lines.
+  /// Returns the number of doubled edges with two lines that cross each other.
   int Crossings() const { return crossings_; }
-  /// True for doubled edges, indexed by edge.
+  /// Returns for each edge, by its index, true if it is doubled.
   const std::vector<bool>& Doubled() const { return doubled_; }
 
  private:
-  /// One line of a doubled edge. Half-edge 2e has the direction of edge e, half-edge 2e + 1 the
-  /// opposite direction.
+  /// One line of a doubled edge. Half-edge 2e leads along edge e in the edge's direction, half-edge
+  /// 2e + 1 in the opposite direction.
   struct Course {
     int32_t edge = 0;
     /// Half-edges at the two ends of the line: the first leaves the doubled edge's first vertex,
     /// the second leaves its second vertex.
     std::array<int32_t, 2> ends{};
   };
-  /// End of a strand: a vertex, the direction of the edge that leaves it, and the distance of the
-  /// bend along this edge per unit of the gap. At the bend, the line turns to run beside the
-  /// doubled edge.
+  /// Bend between a doubled edge and a single edge: the end of a strand's part beside the doubled
+  /// edge. It is on the edge that leaves `vertex` in the direction `way`. `share_by_gap`: its
+  /// distance from the vertex along this edge, per unit of the gap.
   struct Bend {
     Vector2 vertex = Vector2::Zero();
     Vector2 way = Vector2::Zero();

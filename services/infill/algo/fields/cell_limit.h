@@ -7,14 +7,14 @@
 
 namespace slicefarm::infill {
 
-/// Largest number of cells of a grid: of distances, of dithering or of streamlines. An object of
-/// 0.5 m by 0.5 m has this many of the finest cells.
+/// Largest number of cells of a grid of one layer, for distances, dithering or streamlines. An
+/// object of 0.5 m by 0.5 m has this many of the finest cells.
 inline constexpr int64_t kMaxFieldCells = 1'200'000;
-/// Largest number of points of the streamlines of one region.
+/// Largest number of points of all streamlines of one region.
 inline constexpr int64_t kMaxStreamPoints = 10'000'000;
 
-/// Returns REQUEST_TOO_LARGE if `got` cells are more than `limit`. Callers check this before they
-/// allocate the cells.
+/// Returns REQUEST_TOO_LARGE if `got`, the number of cells that are needed, exceeds `limit`.
+/// Callers check this before they allocate the cells.
 inline absl::Status CheckFieldSize(int64_t limit, double got) {
   if (got <= static_cast<double>(limit)) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "cells of a field in one layer", limit,

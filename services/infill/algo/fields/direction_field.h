@@ -9,17 +9,18 @@
 namespace slicefarm::infill {
 
 /// Principal directions of a stress field in the plane of the layers. The main direction is the
-/// direction of the stress with the greater magnitude, tensile or compressive. If the two
-/// magnitudes differ by less than kEqualPull, the tensile one is the main direction. The other
-/// family of directions is perpendicular. The directions are stored, smoothed and interpolated as
-/// cos 2t and sin 2t, which are equal for opposite directions.
+/// direction of the principal stress with the greater magnitude, tensile or compressive. If the two
+/// magnitudes differ by less than kEqualPull times the difference of the two stresses, the tensile
+/// stress gives the main direction. The second family of directions is perpendicular to the main
+/// direction. The directions are stored, smoothed and interpolated as cos 2t and sin 2t (t: angle),
+/// which are equal for opposite directions.
 ///
-/// A node has no own direction if its stresses are nearly equal in all directions: (sxx - syy)^2 +
-/// 4 sxy^2 is below (kAlike times the greatest value of the field)^2. The node then gets the
-/// direction of its neighbours. A point is degenerate if the directions around it cancel each
-/// other, so that the length of their mean is below kLeastLength. Points at which tension and
-/// compression have equal magnitude are also degenerate, because the directions turn by a right
-/// angle there.
+/// A node of the grid has no own direction if its stresses are nearly equal in all directions:
+/// sqrt((sxx - syy)^2 + 4 sxy^2) is below kAlike times the field's greatest |sxx - syy| or |2 sxy|.
+/// The node then gets the mean direction of its neighbours. A point is degenerate if the directions
+/// around it cancel each other, so that the length of their mean is below kLeastLength. Points at
+/// which tension and compression have equal magnitude are also degenerate, because the directions
+/// turn by a right angle there.
 class DirectionField {
  public:
   static constexpr double kAlike = 1e-3;
@@ -29,7 +30,8 @@ class DirectionField {
   /// Computes the directions of all nodes.
   explicit DirectionField(const StressField& stress);
 
-  /// Returns the direction at a point, or nothing if the point is degenerate.
+  /// Returns the main direction at a point, as a unit vector; nullopt if the point is degenerate.
+  /// Its sign has no meaning.
   std::optional<Vector2> At(const PlaceMm& place_mm) const;
   /// Returns true if the field does not depend on the height.
   bool IsSameAtAllHeights() const { return cos2_.count[2] == 1; }

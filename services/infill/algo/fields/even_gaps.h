@@ -9,17 +9,18 @@
 namespace slicefarm::infill {
 
 /// Shifts lines sideways until each line is in the middle between its neighbours, as far as this is
-/// possible without bending lines much. Two kinds of wrong gaps are distributed over several lines:
-/// a gap that opens at the end of another line, and a gap that is too narrow for a further line.
-/// Lines with even gaps do not move.
+/// possible without bending lines much. This distributes two kinds of wrong gaps over several
+/// lines: a gap beyond the end of another line, and a gap too wide for two lines but too narrow for
+/// three. Lines with even gaps do not move. `separation_mm`: requested distance between lines at a
+/// point, in mm.
 ///
-/// Shifts are relaxed in up to 60 rounds. In each round, a node moves towards the point at which
-/// the gaps on its two sides have the ratio of `separation_mm` on these sides. The shifts of a line
-/// are then smoothed along the line, over some separations. A node with a neighbour on only one
-/// side moves with its line. Rounds stop when the shifts turn the lines by 0.7 degrees (root mean
-/// square). Only a fraction of the last round's shifts is applied. REQUIRES: separation_mm > 0 on
-/// all lines. Cost: in each round, a search of a few segments for each node; a line has two nodes
-/// per separation.
+/// Shifts are relaxed in up to 60 rounds. In each round, a node of a line moves towards the point
+/// at which the gaps on its two sides have the ratio of `separation_mm` on these sides. The shifts
+/// are then smoothed along each line, over some separations. A node with a neighbour on only one
+/// side follows the smoothed shift of its line. Rounds stop when the shifts turn the lines by 0.7
+/// degrees (root mean square). The last round is then scaled back to this angle. REQUIRES:
+/// separation_mm > 0 on all lines. Cost: in each round, a search of a few segments for each node; a
+/// line has two nodes per separation.
 void EvenGaps(const std::function<double(Vector2)>& separation_mm, std::vector<StreamLine>& lines);
 
 }  // namespace slicefarm::infill

@@ -9,14 +9,14 @@ namespace slicefarm::infill {
 
 struct StreamMemo;
 
-/// Fields of one layer of an object. All pointers must outlive this struct.
+/// Density and direction fields of one layer of an object. All pointers must outlive this struct.
 struct LayerField {
   const DensityField* density = nullptr;       ///< null: `plain_density` everywhere
   const DirectionField* directions = nullptr;  ///< null: the pattern has its own directions
-  /// Distances to the surface; only for densities that depend on them.
+  /// Distances to the surface; null if the density does not depend on them.
   const DistanceMap* to_surface = nullptr;
-  bool across = false;         ///< the layer follows the perpendicular family of directions
-  StreamMemo* memo = nullptr;  ///< cached lines of fields that do not depend on the height
+  bool across = false;  ///< true if the layer follows the directions perpendicular to the main ones
+  StreamMemo* memo = nullptr;  ///< cached lines; null if the fields depend on the height
   double plain_density = 0;
   double z_mm = 0;
 

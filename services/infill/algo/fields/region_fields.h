@@ -17,13 +17,11 @@ struct InfillOptions;
 
 namespace slicefarm::infill {
 
-/// Fields of one row of the job's settings tables (one region).
+/// Fields of one region: of one row of the job's table of infill options.
 struct FieldsOfRow {
-  /// Density field. It belongs to the text of the settings, which must outlive this struct; null:
-  /// none.
+  /// Density field; null: none. The text of the settings owns it, and must outlive this struct.
   const DensityField* density = nullptr;
-  /// Direction field. It belongs to the text of the settings, which must outlive this struct; null:
-  /// none.
+  /// Direction field; null: none. The text of the settings owns it, and must outlive this struct.
   const DirectionField* directions = nullptr;
   double plain_density = 0;
   int32_t every_layers = 1;
@@ -31,31 +29,32 @@ struct FieldsOfRow {
 };
 using FieldsOfRows = std::vector<FieldsOfRow>;
 
-/// Reads the fields of each row. If several rows have the same text, it is read only once. Errors:
-/// SETTING_MALFORMED for a text that is not a field.
+/// Reads the fields of each row of `regions`. The result has the same indices. A text that several
+/// rows share is read only once. Errors: SETTING_MALFORMED for a text that is not a field.
 absl::StatusOr<FieldsOfRows> ParseFields(const std::vector<InfillOptions>& regions);
 
 /// Fields of a job's regions in a range of its layers.
 class RegionFields {
  public:
-  /// Keeps references: `fields` and `layers` must outlive this object.
+  /// `fields` and `layers` must outlive this object.
   RegionFields(const FieldsOfRows& fields, std::span<const SlicedLayer> layers)
       : fields_(fields), memos_(fields.size()), layers_(layers) {}
 
-  /// Returns the fields of a layer, with its middle at `z_mm`, or nothing if the row has no fields.
-  /// `row`: index of the settings; `own_layer`: layer number of the object. Consecutive layers
-  /// follow the two families of directions alternately. Layers that are filled together count as
-  /// one. The result is valid until the next call. Errors: REQUEST_TOO_LARGE (see
-  /// SurfaceDistances::Of).
+  /// Returns the fields of a layer, with its middle at `z_mm`; nullopt if the row has no fields.
+  /// `row`: index in `fields`; `object`: id of the object; `own_layer`: layer number in the object.
+  /// Consecutive layers follow the two families of directions alternately. Layers that are filled
+  /// together (every_layers) count as one. The result is valid until the next call. Errors:
+  /// REQUEST_TOO_LARGE (see SurfaceDistances::Of).
   absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer,
                                                double z_mm);
 
  private:
   const FieldsOfRows& fields_;
-  /// Cached lines, indexed by row and family, of fields that do not depend on the height.
+  /// Cached lines of fields that do not depend on the height, indexed by row and family of
+  /// directions.
   std::vector<std::array<StreamMemo, 2>> memos_;
   std::span<const SlicedLayer> layers_;
-  /// Distances to the surface; the key is row and object.
+  /// Distances to the surface; the key is the row and the object.
   std::map<std::pair<int32_t, int32_t>, SurfaceDistances> distances_;
   using MapOf = std::array<int32_t, 3>;  ///< key: row, object, own layer
   std::optional<MapOf> map_of_;

@@ -6,7 +6,8 @@
 
 namespace slicefarm::infill {
 
-/// Line along a field of directions. A closed line continues from its last point to its first.
+/// Line along a field of directions, in mm. If closed, it continues from its last point to its
+/// first.
 struct StreamLine {
   std::deque<Vector2> points;  ///< the line grows at both ends
   bool closed = false;

@@ -12,9 +12,11 @@
 
 namespace slicefarm::infill {
 
-/// Distances to the surface in one layer, on cells of kDistanceCellMm, on the object's own grid.
+/// Distances to the surface in one layer, in square cells of kDistanceCellMm, on a grid through the
+/// object's origin.
 struct DistanceMap {
-  int64_t first_x = 0, first_y = 0;  ///< index of the first cell
+  /// index of the first cell in x and y, counted from the origin
+  int64_t first_x = 0, first_y = 0;
   int64_t width = 0, height = 0;
   std::vector<float> mm;  ///< distances in the middles of cells; x changes fastest
 
@@ -26,21 +28,22 @@ struct DistanceMap {
 /// Size of a cell in mm.
 inline constexpr double kDistanceCellMm = 0.5;
 
-/// Distances of points in an object from its surface, in space: within their own layer, and through
-/// the layers above and below, which count as slabs. Everything outside of the layers is air,
-/// including the bed.
+/// Distances in space of points in an object from its surface. Each layer is a slab between its
+/// bottom and its top. Everything outside of the layers is air, also below the lowest layer.
 ///
-/// Accuracy: half a cell and half a layer. A distance is at most `reach_mm`. Layers farther away
-/// than `reach_mm` do not change the result, so they may be missing in `layers`. Cost: O(cells) for
-/// each layer once, and O(cells) for each pair of layers within reach.
+/// Accuracy: half a cell and half a layer. A larger distance than `reach_mm` is returned as
+/// `reach_mm`, so layers farther away may be missing in `layers`. Cost: O(cells) for each layer
+/// once, and O(cells) for each pair of layers within reach.
 class SurfaceDistances {
  public:
   /// Keeps a reference: `layers` must outlive this object.
   SurfaceDistances(std::span<const SlicedLayer> layers, int32_t object, double reach_mm);
 
-  /// Returns true if the object has this layer in `layers`.
+  /// Returns true if `layers` contains this layer of the object. `own_layer`: layer number in the
+  /// object.
   bool Has(int32_t own_layer) const { return sections_.contains(own_layer); }
-  /// Returns the distances in a layer. REQUIRES: Has(own_layer). Errors: REQUEST_TOO_LARGE for more
+  /// Returns the distances in a layer, at the height of its middle. Any other order than upwards
+  /// from layer to layer is slower. REQUIRES: Has(own_layer). Errors: REQUEST_TOO_LARGE for more
   /// than kMaxFieldCells.
   absl::StatusOr<DistanceMap> Of(int32_t own_layer);
 
@@ -50,7 +53,7 @@ class SurfaceDistances {
   const Squares& Within(int32_t own_layer);
 
   double reach_mm_;
-  /// Sections of the object, indexed by own layer.
+  /// Sections of the object; the key is the layer number in the object.
   std::map<int32_t, const ObjectSection*> sections_;
   int64_t first_x_ = 0, first_y_ = 0, width_ = 0, height_ = 0;
   std::map<int32_t, std::shared_ptr<const Squares>> within_;

@@ -17,21 +17,24 @@ struct StripPoint {
   friend bool operator==(const StripPoint&, const StripPoint&) = default;
 };
 
-/// Returns the point at the fraction `share` of the line from a to b, with an interpolated width.
+/// Returns the point at the fraction `share` of the line from a to b; its strip width is
+/// interpolated too.
 StripPoint Between(const StripPoint& a, const StripPoint& b, double share);
 
 /// Strips of a region that solid lines fill. A strip normally extends half a pitch to each side of
-/// its line. A line beside a part of the boundary at a small angle to the lines is different: its
-/// strip extends to the boundary, less the strip of a link along the boundary. Lines therefore
-/// leave no wedges between their ends, and overlap neither walls nor each other.
+/// its line. A line beside a part of the boundary at a small angle to the lines has a wider or
+/// narrower strip: it extends to the boundary, less the strip of a link along the boundary. Lines
+/// therefore leave no wedges between their ends, and overlap neither walls nor each other.
 class FittedStrips {
  public:
   /// Parameters of fitted strips.
   struct Options {
-    /// Indexed by crossing: true if a link leads from it to the next crossing of its ring.
+    /// Indexed by crossing (ScanLines::crossings): true if a link leads from it to the next
+    /// crossing of its ring.
     std::vector<bool> linked;
-    double link_nm = 0;   ///< width of the links' strips
-    double reach_nm = 0;  ///< distance outside of the region of `lines` that is filled too
+    double link_nm = 0;  ///< width of the links' strips
+    /// distance by which the filled area extends beyond the region of `lines`
+    double reach_nm = 0;
   };
 
   /// Creates plain strips, all as wide as the pitch.
@@ -41,25 +44,27 @@ class FittedStrips {
   /// region, k pieces.
   FittedStrips(const ScanLines& lines, const Options& options);
 
-  /// Returns the centre line and the widths of the strip of one piece, from the crossing at index
-  /// `place` of ScanLines::order to the piece's other end. The result has at least two points.
+  /// Returns the centre line and the strip widths of one piece. It begins at the piece's crossing
+  /// with the index `place` in ScanLines::order. The result has at least two points.
   std::vector<StripPoint> From(int32_t place) const;
 
  private:
-  /// Width of a strip beyond half a pitch, at a position along it.
+  /// Extra width of a strip beyond half a pitch, in nm, at the position `u` along it. May be
+  /// negative.
   struct Knot {
     double u = 0;
     double more_nm = 0;
   };
-  /// Extra width on one side of a piece, along one part of the boundary beside it. Elsewhere there
-  /// is no extra width.
+  /// Extra widths on one side of a piece, along one part of the boundary beside it. Outside of its
+  /// knots there is no extra width.
   struct Room {
     int32_t side = 0;  ///< 2 * index of the piece; + 1 for the side above the piece (greater v)
     std::vector<Knot> knots;
   };
-  /// Part of the boundary at a small angle to the lines, with the piece beside it.
+  /// Part of the boundary at a small angle to the lines, from one crossing to the next, and the
+  /// piece beside it.
   struct FlatStretch {
-    std::vector<Vector2> way;  ///< points with increasing u
+    std::vector<Vector2> way;  ///< points as (u, v), with increasing u
     size_t first = 0, last = 0;
     int32_t line = 0, piece = 0;
     bool region_above = false;

@@ -7,7 +7,8 @@
 
 namespace slicefarm::infill {
 
-/// Extent of a region along the axes of a frame (LineAxes). If the region is empty, min > max.
+/// Extent of a region along the axes of a frame (LineAxes), in nm. If the region is empty, min >
+/// max.
 struct FrameBox {
   double min_u = std::numeric_limits<double>::max();
   double max_u = std::numeric_limits<double>::lowest();

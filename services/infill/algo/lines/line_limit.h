@@ -8,7 +8,7 @@
 
 namespace slicefarm::infill {
 
-/// Returns REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill in one region. Callers
+/// Returns REQUEST_TOO_LARGE if one region has more than limits::kMaxLinesPerFill lines. Callers
 /// check this before they allocate the lines.
 inline absl::Status CheckLineCount(double lines) {
   if (lines <= static_cast<double>(limits::kMaxLinesPerFill)) return absl::OkStatus();

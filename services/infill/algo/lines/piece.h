@@ -7,21 +7,21 @@
 
 namespace slicefarm::infill {
 
-/// Position on the edge of a region. Rings are numbered in the order of ForEachRing, and edge i
+/// Position on the boundary of a region. Rings are numbered in the order of ForEachRing, and edge i
 /// connects a ring's point i with the next point.
 struct EdgePlace {
   int32_t ring = -1;  ///< -1: the position is inside the region
   int32_t edge = 0;
 };
 
-/// Part of one line of a pattern inside a region. Each end is on the region's boundary, where links
-/// can be attached, or is an end of the pattern's own line.
+/// Part of one line of a pattern inside a region. Each end is either on the region's boundary,
+/// where links can be attached, or an end of the pattern's own line, inside the region.
 struct Piece {
   Polyline points;  ///< at least two points
   EdgePlace from{};
   EdgePlace to{};
-  /// True if the last point is joined to the first, which is not repeated; the piece then has no
-  /// ends.
+  /// True if the piece continues from its last point to its first one, which is not repeated. Then
+  /// it has no ends.
   bool closed = false;
 };
 

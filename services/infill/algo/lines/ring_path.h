@@ -12,7 +12,8 @@ struct RingPath {
   int32_t from_edge = 0;
   int32_t to_edge = 0;
   bool forward = true;
-  bool around = false;  ///< only if both edges are the same: true if the path passes the whole ring
+  /// used only if both edges are the same: true if the path passes the whole ring
+  bool around = false;
 };
 
 /// Calls visit(point) for the corners of the ring that the path passes, in the path's order.

@@ -9,8 +9,8 @@
 
 namespace slicefarm::infill {
 
-/// Parallel lines at v = phase + i * pitch for all integers i, in a frame with a u axis at
-/// `angle_rad`.
+/// Parallel lines at v = phase + i * pitch for all integers i. The u axis of their frame (LineAxes)
+/// has the angle `angle_rad`; lines lead along u.
 struct LineFamily {
   double angle_rad = 0;
   double phase_nm = 0;
@@ -25,20 +25,22 @@ struct Crossing {
   int32_t edge = 0;      ///< index of the ring's edge: from its point `edge` to the next
   int32_t previous = 0;  ///< previous crossing along the ring
   int32_t next = 0;      ///< next crossing along the ring
-  /// Index of this crossing in ScanLines::order. Index `place ^ 1` is the other end of the same
-  /// piece of line.
+  /// Index of this crossing in ScanLines::order. The index `place ^ 1` belongs to the other end of
+  /// the same piece.
   int32_t place = 0;
 };
 
 /// Pieces of a line family inside a region, with their connections along the boundary.
 struct ScanLines {
   LineAxes frame{0};
-  std::vector<const Polygon*> rings;  ///< rings of the region, which must outlive this
+  std::vector<const Polygon*> rings;  ///< rings of the region, which must outlive this struct
   double first_v = 0;                 ///< v of line 0
   double pitch = 0;
   std::vector<Crossing> crossings;
   std::vector<int32_t>
-      order;  ///< crossings sorted by line, then u: entries 2k and 2k + 1 are the ends of piece k
+      /// indices of crossings, sorted by line, then by u; entries 2k and 2k + 1 are the ends of
+      /// piece k
+      order;
   std::vector<int32_t>
       line_begin;  ///< index in `order` of each line's first crossing; one more entry than lines
 
@@ -53,9 +55,9 @@ struct ScanLines {
   double TotalLength() const;
 };
 
-/// Cuts the lines of a family into pieces inside `region`. REQUIRES: family.pitch_nm > 0. A line
-/// meets an edge by a half-open rule. Therefore every line meets every ring an even number of
-/// times, even if the line passes through vertices.
+/// Cuts the lines of a family into pieces inside `region`. A line meets an edge by a half-open
+/// rule. Therefore every line meets every ring an even number of times, even if the line passes
+/// through vertices. REQUIRES: family.pitch_nm > 0; `region` outlives the result.
 ///
 /// Precision: ends are rounded once to nm, and are within 1 nm of the boundary. Errors:
 /// InvalidArgument with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than

@@ -11,9 +11,10 @@ namespace slicefarm::infill {
 /// nine tenths. The ends of an open curve do not move.
 ///
 /// The Euler-Lagrange equation  g - l^2 g'' + l^4 g'''' = curve  is solved at points about l / 2
-/// apart by five-point differences. The solution is one convolution with their Green's function, so
-/// that no time step can be too long. Curves shorter than 4 l are returned unchanged. Cost: O(n +
-/// m), n points of the curve, 50 steps for each of its m = 2 length / l points.
+/// apart by five-point differences. The solution is a convolution with the Green's function of
+/// these differences, so there is no time step that could be too long. Curves shorter than 4 l are
+/// returned unchanged. Cost: O(n + m), n points of the curve, 50 steps for each of its m = 2 length
+/// / l points.
 Curve Smoothed(const Curve& curve, double length_nm);
 
 }  // namespace slicefarm::infill

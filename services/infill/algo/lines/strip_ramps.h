@@ -7,10 +7,10 @@
 
 namespace slicefarm::infill {
 
-/// Widens the narrower parts of a bead, so that its strip never changes by more than a fifth over a
-/// quarter of a pitch: pressure in a nozzle cannot follow steps. Where the strip changes, points
-/// are at most a quarter of a pitch apart. Ends do not move. Cost: O(points + length of ramps /
-/// pitch).
+/// Returns the bead with its narrower parts widened, so that the strip's width never changes by
+/// more than a fifth over a quarter of a pitch. Pressure in a nozzle cannot follow faster changes.
+/// Where the width changes, points are at most a quarter of a pitch apart. The positions of both
+/// ends do not change. Cost: O(points + length of ramps / pitch).
 std::vector<StripPoint> EvenRamps(const std::vector<StripPoint>& bead, double pitch_nm);
 
 /// Returns the path of a bead in a layer of height `height_nm`. It has a single width if the bead's

@@ -10,15 +10,15 @@
 
 namespace slicefarm::infill {
 
-/// Replaces a smooth level line by straight segments that are as long as `tolerance` allows. The
-/// tolerance has the line's own unit. Corners are moved outwards by a third of the rise of their
-/// chords, so that the length of the line does not change. Both ends of an open line are treated in
-/// the same manner, because the line continues there.
+/// Replaces a smooth level line (level_lines.h) by straight segments that are as long as
+/// `tolerance` allows. The tolerance has the unit of the line's points. Corners are moved outwards
+/// by a third of the height of their arcs over the chords, so that the length of the line does not
+/// change. Both ends of an open line are moved equally, because the line continues there.
 LevelLine WithLongSegments(const LevelLine& line, double tolerance);
 
-/// Returns the lines of all periods near a region. `lines` repeat with the period 1; a period is
-/// `period_nm` long, in a frame around the origin. Errors: REQUEST_TOO_LARGE for more lines than
-/// limits::kMaxLinesPerFill.
+/// Returns all repetitions of level lines near a region, not yet cut to it. `lines` repeat with
+/// period 1, which is `period_nm` in the plane; `frame` is a frame around the origin. Errors:
+/// REQUEST_TOO_LARGE for more lines than limits::kMaxLinesPerFill.
 absl::StatusOr<std::vector<Curve>> TiledLines(const MultiPolygon& region,
                                               std::span<const LevelLine> lines,
                                               const LineAxes& frame, double period_nm);

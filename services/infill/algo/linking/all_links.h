@@ -4,11 +4,12 @@
 
 namespace slicefarm::infill {
 
-/// Links each end to one neighbour along its ring: every second edge part is a link. Of the two
-/// possible choices for a ring, the one with fewer too long parts is used, then the shorter one.
-/// The pieces then form rings, into which SplicedPaths can insert crossing paths. An end stays
-/// loose if its edge part is longer than `max_link_nm`, and so does one end of a ring with an odd
-/// number of ends. Cost: O(k), k ends.
+/// Links each end to one neighbour along its ring: every second edge part (EdgeEnds) becomes a
+/// link. There are two choices for a ring. The choice with fewer edge parts longer than
+/// `max_link_nm` is used; if both have the same number, the choice with shorter links. The pieces
+/// then form rings, into which SplicedPaths can insert crossing paths. An end stays loose if its
+/// edge part is longer than `max_link_nm`, and so does one end of a ring with an odd number of
+/// ends. Cost: O(k), k ends.
 Links LinkAllEnds(const EdgeEnds& ends, double max_link_nm);
 
 }  // namespace slicefarm::infill

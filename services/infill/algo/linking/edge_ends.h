@@ -10,28 +10,28 @@
 
 namespace slicefarm::infill {
 
-/// Index that represents no end.
+/// Index that means "no end".
 inline constexpr int32_t kNoEnd = -1;
 
 /// Ends of pieces in their order along the boundary of their region. Ends 2i and 2i + 1 belong to
-/// piece i, so that e ^ 1 is the other end of the same piece. An edge part (`Stretch` in names) is
-/// the part of a ring from one end forwards to the next end. Its index is the index of its first
-/// end.
+/// piece i, so that `end ^ 1` is the other end of the same piece. An edge part (`Stretch` in names)
+/// is the part of a ring from one end forwards to the next end on the ring. The index of an edge
+/// part is the index of its first end.
 class EdgeEnds {
  public:
-  /// Sorts the ends. All edge parts are free. `region` and `pieces` must outlive this object. Cost:
-  /// O(n + k log k), n points of the region, k ends.
+  /// Sorts the ends. After this, all edge parts are free for beads. `region` and `pieces` must
+  /// outlive this object. Cost: O(n + k log k), n points of the region, k ends.
   EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces);
 
-  /// Sets which parts of each ring are not free for beads of `width_nm`. `taken`: one list per
-  /// ring.
+  /// Marks parts of each ring as not free for beads of `width_nm`. `taken`: one list per ring
+  /// (TakenEdge).
   void SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm);
 
   int32_t size() const { return static_cast<int32_t>(ends_.size()); }
   int32_t PieceCount() const { return size() / 2; }
   const Piece& PieceAt(int32_t piece) const { return pieces_[static_cast<size_t>(piece)]; }
 
-  /// Returns the ends on the region's boundary, ring by ring.
+  /// Returns the ends on the region's boundary, ring by ring, in their order along each ring.
   const std::vector<int32_t>& OnEdge() const { return order_; }
   bool IsOnEdge(int32_t end) const { return At(end).place.ring >= 0; }
   /// Returns the next end along the ring, or the end itself if it is the only one. REQUIRES:
@@ -49,7 +49,7 @@ class EdgeEnds {
   /// IsOnEdge(end).
   const StretchRoom& RoomOf(int32_t end) const { return At(end).room; }
 
-  /// Returns the position of an end.
+  /// Returns the position of an end in the plane.
   Point PlaceOf(int32_t end) const;
   /// Returns the points of the edge part that begins at `end`, including the positions of its two
   /// ends.
@@ -70,7 +70,8 @@ class EdgeEnds {
 
   std::span<const Piece> pieces_;
   std::vector<const Polygon*> rings_;
-  /// Lengths along each ring: from its first point to each of its points, then of the whole ring.
+  /// For each ring: the distance of each point from the first one along the ring, then the whole
+  /// length.
   std::vector<std::vector<double>> corner_at_;
   std::vector<End> ends_;
   std::vector<int32_t> order_;

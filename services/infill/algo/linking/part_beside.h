@@ -12,8 +12,8 @@ struct SegmentPart {
   double to_nm = 0;
 };
 
-/// Returns the part of segment ab that has segment cd beside it: at an angle of at most 20 degrees,
-/// and nearer than `near_nm`.
+/// Returns the part of segment ab that has segment cd beside it, at an angle of at most 20 degrees
+/// and nearer than `near_nm`; nullopt if there is none.
 std::optional<SegmentPart> PartBeside(Point a, Point b, Point c, Point d, double near_nm);
 
 }  // namespace slicefarm::infill

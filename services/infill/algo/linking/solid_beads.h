@@ -12,22 +12,23 @@ namespace slicefarm::infill {
 ///
 /// Lines are as wide as their pitch, except beside parts of the region's boundary at a small angle
 /// to the lines (FittedStrips). A line ends so near to the boundary that it fills its own strip up
-/// to there. A link is therefore thin: it fills only the space that the ends of its two lines leave
-/// empty, and follows the boundary of `lines`. No bead leaves the region: a fitted line that would
-/// leave it has plain ends, or is plain along its whole length.
+/// to the boundary. A link is therefore thin: it only fills the area between the ends of its two
+/// lines and the boundary. Links follow the boundary of the area that `lines` fill. No bead leaves
+/// the region: a fitted line that would leave it has plain ends, or is plain along its whole
+/// length.
 class SolidBeads {
  public:
   /// Parameters of solid beads.
   struct Options {
     bool fitted = true;  ///< false: every line is as wide as the pitch
-    /// Distance from the region's boundary to the boundary of the inset region that `lines` fill.
+    /// Distance from the region's boundary to the boundary of the area that `lines` fill, in nm.
     double reach_nm = 0;
     double link_share = 1;  ///< width of a link's strip, as a share of the pitch
   };
 
-  /// Prepares the strips. `lines` fill the region inset by `reach_nm`. `lines`, and all data that
-  /// it refers to, must outlive this object. Cost: the cost of FittedStrips, and O(edges of the
-  /// region).
+  /// Prepares the strips. `region`: the area that all beads together cover; `lines` fill this
+  /// region inset by `reach_nm`. `lines`, and all data that it refers to, must outlive this object.
+  /// Cost: the cost of FittedStrips, and O(edges of the region).
   SolidBeads(const PolygonWithHoles& region, const ScanLines& lines,
              const std::vector<SerpentinePath>& paths, const Options& options);
 

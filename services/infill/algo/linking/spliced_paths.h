@@ -7,9 +7,9 @@
 namespace slicefarm::infill {
 
 /// Inserts closed paths into paths that they cross. At a crossing of two straight segments, the
-/// outer path leaves into the closed path, follows it completely, and then continues. Crossing
-/// lines therefore become one path if their rings are connected. At the crossing, both corners are
-/// cut off so that the beads do not meet there. All other points stay in the result once.
+/// outer path enters the closed path, follows it completely, and then continues. Crossing lines
+/// therefore become one path if their rings are connected. At the crossing, both corners are cut
+/// off so that the beads do not meet there. All other points are in the result exactly once.
 ///
 /// A path without crossings does not change. A crossing nearer than `margin_nm` to the end of a
 /// segment does not count. The first crossing in the order of the paths is used. REQUIRES: all

@@ -11,7 +11,8 @@ namespace slicefarm::infill {
 /// twice.
 inline constexpr double kLeastApart = 0.62;
 
-/// Part of a ring that has a piece beside it, by arc length from the ring's first point.
+/// Part of a ring that has a piece beside it, given by two arc lengths from the ring's first point.
+/// `piece`: index of the piece.
 struct TakenSpan {
   double from_nm = 0;
   double to_nm = 0;
@@ -25,22 +26,23 @@ struct TakenSpan {
 std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
                                               std::span<const Piece> pieces, double width_nm);
 
-/// Free space for beads along an edge part.
+/// Free length for beads along an edge part (EdgeEnds).
 struct StretchRoom {
-  /// True if a bead fits along the whole edge part. It may overlap other beads over a length of at
-  /// most one width.
+  /// True if a bead fits along the whole edge part. The bead may overlap other beads over a length
+  /// of at most one width.
   bool links = true;
-  double ahead_nm = 0;   ///< free length from the edge part's start
-  double behind_nm = 0;  ///< free length back from the edge part's end
+  double ahead_nm = 0;   ///< free length in nm, measured forwards from the edge part's start
+  double behind_nm = 0;  ///< free length in nm, measured backwards from the edge part's end
 };
 
-/// Returns the free space of the edge part that begins `from_nm` after the ring's first point.
-/// `taken`: parts of the ring that are not free. `ring_nm`: length of the ring.
+/// Returns the free length of the edge part that begins `from_nm` after the ring's first point and
+/// is `length_nm` long. `taken`: parts of the ring that are not free. `ring_nm`: length of the
+/// ring.
 StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
                       double length_nm, double width_nm);
 
-/// Returns the lengths along a ring: from its first point to each of its points, then of the whole
-/// ring.
+/// Returns the distance of each point of a ring from its first point, along the ring; then the
+/// length of the whole ring. All in nm.
 std::vector<double> CornerLengths(const Polygon& ring);
 
 }  // namespace slicefarm::infill

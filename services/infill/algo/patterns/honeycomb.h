@@ -4,14 +4,15 @@
 
 namespace slicefarm::infill {
 
-/// Hexagons of continuous rows. A row steps up and down between flat parts, which it shares with
-/// the neighbour rows: along them two beads are side by side, a spacing apart. The hexagon's side s
-/// follows from the length of a period: 2 s + 2 |slope| = 3 s * (sqrt 3 / 2) s / pitch. For beads
-/// without width this is s = 8 / (3 sqrt 3) pitch.
+/// Hexagons of continuous rows. A row alternates between an upper and a lower flat part, connected
+/// by slopes. Along each flat part, the neighbouring row has a flat part too: the two beads are
+/// side by side, a spacing apart. The hexagon's side s follows from the length of a row's period: 2
+/// s + 2 |slope| = 3 s * (sqrt 3 / 2) s / pitch. For beads without width this is s = 8 / (3 sqrt 3)
+/// pitch.
 MakePattern Honeycomb;
 
-/// Hexagons with each wall printed once: side 2 / sqrt 3 pitch. Three walls meet in each corner, so
-/// that every corner is the end of a path.
+/// Hexagons with each edge printed once. The side of a hexagon is 2 / sqrt 3 pitch. Three edges
+/// meet in each corner, so every corner is the end of a path.
 MakePattern HoneycombCells;
 
 }  // namespace slicefarm::infill

@@ -8,8 +8,8 @@
 
 namespace slicefarm::infill {
 
-/// Returns the families of straight lines that form a pattern, or nothing for a pattern of other
-/// lines.
+/// Returns the families of straight lines that form a pattern; empty if the pattern is not formed
+/// by such families.
 std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& place);
 
 }  // namespace slicefarm::infill

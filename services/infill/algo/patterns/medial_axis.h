@@ -4,11 +4,11 @@
 
 namespace slicefarm::infill {
 
-/// Lines at distances phase + k pitch, k = 0, 1, ..., from the main lines of each island's medial
-/// axis (MainAxis), cut by the region. The lines follow the region's limbs and lead into its
-/// corners, split and merge where the axis forks, and end at walls. Spokes (AxisSpokes) join the
-/// axis to each wall that it does not reach itself. Therefore no line is a ring between walls
-/// without contact to a wall.
+/// Lines at distances phase + k pitch, k = 0, 1, ..., from the main axis of each island (MainAxis),
+/// cut by the region. The lines follow the region's limbs and lead into its corners, split and
+/// merge where the axis forks, and end at walls. Spokes (AxisSpokes) join the axis to each wall
+/// that the axis does not reach. Therefore every line has an end at a wall, and no line is a free
+/// ring between walls.
 ///
 /// Density: the distance d to any fixed set has |grad d| = 1. The length of {d = phase + k pitch}
 /// in any part of the region is therefore the part's area / pitch, on average over the phase
@@ -18,9 +18,10 @@ namespace slicefarm::infill {
 /// continues for an equal height, which gives the same length.
 ///
 /// Source: the family {d(x, axis) = k pitch} of offsets from the medial axis. With a constant phase
-/// its density would change by whole lines; the moving phase corrects this. Lines at equal
-/// distances from the boundary are `concentric` and `fermat`: they follow walls and have no ends at
-/// them. The lines follow the region and do not depend on the origin or on `angle_rad`.
+/// its density would change by whole lines; the moving phase corrects this. In contrast,
+/// `concentric` and `fermat` have lines at equal distances from the boundary, which follow the
+/// walls and do not end at them. The lines follow the region and do not depend on the origin or on
+/// `angle_rad`.
 MakePattern MedialAxis;
 
 }  // namespace slicefarm::infill

@@ -9,20 +9,21 @@
 
 namespace slicefarm::infill {
 
-/// Position and density of a pattern. All values are in the object's own frame, around its origin,
-/// so that a pattern is the same in all layers, islands and copies.
+/// Position and density of a pattern. All values are in the object's own frame, around its origin.
+/// A pattern is therefore the same in all layers, islands and copies.
 struct PatternPlace {
   Coord z_nm = 0;  ///< height of the layer's middle above the object's bottom
   int32_t layer = 0;
-  double pitch_nm = 0;  ///< length of lines per area is 1 / pitch, over a period in z
+  /// pitch in nm: the length of lines per area is 1 / pitch, on average over a period in z
+  double pitch_nm = 0;
   double angle_rad = 0;
-  Coord spacing_nm = 0;  ///< spacing of beads side by side
+  Coord spacing_nm = 0;  ///< spacing of beads side by side (bead_section.h)
   /// Distance from the region's boundary to the outermost line, in pitches, for patterns along the
-  /// boundary. 0.5 if the lines have to fill the region; 0 if the outermost line has to stick to
-  /// the walls.
+  /// boundary. With 0.5 the lines fill the region. With 0 the outermost line sticks to the walls.
   double first_line = 0.5;
   std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out
-  Coord smoothing_nm = 0;                  ///< smoothing of lines that follow the region; 0: none
+  /// length in nm over which lines that follow the region are smoothed; 0: none
+  Coord smoothing_nm = 0;
 };
 
 /// Function that returns the parts of a pattern inside a region. Every pattern has this form;

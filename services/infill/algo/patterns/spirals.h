@@ -10,7 +10,7 @@ namespace slicefarm::infill {
 MakePattern Archimedean;
 
 /// Outline of two squares, rotated by 45 degrees against each other, that grows with each loop. All
-/// sixteen edges of such a star have the same distance from its middle, so that loops are a pitch
+/// sixteen edges of this star have the same distance from its middle, so the loops are a pitch
 /// apart everywhere.
 MakePattern Octagram;
 

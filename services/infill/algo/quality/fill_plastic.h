@@ -11,18 +11,19 @@ namespace slicefarm::infill {
 /// Returns the plastic of the beads of a path in a layer of height `height_nm`, in mm3.
 double PlasticMm3(const Path& path, Coord height_nm);
 
-/// Plastic that was requested for a fill with paths of one kind.
+/// Plastic that was requested for one fill of an area.
 struct RequestedFill {
   Feature feature = Feature::kInternalInfill;
-  std::optional<FillPattern> pattern;  ///< none: lines without a pattern
+  /// pattern of the fill; nullopt for lines without a pattern, such as bridges
+  std::optional<FillPattern> pattern;
   double area_nm2 = 0;
-  /// Height of the space that the plastic has to fill: of one layer, or of several layers.
+  /// Height that the plastic has to fill: the height of one layer, or of several combined layers.
   Coord height_nm = 0;
-  double share = 1;  ///< requested plastic as a share of this space
+  double share = 1;  ///< requested plastic as a share of area * height
 };
 
 /// Returns the plastic, length and number of `paths` in a layer of height `layer_height_nm`,
-/// together with the request. Cost: O(points).
+/// together with the requested plastic. Cost: O(points).
 FillStats UseOf(const RequestedFill& asked, std::span<const Path> paths, Coord layer_height_nm);
 
 }  // namespace slicefarm::infill

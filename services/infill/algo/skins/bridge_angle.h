@@ -6,17 +6,19 @@
 
 namespace slicefarm::infill {
 
-/// Direction of lines over an unsupported area, and whether it supports them.
+/// Direction of lines over an unsupported area.
 struct BridgeSpan {
   double angle_rad = 0;  ///< direction of the lines, in [0, pi)
-  bool held = false;     ///< at least nine tenths of the lines' length are supported at both ends
+  /// true if the lines' ends are supported: both ends, for at least nine tenths of the length
+  bool held = false;
 };
 
 /// Returns the best bridging direction of 36 for lines over the part of `region` that `below` does
-/// not support: the one with the shortest 90th-percentile unsupported span. Spans that end in air
-/// count tenfold. If no direction has nine tenths of its lines supported at both ends, the
-/// directions with the largest supported share, in tenths, are compared. Returns nothing if no part
-/// of the region is supported, or the whole region: then any direction is possible.
+/// not support: the direction with the shortest 90th-percentile span. A span is the unsupported
+/// part of one line; its length counts tenfold if one of its ends is not supported. If no direction
+/// is `held` (BridgeSpan), only directions with the largest supported share, in tenths, are
+/// compared. Returns nullopt if no part of the region is supported, or if the whole region is: then
+/// any direction is possible. `width_nm`: width of the lines.
 ///
 /// Cost: two boolean operations, and O(n) per direction, n points. Source: the idea is Slic3r's
 /// bridge detector (lines with both ends on an anchor).

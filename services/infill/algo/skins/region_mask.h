@@ -8,15 +8,15 @@
 namespace slicefarm::infill {
 
 /// Coarse raster of a region: the squares of a grid that the region touches. The raster proves at
-/// low cost that an outline does not meet the region.
+/// low cost that no edge of an outline is in the region.
 class RegionMask {
  public:
   /// Builds the raster. Cost: O(n + squares along the boundary + squares / 64), n points.
   explicit RegionMask(const MultiPolygon& region);
 
-  /// Returns false only if no edge of `outlines` meets the region: each island of the region is
-  /// then either covered by `outlines` or outside of them. Cost: O(n + squares along the edges near
-  /// the region), n points of `outlines`.
+  /// Returns true if an edge of `outlines` may meet the region. If it returns false, each island of
+  /// the region is either covered by `outlines` or outside of them. Cost: O(n + squares along the
+  /// edges near the region), n points of `outlines`.
   bool MayMeet(const MultiPolygon& outlines) const;
 
  private:

@@ -7,66 +7,70 @@
 
 namespace slicefarm::infill {
 
-/// Outlines of the layers above and below a fill area that its skins reach. An outline that is
-/// equal to the outline of the fill area's own layer, or to the next nearer outline, must be the
-/// same pointer: equality is tested by pointer.
+/// Outlines of the layers above and below a fill area that its skins reach. Equality of outlines is
+/// tested by pointer. An outline equal to the outline of the fill area's own layer must therefore
+/// be the same pointer, and so must an outline equal to the next nearer one.
 struct Cover {
+  std::vector<const MultiPolygon*> above;  ///< one per top solid layer, nearest first; nullptr: air
   std::vector<const MultiPolygon*>
-      above;  ///< nearest first, as many as top solid layers; nullptr: air
-  std::vector<const MultiPolygon*>
-      below;            ///< nearest first, as many as bottom solid layers; nullptr: air or bed
-  bool on_bed = false;  ///< the area is in the lowest layer of its object
-  /// Outlines of the whole object in the layers below that support the area, nearest first. Used if
-  /// `below` has only outlines of the area's own region; otherwise empty, and `below` is used.
+      below;            ///< one per bottom solid layer, nearest first; nullptr: air or bed
+  bool on_bed = false;  ///< true if the fill area is in the lowest layer of its object
+  /// Outlines of the whole object in the layers below, nearest first, as supports of the area. Only
+  /// needed if `below` contains only outlines of one region, or for SkinOptions::over_bridges. If
+  /// empty, `below` is used.
   std::vector<const MultiPolygon*> bearers = {};
 };
 
 /// Options of the division into skins.
 struct SkinOptions {
-  /// Width of a solid bead; parts too narrow for it join their neighbours.
+  /// Width of a solid bead. Parts that are too narrow for it become part of a neighbouring area.
   Coord width_nm = 450'000;
   double solid_below_area_mm2 = 0;  ///< sparse parts with a smaller area become solid
   bool all_solid = false;           ///< true if the whole fill area becomes solid
   ShellThickness shells = ShellThickness::kEnabled;
-  /// True if areas over bridges are a separate kind; `cover` then needs two layers in `bearers`.
+  /// True if areas over bridges are a separate kind of area; Cover::bearers then needs two layers.
   bool over_bridges = false;
 };
 
 /// Partition of a fill area by the purpose of its infill.
 struct Skins {
-  MultiPolygon top;          ///< visible surface with nothing above, without membranes over air
-  MultiPolygon bridge;       ///< over air, plus two beads of the supporting area around it
-  MultiPolygon bottom;       ///< over another region of the object
-  MultiPolygon over_bridge;  ///< over a bridge of the layer below
-  MultiPolygon solid;        ///< other skins, and areas that are solid for other reasons
+  /// visible surface without material above it; parts that are also over air are in `bridge`
+  MultiPolygon top;
+  MultiPolygon bridge;  ///< parts over air, plus two bead widths of the supporting area around them
+  MultiPolygon bottom;  ///< over another region of the object
+  MultiPolygon over_bridge;  ///< parts over a bridge of the layer below
+  MultiPolygon solid;        ///< all other skins, and areas that are solid for other reasons
   MultiPolygon sparse;
 };
 
-/// Divides a fill area into skins and sparse infill. A point belongs to the skins unless every
-/// outline of `cover` covers it.
+/// Divides a fill area into skins and sparse infill. A point belongs to the sparse infill if all
+/// outlines of `cover` cover it, else to the skins. `outline`: outline of the fill area's own
+/// layer.
 ///
-/// A part that an outline does not cover counts if it is at least 0.3 of a bead wide and as large
-/// as a dot of a bead. The width may be so small because the part continues under the walls. Each
-/// such part grows by two beads into the sparse region, so that its lines have supported ends. With
-/// partial shells, parts that are not covered must be at least three beads wide. With disabled
-/// shells, such a part counts only if a nearer outline still covers it and if it is a bead wide.
-/// Slopes with steps narrower than a bead from layer to layer then stay sparse. Sparse parts
-/// narrower than four beads become solid up to this distance from skins, because their lines would
-/// be short bits. Narrow parts that are only beside walls stay sparse. A part beside a bridge that
-/// is too narrow for a bead joins the bridge.
+/// A part that an outline does not cover becomes a skin if it is at least 0.3 beads wide and as
+/// large as a dot of a bead. The smallest width is below one bead because the part continues under
+/// the walls. Each such part grows by two beads into the sparse region, so that its lines have
+/// supported ends. With partial shells, the part must be at least three beads wide. With disabled
+/// shells, the part must be a bead wide, and a nearer outline must still cover it. Slopes with
+/// steps narrower than a bead from layer to layer then stay sparse.
 ///
-/// Only widths, distances and areas decide. Noise of some tens of nanometres in an operand
-/// therefore moves edges by as much, and changes dots where a width is exactly at its limit.
+/// Sparse parts narrower than four beads become solid within four beads from skins, because their
+/// lines would be short. Narrow sparse parts farther away, beside walls only, stay sparse. A solid
+/// part beside a bridge that is too narrow for a bead becomes part of the bridge.
+///
+/// Only widths, distances and areas decide. Noise of some tens of nanometres in an outline
+/// therefore moves edges of the result by as much. If a width is exactly at its limit, the noise
+/// may add or remove a dot.
 ///
 /// Invariant: the regions tile fill_area: they are disjoint and have no gap, except for rounding.
-/// Cost: almost none for outlines equal to `outline` (this layer's) or not near the fill area. Each
-/// other outline costs two boolean operations, and each kind of skin in the result one more.
+/// Cost: almost none for outlines equal to `outline` or not near the fill area. Each other outline
+/// costs two boolean operations, and each kind of skin in the result one more.
 Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
                    const SkinOptions& options);
 
-/// Returns the sparse part of the same partition, or nothing if it does not meet `wanted`. Cost:
-/// that of PartFillArea without the kinds of skins; it stops at the first layer that takes all of
-/// `wanted`.
+/// Returns the sparse part that PartFillArea would return; empty if this part does not meet
+/// `wanted`. Cost: as PartFillArea without the division of skins. The search ends at the first
+/// layer that leaves no sparse part in `wanted`.
 MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                         const Cover& cover, const SkinOptions& options, const MultiPolygon& wanted);
 

@@ -6,11 +6,11 @@
 
 namespace slicefarm::infill {
 
-/// Closed curves through all cells of a square of 2s x 2s cells, from each cell to a neighbour
-/// cell. Four space-filling curves of s x s cells follow each other around the middle.
+/// Closed curves through all cells of a square of 2s x 2s cells. Each step leads to a neighbouring
+/// cell. Four space-filling curves of s x s cells each follow each other around the middle.
 
-/// Returns the cells of Moore's curve in order, with s = 2^order. The first cell is beside the
-/// last.
+/// Returns the cells of Moore's curve in order, with s = 2^order. The last cell is beside the
+/// first.
 std::vector<CurveCell> ClosedHilbert(int order);
 
 /// Returns the cells of the closed Peano curve in order, with s = 3^order.

@@ -5,7 +5,7 @@
 
 namespace slicefarm::infill {
 
-/// Cell of a square through which a space-filling curve runs.
+/// Cell of a square grid, on a space-filling curve.
 struct CurveCell {
   uint32_t x = 0;
   uint32_t y = 0;

@@ -14,9 +14,9 @@ struct FermatOptions {
 };
 
 /// Fills a region with connected Fermat spirals. Lines at constant distances from the boundary are
-/// joined into spirals that lead inwards and outwards again. The spirals are joined into one path
-/// for each part of the region that is connected at the depth of the first line. The path starts
-/// and ends at the boundary; its ends are a spacing apart.
+/// joined into spirals that lead inwards and outwards again. All spirals within a connected part of
+/// the region are joined into one path; parts that are connected only outside of the first line
+/// count as separate. The path starts and ends at the boundary; its ends are a spacing apart.
 ///
 /// Parts less than two lines wide get two lines with a smaller distance. Length times spacing is
 /// the region's area if the first line is half a spacing inside: see RingsFrom.

@@ -12,7 +12,7 @@ namespace slicefarm::infill {
 CurveCell HilbertCell(int order, uint64_t index);
 
 /// Returns the index of a cell (the inverse of HilbertCell), by reflected Gray code. At each level,
-/// the cell's quadrant has the bits x and y, and two bits of the index are 3x ^ y. The inside of
+/// x and y are the bits of the cell's quadrant, and two bits of the index are 3x ^ y. The inside of
 /// the quadrant is then rotated or mirrored to the orientation of the first quadrant.
 uint64_t HilbertIndex(int order, CurveCell cell);
 

@@ -13,15 +13,16 @@ struct QuadtreeOptions {
   double first_line = 0.5;     ///< distance of the outermost line from the boundary, in spacings
 };
 
-/// Fills a region with Hilbert curves. The cells that are at least one line's distance inside the
-/// region form a quadtree. Each leaf of the tree is filled by a ring of four Hilbert curves
-/// (Moore's closed form). The cells have a side of two spacings, on a grid through the origin of
-/// coordinates, so that copies and layers agree. The band between the cells and the boundary is
-/// filled by lines at constant distances from both. LinkRings joins all curves and lines into one
+/// Fills a region with Hilbert curves. The cells of the curves have a side of two spacings, on a
+/// grid through the origin of coordinates, so that copies and layers agree. The cells that are at
+/// least one line's distance inside the region form a quadtree. Each leaf of the tree is filled by
+/// a ring of four Hilbert curves (Moore's closed form). Lines at constant distances from the cells
+/// and from the boundary fill the band between both. LinkRings joins all curves and lines into one
 /// path for each connected piece of the region inset by half a spacing. The leaves of the tree are
 /// joined in the order of the Hilbert curve.
 ///
-/// Length times spacing is the region's area: exactly in the cells, see RingsFrom for the band.
+/// Length times spacing is the region's area: exactly in the cells, approximately in the band
+/// (RingsFrom).
 ///
 /// Errors: SETTING_OUT_OF_RANGE and REQUEST_TOO_LARGE, see CheckRingSpacing.
 absl::StatusOr<std::vector<Polyline>> HilbertFill(const PolygonWithHoles& region,

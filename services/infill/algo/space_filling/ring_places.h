@@ -13,15 +13,15 @@
 namespace slicefarm::infill {
 
 /// Rings with positions on them, and a search for positions near a point. A position (`place` in
-/// names) is the arc length from the ring's first point, in nm.
+/// names) is the arc length from the ring's first point forwards, in nm.
 class RingPlaces {
  public:
-  /// Position on a ring, with its distance from a given point.
+  /// Position on a ring, with its distance from a given point, in nm.
   struct Near {
     double place = 0;
     double distance = 0;
   };
-  /// Ring near a given point, with its distance.
+  /// Ring near a given point, with its distance from the point, in nm.
   struct NearRing {
     int32_t ring = 0;
     double distance = 0;
@@ -41,12 +41,13 @@ class RingPlaces {
   int32_t Count() const { return static_cast<int32_t>(rings_.size()); }
   double Length(int32_t ring) const { return along_[first_[ring + 1] + ring]; }
 
-  /// Returns the position reduced to [0, length).
+  /// Returns the position reduced to [0, length of the ring).
   double Wrapped(int32_t ring, double place) const;
   /// Returns the point at a position of a ring.
   Point At(int32_t ring, double place) const;
 
-  /// Returns the position on a ring that is nearest to p, if its distance is at most `reach`.
+  /// Returns the position on a ring that is nearest to p; nullopt if its distance exceeds `reach`
+  /// (in nm).
   std::optional<Near> Nearest(Point p, int32_t ring, double reach) const;
 
   /// Finds the rings within `reach` of p for which wanted(ring) is true, with their distances, in
@@ -75,7 +76,7 @@ class RingPlaces {
     grid_.ForEachNear(a, b, 1, [&](int32_t segment) { visit(EdgeOf(segment)); });
   }
 
-  /// Returns the ring position of the point on `edge` that is nearest to p.
+  /// Returns the position on the ring of `edge`: of the point of this edge that is nearest to p.
   double PlaceOn(const Edge& edge, Point p) const;
 
   /// Calls visit(point) for the ring's points strictly between the positions `from` and `from` +

@@ -9,8 +9,8 @@
 
 namespace slicefarm::infill {
 
-/// Index of segments by the square cells that they pass, to find segments near a point. Cells are
-/// `cell_nm` wide, or wider if the box would have more than four million cells.
+/// Index of segments by the square cells that they pass, to find segments near a point. Cells have
+/// the side `cell_nm`. They are larger if the box would have more than four million cells.
 class SegmentGrid {
  public:
   /// Creates an empty grid. REQUIRES: cell_nm > 0; all segments are in `box`, which is not empty.
@@ -50,8 +50,8 @@ class SegmentGrid {
     }
   }
 
-  /// Calls visit(segment) for all segments that pass within `reach` of the box of a and b. Some
-  /// segments are visited several times, and some others are visited too.
+  /// Calls visit(segment) for all segments that pass within `reach` (in nm) of the bounding box of
+  /// a and b. Some segments are visited several times, and some farther segments are visited too.
   template <typename Visit>
   void ForEachNear(Point a, Point b, double reach, Visit visit) const {
     const auto [left, right] = std::minmax(a.x, b.x);
