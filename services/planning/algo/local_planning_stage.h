@@ -7,9 +7,9 @@
 
 namespace slicefarm::planning {
 
-/// Returns the planning stage in this program: a JobPlanner over the layers. The stage is
-/// stateless. Errors: as JobPlanner; Cancelled, polled once per layer, and at the end between the
-/// planners' objects.
+/// Returns the planning stage that runs in this process: a JobPlanner over the layers. The stage
+/// has no state. Errors: see JobPlanner. Cancelled is polled once per layer, and at the end for
+/// each object in the planners.
 std::unique_ptr<PlanningStage> MakeLocalPlanning();
 
 }  // namespace slicefarm::planning

@@ -10,7 +10,7 @@
 
 namespace slicefarm::planning {
 
-/// Offset that closes the cracks that rounding leaves between adjacent regions.
+/// Offset that closes gaps between adjacent regions; rounding leaves such gaps.
 constexpr Coord kGlueNm = 500;
 
 /// One object on the plate, as input of BrimRegions.
@@ -23,16 +23,17 @@ struct BrimObject {
 /// Returns the brim regions of the objects: one per object, all disjoint.
 ///
 /// An object's brim is the area at a distance between separation and separation + width from its
-/// outlines. The brim is outside the outer rings, in the holes, or both. An island inside a hole of
-/// the same object counts as inside, so kOuterOnly gives this island no brim. Another object inside
-/// the hole is treated like any other object.
+/// outlines. By BrimType it is outside the outer rings, in the holes, or both. An island inside a
+/// hole of the same object counts as inside, so kOuterOnly gives this island no brim. Another
+/// object inside the hole is treated like any other object.
 /// - No brim is closer to an object than the separation of this object, whether the object has a
 ///   brim or not.
 /// - A piece of a brim without contact with its own object is left out. An example is a piece in
 ///   the hole of a neighbouring part.
-/// - Where brims overlap, the object that is first in `objects` gets the area. If the brim of the
-///   other object keeps a piece thinner than half a line, the first object also gets this piece.
-/// - Other pieces thinner than half a line are left out.
+/// - Where brims overlap, the object that is first in `objects` gets the area. This may cut off
+///   pieces thinner than half a line from the other object's brim. The first object gets these
+///   pieces too.
+/// - All other pieces thinner than half a line are left out.
 /// - No brim leaves `bed`. An empty `bed` is no limit.
 ///
 /// Shapes: objects may touch or overlap. Units: nm, in plate coordinates. Distances are exact to

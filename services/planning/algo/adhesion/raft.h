@@ -8,12 +8,12 @@
 
 namespace slicefarm::planning {
 
-/// Distance by which a lower raft layer extends beyond the layer above it, in nm.
+/// Distance by which raft layers extend beyond the top layer, in nm, without the first layer.
 inline constexpr Coord kRaftStepNm = 500'000;
 
 /// One layer of a raft.
 struct RaftLayer {
-  Coord print_z_nm = 0;  ///< top of the layer
+  Coord print_z_nm = 0;  ///< top of the layer above the bed
   Coord height_nm = 0;
   MultiPolygon region;
   RaftLayerKind kind = RaftLayerKind::kInterface;
@@ -21,9 +21,9 @@ struct RaftLayer {
   friend bool operator==(const RaftLayer&, const RaftLayer&) = default;
 };
 
-/// Returns the layers of the raft below `carried`, from the bed up. `carried`: footprint of the
-/// part's first layer and of the supports that reach the bed, of one object or of several objects
-/// that share a raft. Holes stay open if they are wider than the expansion.
+/// Returns the layers of a raft, from the bed up. `carried`: area that the raft supports, of one
+/// object or of several objects that share a raft: the footprints of the part's first layer and of
+/// the supports that reach the bed. Holes stay open if they are wider than the expansion.
 ///
 /// Heights: as in RaftHeights. The part's own first layer is layer_height thick (not
 /// first_layer_height). The part gets neither a brim nor elephant foot compensation.

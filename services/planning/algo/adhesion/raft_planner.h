@@ -16,11 +16,11 @@ namespace slicefarm::planning {
 /// Plans rafts for the objects with a raft setting, and lifts these objects and their supports.
 ///
 /// An object with free space around all of its copies has its own raft, which is printed and
-/// cancelled with each copy. Copies that are closer and have equal options share one raft, which is
-/// united from their areas. With complete_objects all rafts are shared, because they are printed
-/// before any object. A raft keeps 0.5 mm away from objects that it does not support. It also keeps
-/// 0.5 mm away from rafts with different options: the raft of the earlier object gets the area. A
-/// raft extends below supports as well as parts. No raft leaves the bed.
+/// cancelled with each copy. Copies that are closer and have equal options share one raft: the
+/// union of their rafts. With complete_objects all rafts are shared, because they are printed
+/// before any object. A raft keeps 0.5 mm away from objects that it does not support, and from
+/// rafts with different options. Where two rafts would meet, the raft of the earlier object gets
+/// the area. A raft extends below supports as well as parts. No raft leaves the bed.
 ///
 /// Output: stacks of StackKind::kRaft, with regions of Role::kRaft and kRaftInterface. Errors:
 /// Cancelled, polled for each raft.
@@ -40,20 +40,21 @@ class RaftPlanner : public RegionPlanner {
  private:
   /// Outlines of one object, in the object's own coordinates.
   struct Seen {
-    MultiPolygon lowest;  ///< outlines that rest on the bed or a raft
-    MultiPolygon low;     ///< union of all outlines below the top of the highest raft
+    MultiPolygon lowest;  ///< outlines that are on the bed or would be on a raft
+    MultiPolygon low;     ///< union of all outlines below the top of the highest raft on the plate
   };
   using SeenObjects = std::map<int32_t, Seen>;
 
   const ObjectPlanOptions& OptionsOf(int32_t object) const {
     return options_.objects[static_cast<size_t>(object)];
   }
-  /// Returns the objects that have a raft of their own.
+  /// Returns the objects that get a raft of their own.
   std::set<int32_t> Alone(const SeenObjects& seen) const;
   SeenObjects LookAt(std::span<const SlicedLayer> parts, const RegionPlan& plan) const;
   MultiPolygon Carried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
   MultiPolygon NotCarried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
-  /// Returns the raft layers of `group`, without the areas of other objects and rafts.
+  /// Returns the raft layers for all objects with the options `group`, without the areas of other
+  /// objects and rafts.
   std::vector<RaftLayer> LayersOf(const SeenObjects& seen, const ObjectPlanOptions& group,
                                   const RegionPlan& plan) const;
   void AddRaft(int32_t object, const ObjectPlanOptions& options, std::vector<RaftLayer> layers,

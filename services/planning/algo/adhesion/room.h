@@ -9,7 +9,8 @@
 
 namespace slicefarm::planning {
 
-/// Returns the bed; for an empty bed, a square that contains all valid coordinates.
+/// Returns the area that may be printed on: the bed, or if `bed` is empty, a square that contains
+/// all valid coordinates.
 inline MultiPolygon RoomOf(const MultiPolygon& bed) {
   constexpr Coord kMost = limits::kMaxCoord;
   if (!bed.empty()) return bed;

@@ -25,7 +25,7 @@ class SkirtReach {
   /// returns true if the skirt has not ended yet.
   bool Next(const SlicedLayer& layer);
 
-  /// Returns the number of layers counted so far.
+  /// Returns the number of layers so far that count.
   int32_t layers() const { return layers_; }
 
  private:
@@ -37,10 +37,11 @@ class SkirtReach {
 /// is first, so that the last one ends near the parts, as in PrusaSlicer. All layers get the same
 /// loops.
 ///
-/// The inner side of the innermost loop is `distance` away from the hull of parts and brims, with
-/// round corners. With a draft shield it is `distance` away from the hull of the parts alone.
-/// Further loops surround this loop at the bead's spacing. Loops are added until their filament on
-/// the first layer reaches `min_length`, up to limits::kMaxSkirtLoops.
+/// The inner side of the innermost loop is `options.distance_nm` away from the hull of parts and
+/// brims, with round corners. With a draft shield it is at this distance from the hull of the parts
+/// alone. Further loops surround this loop at the bead's spacing. Loops are added until there are
+/// `options.loops` of them and their filament on the first layer reaches `options.min_length_nm`,
+/// up to limits::kMaxSkirtLoops.
 ///
 /// Shapes: `parts` has the outlines of the first `SkirtLayers` layers, supports and rafts included,
 /// in any order. They may overlap. Paths are closed, counter-clockwise, Feature::kSkirt, object -1,
@@ -60,13 +61,13 @@ class SkirtReach {
 std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
                              const SkirtOptions& options);
 
-/// Cuts the loops where their lines would leave the bed. A loop inside the bed is unchanged. The
+/// Cuts the loops where their beads would leave the bed. A loop inside the bed is unchanged. The
 /// remaining pieces of a cut loop are open lines, with the loop's direction and position in the
 /// order. Cost: O(points of the loops * points of the bed).
 std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed);
 
-/// Returns the band that a draft shield's loops cover, including the bead widths. Brims are cut by
-/// this band. Empty without a shield.
+/// Returns the ring-shaped area between the outer side of a draft shield's outermost loop and the
+/// inner side of its innermost loop. Brims keep out of this area. Empty without a draft shield.
 MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options);
 
 }  // namespace slicefarm::planning

@@ -12,18 +12,19 @@
 
 namespace slicefarm::planning {
 
-/// Position of a copy relative to a copy of another object.
+/// Position of one copy relative to a copy of another object, or to another copy of the same
+/// object.
 struct Beside {
   int32_t object = 0;
-  Point shift;  ///< vector from the other object's copy to this copy
+  Point shift;  ///< vector from the copy that was asked for (NearCopies::Of) to this copy
 
   friend auto operator<=>(const Beside&, const Beside&) = default;
 };
 
-/// Finds copies that may overlap, from the bounding boxes of their objects so far. The boxes grow
-/// layer by layer. Pairs of copies with the same objects and the same relative position count once.
-/// Cost: O(c log c) for c copies, plus the pairs that are near, each time that an object grows by
-/// some millimetres.
+/// Finds copies that may overlap, from the bounding boxes of their objects in the layers so far.
+/// The boxes grow layer by layer. Pairs of copies with the same objects and the same relative
+/// position count once. Cost: O(c log c) for c copies, plus the pairs that are near, each time that
+/// an object grows by some millimetres.
 class NearCopies {
  public:
   /// `copies` must outlive this object.
@@ -32,7 +33,7 @@ class NearCopies {
   /// Extends the bounding box of `object` by `box`, which is in the object's own coordinates.
   void Claim(int32_t object, const Box& box);
 
-  /// Returns the neighbours that may overlap copies of the object.
+  /// Returns the copies that may overlap copies of `object`, relative to these copies.
   const std::set<Beside>& Of(int32_t object);
 
  private:

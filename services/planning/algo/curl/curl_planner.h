@@ -12,7 +12,8 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Plans where parts curl up, so that travels avoid these areas (avoid_crossing_curled_overhangs).
+/// Plans areas where the part curls up above its layer (CurledEdges), so that travels avoid these
+/// areas (avoid_crossing_curled_overhangs).
 class CurlPlanner : public Planner {
  public:
   /// `options` must outlive this planner.

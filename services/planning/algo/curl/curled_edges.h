@@ -11,22 +11,22 @@ namespace slicefarm::planning {
 /// Estimates where the outlines of a part curl up at overhangs, layer by layer.
 ///
 /// An overhang shrinks as it cools. Where its outline is convex, the outline is longer than the
-/// wall that holds it, and shrinking lifts it. Let w be the width, d the distance of a point of the
-/// outline from the layer below, and r the radius of curvature. For 0.2 w < d < 1.1 w the point
-/// rises by sqrt(d^2 - w^2 r / 100 mm), if this root is real.
+/// wall that supports it, and shrinking lifts it. Let w be the width of outer walls, d the distance
+/// of a point of the outline from the layer below, and r the radius of curvature. For 0.2 w < d <
+/// 1.1 w the point rises by sqrt(d^2 - w^2 r / 100 mm), if this root is real.
 ///
-/// A bead within 3 w of a risen point in the layer below rises with it, by three quarters of the
-/// bead's height less. The rise is at most ten layers. Points on supports do not rise. Source: the
-/// constants of the estimate of curled heights in PrusaSlicer 2.9, which are based on prints.
-/// PrusaSlicer computes the rise for each bead; here it is computed for the outline.
+/// A bead within 3 w of a risen point of the layer below rises too, but by three quarters of the
+/// bead's height less. The rise is at most ten layer heights. Points on supports do not rise.
+/// Source: the constants of the estimate of curled heights in PrusaSlicer 2.9, which are based on
+/// prints. PrusaSlicer computes the rise for each bead; here it is computed for the outline.
 class CurledEdges {
  public:
   /// `width_nm`: width of outer walls. REQUIRES: > 0.
   explicit CurledEdges(Coord width_nm) : width_nm_(width_nm) {}
 
-  /// Returns the area that is more than 0.1 mm above the top of the next layer, with a margin of
-  /// one width. `carried`: part of the outline that is directly above supports. Cost: O(length /
-  /// 0.5 mm), plus the cost of RegionEdges for the outline.
+  /// Adds the next layer and returns the area that rises more than 0.1 mm above the top of this
+  /// layer, with a margin of one width. `carried`: part of the outline that is directly above
+  /// supports. Cost: O(length / 0.5 mm), plus the cost of RegionEdges for the outline.
   MultiPolygon Next(const MultiPolygon& outline, const MultiPolygon& carried, Coord height_nm);
 
  private:

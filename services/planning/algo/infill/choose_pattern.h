@@ -11,15 +11,15 @@ struct InfillOptions;
 
 namespace slicefarm::planning {
 
-/// Size of a region, as input of the choice of a pattern.
+/// Size of a region in all layers of an object, as input of the choice of a pattern.
 struct PartShape {
-  double height_mm = 0;  ///< height of the region
+  double height_mm = 0;  ///< total height of the layers that have the region
   /// Mean width: 4 (total area) / (total perimeter) of all layers. For a disc this is its diameter,
   /// for a thin wall twice its thickness.
   double width_mm = 0;
 };
 
-/// Measures the region of a stack. Returns zeros if no layer has the region.
+/// Measures the region in `stack` (StackLayer::region). Returns zeros if no layer has the region.
 PartShape ShapeOf(const ObjectStack& stack);
 
 /// Chosen pattern and the reason for it.
@@ -28,9 +28,9 @@ struct PatternChoice {
   std::string reason;  ///< reason in words, without the pattern's name
 };
 
-/// Chooses the pattern for fill_pattern = auto. The first line that applies decides. The left
-/// column has conditions on infill_goal, density and shape; the right column has the pattern. A
-/// pitch is a line's width / density:
+/// Chooses the pattern for fill_pattern = auto. The first line of this table that applies decides.
+/// The left column has conditions on infill_goal (flexibility, time or strength), density and
+/// shape; the right column has the pattern. A pitch is a line's width / density:
 ///
 ///     density 60 % or more             rectilinear
 ///     narrower than 4 pitches          flexibility: concentric, else grid

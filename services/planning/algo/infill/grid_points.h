@@ -7,8 +7,7 @@
 namespace slicefarm::planning {
 
 /// Returns the points inside a region with coordinates that are multiples of `step_nm`, row by row.
-/// So the points of all regions of one object are on the same grid. Cost: O(rows crossed by each
-/// edge + points).
+/// All regions of one object therefore share one grid. Cost: O(rows crossed by each edge + points).
 std::vector<Point> GridPoints(const MultiPolygon& region, Coord step_nm);
 
 }  // namespace slicefarm::planning

@@ -17,11 +17,11 @@ namespace slicefarm::planning {
 
 /// Plans the properties of sparse infill that depend on many layers, for each object and each
 /// region with one of these settings.
-///   fill_pattern = auto                       the pattern (choose_pattern.h).
-///   adaptivecubic, supportcubic               lines of an octree (cubic_octree.h).
-///   lightning                                 lines that grow down from tops (lightning.h).
-///   infill_only_where_needed, infill_every_layers    areas (infill_places.h).
-/// The result is in each layer's plan, in the object's own coordinates.
+///   fill_pattern = auto: the pattern (choose_pattern.h).
+///   fill_pattern = adaptivecubic, supportcubic: lines of an octree (cubic_octree.h).
+///   fill_pattern = lightning: lines that grow down from tops (lightning.h).
+///   infill_only_where_needed, infill_every_layers: areas (infill_places.h).
+/// Each layer's plan gets the result, in the object's own coordinates.
 ///
 /// Memory: the outlines of all layers of these objects.
 class InfillPlanner : public Planner {
@@ -47,8 +47,8 @@ class InfillPlanner : public Planner {
   const PlanningOptions& options_;
   const std::span<const std::string> object_names_;
   int64_t held_bytes_ = 0;
-  std::map<int32_t, ObjectStack> stacks_;  ///< layers per object; `region` is not filled in
-  /// Outlines of the regions, by the index of the layer in the object's stack.
+  std::map<int32_t, ObjectStack> stacks_;  ///< layers per object; StackLayer::region is empty
+  /// Outlines of each planned region; the inner key is the index of the layer in `stacks_`.
   std::map<Key, std::map<size_t, MultiPolygon>> regions_;
 };
 

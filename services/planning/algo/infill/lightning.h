@@ -11,14 +11,15 @@ namespace slicefarm::planning {
 struct LightningRules {
   /// largest distance from a point of solid infill to a line that supports it
   double radius_nm = 0;
-  double beyond_nm = 0;  ///< length by which lines extend into the walls
+  double beyond_nm = 0;  ///< length by which lines extend beyond the infill's area, into the walls
 };
 
-/// Returns short lines that support solid infill from below. Works from the top down. Where solid
-/// infill needs support, branches grow from the walls or from existing branches. The first branch
-/// grows to the point that is farthest from walls and branches. From layer to layer the branches
-/// shrink towards the walls, at 45 degrees (lightning_trees.h). `areas` and `roofs`: one per layer,
-/// as returned by SparseAreas and RoofsOf.
+/// Returns the lines of each layer, indexed like `stack`, that support solid infill from below.
+/// Works from the top down. Where solid infill needs support, branches grow from the walls or from
+/// existing branches. The first branch grows to the point that is farthest from walls and branches,
+/// then the next one, until no point is farther than the radius. From layer to layer downwards, the
+/// branches shrink towards the walls, at 45 degrees (lightning_trees.h). `areas` and `roofs`: one
+/// per layer, as returned by HollowAreas and RoofsOf.
 ///
 /// Precision: solid infill is sampled on a grid of half the radius. The grid is coarser if it would
 /// have more than kMaxRoofPoints points. Cost: O(sample points * branches) for each layer with

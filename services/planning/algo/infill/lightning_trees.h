@@ -10,7 +10,7 @@
 
 namespace slicefarm::planning {
 
-/// Point on a tree or on a region's boundary, and its distance from the queried point.
+/// Point on a tree or on a region's boundary, and its distance from the point that was asked for.
 struct Nearest {
   Point at;
   double distance_nm = 0;
@@ -24,32 +24,35 @@ struct LightningNode {
   friend bool operator==(const LightningNode&, const LightningNode&) = default;
 };
 
-/// Trees in one layer. They shrink from a layer to the one below. The lower trees can support the
-/// upper ones: no point of an upper tree is farther than twice the layer's height from a lower tree
-/// or from the region's boundary.
+/// Trees of lightning infill in one layer. The trees are computed from the top layer down, and
+/// shrink from each layer to the one below. The lower trees can support the upper ones: no point of
+/// an upper tree is farther than twice the layer's height from a lower tree or from the region's
+/// boundary.
 class LightningTrees {
  public:
   const std::vector<LightningNode>& nodes() const { return nodes_; }
 
-  /// Returns the nearest point on a tree, and the node at the outer end of the edge with this
-  /// point. Returns nullopt if there is no tree.
+  /// Returns the point on the trees that is nearest to `p`, and the index of the node at the outer
+  /// end of the edge with this point. Returns nullopt if there is no tree.
   std::optional<std::pair<Nearest, int32_t>> NearestTo(Point p) const;
 
   /// Adds a straight branch that ends at `tip`. The branch starts at the nearest point on a tree or
-  /// on the boundary of `region`, so it is inside the region. Returns the start.
+  /// on the boundary of `region`, so the branch is inside the region. Returns the start.
   Point GrowTo(Point tip, const RegionEdges& region);
 
-  /// Shrinks the trees to the trees of the layer below. Tips are cut back by `step_nm`. Other nodes
-  /// move towards the mean of their neighbours, by at most `step_nm`. Cost: O(nodes).
+  /// Changes the trees to the trees of the layer below. Tips are cut back by `step_nm`. Other nodes
+  /// move towards the mean of their neighbours, by at most `step_nm`. Roots do not move. Cost:
+  /// O(nodes).
   void Descend(double step_nm);
 
-  /// Fits the trees to another region. Pieces outside the region are cut off, and the remaining
-  /// pieces are connected to the nearest point of its boundary. Cost: O(nodes), plus the cost of
-  /// RegionEdges.
+  /// Fits the trees to another region. Tree pieces outside of `region` are cut off, and each
+  /// remaining piece is connected to the nearest point of the region's boundary. Cost: O(nodes),
+  /// plus the cost of RegionEdges.
   void Refit(const RegionEdges& region);
 
-  /// Returns the trees as lines, each branch once: first the longest path from each root, then from
-  /// each fork. Lines from roots begin `beyond_nm` outside the region.
+  /// Returns the trees as lines that contain each branch once: first the longest path from each
+  /// root, then the longest path of each further branch from its fork. Lines from roots begin
+  /// `beyond_nm` outside the region.
   std::vector<Polyline> Lines(double beyond_nm) const;
 
  private:
@@ -58,7 +61,7 @@ class LightningTrees {
   void CutTips(double step_nm);
   void Straighten(double step_nm);
   void DropIdleNodes();
-  /// Removes the nodes that are not kept. A node without its parent becomes a root.
+  /// Removes the nodes for which `kept` is 0. A node that loses its parent becomes a root.
   void Keep(const std::vector<char>& kept);
 
   std::vector<LightningNode> nodes_;

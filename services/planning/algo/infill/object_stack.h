@@ -7,7 +7,7 @@
 
 namespace slicefarm::planning {
 
-/// Data of one layer of an object, kept by planning for the infill of one region.
+/// One layer of an object, as input of the planning of one region's infill.
 struct StackLayer {
   int32_t job_layer = 0;
   Coord z_nm = 0;  ///< top of the layer, above the object's bottom
@@ -16,7 +16,7 @@ struct StackLayer {
   MultiPolygon region;  ///< outlines of the planned region
 };
 
-/// All layers of an object, bottom up.
+/// All layers of an object, lowest first.
 using ObjectStack = std::vector<StackLayer>;
 
 }  // namespace slicefarm::planning

@@ -12,10 +12,11 @@
 
 namespace slicefarm::planning {
 
-/// Stacks that planning has added so far.
+/// Result of the region planners so far.
 struct RegionPlan {
-  int32_t next_id = 0;                ///< id of the next stack
-  std::vector<Coord> lifts_nm;        ///< height of each object's part above the bed
+  int32_t next_id = 0;  ///< id of the next stack
+  /// height of each object's bottom above the bed, indexed by object; 0 beyond the end
+  std::vector<Coord> lifts_nm;
   std::vector<AddedStack> stacks;     ///< added stacks, sorted by id
   std::vector<std::string> warnings;  ///< texts for the job's report
   /// Areas directly above supports; the key is the object and the layer of the object's part.
@@ -29,15 +30,14 @@ struct RegionPlan {
   }
 };
 
-/// Adds stacks that have layers of their own, before the layers of the print are known. Planners
-/// run one after the other, and each one sees the stacks that earlier planners added. For their
-/// order see JobPlanner.
+/// Adds stacks that have layers of their own, before the layers of the print are known. JobPlanner
+/// runs its region planners in a fixed order. Each one gets the stacks that earlier planners added.
 class RegionPlanner {
  public:
   virtual ~RegionPlanner() = default;
 
-  /// Adds stacks to `plan`. `parts`: all layers, with heights above the part's own bottom. Returns
-  /// Cancelled if `cancel` requests it.
+  /// Adds stacks to `plan`. `parts`: all layers of all parts, with heights above the part's own
+  /// bottom. Returns Cancelled if `cancel` requests it.
   virtual absl::Status Plan(std::span<const SlicedLayer> parts, const CancelToken& cancel,
                             RegionPlan& plan) = 0;
 };

@@ -10,7 +10,7 @@
 
 namespace slicefarm::planning {
 
-/// Index of the edges of a region, for many queries of near edges.
+/// Index of the edges of a region, for many searches of near edges.
 class RegionEdges {
  public:
   using Edge = EdgeIndex::Edge;
@@ -28,16 +28,16 @@ class RegionEdges {
 
   static constexpr Coord kAnyReach = std::numeric_limits<Coord>::max() / 4;
 
-  /// Copies the edges. Cost: O(edges + squares of a millimetre that the region's box covers). There
-  /// are only a few squares per edge.
+  /// Copies the edges into an index of squares of a millimetre, or larger squares if there would be
+  /// more than a few per edge. Cost: O(edges + squares).
   explicit RegionEdges(const MultiPolygon& region);
 
   /// Returns the nearest point on an edge, or nullopt if no edge is within `reach_nm`. Of equally
   /// near edges the first is returned. Cost: O(edges within the distance of the nearest one).
   std::optional<Hit> Nearest(Point to, Coord reach_nm = kAnyReach) const;
 
-  /// Returns true if a point is inside (even-odd rule). For a point on an edge the result may be
-  /// either. Cost: O(edges in the point's row of squares).
+  /// Returns true if a point is inside the region (even-odd rule). For a point on an edge the
+  /// result may be either. Cost: O(edges in the point's row of squares).
   bool IsInside(Point p) const;
 
   /// Returns the edges in the squares that the box of a segment touches, each once, in the region's
@@ -58,7 +58,7 @@ class RegionEdges {
   EdgeIndex index_;
   /// Index of the first edge of each ring; the last entry is the number of edges.
   std::vector<int32_t> first_edge_;
-  /// True for each edge that starts at a corner that points into the region.
+  /// true for each edge that starts at a reflex corner of the region
   std::vector<bool> reflex_;
 };
 

@@ -10,13 +10,13 @@ namespace slicefarm::planning {
 
 /// Corner of a ring.
 struct Corner {
-  double along_nm = 0;  ///< length from the ring's first point
+  double along_nm = 0;  ///< length along the ring from its first point
   double turn_rad = 0;  ///< change of direction; > 0 at a convex corner of the solid
 };
 
-/// Point on a ring, and the direction of the ring on both sides of the point. The arms are half a
-/// millimetre long by default, so that fine facets do not hide a corner. On small rings they are
-/// shorter.
+/// Point on a ring, and the direction of the ring before and after the point. Directions are
+/// measured over arms, which are half a millimetre long by default, so that fine facets do not hide
+/// a corner. On small rings the arms are shorter.
 struct Bend {
   Point at;
   Point in;   ///< vector from the start of the arm before the point to the point
@@ -25,17 +25,17 @@ struct Bend {
   /// Returns the change of direction in [-pi, pi]; > 0 where the solid is convex.
   double TurnRad() const;
 
-  /// Returns the direction away from the solid, in sixteenths of a full turn: [0, kOutwards).
+  /// Returns the direction away from the solid at this point, as an index in [0, kOutwards).
   int Outward() const;
 };
 
-/// Number of directions that Bend::Outward distinguishes.
+/// Number of sectors of a full turn that Bend::Outward distinguishes.
 inline constexpr int kOutwards = 16;
 
-/// Returns the angle in the middle of the direction `outward` (Bend::Outward).
+/// Returns the angle in radians of the middle of sector `outward` (Bend::Outward).
 double OutwardAngleRad(int outward);
 
-/// Ring on which points are given by the length along it.
+/// Ring as a curve: a position on it is the length along the ring from its first point, in nm.
 class RingShape {
  public:
   static constexpr double kArmNm = 0.5 * kNmPerMm;
@@ -51,21 +51,22 @@ class RingShape {
   /// Returns the length along the ring to its point `i`.
   double AlongTo(size_t i) const { return ends_[i]; }
 
-  /// Returns the bends at the given lengths. REQUIRES: ascending, within [0, length). Cost:
-  /// O(points of the ring + bends).
+  /// Returns the bends at the given lengths along the ring. REQUIRES: `along_nm` is in ascending
+  /// order and within [0, length). Cost: O(points of the ring + bends).
   std::vector<Bend> BendsAt(std::span<const double> along_nm) const;
 
-  /// Returns the corners, sorted by position; for a rounded corner, its middle. A ring that bends
-  /// equally everywhere has no corners. Cost: O(points).
+  /// Returns the corners, sorted by position. A rounded corner is returned once, at its middle. A
+  /// ring that bends equally everywhere has no corners. Cost: O(points).
   std::vector<Corner> Corners() const;
 
  private:
   /// Returns the point at `along_nm`, which may be up to one length of the ring before its start or
-  /// after its end. The search begins at `edge`; the index of the found edge is written back to
-  /// `edge`. So a walk along the ring visits each edge once.
+  /// after its end. `edge`: index of the edge at which the search begins; set to the edge that is
+  /// found. So a walk along the ring visits each edge once.
   Point At(double along_nm, size_t& edge) const;
-  /// Returns the points where the ring changes direction, beginning after a straight section.
-  /// Points past the ring's end have positions beyond the length.
+  /// Returns the points at which the ring bends, in order along the ring, beginning after a
+  /// straight section. Points after the ring's first point in this order have positions beyond the
+  /// length.
   std::vector<Corner> Turns() const;
 
   const Polygon* ring_;

@@ -9,25 +9,25 @@
 namespace slicefarm::planning {
 
 /// Coarse model of an object: its outlines stacked in cells of a millimetre. Cells are larger for
-/// objects of more than 256 mm. Computes the visibility of points on the surface.
+/// objects of more than 256 mm. Computes how visible points on the surface are.
 class Occupancy {
  public:
-  /// Adds a section with its top at `top_nm` above the object's bottom. Of several sections with
-  /// tops in the same millimetre only the first counts. Cost: O(edges * millimetres of height in
-  /// y).
+  /// Adds a section with its top at `top_nm` above the object's bottom. Call it from the lowest
+  /// section up. Of several sections with tops in the same millimetre only the first counts. Cost:
+  /// O(edges * millimetres of height in y).
   void Add(const MultiPolygon& outlines, Coord top_nm);
 
   /// Builds the cells from the added sections. Call after Add and before Visibility. Cost: O(volume
   /// in cells).
   void Build();
 
-  /// Returns the visibility of a point on the surface, in [0, 1]. It is the share of directions
-  /// along which a line leaves the object or has a free length of 30 mm. There are twelve
-  /// directions, up to 60 degrees to the sides and 45 degrees up and down.
+  /// Returns the visibility of a point on the surface, in [0, 1]. Twelve rays lead from the point
+  /// away from the surface. Their angles are up to 60 degrees to the sides and 45 degrees up and
+  /// down. The visibility is the share of rays that meet no solid cell within 30 mm.
   ///
   /// All points in a patch (a cube of 4 mm) with the same direction `outward` (Bend::Outward) share
-  /// one value. It is computed from the first queried point of the patch. Cost: O(30 mm) for a new
-  /// patch.
+  /// one value. It is computed for the first point of the patch that a call asks for. Cost: O(30
+  /// mm) for a new patch.
   double Visibility(Point at, Coord z_nm, int outward);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace slicefarm::planning {
 
-/// Number of a ring in a job, for results that must differ from ring to ring.
+/// Number of a ring in a job, for costs that must differ from ring to ring (random seams).
 struct RingNumber {
   int32_t object = 0;
   int32_t layer = 0;
@@ -18,10 +18,8 @@ struct RingNumber {
 /// Returns the cost of a seam at each point in `places`.
 /// - Shape: 0 at a sharp inner corner, 0.5 at a sharp outer corner, 3.5 on a straight wall. These
 ///   values are for points in plain view; hidden points cost up to a fifth less.
-/// - Overhang, measured in layer heights beyond the layer below: 4 per height from 0.6 heights on,
-///   20 from 1.43, and 5 from 2.43.
-/// - Steps between layers (StepCostOf): 4 per millimetre, plus 4 per square millimetre sideways. A
-///   jump costs 40.
+/// - Overhang, the distance beyond the layer below in layer heights: 4 per height from 0.6 heights
+///   on, 20 from 1.43, and 5 from 2.43.
 ///
 /// The seam position selects the main cost:
 ///   aligned  first the shape, then the visibility; of nearly equal points the rear-most,
@@ -32,13 +30,14 @@ struct RingNumber {
 ///
 /// Blocked points have the highest cost. On a ring with enforced points, points that are not
 /// enforced have the second highest cost. Enforced points are cheaper in the middle of their
-/// section of the ring (except with `random`), and still cheaper at corners. Shapes: one cost per
-/// point. `seen`: visibility of each point, in [0, 1]. REQUIRES: the position is not `nearest`.
+/// section of the ring (except with `random`), and still cheaper at corners. The costs of steps
+/// from layer to layer are not included, see StepCostOf. Shapes: one cost per point. `seen`:
+/// visibility of each point, in [0, 1]. REQUIRES: the position is not `nearest`.
 std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
                               SeamPosition position, RingNumber number);
 
-/// Returns the costs of steps for a seam position. They are zero for positions at which seams need
-/// not form a line.
+/// Returns the costs of steps between the seams of consecutive layers. They are zero for `random`,
+/// where seams need not form a line.
 StepCost StepCostOf(SeamPosition position);
 
 /// Returns true if the wall at this point overhangs the layer below by more than 55 degrees from

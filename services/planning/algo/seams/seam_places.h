@@ -9,14 +9,15 @@
 
 namespace slicefarm::planning {
 
-/// Possible point of a seam on a ring, with the properties that decide about it.
+/// Possible point of a seam on a ring, with the properties that decide its cost.
 struct SeamPlace {
   Point at;
-  float turn_rad = 0;   ///< change of direction as in Bend::TurnRad
-  float overhang = 0;   ///< distance beyond the layer below, in multiples of the layer height
-  float away_mm = 0;    ///< distance from the outlines of the layer below; 0 without a layer below
-  uint8_t outward = 0;  ///< direction as in Bend::Outward
-  /// Distance along the ring from the middle of the section of enforced points.
+  float turn_rad = 0;  ///< change of direction at the point, see Bend::TurnRad (ring_shape.h)
+  float overhang = 0;  ///< distance beyond the layer below, in multiples of the layer height
+  /// distance from the outlines of the layer below, at most 2 mm; 0 without a layer below
+  float away_mm = 0;
+  uint8_t outward = 0;  ///< direction away from the solid, see Bend::Outward (ring_shape.h)
+  /// Only for enforced points: distance along the ring from the middle of their section.
   float off_middle_mm = 0;
   bool enforced = false;
   bool blocked = false;
@@ -26,16 +27,17 @@ struct SeamPlace {
 /// corner of at least 30 degrees.
 bool IsCorner(const SeamPlace& place);
 
-/// Possible points of the seam on one outline of a layer.
+/// Possible points of the seam on one ring of a layer.
 struct RingPlaces {
   int32_t below = -1;  ///< index of the ring in the layer below that this ring continues; -1: none
   std::vector<SeamPlace> places;  ///< in order of the length along the ring; at least one
 };
 
-/// Finds possible points for seams, going up the layers of one object. Points are at corners and
-/// straight above the points of the layer below, so that seams can be vertical on any wall. Further
-/// points fill gaps, two millimetres apart, up to about a hundred per ring. Painted parts have four
-/// times as many. Memory: one layer.
+/// Finds possible points for seams in the layers of one object, bottom up. There are points at
+/// corners, and directly above the points of the layer below, so that seams can be vertical on any
+/// wall. Further points fill gaps. They are two millimetres apart, up to about a hundred per ring.
+/// In a layer with painted enforcers or blockers, there may be four times as many. Memory: one
+/// layer.
 class PlaceFinder {
  public:
   /// Returns the possible points on the rings of the next section, in the order of ForEachRing.

@@ -15,18 +15,18 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Plans the seams of each ring by the object's seam position.
+/// Plans the seam of each ring by the object's seam position.
 ///
-/// With `nearest`, only layers with enforcers or blockers are planned, as with `aligned`. In other
-/// layers nothing is planned, and ordering chooses the seams. With every other position the planner
-/// finds possible points on each ring (seam_places.h). It computes their cost (seam_costs.h) and
-/// visibility (occupancy.h). Then it makes the cheapest choice over the whole object
-/// (seam_forest.h) and straightens the lines of seams (seam_lines.h).
+/// With `nearest`, only layers with enforcers or blockers are planned, like with `aligned`; in all
+/// other layers the ordering stage chooses the seams. With every other position the planner finds
+/// possible points on each ring (seam_places.h). It computes their visibility (occupancy.h) and
+/// cost (seam_costs.h). Then it makes the cheapest choice over the whole object (seam_forest.h) and
+/// straightens the lines of seams (seam_lines.h).
 ///
-/// If there are more than `most_places` points, the seams in the lower half of the layers are
-/// decided. This decision uses all layers so far, but not the layers still to come. Cost: O(n log
-/// n) per layer for n outline points and possible points. Memory: about 100 bytes per possible
-/// point. There is one for every two millimetres of outline, up to about 100 per ring.
+/// To limit the memory, the seams in the lower half of the layers are decided early if there are
+/// more than `most_places` points. This decision uses all layers so far. Cost: O(n log n) per layer
+/// for n outline points and possible points. Memory: about 100 bytes per possible point. There is
+/// one for every two millimetres of outline, up to about 100 per ring.
 class SeamPlanner : public Planner {
  public:
   static constexpr size_t kMostPlaces = 4'000'000;
@@ -40,31 +40,32 @@ class SeamPlanner : public Planner {
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
-  /// Ring of the object, as a node of its forest.
+  /// Ring of an object with its possible seams, and later its seam.
   struct Ring {
     int32_t layer = 0;  ///< index of the print's layer
     RingNumber number;
     Coord z_nm = 0;
-    int32_t parent = -1;  ///< index among the object's rings
+    int32_t parent = -1;  ///< index in `rings` of the ring below that this ring continues; -1: none
     std::vector<SeamPlace> places;
     SeamPlace seam = {};  ///< chosen seam, once it is known
   };
   struct ObjectSeams {
     PlaceFinder finder;
     Occupancy occupancy;
-    /// Rings. The first `settled` rings are the rings of the last settled layer; only their seam is
-    /// stored.
+    /// Rings that are not settled, bottom up. Before them are the rings of the last settled layer,
+    /// with only their seam as a possible point.
     std::vector<Ring> rings;
-    size_t settled = 0;       ///< number of rings of the last settled layer
+    size_t settled = 0;       ///< number of rings at the start of `rings` that are settled
     int32_t first_below = 0;  ///< index of the first ring of the layer below
   };
 
   bool IsPlanned(const ObjectSection& section) const;
   SeamPosition PositionOf(int32_t object) const;
   static std::vector<SeamNode> NodesOf(ObjectSeams& seams, SeamPosition position);
-  /// Sets `seam` of all rings.
+  /// Chooses and stores the seams of all rings in `seams`.
   static void Choose(ObjectSeams& seams, SeamPosition position);
-  /// Chooses the seams of the rings below layer `end`, from the data of all layers so far.
+  /// Chooses the seams of the rings below layer `end` and adds them to the plans. The choice uses
+  /// the data of all layers so far.
   void SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers);
   static void Forget(size_t rings, ObjectSeams& seams);
   void Count(const std::vector<Ring>& rings, const Ring& ring);

@@ -11,16 +11,18 @@
 
 namespace slicefarm::planning {
 
-/// Gives each printed copy a pass of its own, in the order of PrintSequence. The input is the hulls
-/// of the copies with their supports, and the objects' heights. Structures that planning adds to
-/// the plate (brims, rafts and skirts) are printed in the first pass, before any copy. Errors of
-/// Finish: any error of PrintSequence, with the objects' names and the numbers of the copies;
-/// REQUEST_TOO_LARGE if all copies together have more than kMaxLayerPrograms layers. Cost: as
-/// PrintSequence, too short to need cancellation. Memory: O(objects).
+/// Gives each printed copy a pass of its own, in the order of PrintSequence, for complete_objects.
+/// The input of PrintSequence is the hulls of the copies with their supports, and the objects'
+/// heights. Structures that planning adds to the plate (brims, rafts and skirts) are printed in the
+/// first pass, before any copy.
+///
+/// Errors of Finish: any error of PrintSequence, with the objects' names and the numbers of the
+/// copies; REQUEST_TOO_LARGE if all copies together have more than kMaxLayerPrograms layers. Cost:
+/// see PrintSequence; it is too short to need cancellation. Memory: O(objects).
 class SequencePlanner : public Planner {
  public:
-  /// All arguments must outlive this planner. `object_names`: names, indexed by object; may have
-  /// fewer entries.
+  /// All arguments must outlive this planner. `object_names`: names for messages, indexed by
+  /// object; may have fewer entries than objects.
   SequencePlanner(const SequencePlanOptions& options, std::span<const PlacedCopy> copies,
                   std::span<const std::string> object_names)
       : options_(options), copies_(copies), object_names_(object_names) {}
@@ -41,7 +43,8 @@ class SequencePlanner : public Planner {
   const SequencePlanOptions& options_;
   const std::span<const PlacedCopy> copies_;
   const std::span<const std::string> object_names_;
-  std::map<int32_t, Printed> printed_;  ///< heights and numbers of layers per object
+  /// height and number of layers of each object's part so far
+  std::map<int32_t, Printed> printed_;
 };
 
 }  // namespace slicefarm::planning

@@ -14,10 +14,11 @@ namespace slicefarm::planning {
 
 /// Plans the layers of a vase as one continuous bead (spiral_vase).
 ///
-/// A hollow layer becomes a turn of the spiral if it has exactly one loop (SpiralLoop). So it has
-/// no supports, no skirt, no hole, and no neck too narrow for two beads. A turn begins at the point
-/// of its loop that is nearest to the end of the turn below, without a retraction between them. A
-/// hollow layer that is no turn is printed like any other layer, and a warning gives its height.
+/// A hollow layer (ObjectSection::hollow) becomes a turn of the spiral if it has exactly one loop
+/// (SpiralLoop). It must have no supports, no skirt, no hole, and no neck too narrow for two beads.
+/// A turn begins at the point of its loop that is nearest to the end of the turn below, without a
+/// retraction between them. A hollow layer that is no turn is printed like any other layer, and a
+/// warning gives its height.
 ///
 /// Runs after all planners that choose entry points. Cost: one offset per layer.
 class SpiralPlanner : public Planner {
@@ -25,8 +26,9 @@ class SpiralPlanner : public Planner {
   /// Returns true if some object is printed as a spiral.
   static bool IsNeeded(const PlanningOptions& options);
 
-  /// Returns InvalidArgument (SETTING_OUT_OF_RANGE) unless all copies are of one object and are
-  /// printed one after the other.
+  /// Checks the copies of a plate with spiral_vase. Errors: InvalidArgument (SETTING_OUT_OF_RANGE)
+  /// for copies of several objects, or for several copies without complete_objects. OK if no object
+  /// is printed as a spiral.
   static absl::Status Check(const PlanningOptions& options, std::span<const PlacedCopy> copies);
 
   /// `options` and `copies` must outlive this planner.
@@ -34,8 +36,8 @@ class SpiralPlanner : public Planner {
       : options_(options), copies_(copies), skirt_reach_(options.skirt) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  /// Settles all layers below the last one. Only the next layer decides whether the last turn ends
-  /// the spiral.
+  /// Settles all layers below the last one, if the last one is a turn. Only the next layer decides
+  /// whether this turn ends the spiral.
   int32_t DeriveOptions(OpenLayers& layers) override;
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
@@ -46,9 +48,10 @@ class SpiralPlanner : public Planner {
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;
   SkirtReach skirt_reach_;
-  int32_t seen_ = 0;              ///< number of layers so far
-  std::optional<Point> left_at_;  ///< end of the last layer's turn
-  bool goes_on_ = false;          ///< true if the last layer's turn continues the turn below it
+  int32_t seen_ = 0;  ///< number of layers so far
+  /// end of the last layer's turn; nullopt if that layer is no turn
+  std::optional<Point> left_at_;
+  bool goes_on_ = false;  ///< true if the last layer's turn continues the turn below it
   int64_t hollow_ = 0;
   std::vector<Coord> no_turns_nm_;  ///< heights of hollow layers that are no turns
 };

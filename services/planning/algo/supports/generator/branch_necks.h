@@ -24,11 +24,11 @@ struct BranchNeck {
   friend auto operator<=>(const BranchNeck&, const BranchNeck&) = default;
 };
 
-/// Widest gap between two discs that a neck joins. Beads bridge this gap, so a neck needs no
+/// Widest gap between two discs that a neck joins, in nm. Beads bridge this gap, so a neck needs no
 /// support.
 inline constexpr Coord kMostNeckGapNm = 1'500'000;
-/// Largest half width of a neck. With this width, the loops of the discs in the layer above are
-/// supported where they cross the sides of the neck.
+/// Largest half width of a neck, in nm. With this width, the loops of the discs in the layer above
+/// are supported where they cross the sides of the neck.
 inline constexpr Coord kHalfNeckNm = 900'000;
 
 /// Returns the necks that join neighbouring discs into chains, the narrowest gaps first. One loop

@@ -4,21 +4,23 @@
 
 namespace slicefarm::planning {
 
-/// Dimensions of the beads that bridges are printed with.
+/// Dimensions of the beads that overhangs are printed with.
 struct BridgeBeads {
-  Coord width_nm = 450'000;  ///< width of a line, and distance between the tested lines
+  Coord width_nm = 450'000;  ///< width of infill lines; also the distance between the tested lines
   Coord walls_nm = 0;        ///< total thickness of the walls
 };
 
-/// Returns the area of an overhang that straight lines and walls span from one anchored end to the
-/// other.
+/// Returns the part of an overhang that bridges span: straight lines and walls from one anchored
+/// end to the other.
 ///
-/// hanging:   the area beyond the layer below steep:     its part that would need support; a piece
-/// of `hanging` without steep area is ignored below:     the layer below
+/// - `below`: outlines of the layer below.
+/// - `hanging`: the overhang, which is the area that `below` does not cover.
+/// - `steep`: part of `hanging` that would need support. A connected piece of `hanging` without
+///   steep area is ignored.
 ///
 /// For each connected piece of `hanging` the function tests 36 directions and the directions of its
 /// long edges. It takes the direction with the largest area of anchored lines, as the infill stage
-/// does. A line is anchored if it ends on `below`.
+/// does. A line is anchored if both its ends are on `below`.
 ///
 /// Along free edges there are walls instead of lines. A straight wall with support at both ends is
 /// a bridge. A wall around a hole or along a curve bends in the air and is no bridge. Spans may be

@@ -14,30 +14,32 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Horizontal gap between the side of a step of the part and the top of a support under the next
+/// Horizontal gap in nm between the side of a part's step and the top of a support under the next
 /// step. Without the gap they would touch.
 inline constexpr Coord kEdgeNm = 8'000;
 
 /// Computes the free area for supports: on the bed, and away from the part and the other objects.
 /// Const methods are safe from any thread.
 ///
-/// A layer of support from height b to height t keeps xy_gap_nm from layers that share a height
-/// with it. It is not below a layer with a bottom less than top_gap_nm above t. It is not above a
-/// layer with a top less than bottom_gap_nm below b. So on a slope the top has the requested
-/// vertical distance under each step. If the same distance in space were required from the sides of
-/// the steps, steps of half a millimetre would get no top at that distance (README.md has figures).
+/// Let a layer of support reach from height b to height t. It keeps xy_gap_nm sideways from layers
+/// that share a height with it. It is not below a layer with a bottom less than top_gap_nm above t.
+/// It is not above a layer with a top less than bottom_gap_nm below b. So on a slope, the top of a
+/// support has the requested vertical distance under each step of the part. A rule that also
+/// required this distance sideways from each step would leave steps of half a millimetre without a
+/// support at the requested distance (README.md has figures).
 class Clearance {
  public:
-  /// Prepares layers of support up to `top_nm`. `problem` and `options` must outlive this object.
-  /// The object is unusable after a cancellation.
-  /// Cost: two offsets of each layer, on `threads` threads.
+  /// Prepares for layers of support up to the height `top_nm`. `problem` and `options` must outlive
+  /// this object. The object is unusable after a cancellation. Cost: two offsets of each layer, on
+  /// `threads` threads.
   Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm, int threads,
             const CancelToken& cancel = {});
 
   /// Returns the part of `region` that is free for a layer of support from bottom_nm to top_nm.
   /// Cost: a boolean operation with the outlines near the region's box.
   MultiPolygon Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const;
-  /// Returns the free part of the area inside the rings, which may overlap.
+  /// Returns the free part of the area inside the rings, which may overlap (nonzero rule). Heights
+  /// as for Free.
   MultiPolygon FreeOf(std::span<const Polygon> rings, Coord bottom_nm, Coord top_nm) const;
   /// Sets the pixels that are not free for a layer of support from bottom_nm to top_nm.
   void FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const;

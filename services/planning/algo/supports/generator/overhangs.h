@@ -13,23 +13,24 @@ namespace slicefarm::planning {
 
 /// Overhang of one layer of the part over the layer below.
 struct Overhang {
-  /// Area that needs support: farther from the layer below than the threshold, or enforced. Bridges
-  /// and blocked areas are excluded.
+  /// Area that needs support: farther from the layer below than the threshold (OverhangThreshold),
+  /// or enforced. Bridges and blocked areas are excluded.
   MultiPolygon steep;
-  /// Area for contact with supports: the underside around `steep`, up to the layer below.
+  /// Area that supports may touch: the underside around `steep`, up to the layer below.
   MultiPolygon contact;
 
   friend bool operator==(const Overhang&, const Overhang&) = default;
 };
 
 /// Returns the distance in nm by which a layer may extend beyond the one below without support.
-/// With a threshold angle it is the layers' distance divided by the tangent of the angle. Otherwise
-/// it is half a wall's width, or two thirds of a wall's width for branches. For branches each step
-/// of a slope needs a row of tips, and slopes between a half and two thirds print well without
-/// tips.
+/// With a threshold angle it is the distance between the middles of both layers, divided by the
+/// tangent of the angle. Without, it is half a wall's width, or two thirds of it for branches. For
+/// branches each step of a slope needs a row of tips, and slopes between a half and two thirds
+/// print well without tips.
 Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord below_height_nm);
 
-/// Returns the overhangs of layer `index`. The first layer has none, because it is on the bed.
+/// Returns the overhang of layer `index` of the part. The first layer has none, because it is on
+/// the bed.
 ///
 /// Distances from the layer below are exact to 0.01 mm, with round joins. Overhangs of less than
 /// 0.02 mm2 are left out, except for islands that start in the air. If supports are not automatic,
@@ -38,7 +39,7 @@ Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord be
 /// something is steep.
 Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOptions& options);
 
-/// Returns the islands of layer `index` that do not touch the layer below.
+/// Returns the islands of layer `index` of the part that do not touch the layer below.
 MultiPolygon IslandsInAirOf(const SupportProblem& problem, size_t index);
 
 }  // namespace slicefarm::planning

@@ -6,9 +6,10 @@
 
 namespace slicefarm::planning {
 
-/// Calls visit(outlines) with the layers of the part on which a layer of support with its bottom at
-/// `bottom_nm` may be printed. The tops of these layers are at most one layer height plus the lower
-/// gap below `bottom_nm`. With bed_only there are no such layers.
+/// Calls visit(outlines) for each layer of the part on which a layer of support may be printed.
+/// `bottom_nm`: bottom of the layer of support. The tops of the visited layers are below
+/// `bottom_nm` by at least the lower gap (bottom_gap_nm) and at most this gap plus one layer
+/// height. With bed_only there are no such layers.
 template <typename Visit>
 void ForEachPartBelow(const SupportProblem& problem, const SupportOptions& options, Coord bottom_nm,
                       Visit visit) {

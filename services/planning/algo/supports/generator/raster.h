@@ -8,7 +8,7 @@
 
 namespace slicefarm::planning {
 
-/// Grid of square pixels over a box. Pixel (0, 0) has its lower left corner at `origin`.
+/// Grid of square pixels. The lower left corner of pixel (0, 0) is `origin`.
 struct PixelGrid {
   Point origin;
   Coord pixel_nm = 1;
@@ -19,8 +19,8 @@ struct PixelGrid {
   Point Centre(int32_t x, int32_t y) const {
     return {origin.x + x * pixel_nm + pixel_nm / 2, origin.y + y * pixel_nm + pixel_nm / 2};
   }
-  /// Return the column and the row of the pixel that contains a coordinate, or of the nearest
-  /// pixel.
+  /// Return the index of the column (row) that contains the coordinate x (y). A coordinate outside
+  /// of the grid gets the nearest column (row).
   int32_t Column(Coord x) const;
   int32_t Row(Coord y) const;
   size_t size() const { return static_cast<size_t>(width) * height; }
@@ -32,7 +32,7 @@ struct PixelGrid {
 /// multiples of their side.
 PixelGrid GridOver(const Box& box, Coord pixel_nm);
 
-/// Bitmap with one byte per pixel: 0 or 1.
+/// Bitmap with one byte per pixel, row by row: 0 or 1.
 class Bitmap {
  public:
   /// Creates a bitmap with all pixels 0.
@@ -57,7 +57,8 @@ class Bitmap {
  private:
   PixelGrid grid_;
   std::vector<uint8_t> bytes_;
-  std::vector<std::vector<int32_t>> crossings_;  ///< crossings per row, kept to reuse the memory
+  /// crossings per row; a member so that calls reuse the memory
+  std::vector<std::vector<int32_t>> crossings_;
 };
 
 /// Returns the boundaries of the set pixels as rings. Outer rings are counter-clockwise, holes
@@ -65,15 +66,16 @@ class Bitmap {
 /// between. Cost: O(pixels).
 std::vector<Polygon> Outline(const Bitmap& bitmap);
 
-/// Distance in steps of an eighth of a pixel, up to kFarthest.
+/// Distance in eighths of a pixel (kDistanceSteps), at most kFarthest.
 using PixelDistance = uint8_t;
 inline constexpr int kDistanceSteps = 8;
 inline constexpr PixelDistance kFarthest = 31 * kDistanceSteps;
 
-/// Returns the distance from each pixel's centre to the nearest set pixel, less half a pixel. This
-/// is about the distance to the region that filled the bitmap. It is 0 in set pixels. The result is
-/// exact except for rounding. Method: Felzenszwalb, Huttenlocher 2012, the separable form. In rows,
-/// all pixels up to the largest distance (31 pixels) are compared. Cost: about 2 ns per pixel.
+/// Returns, for each pixel, the distance from its centre to the centre of the nearest set pixel,
+/// less half a pixel. This is about the distance to the region that filled the bitmap. It is 0 in
+/// set pixels. The result is exact except for rounding. Method: Felzenszwalb, Huttenlocher 2012,
+/// the separable form. In rows, all pixels up to the largest distance (31 pixels) are compared.
+/// Cost: about 2 ns per pixel.
 std::vector<PixelDistance> DistanceTo(const Bitmap& bitmap);
 
 }  // namespace slicefarm::planning

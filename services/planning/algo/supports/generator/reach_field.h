@@ -15,33 +15,35 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Consecutive layers of support that a branch passes in one step.
+/// Consecutive layers of support that a branch passes in one step. Slabs are numbered from the bed
+/// up.
 struct Slab {
   int32_t first_layer = 0;  ///< first layer of support in the slab
   int32_t last_layer = 0;
   Coord bottom_nm = 0;
   Coord top_nm = 0;
-  /// Largest squared distance in pixels by which a branch may move from the slab above to this
-  /// slab. The distances form a disc of whole pixels. The remainder below a whole pixel is added to
-  /// the next slab's step.
+  /// Square of the largest distance, in pixels, by which a branch may move from the slab above to
+  /// this slab. It is a distance between pixel centres. The remainder of the allowed distance is
+  /// added to the allowed distance of the slab above.
   int32_t step_squared = 0;
 
   Coord middle_nm() const { return (bottom_nm + top_nm) / 2; }
 };
 
-/// Groups layers into slabs in which a branch moves about two pixels, bottom up.
+/// Groups the layers of support into slabs, bottom up. A slab is so high that a branch moves about
+/// two pixels in it. `angle_rad`: largest lean of a branch from the vertical.
 std::vector<Slab> SlabsOf(const SupportHeights& heights, double angle_rad, Coord pixel_nm);
 
 /// Field of the points that branches can reach. It stores one number per pixel and slab: the radius
-/// of the thickest branch with a valid path from there to an end.
+/// of the thickest branch with a valid path from there down to an end.
 ///
 ///   bed:      R_s = min(d_s, max of R_(s-1) within a step), R_0 = d_0.
 ///   anywhere: as for the bed, and R_s = d_s where a level enough piece of the part is right below.
 ///
 /// R_s is the radius in slab s. d_s is the distance to the blocked area in the slab and slightly
 /// above and below it, less the xy spacing. The part, other objects, and the area off the bed are
-/// blocked. So one sweep is enough for all radii. Distances are limited to 7.7 mm (at 0.25 mm
-/// pixels).
+/// blocked. R_s depends only on the slab below, so one pass from the bed up computes the field.
+/// Distances are limited to 7.7 mm (at 0.25 mm pixels).
 ///
 /// Pixels are kPixelNm, or larger if the field would take over kMaxFieldBytes. Cost: about 5 ns per
 /// pixel and slab, most of it on `threads` threads.
@@ -90,8 +92,8 @@ class ReachField {
   std::vector<std::vector<bool>> other_;  ///< other objects, and pixels off the bed
 };
 
-/// Returns for each pixel the maximum over the pixels within sqrt(step_squared). Cost: O(pixels *
-/// step).
+/// Returns for each pixel the maximum of `values` over the pixels within sqrt(step_squared) pixels.
+/// Cost: O(pixels * step).
 std::vector<PixelDistance> MostWithin(const std::vector<PixelDistance>& values,
                                       const PixelGrid& grid, int32_t step_squared);
 

@@ -12,13 +12,13 @@ struct SupportOptions;
 
 namespace slicefarm::planning {
 
-/// Removes unsupported areas from layers of support, from the bed up. These are islands that have
-/// neither support nor part below them, and areas more than kReachNm beyond the area below.
+/// Removes unsupported areas from layers of support, from the bed up: islands that have neither
+/// support nor part below them, and areas more than kReachNm beyond the area below.
 ///
 /// A layer of the part supports a layer of support if the vertical gap between them is at most one
-/// layer height plus the lower gap. With bed_only the part supports nothing. Layers must follow
-/// each other without gaps in height. Cost: a raster of each layer on `threads` threads; boolean
-/// operations where the raster is not conclusive.
+/// layer height plus the lower gap. With bed_only the part supports nothing. REQUIRES: the layers
+/// have no gaps in height. Cost: a raster of each layer on `threads` threads; boolean operations
+/// where the raster is not conclusive.
 void KeepStanding(const SupportProblem& problem, const SupportOptions& options, int threads,
                   const CancelToken& cancel, std::vector<SupportLayer>& layers);
 

@@ -19,18 +19,18 @@ struct SupportHeight {
   friend bool operator==(const SupportHeight&, const SupportHeight&) = default;
 };
 
-/// Layers of support, from the bed up without gaps, and the layer below each overhang.
+/// Heights of the layers of support, and the layer of support under each overhang.
 struct SupportHeights {
   std::vector<SupportHeight> layers;
-  /// Index of the layer of support below each layer of the part; -1: no overhang, or no space under
-  /// it.
+  /// Index of the highest layer of support under each layer of the part; -1 if the layer has no
+  /// overhang, or if there is no space under it.
   std::vector<int32_t> under;
 
   friend bool operator==(const SupportHeights&, const SupportHeights&) = default;
 };
 
-/// Computes the layers of support. For each overhanging layer of the part, there is a layer with
-/// its top at top_gap_nm below the overhang.
+/// Computes the heights of the layers of support. Each overhanging layer of the part wants a top: a
+/// layer of support that ends top_gap_nm below the overhang.
 /// - Of tops closer to each other than min_layer_height_nm only the lower one is used.
 /// - Layers between tops are as high as possible, up to layer_height_nm. They may be a tenth higher
 ///   to end at the top of a layer of the part. The first layer is first_layer_height_nm high, like

@@ -27,36 +27,38 @@ struct SupportRegion {
 
 /// Layer of support. Its heights may differ from the heights of the part's layers.
 struct SupportLayer {
-  Coord top_nm = 0;     ///< top above the bed
-  Coord height_nm = 0;  ///< height above the top of the next lower layer of support, printed or not
-  bool first = false;   ///< true if the layer is on the bed
+  Coord top_nm = 0;  ///< top above the bed
+  /// height above the top of the layer of support below, even if that layer is not printed
+  Coord height_nm = 0;
+  bool first = false;                  ///< true if the layer is on the bed
   std::vector<SupportRegion> regions;  ///< disjoint regions, sorted by role; not empty
 
   friend bool operator==(const SupportLayer&, const SupportLayer&) = default;
 };
 
-/// Notice about an overhang for the user.
+/// Warning about an overhang, for the user.
 struct SupportFinding {
   enum class Kind : uint8_t {
     kNotCarried,   ///< overhang that no support can reach
-    kStartsInAir,  ///< island with nothing of the part below it
+    kStartsInAir,  ///< island that does not touch the part's layer below
   };
   Kind kind = Kind::kNotCarried;
-  int32_t layer = 0;    ///< layer of the part
-  Coord bottom_nm = 0;  ///< bottom of this layer
-  Point place;          ///< point in the middle of the overhang, or near it
+  int32_t layer = 0;    ///< index of the part's layer with the overhang
+  Coord bottom_nm = 0;  ///< bottom of this layer, above the bed
+  Point place;          ///< centroid of the overhang's outer ring, in the object's coordinates
   double area_mm2 = 0;
   bool carried = false;  ///< for kStartsInAir: true if a support is below the island
 
   friend bool operator==(const SupportFinding&, const SupportFinding&) = default;
 };
 
-/// Supports of one object, and the notices about its overhangs.
+/// Supports of one object, and the warnings about its overhangs.
 struct SupportPlan {
-  std::vector<SupportLayer> layers;      ///< layers bottom up, one for each height
-  std::vector<SupportFinding> findings;  ///< notices, sorted by the part's layer, then by the point
-  /// Areas with supports directly below the underside, grown by a line's width, indexed by layer of
-  /// the part.
+  std::vector<SupportLayer> layers;  ///< layers bottom up, one for each height
+  /// warnings, sorted by the part's layer, then by the point
+  std::vector<SupportFinding> findings;
+  /// Areas of the part directly above supports, with a margin of a line's width; indexed by layer
+  /// of the part.
   std::vector<MultiPolygon> carried;
 
   friend bool operator==(const SupportPlan&, const SupportPlan&) = default;

@@ -7,8 +7,8 @@
 
 namespace slicefarm::planning {
 
-/// Layer of an object on the plate. It fills `outlines` from top_nm - height_nm to top_nm, in nm
-/// above the bed.
+/// Layer of an object on the plate. The solid fills `outlines` from the height top_nm - height_nm
+/// up to top_nm, in nm above the bed.
 struct SolidLayer {
   Coord top_nm = 0;
   Coord height_nm = 0;
@@ -23,14 +23,16 @@ struct PartLayer : SolidLayer {
   const MultiPolygon* blockers = nullptr;   ///< null if there are none
 };
 
-/// Input for the supports of one object, in its own coordinates. `others` contains the neighbours
-/// of all copies, moved as if all copies were this one, so that one support fits every copy.
+/// Input for the supports of one object, in the object's own coordinates. All copies get the same
+/// supports. `others` therefore contains the neighbours of all copies, each at its position
+/// relative to its copy.
 struct SupportProblem {
   std::vector<PartLayer> part;  ///< layers bottom up, without gaps between them
-  /// Other objects, each bottom up. Supports keep away from them and do not rest on them.
+  /// Other objects, each as layers from the lowest up. Supports keep away from them and are never
+  /// printed on them.
   std::vector<std::vector<SolidLayer>> others;
   MultiPolygon bed;  ///< bed that supports do not leave; empty: no limit
-  /// Distance by which the first layer of branches is widened.
+  /// Distance by which the first layer of branches is widened, in nm.
   Coord first_layer_expansion_nm = 0;
 };
 

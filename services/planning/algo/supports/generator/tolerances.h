@@ -6,12 +6,12 @@ namespace slicefarm::planning::support {
 
 /// Difference below which two heights count as equal.
 inline constexpr Coord kSameHeightNm = 1'000;
-/// Smallest area of a region. No bead fits into less.
+/// Smallest area of a region, in nm^2. No bead fits into less.
 inline constexpr double kLeastRegionNm2 = 0.02e12;
 
-/// Number of layers, from the top of a support down, in which a contact has its exact outline. The
-/// part is so near there that pixel boundaries would resemble contacts at the wrong distance. In
-/// lower layers the contact has the outline of its pixels.
+/// Number of layers, from the top of a column down, in which a contact keeps its exact outline.
+/// These layers are so near to the part that a pixel beside the outline would resemble a contact at
+/// the wrong distance. In lower layers the contact has the outline of its pixels.
 inline constexpr int kExactLayers = 4;
 
 }  // namespace slicefarm::planning::support

@@ -14,7 +14,8 @@
 
 namespace slicefarm::planning {
 
-/// All solids on a plate that limit the supports of an object.
+/// All solids on a plate that limit the supports of an object: parts, and supports that are already
+/// planned.
 class PlateSolids {
  public:
   /// All arguments must outlive this object.
@@ -24,16 +25,18 @@ class PlateSolids {
   void Add(const AddedStack& support);
 
   /// Returns the support problem of `object` in its own coordinates. It includes the solids within
-  /// `room_nm` of any copy. Its bed is the area near the object that is on `bed` for every copy.
-  /// REQUIRES: the object has copies and layers. Cost: O(copies^2) boxes, and the points of near
-  /// solids.
+  /// `room_nm` of any copy. Supports may extend beyond the object by at most `room_nm`, and by at
+  /// most half of the gap between two copies. The bed of the problem is this area, as far as it is
+  /// on `bed` for every copy. REQUIRES: the object has copies and layers. Cost: O(copies^2) boxes,
+  /// and the points of near solids.
   SupportProblem ProblemOf(int32_t object, const MultiPolygon& bed, Coord room_nm);
 
  private:
   /// Stacks of an object and their outlines.
   struct Solid {
     std::vector<PartLayer> part;
-    std::vector<std::vector<SolidLayer>> stacks;  ///< stacks including the part's
+    /// layers of the part and of each support stack, the part first
+    std::vector<std::vector<SolidLayer>> stacks;
     Box box;
   };
 
