@@ -33,10 +33,8 @@ struct WallPlan {
 /// Region that no wall covers and that is too narrow for a wall.
 struct Gap {
   PolygonWithHoles region;
-  bool along_outline =
-      /// True if the gap borders on the island's outline. Then its bead must stay inside the
-      /// outline.
-      false;
+  /// True if the gap borders on the island's outline. Then its bead must stay inside the outline.
+  bool along_outline = false;
 };
 
 /// Result of MakeConstantWalls.

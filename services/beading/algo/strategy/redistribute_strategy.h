@@ -15,8 +15,8 @@ struct RedistributeOptions {
   Coord max_width_nm = 800'000;  ///< largest width of a bead if there are only one or two
   /// Smallest thickness that gets a bead, as a fraction of the outer width.
   double min_outer_share = 0.5;
-  double split_threshold =
-      0.7;  ///< excess thickness at which a single bead is split, as a fraction of the outer width
+  /// Excess over the outer width at which a single bead is split, as a fraction of the outer width.
+  double split_threshold = 0.7;
   /// If true, two beads become no wider than the outer width in a thickness that is optimal for
   /// three.
   bool lock_outer_width = false;
