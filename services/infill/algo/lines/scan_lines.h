@@ -37,12 +37,11 @@ struct ScanLines {
   double first_v = 0;                 ///< v of line 0
   double pitch = 0;
   std::vector<Crossing> crossings;
-  std::vector<int32_t>
-      /// indices of crossings, sorted by line, then by u; entries 2k and 2k + 1 are the ends of
-      /// piece k
-      order;
-  std::vector<int32_t>
-      line_begin;  ///< index in `order` of each line's first crossing; one more entry than lines
+  /// Indices in `crossings`, sorted by line, then by u. Entries 2k and 2k + 1 are the ends of piece
+  /// k.
+  std::vector<int32_t> order;
+  /// Index in `order` of each line's first crossing; one more entry than lines.
+  std::vector<int32_t> line_begin;
 
   int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }

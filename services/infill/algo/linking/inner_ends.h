@@ -10,10 +10,9 @@ namespace slicefarm::infill {
 /// Limits for joints of ends inside a region.
 struct InnerJoints {
   double reach_nm = 0;  ///< largest distance between two ends that are joined
-  double most_added =
-      /// Largest length that a joint may add to the lines, as a share of the distance between its
-      /// two ends.
-      0;
+  /// Largest length that a joint may add to the lines, as a share of the distance between its two
+  /// ends.
+  double most_added = 0;
   double width_nm = 450'000;  ///< width of beads
 };
 
