@@ -27,7 +27,7 @@ constexpr int64_t kMaxSkirtPoints = 20'000'000;
 /// Merges regions that share a border.
 MultiPolygon Joined(const MultiPolygon& regions) { return OffsetTwice(regions, kGlueNm, -kGlueNm); }
 
-/// Merges the regions of the plate. They are disjoint, because each region belongs to other
+/// Merges the regions of the plate's brims. They are disjoint, because each region belongs to other
 /// objects.
 MultiPolygon WholeOf(const std::vector<Region>& regions) {
   MultiPolygon all;

@@ -81,8 +81,8 @@ MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
   return United(discs);
 }
 
-/// Returns the zone of the brim that follows from the object's own rings. The zone may include the
-/// part itself.
+/// Returns the area of the brim that follows from the object's own rings, before other objects are
+/// considered. The area may include the part itself.
 MultiPolygon Zone(const BrimObject& object) {
   const BrimOptions& options = object.options;
   const MultiPolygon filled = Filled(object.outlines);
@@ -95,8 +95,8 @@ MultiPolygon Zone(const BrimObject& object) {
 
 /// Intermediate data of one object.
 struct Work {
-  MultiPolygon keep_out;  ///< region without any brim
-  MultiPolygon brim;      ///< brim of the object if no other object had one
+  MultiPolygon keep_out;  ///< area that has no brim of any object
+  MultiPolygon brim;      ///< brim of the object, as if no other object had one
   Box keep_out_box;
   Box brim_box;
 };
@@ -124,8 +124,8 @@ MultiPolygon Candidate(std::span<const BrimObject> objects, const std::vector<Wo
   return Attached(std::move(brim), objects[i]);
 }
 
-/// Returns the pieces of `rest` that are too thin and so are not in `kept`. Crumbs from rounding
-/// are left out.
+/// Returns the pieces of `rest` that are not in `kept`, because they are too thin for a line.
+/// Pieces that rounding causes are left out.
 MultiPolygon Slivers(const MultiPolygon& rest, const MultiPolygon& kept) {
   MultiPolygon slivers = Difference(rest, kept);
   std::erase_if(slivers,
@@ -133,7 +133,8 @@ MultiPolygon Slivers(const MultiPolygon& rest, const MultiPolygon& kept) {
   return slivers;
 }
 
-/// Gives a sliver of i's brim to the first of `givers` that it touches, within `free`.
+/// Adds a sliver, cut off from another object's brim, to the brim of the first object in `givers`
+/// that it touches. The enlarged brim stays within `free` and its own area.
 void GiveBack(const PolygonWithHoles& sliver, std::vector<Work>& works,
               const std::vector<size_t>& givers, const MultiPolygon& free) {
   const MultiPolygon grown = Offset({sliver}, 2 * kGlueNm);
@@ -151,7 +152,7 @@ void GiveBack(const PolygonWithHoles& sliver, std::vector<Work>& works,
   }
 }
 
-/// Removes from i's brim the area of the brims of earlier objects.
+/// Removes the area of earlier objects' brims from the brim of object `i`.
 void GiveWay(std::vector<Work>& works, size_t i, Coord line_width_nm) {
   std::vector<size_t> before;
   for (size_t j = 0; j < i; ++j) {

@@ -19,7 +19,7 @@ namespace {
 /// Maximum height of a section: the maximum of layer_height, and the gap above a raft.
 constexpr Coord kHighestSectionNm = 10 * kNmPerMm;
 
-/// Returns the height below which an object may meet the plate's rafts and brims.
+/// Returns the height above the bed below which an object may meet rafts and brims of the plate.
 Coord LowHeight(const PlanningOptions& options) {
   Coord height_nm = 1;
   for (const ObjectPlanOptions& object : options.objects) {
@@ -40,7 +40,8 @@ MultiPolygon CoverOf(std::span<const Path> loops) {
   return OffsetLines(lines, loops.front().widths_nm.front() / 2, Cap::kButt);
 }
 
-/// Returns a pair of copies: one of `object`, and one that is beside it as `beside` says.
+/// Returns the indices of two copies: one of `object`, and the one that has the object and the
+/// relative position of `beside`.
 std::pair<size_t, size_t> CopiesThat(int32_t object, const Beside& beside,
                                      std::span<const PlacedCopy> copies) {
   for (size_t i = 0; i < copies.size(); ++i)

@@ -6,8 +6,8 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Extra margin of a claimed box. With this margin an object that grows slowly rarely needs a new
-/// sweep.
+/// Margin by which a bounding box grows beyond the new outline. With this margin an object that
+/// grows slowly rarely needs a new sweep.
 constexpr Coord kSpareNm = 2 * kNmPerMm;
 
 struct Claimed {

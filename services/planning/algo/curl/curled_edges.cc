@@ -14,28 +14,28 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Largest distance between sampled places on an edge.
+/// Largest distance between sampled points on an outline.
 constexpr double kStepNm = 0.5 * kNmPerMm;
-/// Length on either side over which the turn of an edge is measured. It is longer than the facets
-/// of a round part.
+/// Length of the outline on either side of a point over which the bend at this point is measured.
+/// It is longer than the facets of a round part.
 constexpr double kArmNm = 2.0 * kNmPerMm;
-/// Range of overhangs that rise, in widths. A smaller overhang rests on the layer below, and a
-/// larger one sags.
+/// Range of overhangs that curl up, in widths. A smaller overhang is supported by the layer below,
+/// and a larger one sags.
 constexpr double kLeastOut = 0.2, kMostOut = 1.1;
-/// Radius at which an overhang of a whole width does not rise.
+/// Radius of curvature at which an overhang of a whole width does not curl up.
 constexpr double kStillRadiusNm = 100.0 * kNmPerMm;
-/// Distance within which a bead rises with a risen place, in widths.
+/// Distance within which a bead rises with a risen point of the layer below, in widths.
 constexpr double kBeside = 3;
-/// Share of its height by which a bead presses down the layer below.
+/// Height by which a bead presses down a risen layer below it, as a share of the bead's height.
 constexpr double kPressed = 0.75;
 constexpr double kMostLayers = 10;
-/// Smallest rise that is an obstacle.
+/// Smallest rise that travels avoid.
 constexpr double kObstacleNm = 0.1 * kNmPerMm;
 constexpr Coord kToleranceNm = 50'000;
 
 }  // namespace
 
-/// Finds risen pieces near a place.
+/// Index of the risen pieces of a layer, to find the pieces near a point.
 class CurledEdges::Places {
  public:
   /// `risen` must outlive this object.
@@ -43,7 +43,7 @@ class CurledEdges::Places {
     for (const Risen& piece : risen) squares_[SquareOf(piece.from)].push_back(&piece);
   }
 
-  /// Returns the largest rise within reach; 0 if there is none.
+  /// Returns the largest rise of the pieces within reach of the point; 0 if there are none.
   double MostNear(Point place) const {
     double most = 0;
     const Square square = SquareOf(place);
@@ -70,7 +70,7 @@ class CurledEdges::Places {
   std::map<Square, std::vector<const Risen*>> squares_;
 };
 
-/// Returns the rise of a place, without the rise of its neighbours.
+/// Returns the rise of a point from its own overhang, without the rise of the layer below.
 double CurledEdges::RiseAt(Point place, double radius_nm) const {
   const auto width = static_cast<double>(width_nm_);
   const auto hit = below_->edges.Nearest(place, std::llround(kMostOut * width));
@@ -99,7 +99,8 @@ void CurledEdges::AddRing(const Polygon& ring, const Places& below, const MultiP
   }
 }
 
-/// Keeps the height of risen pieces that are beside the layer and not below it.
+/// Adds the risen pieces of the layer below that are beside the new layer and not under it. Their
+/// height above the bed does not change, so their rise decreases by the height of the new layer.
 void CurledEdges::KeepUncovered(const RegionEdges& edges, Coord height_nm,
                                 std::vector<Risen>& risen) const {
   const auto reach = std::llround(kBeside * static_cast<double>(width_nm_));

@@ -12,14 +12,14 @@ using Cell = CubicOctree::Cell;
 using Cells = CubicOctree::Cells;
 using Shares = CubicOctree::Shares;
 
-// Components of a plane's unit normal along the layer and across it, for a cube that stands on a
-// corner.
+// Components of a plane's unit normal in the plane of the layer and perpendicular to the layer, for
+// a cube that stands on a corner.
 const double kAlong = std::sqrt(2.0 / 3.0);
 const double kAcross = std::sqrt(1.0 / 3.0);
 constexpr double kThirdTurn = 2 * std::numbers::pi / 3;
 
-/// Returns the cube of double size that contains `cell`. `by` is the offset by which eight cubes
-/// form a larger one.
+/// Returns the cube of double size that contains `cell`. `by`: offset (0 or 1 per axis) at which
+/// eight cubes are grouped into a larger one.
 Cell DoubledCell(const Cell& cell, const Cell& by) {
   return {(cell[0] + by[0]) >> 1, (cell[1] + by[1]) >> 1, (cell[2] + by[2]) >> 1};
 }
@@ -36,8 +36,8 @@ Shares Doubled(const Shares& body, const Cell& by) {
   return doubled;
 }
 
-/// Returns the offset for which the doubled cubes contain the least of the body. Ties go to the
-/// offset with the fewest cubes, then to the first.
+/// Returns the offset for which the doubled cubes contain the fewest samples of the body. Of equal
+/// offsets, the one with the fewest cubes is returned, then the first.
 Cell LeastFilled(const Cells& cubes, const Shares& body) {
   std::pair<int64_t, size_t> least;
   Cell best{};

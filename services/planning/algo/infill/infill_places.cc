@@ -11,8 +11,8 @@ MultiPolygon Opened(const MultiPolygon& region, Coord width_nm) {
   return FastOffset(FastOffset(region, -width_nm / 2), width_nm / 2);
 }
 
-/// Returns `shared`, grown by `least_nm`. Near parts of `area` that are beyond this margin,
-/// `shared` is not grown.
+/// Returns `shared`, grown by `least_nm`. Where `area` extends beyond the grown area, `shared` does
+/// not grow near this extension.
 MultiPolygon WithEdges(const MultiPolygon& shared, const MultiPolygon& area, Coord least_nm) {
   const MultiPolygon around = FastOffset(shared, least_nm);
   const MultiPolygon beyond = Difference(area, around);

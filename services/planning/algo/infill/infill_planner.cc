@@ -22,13 +22,13 @@ namespace {
 
 using LinesByLayer = std::vector<std::vector<Polyline>>;
 
-/// Width in beads below which solid infill needs no infill under it, because it rests on both
-/// sides.
+/// Width in beads up to which solid infill needs no infill under it, because it is supported on
+/// both sides.
 constexpr Coord kBridgedWidths = 2;
 /// Width in beads below which a strip is too narrow for lines of its own.
 constexpr Coord kNarrowWidths = 4;
 
-/// Returns the distance of lines for the density, in layers of the greatest height.
+/// Returns the distance of lines for the density, in nm, in layers of the greatest height.
 double PitchOf(const InfillOptions& options, const ObjectStack& stack) {
   Coord height_nm = 0;
   for (const StackLayer& layer : stack) height_nm = std::max(height_nm, layer.height_nm);

@@ -11,7 +11,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Place that needs support, and its distance from the nearest support.
+/// Point of solid infill that needs support, and its distance from the nearest support.
 struct Burden {
   Point at;
   double distance_nm = 0;

@@ -10,7 +10,7 @@ namespace {
 
 /// Distance below which a point counts as on the edge.
 constexpr double kOnEdgeNm = 1'000;
-/// Distance from the line between its neighbours below which a node is removed.
+/// A node is removed if it is nearer than this to the line between its neighbours, in nm.
 constexpr double kIdleNm = 10'000;
 
 /// Returns the point at `path` nm from a towards b. REQUIRES: b is at least that far.
@@ -26,8 +26,8 @@ struct Stretch {
   double to_nm = 0;
 };
 
-/// Returns the pieces of the line from a to b that are inside. A crossing near either end counts as
-/// that end.
+/// Returns the pieces of the line from a to b that are inside the region. A crossing with the
+/// boundary near a or b counts as a or b.
 std::vector<Stretch> InsideStretches(const RegionEdges& region, Point a, Point b) {
   const double length = Distance(a, b);
   std::vector<double> cuts = {0, length};

@@ -8,7 +8,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Loss at edges after an inward and an outward offset.
+/// Distance in nm by which rounding may shrink a region after an inward and an outward offset.
 constexpr Coord kRoundedNm = 10'000;
 
 using Outlines = MultiPolygon StackLayer::*;

@@ -11,7 +11,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Factor by which the grid of roofs is finer. The radius of each place has the size of this finer
+/// Divisor of the step for the grid of roofs. The radius of the points follows from this finer
 /// grid.
 constexpr Coord kRoofSteps = 4;
 
@@ -39,8 +39,8 @@ void Over(const MultiPolygon& area, Coord step_nm, const Take& take) {
   for (const Point p : GridPoints(area, step_nm)) take(p);
 }
 
-/// Returns the part of a layer that the next layer does not cover. With `nearer_nm` the result
-/// keeps this distance from the covered part.
+/// Returns the part of a layer that the next layer (`step` 1: above, -1: below) does not cover.
+/// With `nearer_nm` > 0 the result keeps this distance from the covered part.
 MultiPolygon Open(const ObjectStack& stack, size_t layer, int step, Coord nearer_nm) {
   const int64_t next = static_cast<int64_t>(layer) + step;
   const MultiPolygon& whole = stack[layer].whole;
@@ -50,9 +50,9 @@ MultiPolygon Open(const ObjectStack& stack, size_t layer, int step, Coord nearer
   return Difference(whole, nearer_nm > 0 ? FastOffset(cover, nearer_nm) : cover);
 }
 
-/// Visits the open part of a layer as places of a roof, at the height where the sparse infill below
-/// it ends. A place is within 0.71 grid steps of a grid point. Near the edge it is within half a
-/// step of a point on the edge.
+/// Visits the open part of a layer as points of a roof, at the height where the sparse infill below
+/// it ends. The radius of the points is 1.21 grid steps: each point of the roof is within 0.71
+/// steps of a grid point, or near the boundary within half a step of a visited boundary point.
 void RoofUnder(const ObjectStack& stack, const SkinLayers& skins, size_t layer,
                const MultiPolygon& open, Coord step_nm, const TakePlace& take) {
   const auto top = static_cast<size_t>(skins.top);

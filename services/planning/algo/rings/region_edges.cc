@@ -75,7 +75,7 @@ bool RegionEdges::IsInside(Point p, const Best& best) const {
   const Edge& edge = index_.At(best.edge);
   if (best.share > 0 && best.share < 1) return Cross(edge.b - edge.a, p - edge.a) >= 0;
   if (best.distance2 == 0) return true;
-  // The nearest place is a corner. The point is inside only if the corner points inwards.
+  // The nearest point is a corner. The queried point is inside only if this is a reflex corner.
   if (best.share == 0) return reflex_[static_cast<size_t>(best.edge)];
   const auto ring = static_cast<size_t>(edge.ring);
   const bool is_last = best.edge + 1 == first_edge_[ring + 1];

@@ -65,8 +65,8 @@ Point RingShape::At(double along_nm, size_t& edge) const {
   const double length = ends_[edge + 1] - ends_[edge];
   if (length <= 0) return from;
   const double share = std::clamp((along_nm - ends_[edge]) / length, 0.0, 1.0);
-  // Truncating to whole nanometres is exact enough, because seams move to the nearest place of a
-  // wall later.
+  // Coordinates are truncated to whole nanometres. This is exact enough, because seams later move
+  // to the nearest point of a wall.
   return {from.x + static_cast<Coord>(share * static_cast<double>(to.x - from.x)),
           from.y + static_cast<Coord>(share * static_cast<double>(to.y - from.y))};
 }

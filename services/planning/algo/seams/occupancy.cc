@@ -18,7 +18,8 @@ constexpr int32_t kMostCells = 256;  // cells along each side
 constexpr double kReachMm = 30;
 /// Size of the surface patches that share one visibility, in mm.
 constexpr int32_t kPatchMm = 4;
-/// Upper limit of row crossings, which bounds the work. Outlines with more crossings are ignored.
+/// Largest number of row crossings of an outline, to limit the work. Outlines with more crossings
+/// are ignored.
 constexpr double kMostCrossings = 20e6;
 /// Distance of a ray's start from the middle of the cell, in cells. With this distance the surface
 /// in the cell does not hide itself.
@@ -29,7 +30,7 @@ constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz per horizontal leng
 
 Vector2 DirectionOf(double angle_rad) { return {Cos(angle_rad), Sin(angle_rad)}; }
 
-/// Rays from places with the same outward direction.
+/// Directions of the rays from points with the same outward direction.
 struct Rays {
   Vector2 outward;
   std::array<Vector2, kSideways.size()> sideways;
@@ -140,8 +141,8 @@ bool Occupancy::IsSolid(Cell cell) const {
   return (solid_[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
-/// Returns true if a ray leaves the grid without meeting a solid cell. `from` and `step` are in
-/// cells.
+/// Returns true if a ray leaves the grid, or has 30 mm of free length, without meeting a solid
+/// cell. `from` and `step` are in cells.
 bool Occupancy::LeadsOut(const double from[3], const double step[3]) const {
   const int steps = static_cast<int>(kReachMm) / cell_mm_;
   for (int i = 0; i <= steps; ++i) {

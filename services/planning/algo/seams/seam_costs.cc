@@ -12,34 +12,36 @@ constexpr double kOuterCorner = 0.5;
 constexpr double kStraight = 3.5;
 /// Smallest turn of a sharp corner.
 constexpr double kSharpRad = std::numbers::pi / 4;
-/// Cost of an invisible place, as a share of the cost in plain view. So the corner counts more than
-/// the visibility.
+/// Cost of an invisible point, as a share of its cost in plain view. The difference is so small
+/// that the corner counts more than the visibility.
 constexpr double kHidden = 0.8;
 constexpr double kSeen = 6;
 /// Weight of corners with `hidden` and `rear`.
 constexpr double kLittle = 0.25;
 /// Cost per mm of distance in y from the rear-most place of the ring.
 constexpr double kFromRear = 4;
-/// Costs per mm that decide between nearly equal places. So seams of nested contours, and of
+/// Costs per mm that decide between nearly equal points. So seams of nested contours, and of
 /// neighbouring holes, are close together, and the travel between them is short.
 constexpr double kRearOfEqual = 2e-3;
 constexpr double kLeftOfEqual = 1e-3;
-/// Cost of overhangs, from a limit in layer heights up to the next range.
+/// Range of overhangs with one cost per layer height, from `from` (in layer heights) up to the next
+/// range.
 struct OverhangRange {
   double from = 0;
   double per_height = 0;  ///< cost per layer height in this range
 };
 /// Tangent of 55 degrees.
 constexpr double kSteep = 1.43;
-/// Cost ranges of overhangs. A slightly leaning wall is no reason for a jump of the seam, but a
-/// steep one is. Where a whole ring overhangs, the seam is best at the smallest overhang. A place
+/// Cost ranges of overhangs. A slightly leaning wall does not justify a jump of the seam, but a
+/// steep one does. Where a whole ring overhangs, the seam is best at the smallest overhang. A point
 /// far in the air is hardly better than one still farther.
 constexpr std::array<OverhangRange, 3> kOverhangs{{{0.6, 4}, {kSteep, 20}, {kSteep + 1, 5}}};
 /// Costs that exceed all remaining costs of a job together.
 constexpr double kBlocked = 1e9;
 constexpr double kNotEnforced = 1e6;
-/// Cost per mm between an enforced place and the middle of its run, and its maximum. The maximum
-/// exceeds the cost of visibility, but not the advantage of a sharp corner.
+/// Cost per mm between an enforced point and the middle of its section of the ring, and the maximum
+/// of this cost. The maximum exceeds the cost of visibility, but not the advantage of a sharp
+/// corner.
 constexpr double kOffMiddle = 1;
 constexpr double kMostOffMiddle = 2;
 

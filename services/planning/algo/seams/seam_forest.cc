@@ -16,13 +16,15 @@ double Sideways2(double step_mm, double away_mm) {
   return std::max(step_mm * step_mm - away_mm * away_mm, 0.0);
 }
 
-/// Cost of the tree above a node for each place of its parent, with the node's best place for each.
+/// Smallest cost of a node and of all rings above it, for each point of its parent. `best`: index
+/// of the node's point with this cost.
 struct Message {
   std::vector<double> costs;
   std::vector<int32_t> best;
 };
 
-/// Returns the places' indices from left to right. Equal places keep their order.
+/// Returns the indices of the points, sorted from left to right. Points with equal x keep their
+/// order.
 std::vector<int32_t> ByX(const std::vector<Point>& places) {
   std::vector<int32_t> order(places.size());
   std::iota(order.begin(), order.end(), 0);
@@ -30,8 +32,9 @@ std::vector<int32_t> ByX(const std::vector<Point>& places) {
   return order;
 }
 
-/// Computes the message of a node to its parent. `costs`: cost of the tree from `node` up, by
-/// place. A step goes to a place near the parent's place, or jumps to the cheapest place of all.
+/// Computes the message of a node to its parent. `costs`: for each point of the node, the cost of
+/// the node and of all rings above it. A step goes to a point near the parent's point, or jumps to
+/// the cheapest point of all.
 Message Below(const SeamNode& node, const std::vector<double>& costs, const SeamNode& parent,
               const StepCost& step) {
   const auto x_of = [&](int32_t p) { return node.places[static_cast<size_t>(p)].x; };

@@ -22,9 +22,9 @@ constexpr double kFewestPlaces = 8;
 constexpr size_t kMostCorners = 200;
 /// Distance in the plane over which rings are linked and overhangs are measured.
 constexpr Coord kReachNm = 2'000'000;
-/// Share of the spacing below which two places become one.
+/// Two points nearer than this become one, as a share of the spacing.
 constexpr double kTooClose = 0.4;
-/// Number of spacings above which a place is added between two places.
+/// Between two points farther apart than this, points are added, in spacings.
 constexpr double kTooFar = 1.5;
 /// Distance below which two corners count as one.
 constexpr double kSameCornerNm = 100'000;
@@ -32,13 +32,14 @@ constexpr double kSameCornerNm = 100'000;
 /// Distance below which a place counts as a point of the ring.
 constexpr double kSamePointNm = 50'000;
 
-/// Reasons for a place on a ring, the weakest first. kOverCorner is a ring point above a corner of
-/// the layer below. It stays beside a close corner, because the two corners of a bevel are nearly
-/// equally sharp. Either may be the sharper one on a given layer, and a line of seams must be able
-/// to stay on it.
+/// Reasons for a point on a ring, the weakest first. kOver: above a point of the layer below.
+/// kCorner: at a corner. kOverCorner: at a ring point above a corner of the layer below. A
+/// kOverCorner point stays even beside a close corner. The reason is that the two corners of a
+/// bevel are nearly equally sharp, and either may be the sharper one on a given layer. A line of
+/// seams must be able to stay on one of them.
 enum class Wish { kOver, kOverCorner, kCorner };
 
-/// Wanted place, given by its length along a ring.
+/// Requested point, given by its length along a ring.
 struct Along {
   double nm = 0;
   Wish wish = Wish::kOver;
@@ -60,7 +61,8 @@ double SpacingOn(const RingShape& shape, bool painted) {
   return std::min(spacing, length / kFewestPlaces);
 }
 
-/// Merges places that are too close and fills gaps that are too wide. Corners stay.
+/// Merges points that are too close and fills gaps that are too wide. Corners are kept. Returns the
+/// lengths along the ring, ascending.
 std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, double spacing) {
   std::ranges::sort(wanted, {}, [](const Along& a) { return std::pair(a.nm, a.wish); });
   std::vector<Along> kept;
@@ -91,8 +93,9 @@ std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, do
   return all;
 }
 
-/// Stores in enforced places their distance from the middle of their run. A ring that is enforced
-/// all around has no runs. `along`: positions of the places, ascending.
+/// Stores in enforced points their distance from the middle of their section of the ring. A ring
+/// that is enforced all around has no sections. `along`: lengths of the points along the ring,
+/// ascending.
 void MeasureRuns(const std::vector<double>& along, double length_nm,
                  std::vector<SeamPlace>& places) {
   const size_t n = places.size();
@@ -110,7 +113,7 @@ void MeasureRuns(const std::vector<double>& along, double length_nm,
   }
 }
 
-/// Rings of one layer, with the places wanted on them so far.
+/// Rings of one layer, with the points requested on them so far.
 class LayerRings {
  public:
   explicit LayerRings(const ObjectSection& section)
@@ -129,7 +132,8 @@ class LayerRings {
 
   size_t size() const { return shapes_.size(); }
 
-  /// Adds a place above a place of ring `ring_below` in the layer below.
+  /// Adds a point above a point of ring `ring_below` in the layer below. `hit`: nearest point of
+  /// this layer.
   void Continue(int32_t ring_below, bool from_corner, const RegionEdges::Hit& hit) {
     const auto ring = static_cast<size_t>(hit.ring);
     const auto edge = static_cast<size_t>(hit.edge);
@@ -141,8 +145,8 @@ class LayerRings {
     votes_[ring][ring_below] += kReachNm - hit.distance_nm;
   }
 
-  /// Returns the ring below with the most places that continue on `ring`, weighted by nearness; -1:
-  /// none.
+  /// Returns the ring below from which the most points continue on `ring`, weighted by nearness;
+  /// -1: none.
   int32_t BelowOf(size_t ring) const {
     int32_t best = -1;
     double most = 0;
@@ -190,7 +194,7 @@ bool IsCorner(const SeamPlace& place) {
 
 namespace {
 
-/// Measures the overhang of a place and its distance from the layer below, up to kReachNm.
+/// Stores in a point its overhang and its distance from the layer below, at most kReachNm.
 void MeasureOver(const MultiPolygon& below, const RegionEdges& edges, Coord height_nm,
                  SeamPlace& place) {
   const auto hit = edges.Nearest(place.at, kReachNm);

@@ -15,7 +15,8 @@ constexpr double kJumpMm = 1;
 /// Largest increase of the overhang when a seam moves, in heights of a layer.
 constexpr float kMoreOverhang = 0.1F;
 
-/// Returns the movable range of a seam. Seams on corners and near paint stay.
+/// Returns the range within which a seam may move. Seams at corners are fixed, and no seam moves
+/// into or out of a painted area.
 SeamChoice ChoiceOf(const std::vector<SeamPlace>& places, int32_t chosen) {
   const auto count = static_cast<int32_t>(places.size());
   const SeamPlace& seam = places[static_cast<size_t>(chosen)];
@@ -129,8 +130,8 @@ void SeamPlanner::SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, O
   Forget(i, seams);
 }
 
-/// Removes the first `rings` rings except the last layer of them. The rings of this layer keep
-/// their seam as the only place, because the layers above follow them.
+/// Removes the first `rings` rings except the highest layer among them. The rings of this layer
+/// keep their seam as the only possible point, because the layers above follow it.
 void SeamPlanner::Forget(size_t rings, ObjectSeams& seams) {
   if (rings == 0) return;
   size_t first = rings;

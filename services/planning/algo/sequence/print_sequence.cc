@@ -24,16 +24,17 @@ constexpr int kMostPasses = 50;
 /// Radius of the widest nozzles.
 constexpr Coord kNozzleRadius = 2 * kNmPerMm;
 
-/// Object as an obstacle for the head.
+/// Finished object, as an obstacle for the head.
 struct Standing {
   size_t index = 0;
   Polygon hull;
   Box box;
   Point middle;
-  bool meets_head = false, meets_gantry = false, meets_lid = false;  ///< taller than their height
+  /// true if the object is taller than nozzle_height, clearance_height or lid_height
+  bool meets_head = false, meets_gantry = false, meets_lid = false;
 
-  /// Number of the heights that the object exceeds. A higher object is in the same group or a
-  /// later one.
+  /// Number of these three heights that the object exceeds. A taller object is in the same group or
+  /// a later one.
   int Group() const { return int{meets_head} + int{meets_gantry} + int{meets_lid}; }
 };
 
@@ -184,7 +185,8 @@ class Tour {
   std::vector<Standing> stops_;
 };
 
-/// Returns the order: by groups of ascending height.
+/// Returns the order as indices: groups in ascending order of height, each group along a short
+/// path.
 std::vector<size_t> Ordered(const std::vector<Standing>& all, Point start) {
   std::array<std::vector<Standing>, kGroups> groups;
   for (const Standing& standing : all)

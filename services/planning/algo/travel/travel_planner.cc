@@ -13,7 +13,7 @@ namespace {
 /// Largest number of islands that are visited by nearest neighbour. More islands are visited in
 /// their given order.
 constexpr size_t kMaxVisited = 2000;
-/// Objects are entered from the front left, where the nozzle is at first.
+/// Point from which objects are entered first: far to the front left, where the nozzle is at first.
 constexpr Point kFrontLeft{-1'000 * kNmPerMm, -1'000 * kNmPerMm};
 
 double DistanceToBox(Point p, const Box& box) {
@@ -51,8 +51,8 @@ std::vector<Island> IslandsOf(const MultiPolygon& outlines) {
 }
 
 /// Estimates the exit of a section that is entered at `entry`. Islands are visited by nearest
-/// neighbour, and each is left where it was entered. An estimate that fill ends at the far side of
-/// an island gives up to a quarter more travel.
+/// neighbour, and each is left at the point where it was entered. (An estimate that fill ends at
+/// the far side of an island gives up to a quarter more travel.)
 LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   std::vector<Island> left = IslandsOf(outlines);
   if (left.empty()) return {entry, {}};
@@ -60,7 +60,7 @@ LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   LikelyExit exit{entry, {}};
   Point& at = exit.at;
   while (!left.empty()) {
-    // Takes the inner one of nested islands first.
+    // The inner one of nested islands is first.
     const auto next = std::ranges::min_element(left, {}, [&](const Island& island) {
       return std::pair(DistanceToBox(at, island.box), island.box.max.x - island.box.min.x);
     });
@@ -71,12 +71,12 @@ LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   return exit;
 }
 
-/// Largest distance between the seam of a wall and a seam of the layer below for the wall to count
-/// as its continuation.
+/// Largest distance between the seam of a wall and a seam of the layer below, for which the wall
+/// counts as a continuation of the wall below.
 constexpr double kSeamStepNm = 0.3 * kNmPerMm;
 
-/// Returns the seam nearest to the section's entry among the walls that continue one of the seams
-/// `below`.
+/// Returns the seam nearest to the section's entry, among the seams that continue one of the seams
+/// in `below`; nullopt if there is none.
 std::optional<Point> SeamToMeetAt(const SectionPlan& section, std::span<const Point> below) {
   std::optional<Point> nearest;
   for (const Point seam : section.seams) {

@@ -15,12 +15,12 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Minimum increase of a branch's radius at its foot, and the height of the foot.
+/// Smallest increase of a branch's radius at its foot, and the height of the foot.
 constexpr Coord kFootWiderNm = 600'000;
 constexpr Coord kFootHeightNm = 1'200'000;
 
-/// Gap between a neck and the part above it, in addition to the support's gap. Necks support
-/// nothing. A surface slightly below the gap would only be hard to remove.
+/// Distance of a neck from the part above it, in addition to the support's gap. Necks do not
+/// support the part, and a surface slightly below the gap would only be hard to remove.
 constexpr Coord kBelowPartNm = 450'000;
 
 /// Returns a polygon with the same area as the disc. The circle is half inside and half outside of
@@ -42,9 +42,9 @@ Coord FootRadius(Coord radius_nm, Coord z_nm) {
   return foot - (foot - radius_nm) * z_nm / kFootHeightNm;
 }
 
-/// Widens discs near the bed to feet, as far as there is room, and at most half the distance to the
-/// next disc. If feet merged into one outline, the branches inside it would have nothing below
-/// them.
+/// Widens discs near the bed to feet, as far as there is free space, and at most by half the
+/// distance to the next disc. Feet must not merge into one outline: the branches inside it would
+/// have nothing below them.
 void GrowFeet(Coord z_nm, const ReachField& field, std::vector<BranchDisc>& discs) {
   const std::vector<BranchDisc> bare = discs;
   for (BranchDisc& disc : discs) {

@@ -18,9 +18,9 @@ namespace {
 
 /// Distance beyond which branches ignore each other.
 constexpr Coord kSightNm = 20'000'000;
-/// Number of nearest branches that a branch considers.
+/// Largest number of neighbours with which a branch may become a pair.
 constexpr size_t kNeighbours = 8;
-/// Height below which a meeting of branches saves no plastic.
+/// Height above the bed below which merging branches saves no plastic.
 constexpr Coord kLowestMeetingNm = 600'000;
 constexpr double kTipGrowthRad = 6 * std::numbers::pi / 180;
 /// Share of diameter_angle_rad by which branches widen. The whole angle would take more plastic
@@ -28,7 +28,7 @@ constexpr double kTipGrowthRad = 6 * std::numbers::pi / 180;
 constexpr double kShareOfAngle = 0.75;
 /// Distance that a support may extend beyond the support below it.
 constexpr Coord kBeyondNm = 850'000;
-/// Share of its radius that a branch needs as free room while it moves towards another branch.
+/// Free radius that a branch needs while it moves towards another branch, as a share of its radius.
 constexpr double kRoomOnTheWay = 0.45;
 
 /// Branch that grows down from one tip, or from several tips that have met.
@@ -41,8 +41,8 @@ struct Branch {
   bool found = false;  ///< true if the field has a path down from here
 };
 
-/// Returns the free room that a branch needs on its path to the bed. With this room the branch
-/// moves away from the part early enough to have a foot.
+/// Returns the free radius that a branch needs at a height on its path to the bed. It makes the
+/// branch move away from the part early enough to have a foot.
 Coord RoomForFoot(Coord z_nm) {
   constexpr double kSlope = 0.8;
   return kFootRadiusNm - std::llround(z_nm * kSlope);
@@ -135,9 +135,9 @@ class Grower {
         if ((x - x0) * (x - x0) + (y - y0) * (y - y0) <= squared) visit(grid.Centre(x, y));
   }
 
-  /// Returns the place nearest to `wish` that is within one step of all of `from` and has room for
-  /// `radius_nm`. If there is none, returns the place with the most room, but at least a tip's
-  /// radius.
+  /// Returns the point nearest to `wish` that is within one step of all points in `from` and where
+  /// a branch with `radius_nm` fits. If there is none, returns the point where the thickest branch
+  /// fits; nullopt if not even a tip fits.
   std::optional<Point> Nearest(size_t slab, std::span<const Point> from, Point wish,
                                Coord radius_nm, bool anywhere) const {
     const bool in_reach =
@@ -165,7 +165,7 @@ class Grower {
     return dx * dx + dy * dy <= field_.slabs()[slab].step_squared;
   }
 
-  /// Moves all branches down to the slab. Partners that can reach one place are merged.
+  /// Moves all branches down to the slab. Partners that can reach one point are merged.
   void StepBelow(size_t slab) {
     std::vector<Branch> next;
     const Coord z = field_.slabs()[slab].middle_nm();
@@ -305,7 +305,7 @@ class Grower {
     return std::max(TipRadius(), std::min(radius_nm, Reach(slab, at, anywhere)));
   }
 
-  /// Returns the next place on the path to the target. The step has the steepest allowed lean while
+  /// Returns the next point on the path to the target. The step has the largest allowed lean while
   /// the branch is thin, or if the branch would arrive too late otherwise.
   Point Towards(Point goal, const Branch& branch, Coord z_nm) const {
     const double path = Distance(branch.at, goal);
@@ -351,8 +351,8 @@ class Grower {
     return Joined(branch, moved);
   }
 
-  /// Ends a branch without a path on the surface right below it. Returns false if there is no such
-  /// surface.
+  /// Ends a branch on the surface right below it, if the field has no path for it. Returns false if
+  /// there is no such surface.
   bool EndsOver(size_t slab, const Branch& branch) {
     const bool on_other = field_.OnOther(slab, branch.at);
     if (!branch.found && !on_other && !field_.OnPart(slab, branch.at)) return false;

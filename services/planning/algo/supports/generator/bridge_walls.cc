@@ -13,7 +13,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Distance beyond an edge or an end at which the layer below is tested.
+/// Distance beyond an edge, or beyond the end of a wall, at which the layer below is tested.
 constexpr double kBesideNm = 100'000;
 /// Largest distance of a straight wall from its chord.
 constexpr double kBendNm = 100'000;
@@ -54,8 +54,8 @@ bool IsStraight(const Polyline& chain) {
       chain, [&](Point p) { return DistanceToSegment(p, chain.front(), chain.back()) <= kBendNm; });
 }
 
-/// Returns true if both ends of the chain rest on the layer below and the chain is straight. A wall
-/// with corners in between has no support there.
+/// Returns true if the chain is straight and the layer below supports both of its ends. At corners
+/// within a chain the wall has no support.
 bool IsHeld(const Polyline& chain, const MultiPolygon& below) {
   if (!IsStraight(chain)) return false;
   const Vector2 from = ToVector(chain.front()), to = ToVector(chain.back());

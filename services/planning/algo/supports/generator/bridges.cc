@@ -19,7 +19,7 @@ namespace slicefarm::planning {
 namespace {
 
 constexpr int kDirections = 36;
-/// Depth of the layer below behind a line's end that counts as an anchor.
+/// Distance beyond a line's end that the layer below must cover, so that the end is anchored.
 constexpr Coord kProbeNm = 100'000;
 /// Smallest share of an overhang that a bridge must cover. Smaller scraps between supports save
 /// nothing.
@@ -156,7 +156,7 @@ MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below,
     for (Point& p : strip) p = TurnedBack(p, along);
     strips.push_back(std::move(strip));
   }
-  // The offset removes single lines, as they would rest on their neighbours at best.
+  // The offset removes single lines, because at best they would be supported by their neighbours.
   for (Polygon& ring : Rings(walls.held)) strips.push_back(std::move(ring));
   return OffsetTwice(Union(strips, FillRule::kNonZero), -width_nm * 9 / 10, width_nm * 9 / 10);
 }

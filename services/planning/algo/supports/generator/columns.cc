@@ -20,8 +20,8 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Distance beyond the gap that an unused top keeps from the part above. A nearer top would
-/// resemble a contact at the wrong distance.
+/// Distance in addition to top_gap_nm that the top of a column keeps from an underside of the part
+/// that it does not support. A nearer top would resemble a contact at the wrong distance.
 constexpr Coord kUselessNm = 500'000;
 /// Smallest area of a column's island. No bead fits into less.
 constexpr double kLeastAreaNm2 = 0.05e12;
@@ -36,8 +36,8 @@ struct RasterLayer {
   explicit RasterLayer(const PixelGrid& grid)
       : contact(grid), beside(grid), blocked(grid), useless(grid), column(grid) {}
 
-  Bitmap contact;  ///< contacts that are new in this layer
-  Bitmap beside;   ///< wanted columns around this contact
+  Bitmap contact;  ///< contacts that begin in this layer
+  Bitmap beside;   ///< area of the columns that these contacts request
   Bitmap blocked;  ///< pixels that are not free
   Bitmap useless;  ///< pixels so near below the part that a top would resemble a contact
   Bitmap column;   ///< columns in this layer, without contacts of the layers just above
@@ -167,8 +167,9 @@ class ColumnMaker {
     return highest_start_.empty() || static_cast<int32_t>(layer) <= highest_start_[pixel];
   }
 
-  /// Finds the highest layer at which a column may begin, for each pixel above a forbidden surface.
-  /// Removes the contacts that no column may reach.
+  /// Finds, for each pixel above a forbidden surface, the highest layer at which a column may
+  /// begin. A forbidden surface is another object or, with bed_only, the part. Removes the contacts
+  /// that no column may reach.
   void LeaveOutForbidden() {
     highest_start_.assign(grid_.size(), std::numeric_limits<int32_t>::max());
     SupportProblem forbidden;
@@ -187,8 +188,8 @@ class ColumnMaker {
     }
   }
 
-  /// Updates the state of each pixel for the next layer down: 0 nothing, 1 column, n + 1 column in
-  /// n layers.
+  /// Updates the state of each pixel for the next layer down. State 0: nothing; 1: column; n + 1: a
+  /// column begins n layers below.
   void GoDown(RasterLayer& layer) {
     const uint8_t *contact = layer.contact.Row(0), *beside = layer.beside.Row(0);
     const uint8_t *blocked = layer.blocked.Row(0), *useless = layer.useless.Row(0);
@@ -222,8 +223,8 @@ class ColumnMaker {
     for (size_t i = 0; i < grid_.size(); ++i) layer.column.Row(0)[i] = state_[i] == 1 ? 1 : 0;
   }
 
-  /// Widens columns that have been slender since the last check, so that a closed cell fits into
-  /// them from here down.
+  /// Widens columns that are slender at this check and the one before, so that a closed cell of
+  /// lines fits into them from here down.
   void WidenSlender(size_t index, const Bitmap& column) {
     if (heights_.layers[index].top_nm > next_look_nm_) return;
     next_look_nm_ = heights_.layers[index].top_nm - kSlenderStepNm;
@@ -233,8 +234,8 @@ class ColumnMaker {
     stood_ = column;
   }
 
-  /// Returns the column with its exact edges: its pixels, one pixel more towards blocked areas,
-  /// without the blocked areas.
+  /// Returns the columns of a layer with exact boundaries: their pixels, grown by one pixel towards
+  /// blocked areas, without the blocked areas.
   MultiPolygon Drawn(const RasterLayer& layer, size_t index) const {
     Bitmap wide = layer.column;
     for (int32_t y = 0; y < grid_.height; ++y) {
@@ -275,10 +276,10 @@ class ColumnMaker {
   const SupportOptions& options_;
   const PixelGrid grid_;
   const int threads_;
-  std::vector<uint8_t> state_;  ///< state by pixel, see GoDown
-  /// True for pixels that need a column as soon as they are not useless.
+  std::vector<uint8_t> state_;  ///< state of each pixel, see GoDown
+  /// True for pixels that get a column in the first layer in which they are not useless.
   std::vector<uint8_t> wanted_;
-  /// Highest layer at which a column may begin, by pixel; empty: no limit.
+  /// Highest layer at which a column may begin, for each pixel; empty: no limit.
   std::vector<int32_t> highest_start_;
   Bitmap stood_;  ///< columns at the last check of WidenSlender
   Coord next_look_nm_ = std::numeric_limits<Coord>::max();

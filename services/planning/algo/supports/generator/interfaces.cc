@@ -17,7 +17,7 @@ namespace {
 /// Height of a plinth. Below this height branches have spread by less than the distance between
 /// them.
 constexpr Coord kPlinthNm = 2'000'000;
-/// Smallest area of a region. A smaller dot would stick to the nozzle and come off.
+/// Smallest area of a region, in nm^2. A smaller dot would stick to the nozzle and come off.
 constexpr double kLeastBeadNm2 = 0.08e12;
 
 MultiPolygon UnionOf(const std::vector<MultiPolygon>& regions, size_t from, size_t to) {
@@ -48,8 +48,8 @@ std::vector<SupportLayer> NotEmpty(std::vector<SupportLayer> layers) {
   return layers;
 }
 
-/// Returns the region without parts narrower than `narrow_nm`. Columns have such teeth where pixels
-/// meet the part, and such slits between blocked areas. Beads there would be loose crumbs.
+/// Returns the region without parts narrower than `narrow_nm`. Columns have narrow teeth where
+/// pixels meet the part, and narrow slits between blocked areas. Beads there would be loose crumbs.
 MultiPolygon WithoutTeeth(const MultiPolygon& region, Coord narrow_nm) {
   const MultiPolygon core = FastOffset(region, -narrow_nm / 2);
   return core.empty() ? core : Intersection(region, FastOffset(core, narrow_nm * 9 / 16));
@@ -59,9 +59,9 @@ MultiPolygon WithoutTeeth(const MultiPolygon& region, Coord narrow_nm) {
 constexpr Coord LeastBase(Coord width_nm) { return width_nm * 2 / 3; }
 constexpr Coord LeastSheet(Coord width_nm) { return width_nm * 2 / 5; }
 
-/// Returns the islands that are smaller than a cell of the base's lines, grown to more than its
-/// size. Otherwise the first layer of such a small sheet could be between two lines and be printed
-/// into the air.
+/// Returns the islands of a sheet that are smaller than a cell of the base's lines, grown by half
+/// of `spacing_nm`. Without this, the first layer of such a small sheet could be between two lines
+/// and be printed into the air.
 MultiPolygon OverALine(const MultiPolygon& sheet, Coord spacing_nm) {
   MultiPolygon small;
   for (const PolygonWithHoles& island : sheet) {
@@ -72,10 +72,10 @@ MultiPolygon OverALine(const MultiPolygon& sheet, Coord spacing_nm) {
   return small.empty() ? small : FastOffset(small, spacing_nm / 2);
 }
 
-/// Moves islands of the base to `top` if the base's lines may miss them. Such islands are right
-/// under contacts and narrower than the lines' distance. A full column always contains a line. An
-/// island with only a contact's outline may contain none, and the interface would be printed into
-/// the air.
+/// Moves islands of the base to `top` if the base's lines may miss them: islands right under
+/// contacts that are narrower than the distance of lines. A full column always contains a line. An
+/// island with only a contact's outline may contain none, and the interface on it would be printed
+/// into the air.
 void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& base,
                 MultiPolygon& top) {
   MultiPolygon narrow;
@@ -89,8 +89,8 @@ void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& ba
   if (!narrow.empty()) top = top.empty() ? narrow : Union(top, narrow);
 }
 
-/// Returns the areas of the bodies that rest on outlines of the part. Bodies are processed one by
-/// one: few have the part below them, and only a small piece of the part is near each.
+/// Returns the areas of `bodies` that are on outlines of the part. Bodies are processed one by one:
+/// few have the part below them, and only a small piece of the part is near each.
 MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPolygon& bodies) {
   MultiPolygon lying;
   for (const PolygonWithHoles& body : bodies) {
@@ -108,13 +108,14 @@ bool Carries(const PolygonWithHoles& column, const MultiPolygon& above) {
   return !above.empty() && Area(Intersection({column}, above)) >= support::kLeastRegionNm2;
 }
 
-/// Removes the remains of columns beside their sheets if they support nothing above these sheets.
+/// Removes islands of the base that are left beside sheets and support no column above the sheets.
 void DropSpent(const MultiPolygon& columns_above, MultiPolygon& base) {
   std::erase_if(base,
                 [&](const PolygonWithHoles& island) { return !Carries(island, columns_above); });
 }
 
-/// Returns the end of the contacts of this layer and the n - 1 layers above.
+/// Returns the end of the range of layers with contacts that belong to the sheet of `layer`: this
+/// layer and the top_interface_layers - 1 layers above.
 size_t EndOfSheet(size_t layer, size_t count, const SupportOptions& options) {
   return std::min(count, layer + static_cast<size_t>(std::max(1, options.top_interface_layers)));
 }

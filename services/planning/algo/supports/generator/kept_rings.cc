@@ -17,7 +17,7 @@ namespace {
 
 constexpr Coord kRingPixelNm = 200'000;
 constexpr double kMostRingPixels = 2'000'000;
-/// Distance below which a loop rests on the pixels under it.
+/// Distance up to which a loop beside the pixels below it counts as supported by them.
 constexpr Coord kNearNm = 800'000;
 /// Step along a loop between tested points.
 constexpr Coord kStepNm = 300'000;
@@ -41,7 +41,7 @@ struct Carried {
   }
 };
 
-/// Returns true if every unsupported run of the ring is short enough to bridge its gap.
+/// Returns true if every unsupported section of the ring is short enough to be a bridge.
 bool LiesOn(const Polygon& ring, const Carried& carried) {
   constexpr double kMost = kBridgedNm - 2 * kNearNm;
   double first = -1, run = 0, longest = 0;  // `first`: length of the run at the start of the ring
@@ -133,7 +133,8 @@ class Keeper {
     return {bitmap.grid(), MostWithin(set, bitmap.grid(), reach * reach)};
   }
 
-  /// Cuts the holes as far as there is room beside the existing loops.
+  /// Cuts the holes into a region, as far as there is space beside the existing loops. Returns true
+  /// if the region changes.
   bool Cut(const MultiPolygon& holes, SupportRegion& region) const {
     bool changed = false;
     MultiPolygon outlines;

@@ -18,8 +18,8 @@ namespace {
 
 /// Overhang that counts as steep where supports are enforced.
 constexpr Coord kEnforcedNm = 50'000;
-/// Distance along a step that supports extend beyond the steep area. A step that is sometimes a
-/// little narrower than the threshold would otherwise have supports in pieces.
+/// Distance by which supports extend beyond the steep area along a step. Without it, a step that is
+/// in some sections narrower than the threshold would have supports in pieces.
 constexpr Coord kAlongNm = 500'000;
 constexpr OffsetOptions kRound = {.join = Join::kRound, .arc_tolerance_nm = 10'000};
 

@@ -13,10 +13,10 @@ namespace {
 
 /// Sideways movement of a branch within a slab, in pixels.
 constexpr double kPixelsInSlab = 2.2;
-/// Height above and below a slab in which obstacles also count. Between the middles of two slabs a
-/// branch leans from one place to the other.
+/// Distance above and below a slab within which obstacles also count, because a branch leans
+/// between the middles of two slabs.
 constexpr Coord kOverlapNm = 150'000;
-/// Radius in pixels that the part must fill for a branch to end on it.
+/// Radius in pixels of the area of the part that a branch needs to end on it.
 constexpr int kFootPixels = 2;
 
 /// Fills the pixels of the layers that share heights with [bottom, top].

@@ -17,11 +17,11 @@ namespace slicefarm::planning {
 namespace {
 
 constexpr Coord kPixelNm = 250'000;
-/// Radius of the disc that defines the extent of sheets on tips. The sheet's edge is the envelope
-/// of such a disc rolled along the tips. So sheets span between two tips and extend beyond the
-/// outer tips by kReachNm.
+/// Radius of a disc that limits sheets on tips. The boundary of a sheet is the envelope of this
+/// disc when it is rolled along the outside of the tips, moved outwards by kReachNm. So sheets span
+/// between two tips and extend beyond the outer tips by kReachNm.
 constexpr Coord kHalfSpanNm = 1'600'000;
-/// Area that rounding in boolean operations may remove.
+/// Change of an area, in nm^2, that rounding in boolean operations may cause.
 constexpr double kUnchangedNm2 = 1e9;
 constexpr double kMostPixels = 2'000'000;
 
@@ -37,8 +37,8 @@ class Standing {
            std::vector<SupportLayer>& layers)
       : problem_(problem), options_(options), layers_(layers), doubtful_(layers.size(), 0) {}
 
-  /// Marks the layer as doubtful unless each of its islands clearly rests on the layer below in its
-  /// current state.
+  /// Marks the layer as doubtful unless the layer below, in its current state, clearly supports
+  /// each of its islands.
   void Look(size_t index) {
     const SupportLayer& layer = layers_[index];
     if (layer.first) return;
@@ -77,7 +77,7 @@ class Standing {
   }
 
  private:
-  /// Calls visit(outlines) with everything that a layer may rest on.
+  /// Calls visit(outlines) with all outlines that may support the layer: support and part below it.
   template <typename Visit>
   void ForEachCarrier(size_t index, Visit visit) const {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
@@ -89,7 +89,7 @@ class Standing {
   /// Returns true if sheets span from tip to tip.
   bool Spans() const { return options_.style == SupportStyle::kTree; }
 
-  /// Returns a map that is not 0 for pixels within reach of their support.
+  /// Returns a map that is not 0 for pixels within kReachNm of `rest`, the support below the layer.
   std::vector<PixelDistance> Near(const Bitmap& rest) const {
     const PixelGrid& grid = rest.grid();
     const auto reach = static_cast<int32_t>(kReachNm / grid.pixel_nm);

@@ -72,15 +72,15 @@ void FillUpTo(Coord top_nm, const SupportProblem& problem, const SupportOptions&
   FillEvenly(top_nm, problem, options, layers);
 }
 
-/// Returns the distance that a contact may move down to the top of a layer of the part. Branches
-/// move down by up to half a layer. So trees add no layers to the print if the gap is no multiple
-/// of the part's layers.
+/// Returns the distance that a contact may move down to the top of a layer of the part. For
+/// branches it is up to half a layer. So trees add no layers to the print if the gap is no multiple
+/// of the part's layer heights.
 Coord LowerBy(const SupportOptions& options) {
   return options.style == SupportStyle::kTree ? options.layer_height_nm / 2 : kSnapContactNm;
 }
 
-/// Returns the tops that overhangs require, by height, each with the layer of the part that
-/// requires it.
+/// Returns the tops that overhangs require, sorted by height, each with the index of the
+/// overhanging layer.
 std::vector<std::pair<Coord, size_t>> TopsWanted(const SupportProblem& problem,
                                                  const std::vector<Overhang>& overhangs,
                                                  const SupportOptions& options) {

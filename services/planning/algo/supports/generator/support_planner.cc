@@ -27,10 +27,11 @@ namespace {
 
 /// Sideways reach of branches around the sheets that they support.
 constexpr Coord kAroundNm = 12'000'000;
-/// Distance within which support or part counts as support of an overhang, for branches.
+/// Distance from support or part within which an overhang counts as supported, with branches and
+/// with columns.
 constexpr Coord kCarriedTreeNm = 1'000'000;
 constexpr Coord kCarriedNm = 500'000;
-/// Smallest area of an overhang that is reported.
+/// Smallest area of an unsupported overhang that is reported.
 constexpr double kToldNm2 = 0.05e12;
 
 SupportFinding FindingAt(SupportFinding::Kind kind, const SupportProblem& problem, size_t layer,
@@ -103,7 +104,7 @@ class Planner {
     });
   }
 
-  /// Returns the part of a contact that a user has marked.
+  /// Returns the part of a contact under enforced areas of the underside.
   MultiPolygon EnforcedContact(size_t part_layer) const {
     const MultiPolygon* enforcers = problem_.part[part_layer].enforcers;
     if (enforcers == nullptr || overhangs_[part_layer].contact.empty()) return {};
@@ -120,7 +121,7 @@ class Planner {
     return absl::OkStatus();
   }
 
-  /// Adds columns under marked areas. With supports on the bed only, these columns may rest on the
+  /// Adds columns under enforced areas. With bed_only, these columns may nevertheless end on the
   /// part, because the user has requested support there.
   absl::Status AddEnforced(const Clearance& clearance, std::vector<MultiPolygon>& columns) {
     const auto none = [](const MultiPolygon& contact) { return contact.empty(); };
@@ -176,7 +177,7 @@ class Planner {
   }
 
   /// Finds the areas of contacts with a support below. The support's top may be up to one layer
-  /// below the gap, because threads sag by this distance.
+  /// height below the gap, because strands sag by this distance.
   void FindCarried() {
     plan_.carried.resize(overhangs_.size());
     ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
@@ -220,9 +221,9 @@ class Planner {
     return findings;
   }
 
-  /// Returns the areas of an overhang that are too far from the part's layer below and from support
-  /// right under the overhang. Overhangs too low for a support are excluded, because the bed
-  /// supports them.
+  /// Returns the areas of an overhang that neither the part's layer below nor a support right under
+  /// the overhang is near enough to support. The result is empty for overhangs too low for a
+  /// support, because the bed supports them.
   MultiPolygon NotCarried(size_t part_layer) const {
     const MultiPolygon& steep = overhangs_[part_layer].steep;
     const int32_t under = heights_.under[part_layer];
@@ -247,13 +248,13 @@ class Planner {
 
   const SupportProblem& problem_;
   const SupportOptions& options_;
-  SupportOptions standing_;  ///< options with the final choice of where supports may rest
+  SupportOptions standing_;  ///< options without bed_only if enforced columns may end on the part
   const int threads_;
   const CancelToken& cancel_;
   std::vector<Overhang> overhangs_;
   SupportHeights heights_;
   Contacts contacts_;
-  Contacts enforced_;  ///< marked parts of `contacts_`, used if supports rest on the bed only
+  Contacts enforced_;  ///< part of `contacts_` under enforced areas; only with bed_only
   SupportPlan plan_;
 };
 

@@ -13,7 +13,7 @@ int32_t SquaredPixels(Coord length_nm, Coord pixel_nm) {
   return static_cast<int32_t>(pixels * pixels);
 }
 
-/// Distance from the line between two tips that a span supports.
+/// Half width of the strip that beads support between two tips.
 constexpr Coord kBesideSpanNm = 800'000;
 
 }  // namespace
