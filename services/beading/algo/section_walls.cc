@@ -32,7 +32,7 @@ absl::Status CheckWidths(bool on_bed, Coord external_nm, Coord inner_nm, Coord h
   return status;
 }
 
-/// Maker of walls for islands by one plan.
+/// Makes walls of islands by one plan, with variable or constant width.
 class PlanWaller {
  public:
   /// `deciding_radius`: see VariableWallOptions; may be empty.
@@ -71,7 +71,8 @@ int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
   return only_one ? std::min(options.perimeters, 1) : options.perimeters;
 }
 
-/// Maker of walls for islands by one set of options.
+/// Makes walls of islands by one set of options. The plan of an island may differ from the usual
+/// one, for example by additional walls.
 class IslandWaller {
  public:
   static absl::StatusOr<IslandWaller> Make(const SectionPlace& place,
@@ -110,7 +111,7 @@ class IslandWaller {
     return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius());
   }
 
-  /// Returns the outline of the layer above; nullptr if there is only air.
+  /// Returns the outlines of the layer above; nullptr if there is no such layer.
   const MultiPolygon* Above() const { return place_.neighbours.At(place_.index, 1); }
 
   int32_t ExtraOf(const PolygonWithHoles& outline) const {
@@ -126,8 +127,8 @@ class IslandWaller {
     return PartByTop(inside, Above() == nullptr ? kAir : *Above(), below, usual_->plan());
   }
 
-  /// Returns true if there is a top surface that inner walls must go around. The area inside the
-  /// outermost wall is approximated by the outline minus the wall's width.
+  /// Returns true if the island has a top surface that inner walls must go around. The area inside
+  /// the outermost wall is approximated: the outline inset by the wall's width.
   bool HasTop(const PolygonWithHoles& outline) const {
     return options_.one_on_top == OneWallOnTop::kSurfaces && perimeters_ > 1 &&
            !Parts(FastOffset({outline}, -external_)).top.empty();

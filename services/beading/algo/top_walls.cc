@@ -16,7 +16,8 @@ TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const 
   if (!parts.top.empty() && below != nullptr)
     if (const MultiPolygon bridges = Difference(parts.top, *below); !bridges.empty())
       parts.top = Difference(parts.top, FastOffset(bridges, reach));
-  // The narrow ends of a top surface belong to it, up to the width of an inner wall.
+  // The opening is grown by an inner wall's width, so that narrow ends of a top surface remain part
+  // of it.
   const MultiPolygon wide = OffsetTwice(parts.top, -least, least + plan.inner_width_nm);
   parts.top = wide.empty() ? wide : Intersection(parts.top, wide);
   parts.covered = parts.top.empty() ? inside : Difference(inside, parts.top);

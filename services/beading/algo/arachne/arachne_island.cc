@@ -12,9 +12,9 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Returns the options of the strategy. Beads are laid out as rectangles
-/// (common/model/bead_section.h), so widths become spacings, and a stripe along the outline is left
-/// for the outer bead's round side.
+/// Returns the options of the strategy for these walls. Beads are laid out as rectangles
+/// (common/model/bead_section.h). Widths are therefore converted to spacings, and a stripe along
+/// the outline stays free for the outer bead's round side.
 StrategyOptions ForStrategy(const BeadingOptions& options, const WallPlan& plan,
                             Coord layer_height_nm) {
   const auto spacing = [&](Coord width_nm) {

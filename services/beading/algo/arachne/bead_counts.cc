@@ -14,8 +14,8 @@ namespace {
 
 Coord Thickness(double radius) { return std::llround(2 * radius); }
 
-/// Height of a transition at a node. It falls from its full height at the position of the
-/// transition, by 1 per transition length.
+/// Share of the additional bead that a transition causes at a node. It is `full` at the position of
+/// the transition, and decreases by 1 per transition length.
 struct Ramp {
   double height = 0;
   double full = 0;   ///< height at the position of the transition
@@ -51,10 +51,10 @@ class CountPlanner {
     return graph_.Split(half, node);
   }
 
-  /// Joins central edges across the top of a bend. In a bend the axis rises to a top in the middle,
-  /// too steeply to be central. Beads continue through the bend if the top has the same number of
-  /// beads, or one more bead and is near. Source: CuraEngine's filterNoncentralRegions, limited to
-  /// this use.
+  /// Makes edges across the top of a bend central. In a bend of the outline, the axis rises (in
+  /// radius) to a top in the middle, too steeply to be central. Beads continue through the bend if
+  /// the top has the same number of beads. They also continue if it has one more bead and is nearer
+  /// than the transition length. Source: CuraEngine's filterNoncentralRegions, limited to this use.
   void JoinAcrossTops() {
     const std::vector<char> before = central_;
     for (size_t node = 0; node < graph_.nodes.size(); ++node) {
@@ -85,8 +85,8 @@ class CountPlanner {
     for (const int step : path) central_[step / 2] = true;
   }
 
-  /// Returns the next edge of the steepest path upwards; -1 at a top and at a node with a central
-  /// edge.
+  /// Returns the half-edge that leaves the node with the steepest rise of the radius; -1 at a top,
+  /// and at a node with a central edge.
   int SteepestUp(int node, const std::vector<char>& before) const {
     int best = -1;
     bool is_central = false;
@@ -153,8 +153,8 @@ class CountPlanner {
     }
   }
 
-  /// Makes the edges up to a top central, with the largest number of walls. So the walls at each of
-  /// their nodes are as wide as its own thickness requires.
+  /// Makes the edges from `half` up to the next top central, with the largest number of walls. So
+  /// at each of their nodes, the walls are as wide as the node's thickness requires.
   void LeaveWayUpToWalls(int half, const std::vector<char>& before) {
     for (; half >= 0; half = SteepestUp(graph_.To(half), before)) {
       if (graph_.ToNode(half).radius <= graph_.FromNode(half).radius) return;
@@ -209,8 +209,8 @@ class CountPlanner {
       around_[node] = CountsAround(static_cast<int>(node));
   }
 
-  /// Returns the ramp that begins at a transition's node, for the edges with its lower or its
-  /// higher count.
+  /// Returns the ramp that begins at the node of a transition, for the edges with `count` beads:
+  /// the lower or the higher count of the transition.
   Ramp RampAt(int node, int count) const {
     const Range& range = around_[node];
     if (!range.IsTransition() || (count != range.low && count != range.high)) return {};
@@ -219,8 +219,8 @@ class CountPlanner {
     return {full, full, 1 / std::max<double>(1, strategy_.TransitionLength(range.low))};
   }
 
-  /// Spreads the ramps outwards from each transition, along the edges of its lower count (`up`) or
-  /// of its higher count.
+  /// Spreads the ramps outwards from each transition: along the edges with the lower count if `up`,
+  /// else along the edges with the higher count.
   void Spread(std::vector<Ramp>& ramps, bool up) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry> queue;
@@ -251,7 +251,7 @@ class CountPlanner {
     }
   }
 
-  /// Returns the ramp at the start of `half` that is valid for this edge.
+  /// Returns the ramp that is valid on this edge at the start of `half`.
   Ramp RampOn(int half, bool up) const {
     const int node = graph_.half_edges[half].from;
     const int count = edge_count_[half / 2];
@@ -303,8 +303,8 @@ class CountPlanner {
     }
   }
 
-  /// Returns the reduced height of a ramp. Of two nearby transitions on both sides, each ramp ends
-  /// at the position of the other transition.
+  /// Returns the height of `ramp` at a node, reduced by `other`, the ramp of a transition on the
+  /// opposite side. So each of two nearby ramps ends at the position of the other transition.
   static double Share(const Ramp& ramp, const Ramp& other) {
     return ramp.height * (other.full > 0 ? 1 - other.height / other.full : 1);
   }
@@ -325,8 +325,8 @@ class CountPlanner {
     return has_middle && count >= kLeastInnerMiddle ? count - 1 : count;
   }
 
-  /// Returns true if the node is in a small fill. Nodes added later are on central edges and never
-  /// are.
+  /// Returns true if the node is in a small fill. Nodes that were added after this was computed are
+  /// on central edges, which are never in a small fill.
   bool IsInSmallFill(size_t node) const {
     return node < in_small_fill_.size() && in_small_fill_[node];
   }

@@ -9,10 +9,10 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Retreat of a line along the axis before a node, as a fraction of its width. The line ends in a
-/// half disc. With this retreat, the half disc and the end of the next bead cover the free area
-/// between them. The next bead is another line along the axis (Kuipers et al. 2020, section 3.5),
-/// or two halves that begin side by side.
+/// Distance before a node at which a line along the axis ends, as a fraction of its width. The line
+/// ends in a half disc. At this distance, the half disc and the start of the next bead cover the
+/// free area between them. The next bead is another line along the axis (Kuipers et al. 2020,
+/// section 3.5), or two halves that begin side by side.
 constexpr double kRetreatFromMiddle = 0.75;
 constexpr double kRetreatFromHalves = 0.62;
 /// Extension of a single bead into a flat end, as a fraction of its width. The half disc lacks the
@@ -53,8 +53,8 @@ class SideTracer {
     return bead != nullptr && bead->location <= graph_.nodes[node].radius;
   }
 
-  /// Returns the next half-edge of a line: the next one along the ring, or the one back on the
-  /// other side of the axis.
+  /// Returns the next half-edge of a line. It is the next one along the ring or, where the bead
+  /// ends, the opposite half-edge, which leads back on the other side of the axis.
   int After(int half) const { return HasBead(To(half)) ? graph_.half_edges[half].next : half ^ 1; }
 
   BeadLine TraceFrom(int start) {
@@ -108,8 +108,8 @@ class SideTracer {
     return {Lerp(foot, node.place, t), bead.width};
   }
 
-  /// Returns the turning point on an edge where only one end has the bead. The bead turns there to
-  /// the other side of the axis.
+  /// Returns the point at which a bead crosses to the other side of the axis, on an edge where only
+  /// one end has the bead.
   BeadPoint Tip(int half) const {
     const int with = HasBead(From(half)) ? From(half) : To(half);
     const int without = with == From(half) ? To(half) : From(half);
@@ -183,7 +183,7 @@ class MiddleTracer {
            std::max(Width(a), Width(b)) > options_.min_middle_width_nm;
   }
 
-  /// Adds the middle bead of a top from which no line continues.
+  /// Adds the middle bead of a node with locally largest radius, if no line leads on from it.
   void AddDot(int node, std::vector<BeadLine>& lines) const {
     const double width = Width(node);
     if (width < options_.min_middle_width_nm) return;
@@ -273,8 +273,8 @@ class MiddleTracer {
     Cut(std::move(line), lines);
   }
 
-  /// Returns the distance before its last node at which a line must end to cover exactly the free
-  /// area; negative if the line must be extended.
+  /// Returns the distance in nm before its last node at which a line must end, to cover exactly the
+  /// free area there; negative if the line must be extended.
   double RetreatAt(int node) const {
     bool meets_middle = false, meets_halves = false;
     int ends = 0;
@@ -344,7 +344,7 @@ class MiddleTracer {
   BeadPoint PointAt(int node) const { return {graph_.nodes[node].place, Width(node)}; }
   int InsetAt(int node) const { return static_cast<int>(beadings_[node].sides.size()); }
 
-  /// Adds the line without the parts narrower than the smallest width.
+  /// Adds the parts of the line that are not narrower than the smallest width.
   void Cut(BeadLine line, std::vector<BeadLine>& lines) const {
     const double least = options_.min_middle_width_nm;
     if (std::ranges::all_of(line.points, [&](const BeadPoint& p) { return p.width >= least; })) {

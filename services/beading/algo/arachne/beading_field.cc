@@ -34,7 +34,7 @@ class Field {
   /// Returns the nodes from the largest radius to the smallest.
   std::vector<int> Falling() const { return {order_.rbegin(), order_.rend()}; }
 
-  /// Returns for each node the decided node at the end of its steepest path upwards.
+  /// Returns for each node the decided node at which its steepest path towards larger radii ends.
   std::vector<Origin> Tops() const {
     std::vector<Origin> tops = Decided();
     for (auto node = order_.rbegin(); node != order_.rend(); ++node) {
@@ -53,7 +53,8 @@ class Field {
     return tops;
   }
 
-  /// Returns for each node the nearest decided node with a path upwards to it, if there is one.
+  /// Returns for each node the nearest decided node from which a path towards larger radii leads to
+  /// it, if there is one.
   std::vector<Origin> Bottoms() const {
     std::vector<Origin> bottoms = Decided();
     for (const int node : order_) {
@@ -80,7 +81,7 @@ class Field {
   const SkeletalGraph& graph_;
   const std::vector<BeadCount>& counts_;
   const std::vector<int> leaving_;
-  std::vector<int> order_;  ///< nodes by radius
+  std::vector<int> order_;  ///< indices of nodes, sorted by radius
 };
 
 /// Splits edges where blends end. Widths are linear from node to node, so without these nodes a

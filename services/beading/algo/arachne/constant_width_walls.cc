@@ -16,7 +16,8 @@ namespace {
 
 /// Miters that extend less than this beyond their arc stay.
 constexpr double kLeastExcessNm = 1'000;
-/// Angle from which offsets cut miters square; slightly reduced because rounding changes angles.
+/// Bend in radians above which TryOffset cuts a miter square; slightly reduced because rounding
+/// changes angles.
 constexpr double kMaxTurn = 1.9;
 
 Vector2 Along(Point a, Point b) {
@@ -106,7 +107,8 @@ std::optional<VariableWalls> TryWideWalls(const PolygonWithHoles& island,
                                           const BeadingStrategy& strategy, int max_walls,
                                           const VariableWallOptions& options) {
   const Coord thickness = strategy.TransitionThickness(2 * max_walls);
-  // Close decisions depend on the neighbouring layers, so such islands are not handled here.
+  // If the thickness is close to the transition, the neighbouring layers decide the number of
+  // beads. So such islands are not handled here.
   const auto widest = TryOffset({island}, -(thickness + options.filter_deviation_nm) / 2 - 1);
   if (!widest || widest->has_tips) return std::nullopt;
   const Beading beading = strategy.Compute(thickness, 2 * max_walls + 1);

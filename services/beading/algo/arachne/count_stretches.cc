@@ -13,11 +13,11 @@ namespace {
 /// Factor on the allowed deviation of beads, for a stretch that is too short for its half of a
 /// transition or for a middle bead.
 constexpr double kShortDeviation = 3;
-/// Shorter stretches get no middle bead. Such a bead would be at most 1 mm long, because it ends
-/// before other beads begin.
+/// Smallest length of a stretch that gets a middle bead. In a shorter one, the bead would be at
+/// most 1 mm long, because it ends before other beads begin.
 constexpr double kLeastMiddleNm = 1'500'000;
-/// Shorter necks get no bead between the outermost beads. Such a bead would be at most about 0.4 mm
-/// long.
+/// Smallest length of a neck that gets a bead between the outermost beads. In a shorter one, the
+/// bead would be at most about 0.4 mm long.
 constexpr double kLeastNeckNm = 1'000'000;
 
 /// Stretches and their neighbours. A stretch is a set of connected central edges with the same bead
@@ -144,8 +144,8 @@ class Stretches {
     return best;
   }
 
-  /// Returns the distance by which beads are stretched or squeezed if the stretch gets `count`
-  /// beads.
+  /// Returns the total change of bead widths, in nm, if the stretch gets `count` beads instead of
+  /// its own number.
   static double Deviation(const Data& data, int count, const BeadingStrategy& strategy) {
     const int lower = std::min(data.count, count);
     const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;

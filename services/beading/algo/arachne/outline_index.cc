@@ -8,7 +8,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// About the distance that is asked for.
+/// Side of the index's squares, about the usual distance between a position and the nearest
+/// outline.
 constexpr Coord kOutlineSquareNm = 700'000;
 
 /// Returns the square of the distance from `place` to an edge.

@@ -6,8 +6,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Smallest number of walls, both sides together. With fewer walls the innermost ones are the
-/// outermost ones too.
+/// Smallest number of beads on both sides for which inner walls exist. With fewer, the innermost
+/// walls are the outermost ones too.
 constexpr int kLeastWalls = 4;
 
 /// Connected parts of the graph that belong to the infill.
@@ -50,7 +50,8 @@ class FillPlaces {
     return edge_counts_[half / 2] < 0 || edge_counts_[half / 2] > walls_;
   }
 
-  /// Returns the area deeper than the walls along an edge, on both sides.
+  /// Returns the area on both sides of an edge that is deeper than the walls. `from`, `to`: excess
+  /// of the radius over the depth of the walls at the edge's ends.
   double AreaAlong(double from, double to, int half) const {
     const double length = graph_.Length(half), rise = to - from;
     const double along_outline = std::sqrt(std::max(0.0, length * length - rise * rise));

@@ -16,8 +16,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Half of the distance below which parts of an outline are opened. This is done only if the
-/// outline cannot be used unchanged.
+/// Inset in nm that removes parts of an outline narrower than twice this distance. It is used only
+/// if the outline cannot be used unchanged.
 constexpr Coord kOpenNm = 1'500;
 /// Length limit of chords. With longer chords, a bead's width changes at wrong positions.
 constexpr double kMaxChordNm = 200'000;

@@ -10,7 +10,7 @@ namespace {
 Coord Mix(Coord a, Coord b, double t) { return a + std::llround(t * static_cast<double>(b - a)); }
 Point Mix(Point a, Point b, double t) { return {Mix(a.x, b.x, t), Mix(a.y, b.y, t)}; }
 
-/// Straight line between two points of a line, with linearly changing thickness.
+/// Straight line between two points of a thick line, with linearly changing thickness.
 class Chord {
  public:
   Chord(const ThickLine& line, size_t a, size_t b)

@@ -33,9 +33,9 @@ bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
   });
 }
 
-/// Returns a shrunk region grown again. Corners of more than 39 degrees are kept: a wall that
-/// avoided the tip of a tooth would leave a gap there, and the bead in it would be outside of the
-/// wall.
+/// Returns a shrunk region grown again. Corners of at least 39 degrees keep their tips (miter limit
+/// 3). A wall that avoided the tip of a tooth would leave a gap there, and the bead in the gap
+/// would be outside of the wall.
 MultiPolygon Regrown(const MultiPolygon& core, Coord distance_nm) {
   constexpr double kMiterLimit = 3;
   if (auto clean = TryOffset(core, distance_nm); clean && !clean->has_tips)

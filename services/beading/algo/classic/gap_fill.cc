@@ -45,7 +45,7 @@ std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOp
   const MultiPolygon simple = Simplify({gap.region}, kToleranceNm);
   std::vector<ThickLine> lines;
   if (!simple.empty()) lines = MedialAxis(simple.front(), axis);
-  // Simplifying can make rings cross; then the original gap may still work.
+  // Simplifying can make rings cross. The region without simplification may still work.
   if (lines.empty()) lines = MedialAxis(gap.region, axis);
   std::vector<Path> paths;
   for (ThickLine& line : lines)
@@ -54,7 +54,8 @@ std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOp
   return paths;
 }
 
-/// Returns the rest of an area for the infill, and adds the beads of its narrow parts to `paths`.
+/// Adds the beads of an area's narrow parts to `paths`. Returns the remaining area, which gets
+/// infill.
 MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions& options,
                              std::vector<Path>& paths) {
   const NarrowParts narrow = FindNarrowParts(area, options.max_width_nm);

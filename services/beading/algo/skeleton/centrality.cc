@@ -44,8 +44,8 @@ class EndTrimmer {
     for (const int edge : chain) central_[edge] = false;
   }
 
-  /// Returns true if the short line is not connected to another one: then it is the only line of
-  /// its part.
+  /// Returns true if the short line `chain` is not connected to another central line. Then it is
+  /// the only line of its part of the island, and is kept.
   bool EndsAlone(const std::vector<int>& chain, int start) const {
     int at = start;
     for (const int edge : chain) {

@@ -14,20 +14,20 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Nodes closer than this are merged: far below the resolution of a printer.
+/// Distance below which nodes are merged; it is far below the resolution of a printer.
 constexpr double kMergeNm = 1'000;
 /// Sides that meet at a smaller angle face each other. It is 80 degrees, so that a square corner is
 /// a corner and not a tip.
 constexpr double kFacingAngle = 1.389;
-/// Sine of half of this angle: the change of the radius per length.
+/// Sine of half of kFacingAngle: the change of the radius per length along the axis.
 constexpr double kFacing = 0.64;
-/// Length of a short branch, in radii of the node where it starts. It prints nothing that other
-/// lines do not print.
+/// Length below which a branch is removed, in radii of the node where it starts. Such a short
+/// branch covers no area that other lines do not cover.
 constexpr double kShortBranch = 1.0;
 /// Distance between the end of a line and the middle of the line that it meets, in radii.
 constexpr double kRetreat = 0.8;
-/// Extension of a line beyond the last point of its axis, in radii: the circle there touches the
-/// end.
+/// Extension of a line beyond the last node of its axis, in radii of this node. The circle around
+/// the node touches the end of the region.
 constexpr double kExtend = 0.25;
 /// Smallest length of a line, in radii of its widest point. Rounder regions give a dot of this
 /// length.
@@ -102,8 +102,8 @@ class AxisGraph {
   }
 
   /// Removes branches that end within the circle of the fork where they start, the shortest first
-  /// (for equal lengths, the first leaf). Each branch is followed once. If its fork disappears, it
-  /// continues from its last position. Cost: O(n log n).
+  /// (for equal lengths, the first leaf). The path along a branch is followed only once: if its
+  /// fork disappears, the search continues from there. Cost: O(n log n).
   void PruneShortBranches() {
     branches_.assign(nodes_.size(), {});
     branch_at_edge_.assign(edges_.size(), -1);

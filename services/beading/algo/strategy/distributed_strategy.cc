@@ -15,7 +15,8 @@ constexpr Coord kFirstTransitionNm = 10'000;
 
 int HalfCount(int count) { return (count + 1) / 2; }
 
-/// Returns the share of the excess for each bead of a half; the shares of all beads sum up to 1.
+/// Returns, for each bead of one half, its share of the excess. The shares of all beads of both
+/// halves sum up to 1.
 std::vector<double> Shares(int count, int distribution_count) {
   std::vector<double> shares(HalfCount(count));
   const double middle = (count - 1) / 2.0;
@@ -30,7 +31,8 @@ std::vector<double> Shares(int count, int distribution_count) {
   return shares;
 }
 
-/// Widths of a half at one thickness. They are linear between two such stops.
+/// Widths of a half at one breakpoint of the thickness. Between two breakpoints the widths are
+/// linear.
 struct Stop {
   double thickness = 0;
   std::vector<double> widths;

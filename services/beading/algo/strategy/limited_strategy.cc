@@ -5,8 +5,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Margin below the thickness at which one more bead would have its optimal width. From there on,
-/// the infill gets an area that it can fill.
+/// Distance below the thickness at which one more bead would have its optimal width. From this
+/// thickness on, the infill gets an area that it can fill.
 constexpr Coord kShyNm = 10'000;
 
 /// Adds a bead of width 0 at the inner edge of the first half's last bead. If `both`, also adds its
@@ -30,7 +30,7 @@ Beading LimitedStrategy::Compute(Coord thickness_nm, int count) const {
     return beading;
   }
   const Coord optimal = parent_->OptimalThickness(max_count_);
-  // The thickness is smaller than this only in a transition to fewer beads.
+  // Only in a transition to fewer beads, `thickness_nm` is smaller than `optimal`.
   Beading beading = parent_->Compute(std::min(thickness_nm, optimal), max_count_);
   const Coord added = thickness_nm - beading.thickness_nm;
   for (int i = half; i < max_count_; ++i) beading.locations_nm[i] += added;

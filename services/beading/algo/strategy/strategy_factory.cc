@@ -13,8 +13,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Returns the growth of a bead, as a fraction of a width, after which both of its halves are wide
-/// enough.
+/// Returns the growth of a bead, as a fraction of its width, after which both of its halves have
+/// the smallest width.
 double SplitThreshold(Coord width_nm, Coord min_width_nm) {
   const auto width = static_cast<double>(width_nm), least = static_cast<double>(min_width_nm);
   return std::clamp((2 * least - width) / width, 0.01, 0.99);
