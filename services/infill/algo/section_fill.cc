@@ -33,7 +33,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Distance between the edges of the round threads of thick bridges, in nm. Threads sag, and would
+/// Distance between the edges of the round strands of thick bridges, in nm. Strands sag, and would
 /// otherwise touch.
 constexpr double kThreadGapNm = 50'000;
 
@@ -80,8 +80,8 @@ class RegionFill {
         angles_(AnglesOf(options, view.layer)),
         flows_(FlowsOf(options)) {}
 
-  /// `bare`: no wall holds the area. `field`: values of the region's fields in the layer; null: no
-  /// fields.
+  /// Fills one area of the region. `bare`: true if no wall surrounds the area. `field`: values of
+  /// the region's fields in the layer; null: no fields.
   absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field, Fills& fills) {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
@@ -161,9 +161,9 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Adds the walls around `ironed`: the parts that are also open, or all walls if the whole layer
-  /// is solid. The result ends half a nozzle or the inset of the settings from the part's edge, so
-  /// that no plastic is pushed over the edge.
+  /// Adds the walls around `ironed`: walls that are also visible from above, or all walls if the
+  /// whole layer is solid. The result ends half a nozzle, or the inset of the settings, before the
+  /// part's outline, so that no plastic is pushed over the outline.
   MultiPolygon WithWallsIroned(MultiPolygon ironed, bool all) const {
     const MultiPolygon* whole = view_.OutlineAt(view_.layer);
     const MultiPolygon* own = view_.OutlineAt(view_.layer, settings_);
@@ -179,8 +179,8 @@ class RegionFill {
     return Intersection(ironed, FastOffset(*whole, -inset));
   }
 
-  /// Adds ironing of the areas that are open after this layer. If only the topmost layer is to be
-  /// ironed, other layers have none.
+  /// Adds ironing of the areas that the next layer does not cover. If only the topmost layer is to
+  /// be ironed, other layers have none.
   absl::Status AppendIroning(const Skins& skins, Fills& fills) const {
     const IroningType type = options_.ironing.type;
     if (type == IroningType::kTopmost && view_.OutlineAt(view_.layer + 1) != nullptr)
@@ -204,14 +204,14 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Width of bridges' lines, and their plastic as a share of the plastic that would fill the
+  /// Width of a bridge's lines, and their plastic as a share of the plastic that would fill the
   /// layer.
   struct BridgeBead {
     Coord width_nm = 0;
     double share = 1;
   };
-  /// Returns the bead of a bridge. Over a support it is no thread, because threads hang below their
-  /// layer and would weld to the support.
+  /// Returns the bead of a bridge. `carried`: true if a support is below it; then it is no round
+  /// strand, because strands hang below their layer and would weld to the support.
   BridgeBead BridgeBeadOf(bool carried) const {
     if (!options_.thick_bridges || carried)
       return {Width(options_.solid_width_nm), options_.bridge_flow};
@@ -225,7 +225,8 @@ class RegionFill {
             std::numbers::pi / 4 * thread_nm * thread_nm / room};
   }
 
-  /// Adds each bridge in its best direction.
+  /// Adds the lines of each bridge region in its best direction. Regions that lines cannot span get
+  /// lines along the supported boundary (FillOverhang) if the options request this.
   absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
     const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
     const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
@@ -253,15 +254,16 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Returns true if there may be skins here that the layer below does not have: its skins reach
-  /// one layer less high.
+  /// Returns true if this layer may have skins that the layer below does not have. The skins of the
+  /// layer below reach one layer less high.
   bool SkinsBegin(const LayerField* field) const {
     if (IsSolidLayer(field)) return true;
     const auto& above = cover_.above;
     return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
   }
 
-  /// Takes the parts of the skins that need bridges between the lines of the sparse infill below.
+  /// Removes from the skins the parts that need bridges between the lines of the sparse infill
+  /// below, and returns them.
   absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area, Skins& skins) {
     const Coord width_nm = Width(options_.solid_width_nm);
     const MultiPolygon middles =
@@ -271,8 +273,8 @@ class RegionFill {
     return under_->TakeBridges(fill_area, middles, width_nm, skins);
   }
 
-  /// Returns the bead of a bridge over sparse infill. thick_bridges has no effect on it: it is
-  /// invisible from outside and must not tear.
+  /// Returns the bead of a bridge over sparse infill. It is a round strand only with
+  /// thick_internal_bridges; thick_bridges has no effect on it.
   BridgeBead InternalBridgeBead() const {
     const double flow =
         options_.internal_bridge_flow > 0 ? options_.internal_bridge_flow : options_.bridge_flow;
@@ -311,8 +313,8 @@ class RegionFill {
     return through_walls ? through_walls : span;
   }
 
-  /// Returns the region with the walls around it. If the walls below are no thicker, lines are
-  /// supported by them through the walls at their ends.
+  /// Returns the region together with the walls around it. If the walls of the layer below are at
+  /// most as thick, they support the lines at their ends, through the walls of this layer.
   PolygonWithHoles WithWalls(const PolygonWithHoles& region) const {
     const MultiPolygon* outline = view_.OutlineAt(view_.layer);
     if (outline == nullptr || options_.walls_nm == 0) return region;

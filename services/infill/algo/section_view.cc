@@ -10,9 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Returns the outlines above or below. An outline equal to `outline` (of the current layer) or to
-/// the nearer one is returned as the same pointer. This comparison is done here once for all
-/// islands; in a prism all layers are equal.
+/// Returns the outlines of `count` layers above (`step` 1) or below (`step` -1). An outline equal
+/// to `outline` (of the current layer) or to the next nearer one is returned as the same pointer.
+/// This comparison is done here once for all islands; in a prism all layers are equal.
 std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
                                       const MultiPolygon* outline, int32_t step, int32_t count,
                                       const ShellExtra& spare = {}) {

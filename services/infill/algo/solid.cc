@@ -25,11 +25,11 @@ constexpr double kMaxLinkSpacings = 8.0;
 /// Least length of a path, in widths. A shorter path covers less than the gaps beside the round
 /// ends of its neighbours.
 constexpr double kMinLengthWidths = 1.0;
-/// Position of lines' ends beside walls, as a share of the distance without the rule: for lines
-/// joined by links, and for separate lines.
+/// Distance of lines' ends from the boundary beside walls, as a share of the distance elsewhere:
+/// for lines joined by links, and for separate lines.
 constexpr double kLinkedShare = 0.36, kFreeShare = 0.25;
-/// Width of a link's strip beside walls, in spacings: the area that lines with ends so near to the
-/// edge leave empty.
+/// Width of a link's strip beside walls, in spacings. It fills the area that lines with ends so
+/// near to the boundary leave empty.
 constexpr double kLinkShare = 0.15;
 /// Largest total length of links between curves, as a share of the curves' length.
 constexpr double kMostLinkShare = 0.01;
@@ -40,8 +40,9 @@ Coord EndDistance(Coord spacing, Coord overlap) {
   return std::max<Coord>(0, spacing / 2 - overlap);
 }
 
-/// Returns true if straight lines are fitted to the space between walls. A thread in the air keeps
-/// the thickness with which it leaves the nozzle. Without walls, the lines' ends form the edge.
+/// Returns true if straight lines are fitted to the space between walls. Bridges are not fitted: a
+/// strand in the air keeps the thickness with which it leaves the nozzle. Without walls, the lines'
+/// ends form the boundary.
 bool FitsWalls(const SolidFill& fill) { return fill.beside_walls && !IsBridge(fill.feature); }
 
 /// Returns the distance of straight lines' ends from the region's edge.
@@ -64,7 +65,7 @@ LineFamily FittingLines(const MultiPolygon& area, double angle_rad, double spaci
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
-/// Returns one line through the middle of an area that is between two lines of the family.
+/// Returns one line through the middle of an area that no line of `family` meets.
 LineFamily MiddleLine(const MultiPolygon& area, LineFamily family) {
   const FrameBox extent = BoxIn(LineAxes(family.angle_rad), area);
   family.phase_nm = (extent.min_v + extent.max_v) / 2;
@@ -81,7 +82,7 @@ double DepthOf(const MultiPolygon& region, double at_most, double precision) {
   return high;
 }
 
-/// Returns the distance of loops that leave no space in the middle.
+/// Returns the distance between loops for which they leave no space in the middle.
 double FittingLoops(const MultiPolygon& region, double spacing) {
   const Box box = Bounds(region);
   const auto size = static_cast<double>(std::min(box.max.x - box.min.x, box.max.y - box.min.y));

@@ -20,11 +20,13 @@ namespace slicefarm::infill {
 namespace {
 
 /// Largest distance of ends inside a region that are joined, in pitches, and the largest added
-/// length of a joint. Ends at larger planes of an octree are along these planes. Where parts of a
-/// field meet, ends face each other, and the density must be correct at each point.
+/// length of a joint as a share of the distance. In an octree, ends at larger planes are beside
+/// each other along these planes. Where parts of a field meet, ends face each other, and the
+/// density must be correct at each point.
 constexpr double kReachInOctree = 8, kAddedInOctree = 0.9;
 constexpr double kReachInField = 4, kAddedInField = 0.25;
-/// Least length of a piece, in widths. A shorter piece holds nothing.
+/// Smallest length of a path of planned patterns or fields, in widths. A shorter path supports
+/// nothing.
 constexpr double kMinPieceWidths = 1;
 
 /// Largest relative change of the beads' plastic if the cells of a dithered field do not have the
@@ -76,7 +78,7 @@ bool IsByLaw(const SparseFill& fill) {
   return fill.field == nullptr && !InfoOf(fill.pattern).planned;
 }
 
-/// Returns the mean density of the lines. Errors: the errors of MeanDensity.
+/// Returns the mean density of the lines. Errors: REQUEST_TOO_LARGE, see MeanDensity.
 absl::StatusOr<double> DensityOf(const SparseFill& fill, const MultiPolygon& area) {
   return fill.field == nullptr ? fill.density : MeanDensity(area, *fill.field);
 }

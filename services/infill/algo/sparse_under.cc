@@ -12,8 +12,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Pitch that represents no infill at all, in beads: skins of this width over empty space are
-/// bridges.
+/// Pitch that stands for layers without sparse infill, in spacings: wider skins over empty space
+/// are bridges.
 constexpr double kVoidPitchBeads = 5;
 
 bool IsSolidLayer(const InfillOptions& options, int32_t layer) {

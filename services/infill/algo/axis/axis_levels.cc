@@ -9,8 +9,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Extra distance of arcs of the first line, as a share of the radius: an arc has 42 chords per
-/// turn, and the chords are closer to the axis than the arc.
+/// Increase of the first line's radius on arcs, as a share of the radius. An arc has 42 chords per
+/// turn, which are nearer to the axis than the arc itself.
 constexpr double kArcShare = 1.0 / 350;
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 
 /// Size of a tile in the diagram's integers.
 constexpr int32_t kTileUnits = 1 << 24;
-/// Width of the margin around the tile with copies of places, in cells. No cell is wider.
+/// Width of the margin around the tile, in cells, in which copies of the points are added. No cell
+/// is wider.
 constexpr int kMarginCells = 3;
 
 using CellDiagram = boost::polygon::voronoi_diagram<double>;
@@ -22,7 +23,7 @@ struct Site {
   int32_t y = 0;
 };
 
-/// Place of the tile, or a copy of it, some tiles away.
+/// Point of the tile, or a copy of it in another tile.
 struct SiteCopy {
   int32_t site = 0;
   int32_t step_u = 0;
@@ -62,7 +63,7 @@ std::vector<Site> RandomSites(int side) {
   return sites;
 }
 
-/// Voronoi diagram of a tile's places and of their copies around it.
+/// Voronoi diagram of a tile's points and of their copies around the tile.
 struct TiledDiagram {
   std::vector<SiteCopy> copies;
   CellDiagram diagram;
@@ -113,9 +114,9 @@ std::vector<Site> Relaxed(const std::vector<Site>& sites, int side) {
   return moved;
 }
 
-/// Numbers of the vertices of a diagram. The three places around a vertex identify it, so that
-/// copies of a vertex have the same number. The offset of a vertex in tiles is the offset of its
-/// first place.
+/// Numbers of the vertices of a diagram. The three points around a vertex identify it, so copies of
+/// a vertex have the same number. The offset of a vertex in tiles is the offset of the first of
+/// these points.
 class Vertices {
  public:
   struct Named {

@@ -10,7 +10,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Returns the threshold at a height. It rises from 0 to 1 and falls again.
+/// Returns the threshold at a height. Over each period it rises from 0 to 1 and falls again.
 double ThresholdAt(double z_mm) {
   const double swings = z_mm / kLevelSwingMm;
   const double share = swings - std::floor(swings);

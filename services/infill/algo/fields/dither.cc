@@ -17,8 +17,8 @@ struct Neighbour {
 constexpr std::array<Neighbour, 4> kNeighbours = {
     {{1, 0, 7.0}, {-1, 1, 3.0}, {0, 1, 5.0}, {1, 1, 1.0}}};
 
-/// Corrects the error that remains after the last cells. It switches as many cells as the rounded
-/// error, beginning with the cells with the closest decision.
+/// Corrects the error that remains after the last cell. Switches as many cells as the rounded
+/// error, beginning with the cells with values nearest to 0.5.
 void SettleRest(const std::vector<double>& wanted, const std::vector<double>& values,
                 const std::vector<char>& used, std::vector<char>& on) {
   double rest = 0;

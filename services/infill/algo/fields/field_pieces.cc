@@ -21,9 +21,11 @@ namespace {
 /// Least length of a piece of a graded line, in spacings. A shorter piece is not worth a start and
 /// an end.
 constexpr double kShortest = 4;
-/// Least density with streamlines. Below it, beads would be several centimetres apart.
+/// Smallest density for which streamlines are laid out. Below it, beads would be several
+/// centimetres apart.
 constexpr double kThinnest = 0.01;
-/// Grid of the boxes for streamlines, so that layers of similar extent have the same box.
+/// Side of the grid to which boxes of streamlines are extended, in mm. Layers of similar extent
+/// therefore have the same box.
 constexpr double kBoxMm = 8;
 /// Distance in nm within which a point is on a region's edge. Parts are cut out of their region
 /// with an error of some nanometres.
@@ -75,8 +77,8 @@ absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coor
   return ClipCurves(region, memo.curves);
 }
 
-/// Returns the edge of a region that a point is on, or a place without a ring if the point is
-/// inside.
+/// Returns the position of a point on the edges of a region, or a position without a ring if no
+/// edge is near.
 EdgePlace PlaceOn(const EdgeIndex& edges, Point p) {
   EdgePlace place;
   double nearest = kOnEdgeNm;

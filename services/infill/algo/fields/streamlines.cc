@@ -15,7 +15,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Length of steps, as a share of the separation and in mm.
+/// Length of a step, as a share of the separation, and its smallest length in mm.
 constexpr double kStepShare = 0.2;
 constexpr double kLongestStepMm = 1;
 constexpr double kShortestStepMm = 0.01;
@@ -24,24 +24,24 @@ constexpr double kStartShare = 0.95;
 /// Least distance of a start in the middle of a remaining gap. Such a gap is wider than about 1.3
 /// separations.
 constexpr double kGapShare = kEndShare;
-/// Least length of a line, in separations. A shorter line holds nothing.
+/// Smallest length of a line, in separations. A shorter line supports nothing.
 constexpr double kShortestLine = 1.5;
-/// Distances along a line, in separations, within which the line may be near to itself, and near to
-/// its own start.
+/// Distances along a line, in separations. Points of the line nearer than kOwnNear to each other
+/// along the line do not count as too near. For the line's start, kOwnStart applies.
 constexpr double kOwnNear = 2, kOwnStart = 1;
 constexpr double kCosTurn = 0.9945;      // 6 degrees
 constexpr double kCosStraight = 0.9999;  // below 1 degree: the step may grow
 constexpr double kGridStepMm = 0.5;
 constexpr double kSumStepMm = 1;  ///< step of the sum of the requested density
-/// Number of layouts, and the largest factor between the requested and the used separation.
+/// Largest number of layouts, and the largest factor between the requested and the used separation.
 constexpr int kMostLayouts = 3;
 constexpr double kMostScale = 1.3;
 constexpr double kTightestMm = 0.05;  ///< least separation; beads are wider
 constexpr Coord kLineToleranceNm = 10'000;
 constexpr double kMostSteps = 1e6;  ///< largest number of steps of one line
 
-/// Cosine of 60 degrees. Lines that cross at a larger angle do not limit each other. They meet
-/// where the field turns by a right angle, and the density must not be reduced there.
+/// Cosine of 60 degrees. Lines at a larger angle to each other may come near: they meet where the
+/// field turns by a right angle, and the density must not be reduced there.
 constexpr double kCosBeside = 0.5;
 
 /// Point of a line, with the line's direction there and the distance along the line.

@@ -241,7 +241,8 @@ class Matching {
     lines_.Add(joint.from, joint.to, number);
   }
 
-  /// Joins the end to the partner of another end, if that other end finds a new partner.
+  /// Makes a joint for a loose end: the end takes over the partner of another end, if that other
+  /// end can be joined to a further end.
   void MakeRoomFor(int32_t end) {
     for (const int32_t wanted : of_[U(end)]) {
       const int32_t partner = joints_[U(wanted)].Other(end);

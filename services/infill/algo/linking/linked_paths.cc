@@ -21,7 +21,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Least length of an anchor, in widths. A shorter one holds no better than the end itself.
+/// Smallest length of an anchor, in widths. A shorter one does not support the path better than its
+/// end does.
 constexpr double kLeastAnchor = 1;
 
 bool AreStraight(std::span<const Piece> pieces) {

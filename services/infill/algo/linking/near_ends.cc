@@ -59,7 +59,8 @@ class Mover {
   }
 
  private:
-  /// Moves an end to the best position within reach. Returns the end that is loose afterwards.
+  /// Moves a loose end to the best position at most kReach links away. Returns the end that is then
+  /// loose.
   int32_t Moved(int32_t end, bool forward) {
     const auto neighbour = [&](int32_t of) {
       return forward ? ends_.Next(of) : ends_.Previous(of);

@@ -13,7 +13,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Number of candidates for the next piece. The nearest of the lowest candidates is used.
+/// Number of pieces that are compared as start of the next path: the lowest ones. The nearest of
+/// them is used.
 constexpr int kChoices = 64;
 
 /// Path along the boundary from one crossing to the next or the previous one.
@@ -22,7 +23,8 @@ struct Link {
   bool forward = true;
 };
 
-/// Returns the rank of a link: an upward link is first, and a link to the same line is last.
+/// Returns the rank of a link; the link with the highest rank is used. `rise`: number of lines up.
+/// An upward link has the highest rank, a link to the same line the lowest.
 int Rank(int32_t rise) { return rise == 0 ? -2 : rise; }
 
 class Walker {

@@ -12,7 +12,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Height of the transition, and height of its waves at both ends and in the middle, in P.
+/// Height of the transition in P, and amplitude of its waves in P: at both ends and in the middle.
 constexpr double kTransition = 0.4;
 constexpr double kLowWave = 0.05;
 constexpr double kHighWave = 0.3;
@@ -28,12 +28,13 @@ double HatchBand(double density) {
   return std::clamp(1 - exp, 0.2, 1.0);
 }
 
-/// Returns the length of a row with waves of +-a per length of a straight line. `a` in P: flat
-/// parts of 2 a, and slopes over 1 - 2 a in length and 2 a in height.
+/// Returns the length of a row with waves of amplitude `a` (in P), per length of a straight line.
+/// Half a period is P long: a flat part of 2 a, and a slope over 1 - 2 a in length and 2 a in
+/// height.
 double RowLength(double a) { return 2 * a + std::sqrt((1 - 2 * a) * (1 - 2 * a) + 4 * a * a); }
 
-/// Returns the height of the waves in P. `progress` in [0, 1] from one end of the transition to its
-/// middle. `room`: largest height that keeps neighbours a spacing apart, in P.
+/// Returns the amplitude of the waves in P. `progress`: from 0 at one end of the transition to 1 in
+/// its middle. `room`: largest amplitude that keeps neighbours a spacing apart, in P.
 double HatchWave(double progress, double room) {
   return std::min(kLowWave + (kHighWave - kLowWave) * progress, room);
 }
@@ -45,7 +46,8 @@ double MeanRowLength(double band, double room) {
   return (band + kTransition * sum / kHatchSteps) / (band + kTransition);
 }
 
-/// Returns the largest height of waves, in P. `apart`, `spacing` in nm.
+/// Returns the largest amplitude of waves that keeps neighbours a spacing apart, in P. `apart` (P),
+/// `spacing` in nm.
 double RoomForWaves(double apart, double spacing) {
   return std::max(0.0, (1 - spacing / apart) / 2);
 }
@@ -58,7 +60,7 @@ double HatchApart(double pitch, double spacing, double band) {
   return apart;
 }
 
-/// Height of the waves in P, and true if the rows run along v.
+/// Amplitude of the waves in P; `transposed`: true if the rows lead along v.
 struct HatchRows {
   double wave = 0;
   bool transposed = false;

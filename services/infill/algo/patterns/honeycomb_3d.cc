@@ -21,7 +21,8 @@ double RowsApart(double pitch, double spacing) {
   return apart;
 }
 
-/// Height of the waves in a layer, and true if the rows are turned.
+/// Amplitude of the waves in a layer, in nm; `turned`: true if the rows are rotated by a right
+/// angle.
 struct Waves {
   double height = 0;
   bool turned = false;

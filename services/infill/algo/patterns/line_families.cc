@@ -22,8 +22,8 @@ std::vector<LineFamily> ThreeWays(const PatternPlace& place,
   return families;
 }
 
-/// Returns the distance of a pair of lines from the middle between them at a height: it rises and
-/// falls by height / sqrt 2, and both lines stay a spacing apart from each other.
+/// Returns the distance of each family of a pair from the middle between both, at a height. It
+/// rises and falls by height / sqrt 2. The lines of both families stay a spacing apart.
 double PairShift(const PatternPlace& place, double height_nm, double apart_nm) {
   const double turns = height_nm / std::numbers::sqrt2 / apart_nm;
   const double phase = turns - std::floor(turns);
@@ -32,9 +32,10 @@ double PairShift(const PatternPlace& place, double height_nm, double apart_nm) {
   return std::max(half, std::min(shift, apart_nm / 2 - half));
 }
 
-/// Returns two directions with a pair of families each, of four planes inclined to all sides. The
-/// planes of one direction are a quarter of a period in z above the planes of the other one: they
-/// form regular tetrahedra and tetrahedra with cut corners.
+/// Returns the sections of four families of planes, inclined to all sides: two directions with a
+/// pair of families each. The planes of one direction are a quarter of a period in z above the
+/// planes of the other direction. So they enclose regular tetrahedra and tetrahedra with cut
+/// corners.
 std::vector<LineFamily> QuarterCubicFamilies(const PatternPlace& place) {
   const double apart = 4 * place.pitch_nm;
   const auto z = static_cast<double>(place.z_nm);

@@ -26,9 +26,10 @@ struct AxisPhase {
   bool on_axis = false;  ///< the axis itself is a line
 };
 
-/// Returns the phase of a layer. A pair of lines closer to the axis than `merged_nm` is one line,
-/// also for the same height after they have met. The phase uses the nominal pitch, so that lines of
-/// layers with slightly different pitches are above each other.
+/// Returns the phase of a layer. Two lines on both sides of the axis and nearer than a spacing to
+/// each other become one line on the axis. After they have met, this line continues for the same
+/// height. The phase uses the nominal pitch, so that lines of layers with slightly different
+/// pitches are above each other.
 AxisPhase PhaseAt(const PatternPlace& place, double pitch_nm) {
   const double turns = -static_cast<double>(place.z_nm) / place.pitch_nm;
   const double phase = (turns - std::floor(turns)) * pitch_nm;

@@ -10,9 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Largest distance of a straight segment from the section's points, and for small periods this
-/// distance in periods. Together with the points' own error, a segment is within 50 um of the
-/// surface.
+/// Largest distance of a straight segment from the points of the section, in nm; for small periods
+/// a limit in periods also applies. Together with the points' own error, a segment is within 50 um
+/// of the surface.
 constexpr double kSurfaceToleranceNm = 40'000;
 constexpr double kTolerancePeriods = 0.01;
 /// Size and number of squares of the grid on which sections are found. The grid is so fine that the

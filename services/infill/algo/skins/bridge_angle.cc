@@ -47,8 +47,8 @@ struct Span {
   int tenths_held = 0;  ///< tenths of the length of all lines that are supported at both ends
 };
 
-/// Returns the 90th percentile of the spans, weighted by length. Spans that end in air count as
-/// longer. The mean would not do: the short spans of oblique lines in corners would compensate
+/// Returns the 90th percentile of the spans, weighted by length. A span that ends in air counts as
+/// longer (kInAir). The mean is not used: short spans of oblique lines in corners would compensate
 /// longer ones. Infinite if no line meets the spans.
 Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
   std::vector<Span> found;

@@ -17,7 +17,8 @@ namespace {
 
 /// Largest distance of a supporting area from the region, in spacings.
 constexpr Coord kNearSpacings = 4;
-/// Width of the fill over the supporting area, in spacings. It ends about where its anchor ends.
+/// Number of lines over the supporting area. The fill there ends about where the region's anchor
+/// ends.
 constexpr int kAnchorLines = 3;
 /// Largest distance between two ends that are joined, in spacings.
 constexpr double kOverhangLinkSpacings = 1.6;

@@ -66,8 +66,8 @@ class SparseRegion {
         mask_(fill_mask_),
         width_nm_(width_nm) {}
 
-  /// Takes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
-  /// wide, and an anchor around them. Returns true if there was something to take.
+  /// Removes the parts that `layer` does not cover, if they are at least `least_nm` wide, together
+  /// with an anchor around them. Returns true if parts were removed.
   bool TakeBareParts(const MultiPolygon& layer, Coord least_nm) {
     if (mask_.MayMeet(layer)) return TakeWide(Difference(region_, layer), least_nm);
     MultiPolygon covered = IslandsUnder(region_, layer, true);
@@ -76,9 +76,9 @@ class SparseRegion {
     return true;
   }
 
-  /// Removes the parts that the nearest layer below does not support, computed from the whole fill
-  /// area. If a recess widens from layer to layer, farther layers have already removed all bare
-  /// parts, but bridges still need their anchors around them.
+  /// Removes the parts that `layer`, the nearest layer below, does not support, computed from the
+  /// whole fill area. If a recess widens from layer to layer, farther layers have already removed
+  /// all parts that are not covered. But bridges still need their anchors around these parts.
   void TakeUnborneParts(const MultiPolygon& layer, Coord least_nm) {
     if (fill_mask_.MayMeet(layer))
       TakeWide(Difference(fill_area_, layer), least_nm);
@@ -127,18 +127,19 @@ MultiPolygon Exposed(const MultiPolygon& area, const MultiPolygon* layer,
 /// short bits of lines, so that it becomes solid.
 constexpr Coord kLeastSparseWidths = 4;
 
-/// Least width of bare parts for ShellThickness::kPartial, in beads.
+/// Smallest width of parts that are not covered, for ShellThickness::kPartial, in beads.
 constexpr Coord kPartialBeads = 3;
 
-/// Least width of bare parts, as a share of a bead. A bare part beside walls, or between walls no
-/// more than a bead apart, continues under the walls: it is wider than it seems.
+/// Smallest width of parts that are not covered, as a share of a bead. Such a part beside walls, or
+/// between walls no more than a bead apart, continues under the walls: it is wider than it seems.
 constexpr double kLeastBareBeads = 0.3;
 
 Coord LeastBare(const SkinOptions& options) {
   return std::llround(kLeastBareBeads * static_cast<double>(options.width_nm));
 }
 
-/// Returns the part that no layer of the cover exposes.
+/// Returns the sparse part with disabled shells: each part of a skin must be covered by the next
+/// nearer layer.
 MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                            const Cover& cover, const SkinOptions& options) {
   static const MultiPolygon kAir;
@@ -159,9 +160,10 @@ bool Meets(const MultiPolygon& region, const MultiPolygon* wanted) {
   return wanted == nullptr ? !region.empty() : !Intersection(*wanted, region).empty();
 }
 
-/// Returns the part of the fill area that every layer of the cover covers. It goes from far layers
-/// to near ones: a far layer most often leaves everything bare that a nearer one does. Returns
-/// nothing as soon as the rest does not meet `wanted` (may be null).
+/// Returns the part of the fill area that all layers of `cover` cover. The search goes from far
+/// layers to near ones, because a far layer most often leaves all parts uncovered that a nearer one
+/// does. Returns an empty area as soon as the remaining part does not meet `wanted` (null: no such
+/// test).
 MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                          const Cover& cover, const SkinOptions& options,
                          const MultiPolygon* wanted = nullptr) {
@@ -176,7 +178,7 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
     for (size_t i = side->size(); i-- > nearest;) {
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
-      // An area that is open itself is a skin, however narrow it is.
+      // A part that the nearest layer does not cover is a skin, however narrow it is.
       const Coord least_nm =
           partial && i > 0 ? kPartialBeads * options.width_nm : LeastBare(options);
       if (seen || layer == &outline) continue;
@@ -188,9 +190,10 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   return sparse.region();
 }
 
-/// Returns the narrow parts of `covered` beside `bare`. Only widths decide, so that noise in the
-/// operands moves the result by no more than the noise. An area in a right angle belongs to the
-/// wide area that ends there: the centre of a disc is sqrt(2) radii from the corner.
+/// Returns the narrow parts of `covered` that are beside `bare`, the parts that are not covered.
+/// Only widths decide, so noise in the operands moves the result by no more than the noise. An area
+/// in a right angle belongs to the wide area that ends there: the centre of a disc is sqrt(2) radii
+/// from the corner.
 MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
   const Coord least_nm = kLeastSparseWidths * width_nm;
   const MultiPolygon core = SmoothOffset(covered, -least_nm / 2);
@@ -206,10 +209,10 @@ MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare,
   return narrow;
 }
 
-/// Divides a fill area into sparse and solid parts. A narrow covered part beside a bare part, as
-/// between two skins, becomes solid. Farther away it stays sparse: a wedge between walls is no
-/// skin. Small sparse regions become solid too. Returns false if `skins.solid` still lacks parts
-/// that became solid.
+/// Divides a fill area into sparse and solid parts. `covered`: the part that all layers cover. A
+/// narrow covered part beside an uncovered part, as between two skins, becomes solid. Farther away
+/// from uncovered parts it stays sparse: a wedge between walls is no skin. Small sparse regions
+/// become solid too. Returns false if parts that became solid are still missing in `skins.solid`.
 bool PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, const SkinOptions& options,
                 Skins& skins) {
   bool complete = true;
@@ -250,8 +253,8 @@ const std::vector<const MultiPolygon*>& BearersOf(const Cover& cover) {
   return cover.bearers.empty() ? cover.below : cover.bearers;
 }
 
-/// Returns the parts visible from above, without membranes. A membrane is also over air: it has to
-/// be a bridge, or it sags.
+/// Returns the parts visible from above, without membranes. A membrane is a part that is also over
+/// air: it has to be a bridge, or it sags.
 MultiPolygon TopOf(const MultiPolygon& solid, const MultiPolygon& outline, const Cover& cover,
                    Coord width_nm) {
   MultiPolygon top = Exposed(solid, cover.above[0], outline, width_nm);

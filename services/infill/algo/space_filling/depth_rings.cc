@@ -12,8 +12,8 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr double kShortestRing = 1.5;  ///< least length of a ring, in spacings
-/// Least half distance between the two sides of a line beyond the first step: the spacing divided
-/// by this number. Narrower lines are omitted.
+/// Divisor of the spacing: beyond the first step, a line is omitted where its two sides are nearer
+/// to each other than twice the quotient.
 constexpr Coord kNarrowestPart = 20;
 
 /// Returns true if nothing is left of an island at this depth, judged by its box.
