@@ -60,8 +60,8 @@ class AdhesionPlanner : public Planner {
   bool HasBrim(int32_t object) const;
   void LookAt(const SlicedLayer& layer, const ObjectSection& section, bool in_skirt);
 
-  /// Returns the area in the member `of` (on_bed or raft) of all copies and of the plate, in plate
-  /// coordinates.
+  /// Returns the area in the member `of` (on_bed or raft) of all copies and of structures that
+  /// belong to the plate, in plate coordinates.
   MultiPolygon OnPlate(MultiPolygon Seen::*of) const;
   /// Returns the brim options of an object. An automatic brim gets its computed width.
   BrimOptions BrimOf(int32_t object, const Seen& seen) const;
@@ -71,7 +71,8 @@ class AdhesionPlanner : public Planner {
   absl::StatusOr<std::vector<Region>> PlaceBrims(const std::set<int32_t>& alone,
                                                  const MultiPolygon& shield,
                                                  const CancelToken& cancel) const;
-  /// Returns the hulls of all copies and of the plate that the skirt must surround, without brims.
+  /// Returns the hulls that the skirt must surround, without brims: of each copy, and of structures
+  /// that belong to the plate, such as shared rafts.
   MultiPolygon Fenced() const;
 
   void AddBrim(int32_t object, std::vector<Region> brims, JobPlan& plan) const;

@@ -33,7 +33,8 @@ class NearCopies {
   /// Extends the bounding box of `object` by `box`, which is in the object's own coordinates.
   void Claim(int32_t object, const Box& box);
 
-  /// Returns the copies that may overlap copies of `object`, relative to these copies.
+  /// Returns the copies that may overlap a copy of `object`, with their positions relative to this
+  /// copy. The result holds for all copies of the object together.
   const std::set<Beside>& Of(int32_t object);
 
  private:

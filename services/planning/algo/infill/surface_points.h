@@ -7,7 +7,7 @@
 namespace slicefarm::planning {
 
 /// Function that gets one point: its position in the plane, its height above the object's bottom,
-/// and the radius in the plane for which it stands.
+/// and the radius of the area in the plane that it represents.
 using TakePlace = std::function<void(Point place, Coord z_nm, double around_nm)>;
 
 /// Numbers of solid layers next to open surfaces (surfaces that no other layer covers).

@@ -65,8 +65,8 @@ class RingShape {
   /// found. So a walk along the ring visits each edge once.
   Point At(double along_nm, size_t& edge) const;
   /// Returns the points at which the ring bends, in order along the ring, beginning after a
-  /// straight section. Points after the ring's first point in this order have positions beyond the
-  /// length.
+  /// straight section. Where this order passes the ring's first point, positions continue beyond
+  /// the ring's length.
   std::vector<Corner> Turns() const;
 
   const Polygon* ring_;

@@ -8,8 +8,9 @@
 
 namespace slicefarm::planning {
 
-/// Coarse model of an object: its outlines stacked in cells of a millimetre. Cells are larger for
-/// objects of more than 256 mm. Computes how visible points on the surface are.
+/// Coarse model of an object: a grid of cubic cells, which are solid where the outlines of the
+/// object's layers cover them. A cell is a millimetre wide, or wider for objects of more than 256
+/// mm. The model tells how visible points on the surface are.
 class Occupancy {
  public:
   /// Adds a section with its top at `top_nm` above the object's bottom. Call it from the lowest

@@ -23,8 +23,8 @@ struct BranchNode {
   /// Index of the next lower node of the branch, larger than this node's index; -1: the branch
   /// leads straight down from here.
   int32_t below = -1;
-  /// Only if `below` is -1: height at which the branch ends, in nm. The surface below cuts the
-  /// branch there.
+  /// Only if `below` is -1: height above the bed down to which the branch is drawn, in nm. The part
+  /// may cut it off higher (Clearance).
   Coord foot_nm = 0;
   /// only if `below` is -1: true if the branch ends on the bed, false if on the part
   bool on_bed = true;

@@ -38,8 +38,8 @@ class Clearance {
   /// Returns the part of `region` that is free for a layer of support from bottom_nm to top_nm.
   /// Cost: a boolean operation with the outlines near the region's box.
   MultiPolygon Free(const MultiPolygon& region, Coord bottom_nm, Coord top_nm) const;
-  /// Returns the free part of the area inside the rings, which may overlap (nonzero rule). Heights
-  /// as for Free.
+  /// Returns the free part of the area inside the rings, which may overlap (nonzero rule), for a
+  /// layer of support from bottom_nm to top_nm.
   MultiPolygon FreeOf(std::span<const Polygon> rings, Coord bottom_nm, Coord top_nm) const;
   /// Sets the pixels that are not free for a layer of support from bottom_nm to top_nm.
   void FillBlocked(Coord bottom_nm, Coord top_nm, Bitmap& bitmap) const;

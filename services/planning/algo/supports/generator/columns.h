@@ -24,8 +24,8 @@ using Contacts = std::vector<MultiPolygon>;
 ///
 /// Snug style: new contacts are grown by a line's width, and gaps narrower than twice the closing
 /// radius are closed. Grid style: new contacts are grown to cells of half the spacing, so that
-/// columns keep the same shape over many layers. With both styles, the grown area leaves out places
-/// close below undersides of the part that need no support. So every top near the part is at the
+/// columns keep the same shape over many layers. With both styles, the grown area is omitted close
+/// below undersides of the part that need no support. So every top near the part is at the
 /// requested distance.
 ///
 /// A column that is too slender for a closed cell of lines is widened, from 2 to 4 mm below its top
