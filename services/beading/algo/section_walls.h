@@ -17,7 +17,7 @@ namespace slicefarm::beading {
 /// `neighbours`; it does not own them.
 struct SectionPlace {
   const ObjectSection& section;
-  bool on_bed = false;                  ///< true in the plate's first layer: beads have its widths
+  bool on_bed = false;  ///< true in the plate's first layer, which has its own bead widths
   const NeighbourOutlines& neighbours;  ///< outlines of the section's stack
   size_t index = 0;                     ///< index of the section's layer in `neighbours`
 };

@@ -8,7 +8,7 @@ namespace slicefarm::beading {
 
 /// Limits the number of beads to `max_count`, half of them on either side. In thicker parts, the
 /// area between the two halves is left to the infill, and markers (beads of width 0) are its
-/// boundary. The count max_count + 1 stands for these thicker parts: `max_count` beads of optimal
+/// boundary. The count max_count + 1 represents these thicker parts: `max_count` beads of optimal
 /// width with an area between the halves.
 ///
 /// REQUIRES: max_count is even.

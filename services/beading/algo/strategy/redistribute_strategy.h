@@ -17,8 +17,8 @@ struct RedistributeOptions {
   double min_outer_share = 0.5;
   /// Excess over the outer width at which a single bead is split, as a fraction of the outer width.
   double split_threshold = 0.7;
-  /// If true, two beads become no wider than the outer width in a thickness that is optimal for
-  /// three.
+  /// If true, two beads keep the outer width where the thickness is optimal for three beads (in a
+  /// transition from two to three).
   bool lock_outer_width = false;
 };
 
