@@ -23,8 +23,8 @@ struct SectionView {
   const MultiPolygon& carried;  ///< areas directly above supports
   Coord z_nm = 0;               ///< height of the layer's middle above the stack's bottom
 
-  /// Returns the outlines of the stack in a layer; with `row`, only of the region with this index
-  /// of settings. Null: the layer does not contain the stack or the region.
+  /// Returns the outlines of the stack in its layer `own_layer`; with `row`, only of the region
+  /// with this index of settings. Null: the layer does not contain the stack or the region.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const;
 
   /// Returns the height of a layer of the stack, in nm; 0 if the stack has no such layer.

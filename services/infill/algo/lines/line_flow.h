@@ -11,9 +11,9 @@ Coord WidthFor(double share, Coord width_nm, Coord from_nm, Coord to_nm);
 
 /// Reduces the plastic of each line of a path to the share in `table` for the line's length. A line
 /// is the part of a path from one bend of more than 45 degrees to the next, so a curve is one line.
-/// Links between lines also count as lines. The points stay in place; the width steps at bends. A
-/// closed path may then start at another point, which is the middle of its longest edge. Cost:
-/// O(points log table).
+/// Links between lines also count as lines. The path's course does not change; the width steps at
+/// bends. A closed path may then start at another point, which is the middle of its longest edge.
+/// Cost: O(points log table).
 void ThinShortLines(const FlowTable& table, Coord height_nm, Path& path);
 
 }  // namespace slicefarm::infill

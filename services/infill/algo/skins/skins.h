@@ -7,9 +7,9 @@
 
 namespace slicefarm::infill {
 
-/// Outlines of the layers above and below a fill area that its skins reach. Equality of outlines is
-/// tested by pointer. An outline equal to the outline of the fill area's own layer must therefore
-/// be the same pointer, and so must an outline equal to the next nearer one.
+/// Outlines of the layers above and below a fill area that decide its skins. Equality of outlines
+/// is tested by pointer. An outline equal to the outline of the fill area's own layer must
+/// therefore be the same pointer, and so must an outline equal to the next nearer one.
 struct Cover {
   std::vector<const MultiPolygon*> above;  ///< one per top solid layer, nearest first; nullptr: air
   std::vector<const MultiPolygon*>

@@ -76,7 +76,7 @@ class RingPlaces {
     grid_.ForEachNear(a, b, 1, [&](int32_t segment) { visit(EdgeOf(segment)); });
   }
 
-  /// Returns the position on the ring of `edge`: of the point of this edge that is nearest to p.
+  /// Returns the ring position of the point that is nearest to p among all points of `edge`.
   double PlaceOn(const Edge& edge, Point p) const;
 
   /// Calls visit(point) for the ring's points strictly between the positions `from` and `from` +
