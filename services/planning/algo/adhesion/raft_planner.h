@@ -40,8 +40,9 @@ class RaftPlanner : public RegionPlanner {
  private:
   /// Outlines of one object, in the object's own coordinates.
   struct Seen {
-    MultiPolygon lowest;  ///< outlines that are on the bed or would be on a raft
-    MultiPolygon low;     ///< union of all outlines below the top of the highest raft on the plate
+    /// outlines of the lowest layer: on the bed, or on the raft if there is one
+    MultiPolygon lowest;
+    MultiPolygon low;  ///< union of all outlines below the top of the highest raft on the plate
   };
   using SeenObjects = std::map<int32_t, Seen>;
 

@@ -44,12 +44,12 @@ class SkirtReach {
 /// up to limits::kMaxSkirtLoops.
 ///
 /// Shapes: `parts` has the outlines of the first `SkirtLayers` layers, supports and rafts included,
-/// in any order. They may overlap. Paths are closed, counter-clockwise, Feature::kSkirt, object -1,
-/// with one width, and height 0 (the layer's). Units: nm, in plate coordinates. Distances are exact
-/// to 0.008 mm. Errors: none. The result is empty if there are no parts, or if lines of this width
-/// and height have no spacing. Cost: O(n log n) for n points, and O(k) for a loop around k points
-/// of the hull. Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width 0.4, height 0.2
-/// (spacing 0.357):
+/// in any order. The outlines may overlap. Paths are closed, counter-clockwise, Feature::kSkirt,
+/// object -1, with one width, and height 0 (the layer's). Units: nm, in plate coordinates.
+/// Distances are exact to 0.008 mm. Errors: none. The result is empty if there are no parts, or if
+/// lines of this width and height have no spacing. Cost: O(n log n) for n points, and O(k) for a
+/// loop around k points of the hull. Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width
+/// 0.4, height 0.2 (spacing 0.357):
 /// - As here: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6 loops with a
 ///   total of 22.3 mm of filament, and the same six on each layer of skirt_height.
 /// - As here: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.

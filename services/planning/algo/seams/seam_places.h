@@ -33,11 +33,10 @@ struct RingPlaces {
   std::vector<SeamPlace> places;  ///< in order of the length along the ring; at least one
 };
 
-/// Finds possible points for seams in the layers of one object, bottom up. There are points at
+/// Finds possible points for seams in the layers of one object, bottom up. The points are at
 /// corners, and directly above the points of the layer below, so that seams can be vertical on any
-/// wall. Further points fill gaps. They are two millimetres apart, up to about a hundred per ring.
-/// In a layer with painted enforcers or blockers, there may be four times as many. Memory: one
-/// layer.
+/// wall. Further points, two millimetres apart, fill gaps, up to about a hundred per ring. In a
+/// layer with painted enforcers or blockers, there may be four times as many. Memory: one layer.
 class PlaceFinder {
  public:
   /// Returns the possible points on the rings of the next section, in the order of ForEachRing.

@@ -19,14 +19,14 @@ namespace slicefarm::planning {
 ///
 /// With `nearest`, only layers with enforcers or blockers are planned, like with `aligned`; in all
 /// other layers the ordering stage chooses the seams. With every other position the planner finds
-/// possible points on each ring (seam_places.h). It computes their visibility (occupancy.h) and
-/// cost (seam_costs.h). Then it makes the cheapest choice over the whole object (seam_forest.h) and
-/// straightens the lines of seams (seam_lines.h).
+/// possible points on each ring (seam_places.h). The planner computes the visibility (occupancy.h)
+/// and the cost (seam_costs.h) of these points. Then it makes the cheapest choice over the whole
+/// object (seam_forest.h) and straightens the lines of seams (seam_lines.h).
 ///
 /// To limit the memory, the seams in the lower half of the layers are decided early if there are
 /// more than `most_places` points. This decision uses all layers so far. Cost: O(n log n) per layer
-/// for n outline points and possible points. Memory: about 100 bytes per possible point. There is
-/// one for every two millimetres of outline, up to about 100 per ring.
+/// for n outline points and possible points. Memory: about 100 bytes per possible point, with one
+/// point for every two millimetres of outline, up to about 100 per ring.
 class SeamPlanner : public Planner {
  public:
   static constexpr size_t kMostPlaces = 4'000'000;

@@ -22,15 +22,15 @@ struct RingRange {
 ///
 /// The estimate visits an object's islands by nearest neighbour in the object's own coordinates,
 /// without regard to neighbouring objects. So the object's toolpaths do not depend on its position.
-/// It visits copies by nearest neighbour over their positions.
+/// The estimate visits copies by nearest neighbour over their positions.
 ///
 /// If a single copy is the whole print, two layers can meet at a seam without a retraction. The
 /// seam must be on a wall in the last island of the layer below, and the layer above must have a
 /// seam within 0.3 mm of it. Of several such seams the one nearest to the entry is taken. Layers
 /// that begin with supports are excluded. So the nozzle stays within the part. The meeting point
-/// becomes the entry of the layer. The section's own entry does not change; it is used if such
-/// meetings are switched off. Cost: O(points + islands^2) per section; O(copies^2) for each
-/// different start of a layer (Beginning).
+/// becomes the entry of the layer. The section's own entry does not change; it is used if the
+/// settings do not allow such meetings. Cost: O(points + islands^2) per section; O(copies^2) for
+/// each different start of a layer (Beginning).
 class TravelPlanner : public Planner {
  public:
   /// `copies` must outlive this planner.

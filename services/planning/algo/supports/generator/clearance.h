@@ -21,12 +21,13 @@ inline constexpr Coord kEdgeNm = 8'000;
 /// Computes the free area for supports: on the bed, and away from the part and the other objects.
 /// Const methods are safe from any thread.
 ///
-/// Let a layer of support reach from height b to height t. It keeps xy_gap_nm sideways from layers
-/// that share a height with it. It is not below a layer with a bottom less than top_gap_nm above t.
-/// It is not above a layer with a top less than bottom_gap_nm below b. So on a slope, the top of a
-/// support has the requested vertical distance under each step of the part. A rule that also
-/// required this distance sideways from each step would leave steps of half a millimetre without a
-/// support at the requested distance (README.md has figures).
+/// Obstacles are the layers of the part and of other objects. A layer of support from height b to
+/// height t keeps xy_gap_nm sideways from obstacles that share a height with it. The layer of
+/// support is not below an obstacle with a bottom less than top_gap_nm above t. It is not above an
+/// obstacle with a top less than bottom_gap_nm below b. So on a slope, the top of a support has the
+/// requested vertical distance under each step of the part. A rule that also required this distance
+/// sideways from each step would leave steps of half a millimetre without a support at the
+/// requested distance (README.md has figures).
 class Clearance {
  public:
   /// Prepares for layers of support up to the height `top_nm`. `problem` and `options` must outlive
