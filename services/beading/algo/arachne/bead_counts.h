@@ -9,7 +9,7 @@
 
 namespace slicefarm::beading {
 
-/// Smallest distance in nm of a node that splits an edge from the edge's ends.
+/// Smallest distance in nm between a new node on an edge and each end of this edge.
 inline constexpr double kLeastPieceNm = 10'000;
 
 /// Options for PlanBeadCounts.

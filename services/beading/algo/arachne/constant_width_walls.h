@@ -9,9 +9,9 @@
 namespace slicefarm::beading {
 
 /// Returns the walls of an island that is everywhere wide enough for `max_walls` walls on each side
-/// and infill between them. They equal the walls that MakeVariableWalls would return. Each wall has
-/// a constant width. Walls are insets of the outline with arcs around reflex corners, where a plain
-/// inset would have miters.
+/// and infill between them. MakeVariableWalls would return the same walls. Each wall has a constant
+/// width. Walls are insets of the outline with arcs around reflex corners, where a plain inset
+/// would have miters.
 ///
 /// Returns nullopt if the island is not wide enough, if TryOffset fails for an inset, or if
 /// RoundReflexCorners fails. REQUIRES: max_walls > 0 is the strategy's limit per side. Cost: O(n

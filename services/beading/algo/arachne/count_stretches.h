@@ -12,9 +12,10 @@ inline constexpr int kLeastInnerMiddle = 5;
 
 /// Returns the number of beads along each edge after merging; -1 for edges that are not central.
 /// `counts`: for each edge, the number that follows from its thickness; -1 if the edge is not
-/// central. A stretch is a set of connected central edges with the same number. It gets the number
-/// of a neighbouring stretch if this changes widths little, or if it is too short for its half of
-/// the transition. Middle beads shorter than about 1 mm are removed. Cost: O(n log n), n edges.
+/// central. A stretch is a set of connected central edges with the same number. A stretch gets the
+/// number of a neighbouring stretch if this changes widths little, or if the stretch is too short
+/// for its half of the transition. Middle beads shorter than about 1 mm are removed. Cost: O(n log
+/// n), n edges.
 std::vector<int> MergedCounts(const BeadingStrategy& strategy, const CountOptions& options,
                               const SkeletalGraph& graph, std::vector<int> counts);
 

@@ -7,7 +7,7 @@ namespace slicefarm::beading {
 /// Options of DistributedStrategy.
 struct DistributedOptions {
   Coord optimal_width_nm = 400'000;
-  /// Smallest width of a bead if the count is OptimalCount of the thickness.
+  /// Smallest width of a bead, if there are OptimalCount beads for the thickness.
   Coord min_width_nm = 340'000;
   Coord max_width_nm = 800'000;  ///< largest width of a bead, for any count
   /// Excess over the optimal thickness at which the middle bead of an odd count is split, as a
