@@ -38,10 +38,10 @@ struct SparseFill {
 
 /// Fills a region with a pattern of the given density. At two widths from the boundary and deeper,
 /// path length per area is exactly density / spacing. Links and anchors along the boundary join the
-/// lines into long paths and attach them to the walls (LinkedPaths). They are beads of the same
-/// width and add to this length. Patterns with lines along the boundary begin at the boundary.
-/// Parts so narrow that beads along both sides would overlap stay empty. Paths shorter than
-/// kMinLoneWidths are omitted if the lines of the pattern follow from a formula.
+/// lines into long paths and attach them to the walls (LinkedPaths). Links and anchors are beads of
+/// the same width; their length is additional. Patterns with lines along the boundary begin at the
+/// boundary. Parts so narrow that beads along both sides would overlap stay empty. Paths shorter
+/// than kMinLoneWidths are omitted if the lines of the pattern follow from a formula.
 ///
 /// With a field, the density is correct at each point, see PiecesOfField. With a dithered field,
 /// one factor of 0.85 to 1.15 scales the plastic of all beads of a layer. The layer's total then

@@ -34,9 +34,9 @@ class SparseUnder {
   explicit SparseUnder(const RegionView& region);
 
   /// Returns the sparse infill of the layer below within `fill_area`, computed from outlines,
-  /// without its beads. It is the area without skins and walls. Returns an empty region if this
-  /// area does not meet `wanted`. Cost: that of SparsePart, and one offset of the layer for the
-  /// first fill area.
+  /// without its beads: the area inside the walls and without skins. Returns an empty region if
+  /// this area does not meet `wanted`. Cost: that of SparsePart, and one offset of the layer for
+  /// the first fill area.
   SparseBelow Within(const MultiPolygon& fill_area, const MultiPolygon& wanted);
 
   /// Returns the areas of the beads of the sparse infill. Returns an empty area if the lines of the

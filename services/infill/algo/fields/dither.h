@@ -11,9 +11,9 @@ namespace slicefarm::infill {
 
 /// Returns a flag for each cell of a grid of `width` x `height` cells, row by row: not 0 if the
 /// cell is on. `wanted`: for each cell, the requested share of cells that are on, in [0, 1]. In
-/// every part of the area the share of cells that are on is approximately the requested share. This
-/// is Floyd and Steinberg's error diffusion, row by row. The next cell gets 7/16 of a cell's error.
-/// Three cells of the next row (before, below and after this cell) get 3/16, 5/16 and 1/16.
+/// every part of the area the share of cells that are on is approximately the requested share. The
+/// method is Floyd and Steinberg's error diffusion, row by row. The next cell gets 7/16 of a cell's
+/// error. Three cells of the next row (before, below and after this cell) get 3/16, 5/16 and 1/16.
 ///
 /// `used`: for each cell, not 0 if the cell may be on; empty: all cells. No error is passed to
 /// unused cells or beyond the grid: the remaining neighbours share the whole error. Error that no

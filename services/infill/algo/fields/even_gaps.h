@@ -9,10 +9,10 @@
 namespace slicefarm::infill {
 
 /// Shifts lines sideways until each line is in the middle between its neighbours, as far as this is
-/// possible without bending lines much. This distributes two kinds of wrong gaps over several
-/// lines: a gap beyond the end of another line, and a gap too wide for two lines but too narrow for
-/// three. Lines with even gaps do not move. `separation_mm`: requested distance between lines at a
-/// point, in mm.
+/// possible without bending lines much. These shifts distribute two kinds of wrong gaps over
+/// several lines: a gap beyond the end of another line, and a gap too wide for two lines but too
+/// narrow for three. Lines with even gaps do not move. `separation_mm`: requested distance between
+/// lines at a point, in mm.
 ///
 /// Shifts are relaxed in up to 60 rounds. In each round, a node of a line moves towards the point
 /// at which the gaps on its two sides have the ratio of `separation_mm` on these sides. The shifts

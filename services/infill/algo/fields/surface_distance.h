@@ -42,9 +42,9 @@ class SurfaceDistances {
   /// Returns true if `layers` contains this layer of the object. `own_layer`: layer number in the
   /// object.
   bool Has(int32_t own_layer) const { return sections_.contains(own_layer); }
-  /// Returns the distances in a layer, at the height of its middle. Any other order than upwards
-  /// from layer to layer is slower. REQUIRES: Has(own_layer). Errors: REQUEST_TOO_LARGE for more
-  /// than kMaxFieldCells.
+  /// Returns the distances in a layer, at the height of its middle. Call it for the layers in
+  /// ascending order: otherwise the outlines of some layers are processed several times. REQUIRES:
+  /// Has(own_layer). Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells.
   absl::StatusOr<DistanceMap> Of(int32_t own_layer);
 
  private:

@@ -44,8 +44,8 @@ class FittedStrips {
   /// region, k pieces.
   FittedStrips(const ScanLines& lines, const Options& options);
 
-  /// Returns the centre line and the strip widths of one piece. It begins at the piece's crossing
-  /// with the index `place` in ScanLines::order. The result has at least two points.
+  /// Returns the centre line and the strip widths of one piece. The result begins at the piece's
+  /// crossing with the index `place` in ScanLines::order, and has at least two points.
   std::vector<StripPoint> From(int32_t place) const;
 
  private:

@@ -33,10 +33,10 @@ struct LinkOptions {
 /// boundary is free. Ends inside the region are joined to each other first.
 ///
 /// Straight pieces are linked to rings (LinkAllEnds), and crossing rings are inserted into each
-/// other (SplicedPaths). Lines in several directions then form one closed path in most regions. It
-/// may begin at the nozzle's position. Curves are linked to open paths (ChooseLinks), and so are
-/// straight pieces if this gives fewer paths. The ends of open paths are moved near each other
-/// (BringEndsTogether).
+/// other (SplicedPaths). Lines in several directions then form one closed path in most regions.
+/// This path may begin at the nozzle's position. Curves are linked to open paths (ChooseLinks), and
+/// so are straight pieces if this gives fewer paths. The ends of open paths are moved near each
+/// other (BringEndsTogether).
 ///
 /// Lines at even distances (`facing_nm` > 0) are also linked to rings (LeastLinks). Rings that face
 /// each other are joined into one (LinkRings), which changes no length. Open paths are used instead

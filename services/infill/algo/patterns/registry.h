@@ -5,9 +5,8 @@
 
 namespace slicefarm::infill {
 
-/// Returns the function of a pattern. This is the only table of patterns; sparse fill, solid fill,
-/// the gallery, benchmarks and the tests of all patterns use it. Each pattern is one file of this
-/// folder.
+/// Returns the function of a pattern. All code that uses patterns calls this function: sparse fill,
+/// solid fill, the gallery, benchmarks and tests. Each pattern is one file of this folder.
 MakePattern* PatternOf(FillPattern pattern);
 
 }  // namespace slicefarm::infill
