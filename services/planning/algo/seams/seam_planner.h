@@ -52,8 +52,8 @@ class SeamPlanner : public Planner {
   struct ObjectSeams {
     PlaceFinder finder;
     Occupancy occupancy;
-    /// Rings that are not settled, bottom up. Before them are the rings of the last settled layer,
-    /// with only their seam as a possible point.
+    /// Rings that are not settled (their seams are not in the plans yet), bottom up. Before them
+    /// are the rings of the last settled layer, with only their seam as a possible point.
     std::vector<Ring> rings;
     size_t settled = 0;       ///< number of rings at the start of `rings` that are settled
     int32_t first_below = 0;  ///< index of the first ring of the layer below

@@ -19,8 +19,8 @@ struct SolidLayer {
 
 /// Layer of the part, with the marked areas of its underside.
 struct PartLayer : SolidLayer {
-  const MultiPolygon* enforcers = nullptr;  ///< null if there are none
-  const MultiPolygon* blockers = nullptr;   ///< null if there are none
+  const MultiPolygon* enforcers = nullptr;  ///< areas where the user enforces supports; null: none
+  const MultiPolygon* blockers = nullptr;   ///< areas where the user blocks supports; null: none
 };
 
 /// Input for the supports of one object, in the object's own coordinates. All copies get the same
