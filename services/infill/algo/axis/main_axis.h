@@ -12,8 +12,9 @@ struct AxisOptions {
   /// The branch is kept if the circle at its free end reaches beyond the circle at the fork by more
   /// than this distance, and also by more than `least_share`.
   double least_nm = 1'000'000;
-  /// Same limit as a share of the radius of the fork's circle. The default removes branches into
-  /// corners of a round outline and keeps branches into a square corner (0.41).
+  /// Smallest distance by which the circle at the free end reaches beyond the fork's circle, as a
+  /// share of the radius of the fork's circle. The default removes branches into corners of a round
+  /// outline and keeps branches into a square corner (0.41).
   double least_share = 0.15;
 };
 

@@ -37,7 +37,7 @@ struct Skins {
   /// visible surface without material above it; parts that are also over air are in `bridge`
   MultiPolygon top;
   MultiPolygon bridge;  ///< parts over air, plus two bead widths of the supporting area around them
-  MultiPolygon bottom;  ///< over another region of the object
+  MultiPolygon bottom;  ///< parts over another region of the object
   MultiPolygon over_bridge;  ///< parts over a bridge of the layer below
   MultiPolygon solid;        ///< all other skins, and areas that are solid for other reasons
   MultiPolygon sparse;
