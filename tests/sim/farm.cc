@@ -45,12 +45,12 @@ void Farm::Call(int coordinator, int worker, const RangeOfWork& range, Reply rep
   const auto flight = std::make_shared<InFlight>(InFlight{std::move(reply), coordinator});
   world_.events.After(kRangeDeadlineUs, [this, flight, worker] {
     nodes_[worker]->flights.remove(flight);
-    DeriveOptions(flight, 0, absl::DeadlineExceededError("no answer"));
+    SendAnswer(flight, 0, absl::DeadlineExceededError("no answer"));
   });
   if (Broken(coordinator, worker)) return;
   if (world_.Happens(world_.scenario.lost_permille)) {
     ++world_.totals.lost_messages;
-    return DeriveOptions(flight, Delay(), absl::UnavailableError("the stream broke"));
+    return SendAnswer(flight, Delay(), absl::UnavailableError("the stream broke"));
   }
   world_.events.After(Delay(), [this, flight, worker, range] { Arrived(worker, flight, range); });
 }
@@ -58,7 +58,7 @@ void Farm::Call(int coordinator, int worker, const RangeOfWork& range, Reply rep
 void Farm::Arrived(int worker, const Flight& flight, const RangeOfWork& range) {
   Node& node = *nodes_[worker];
   if (!node.process.up()) {
-    return DeriveOptions(flight, Delay(), absl::UnavailableError("connection refused"));
+    return SendAnswer(flight, Delay(), absl::UnavailableError("connection refused"));
   }
   if (!can(worker).Has(range.work.process))
     world_.Violated("w{} gets work {} of a process that it does not run", worker, range.work.id);
@@ -106,17 +106,17 @@ void Farm::Answer(int worker, const Flight& flight, const absl::StatusOr<RangeHa
   if (flight->settled || Broken(flight->coordinator, worker)) return;
   if (world_.Happens(world_.scenario.lost_permille)) {
     ++world_.totals.lost_messages;
-    return DeriveOptions(flight, Delay(), absl::UnavailableError("the stream broke"));
+    return SendAnswer(flight, Delay(), absl::UnavailableError("the stream broke"));
   }
   if (world_.Happens(world_.scenario.doubled_permille)) {
     ++world_.totals.doubled_messages;
     world_.events.After(2 * Delay(), [flight, answer] { flight->reply(answer); });
   }
-  DeriveOptions(flight, Delay(), answer);
+  SendAnswer(flight, Delay(), answer);
 }
 
-void Farm::DeriveOptions(const Flight& flight, int64_t delay_us,
-                         const absl::StatusOr<RangeHashes>& answer) {
+void Farm::SendAnswer(const Flight& flight, int64_t delay_us,
+                      const absl::StatusOr<RangeHashes>& answer) {
   if (std::exchange(flight->settled, true)) return;
   world_.events.After(delay_us, [flight, answer] { flight->reply(answer); });
 }
@@ -128,7 +128,7 @@ void Farm::Kill(int worker, int64_t restart_after_us) {
   const auto flights = std::exchange(node.flights, {});
   for (const Flight& flight : flights) {
     if (Broken(flight->coordinator, worker)) continue;
-    DeriveOptions(flight, 1'000, absl::UnavailableError("connection reset"));
+    SendAnswer(flight, 1'000, absl::UnavailableError("connection reset"));
   }
   world_.events.After(restart_after_us, [&node] { node.process.Start(); });
 }

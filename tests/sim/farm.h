@@ -77,8 +77,8 @@ class Farm {
   void Arrived(int worker, const Flight& flight, const RangeOfWork& range);
   void Worked(int worker, const Flight& flight, const RangeOfWork& range);
   void Answer(int worker, const Flight& flight, const absl::StatusOr<RangeHashes>& answer);
-  void DeriveOptions(const Flight& flight, int64_t delay_us,
-                     const absl::StatusOr<RangeHashes>& answer);
+  void SendAnswer(const Flight& flight, int64_t delay_us,
+                  const absl::StatusOr<RangeHashes>& answer);
   bool Broken(int coordinator, int worker) const;
 
   World& world_;

@@ -60,12 +60,12 @@ absl::Status Move(const StoreOptions& from, const S3Flags& to) {
     fmt::print("moved {} blobs, {} bytes\n", count, bytes);
     std::fflush(stdout);
   };
-  absl::Status settled = blobs.DeriveOptions([&](const BlobEntry& blob) {
+  absl::Status moved_all = blobs.MoveStaged([&](const BlobEntry& blob) {
     bytes += blob.size;
     if (++count % kTellEach == 0) tell();
   });
   tell();
-  return settled;
+  return moved_all;
 }
 
 }  // namespace

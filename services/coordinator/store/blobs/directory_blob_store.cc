@@ -146,7 +146,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusNow(const std::string& dige
     const auto size = file->Size();
     if (!size.ok()) return size.status();
     if (complete) {
-      if (absl::Status settled = DeriveOptions(FolderOf(digest)); !settled.ok()) return settled;
+      if (absl::Status synced = SyncFolder(FolderOf(digest)); !synced.ok()) return synced;
     }
     return BlobStatus{*size, complete};
   }
@@ -200,25 +200,25 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest,
 
 /// Creates the folder if it does not exist. Afterwards, all names that the folder had before are on
 /// disk.
-absl::Status DirectoryBlobStore::DeriveOptions(const std::string& folder) {
-  const auto settled = [&] {
+absl::Status DirectoryBlobStore::SyncFolder(const std::string& folder) {
+  const auto is_synced = [&] {
     Lock lock(doubts_mutex_);
-    return settled_.contains(folder);
+    return synced_folders_.contains(folder);
   };
-  if (settled()) return absl::OkStatus();
-  const auto settling = folders_.Take(folder);
-  if (settled()) return absl::OkStatus();
+  if (is_synced()) return absl::OkStatus();
+  const auto making = folders_.Take(folder);
+  if (is_synced()) return absl::OkStatus();
   if (absl::Status made = MakeDirectory(folder); !made.ok()) return made;
   if (absl::Status synced = SyncDirectory(folder); !synced.ok()) return synced;
   Lock lock(doubts_mutex_);
-  settled_.insert(folder);
+  synced_folders_.insert(folder);
   return absl::OkStatus();
 }
 
 /// Makes the file the blob by renaming it. REQUIRES: the bytes of the file are on disk.
 absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::string& digest) {
   const std::string folder = FolderOf(digest);
-  if (absl::Status settled = DeriveOptions(folder); !settled.ok()) return settled;
+  if (absl::Status synced = SyncFolder(folder); !synced.ok()) return synced;
   {
     Lock lock(NameOf(digest));
     if (absl::Status renamed = RenameFile(file, BlobPath(digest)); !renamed.ok()) return renamed;
@@ -226,9 +226,9 @@ absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::st
   absl::Status synced = SyncDirectory(folder);
   if (!synced.ok()) {
     // Waits for threads that call fsync for the folder without knowing this name.
-    const auto settling = folders_.Take(folder);
+    const auto making = folders_.Take(folder);
     Lock lock(doubts_mutex_);
-    settled_.erase(folder);
+    synced_folders_.erase(folder);
   }
   return synced;
 }
@@ -276,7 +276,7 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   if (!file.ok()) return false;
   const auto got = DigestOf(*file);
   if (!got.ok() || *got != digest) return false;
-  if (absl::Status settled = DeriveOptions(FolderOf(digest)); !settled.ok()) return settled;
+  if (absl::Status synced = SyncFolder(FolderOf(digest)); !synced.ok()) return synced;
   return Touch(digest);
 }
 

@@ -56,7 +56,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status SyncUpload(const std::string& digest, const PosixFile& file);
   absl::StatusOr<bool> HasGood(const std::string& digest);
   absl::Status Corrupt(const std::string& digest, const std::string& got);
-  absl::Status DeriveOptions(const std::string& folder);
+  absl::Status SyncFolder(const std::string& folder);
   absl::Status Complete(const std::string& file, const std::string& digest);
   absl::Status Adopt(const std::string& file, const std::string& digest, int64_t size);
 
@@ -79,7 +79,7 @@ class DirectoryBlobStore : public BlobStore {
   /// Folders of blobs with all their file names on disk. At the start the set is empty, because the
   /// previous process may have ended between a rename and the fsync of its folder. After a failed
   /// fsync, the folder is removed from the set.
-  std::set<std::string> settled_;
+  std::set<std::string> synced_folders_;
   /// Uploads that only this process has written and for which it has not called fsync yet. All
   /// other uploads need PosixFile::SyncAnew.
   std::set<std::string> written_here_;

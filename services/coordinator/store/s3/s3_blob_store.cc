@@ -296,7 +296,7 @@ absl::Status S3BlobStore::ForEach(const std::function<void(const BlobEntry&)>& v
   return staged_->ForEach(visit);
 }
 
-absl::Status S3BlobStore::DeriveOptions(const std::function<void(const BlobEntry&)>& moved) {
+absl::Status S3BlobStore::MoveStaged(const std::function<void(const BlobEntry&)>& moved) {
   std::vector<BlobEntry> complete;
   absl::Status listed = staged_->ForEach([&](const BlobEntry& blob) {
     if (blob.complete) complete.push_back(blob);

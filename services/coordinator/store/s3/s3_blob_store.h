@@ -15,7 +15,7 @@ namespace slicefarm::coordinator {
 /// Blobs of a tenant as objects of a bucket (one PUT per blob, of which the server checks the
 /// digest). The jobs' database contains the name of each blob's object (S3Index). Incomplete
 /// uploads are in a staging store, because bytes cannot be appended to an object. Blobs from the
-/// time before the bucket was used are also in the staging store, until DeriveOptions moves them.
+/// time before the bucket was used are also in the staging store, until MoveStaged moves them.
 ///
 /// The name of an object is `tenants/NAME/blobs/aa/DIGEST.RANDOM`. Without a tenant, it begins with
 /// `blobs/`.
@@ -42,7 +42,7 @@ class S3BlobStore : public BlobStore {
   /// Moves the complete blobs of the staging store into the bucket, and calls `moved` for each.
   /// Damaged blobs stay in the staging store and are put aside. After an error, the blobs that were
   /// moved before stay in the bucket.
-  absl::Status DeriveOptions(const std::function<void(const BlobEntry&)>& moved);
+  absl::Status MoveStaged(const std::function<void(const BlobEntry&)>& moved);
 
  private:
   absl::StatusOr<BlobStatus> Move(const std::string& digest);

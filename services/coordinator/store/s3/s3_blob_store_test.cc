@@ -262,7 +262,7 @@ TEST_F(S3BlobStoreTest, WhatWasThereBeforeTheBucketIsReadAndMoves) {
   ASSERT_TRUE(reader.ok()) << reader.status();
   int moved = 0;
   ASSERT_TRUE(store_
-                  ->DeriveOptions([&](const BlobEntry& blob) {
+                  ->MoveStaged([&](const BlobEntry& blob) {
                     EXPECT_EQ(blob.digest, digest_);
                     ++moved;
                   })
@@ -272,7 +272,7 @@ TEST_F(S3BlobStoreTest, WhatWasThereBeforeTheBucketIsReadAndMoves) {
   EXPECT_EQ(*store_->Get(digest_), bytes_);
   EXPECT_EQ(store_->KeptBytes().value_or(0), std::ssize(bytes_) + 2) << "an upload stays";
   EXPECT_EQ(*(*reader)->Read(100, 50), bytes_.substr(100, 50)) << "who had it open goes on";
-  ASSERT_TRUE(store_->DeriveOptions([&](const BlobEntry&) { ++moved; }).ok());
+  ASSERT_TRUE(store_->MoveStaged([&](const BlobEntry&) { ++moved; }).ok());
   EXPECT_EQ(moved, 1);
 }
 
@@ -282,8 +282,8 @@ TEST_F(S3BlobStoreTest, AMoveGoesOnWhereItEnded) {
   bucket_.Fail("PUT", "403", 1);
   int moved = 0;
   const auto count = [&](const BlobEntry&) { ++moved; };
-  EXPECT_FALSE(store_->DeriveOptions(count).ok());
-  EXPECT_TRUE(store_->DeriveOptions(count).ok());
+  EXPECT_FALSE(store_->MoveStaged(count).ok());
+  EXPECT_TRUE(store_->MoveStaged(count).ok());
   EXPECT_EQ(moved, 3);
   for (const std::string& text : texts) EXPECT_EQ(*store_->Get(Sha256Hex(text)), text);
 }

@@ -28,13 +28,13 @@ absl::StatusOr<std::vector<std::string>> S3Blobs::Tenants() {
   return std::vector<std::string>(all.begin(), all.end());
 }
 
-absl::Status S3Blobs::DeriveOptions(const std::function<void(const BlobEntry&)>& moved) {
+absl::Status S3Blobs::MoveStaged(const std::function<void(const BlobEntry&)>& moved) {
   const auto tenants = staged_->Tenants();
   if (!tenants.ok()) return tenants.status();
   for (const std::string& tenant : *tenants) {
     const auto store = StoreOf(tenant);
     if (!store.ok()) return store.status();
-    if (absl::Status settled = (*store)->DeriveOptions(moved); !settled.ok()) return settled;
+    if (absl::Status moved_all = (*store)->MoveStaged(moved); !moved_all.ok()) return moved_all;
   }
   return absl::OkStatus();
 }

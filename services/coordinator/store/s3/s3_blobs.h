@@ -23,8 +23,8 @@ class S3Blobs : public BlobStores {
   absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string& tenant) override;
   absl::StatusOr<std::vector<std::string>> Tenants() override;
 
-  /// Calls S3BlobStore::DeriveOptions for each tenant.
-  absl::Status DeriveOptions(const std::function<void(const BlobEntry&)>& moved);
+  /// Calls S3BlobStore::MoveStaged for each tenant.
+  absl::Status MoveStaged(const std::function<void(const BlobEntry&)>& moved);
 
  private:
   absl::StatusOr<std::shared_ptr<S3BlobStore>> StoreOf(const std::string& tenant);

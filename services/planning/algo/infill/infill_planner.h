@@ -35,7 +35,7 @@ class InfillPlanner : public Planner {
   static bool IsNeeded(const PlanningOptions& options);
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  int32_t DeriveOptions(OpenLayers& /*layers*/) override { return 0; }
+  int32_t Revise(OpenLayers& /*layers*/) override { return 0; }
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
   int64_t HeldBytes() const override { return held_bytes_; }
 

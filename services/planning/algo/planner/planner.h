@@ -49,7 +49,7 @@ class Planner {
 
   /// Called after each Look. May add to the plans of all layers so far. Returns the index of the
   /// lowest layer that this planner may still change.
-  virtual int32_t DeriveOptions(OpenLayers& layers) { return layers.end(); }
+  virtual int32_t Revise(OpenLayers& layers) { return layers.end(); }
 
   /// Called after the last layer. Adds results that depend on several layers: to `layers`, or to
   /// `plan`, which has no layers yet. May take long. Returns Cancelled if `cancel` requests it.

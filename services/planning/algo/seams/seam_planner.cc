@@ -148,7 +148,7 @@ void SeamPlanner::Forget(size_t rings, ObjectSeams& seams) {
     if (seams.rings[i].parent >= 0) seams.rings[i].parent -= static_cast<int32_t>(first);
 }
 
-int32_t SeamPlanner::DeriveOptions(OpenLayers& layers) {
+int32_t SeamPlanner::Revise(OpenLayers& layers) {
   int32_t settled = layers.end();
   const bool too_many = places_ > most_places_;
   for (auto& [object, seams] : objects_) {

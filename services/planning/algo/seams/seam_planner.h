@@ -36,7 +36,7 @@ class SeamPlanner : public Planner {
       : options_(options), most_places_(most_places) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  int32_t DeriveOptions(OpenLayers& layers) override;
+  int32_t Revise(OpenLayers& layers) override;
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:

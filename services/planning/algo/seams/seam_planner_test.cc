@@ -26,7 +26,7 @@ JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPos
   JobPlan plan;
   for (const SlicedLayer& layer : layers) {
     planner.Look(layer, open.Add());
-    std::ranges::move(open.TakeBelow(planner.DeriveOptions(open)), std::back_inserter(plan.layers));
+    std::ranges::move(open.TakeBelow(planner.Revise(open)), std::back_inserter(plan.layers));
   }
   if (settled != nullptr) *settled = plan.layers.size();
   EXPECT_TRUE(planner.Finish({}, open, plan).ok());

@@ -80,7 +80,7 @@ void SpiralPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   left_at_ = start;
 }
 
-int32_t SpiralPlanner::DeriveOptions(OpenLayers& layers) {
+int32_t SpiralPlanner::Revise(OpenLayers& layers) {
   const int32_t last = seen_ - 1;
   if (!goes_on_) return left_at_ ? last : layers.end();
   LayerPlan& below = layers.At(last - 1);

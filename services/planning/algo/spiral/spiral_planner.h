@@ -38,7 +38,7 @@ class SpiralPlanner : public Planner {
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
   /// Settles all layers below the last one, if the last one is a turn. Only the next layer decides
   /// whether this turn ends the spiral.
-  int32_t DeriveOptions(OpenLayers& layers) override;
+  int32_t Revise(OpenLayers& layers) override;
   absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
