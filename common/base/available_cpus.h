@@ -11,9 +11,9 @@ namespace slicefarm {
 /// (cgroup v2, `cpu.max`, or v1).
 int AvailableCpus();
 
-/// Returns the number of CPUs that the `cpu.max` of a cgroup allows, rounded up; nullopt if it is
-/// unlimited. `quota`: "max", or the CPU time in microseconds per period. `period`: in
-/// microseconds.
+/// Returns the number of CPUs that a cgroup's quota allows, rounded up; nullopt if the quota is
+/// unlimited. `quota`: first value of `cpu.max`: "max", or the CPU time per period in microseconds.
+/// `period`: second value of `cpu.max`, in microseconds.
 std::optional<int> CpusOfQuota(std::string_view quota, std::string_view period);
 
 }  // namespace slicefarm

@@ -15,7 +15,7 @@ namespace slicefarm {
 /// Thread-safe; must outlive its shares.
 class ByteBudget {
  public:
-  /// Bytes taken from the budget. The destructor gives them back.
+  /// Bytes taken from the budget. The destructor returns the bytes to the budget.
   class Share {
    public:
     Share(ByteBudget& budget, int64_t bytes) : budget_(&budget), bytes_(bytes) {}
@@ -31,9 +31,10 @@ class ByteBudget {
 
   explicit ByteBudget(int64_t limit) : limit_(limit) {}
 
-  /// Takes a share of `bytes`. Waits until it fits within the limit together with the other shares;
-  /// calls are served in their order. A share larger than the limit is granted when there is no
-  /// other share. Errors: the error of `cancel`.
+  /// Takes `bytes` from the budget. Waits until all shares together are within the limit. Waiting
+  /// calls are served in the order in which they were made. A share larger than the limit is
+  /// granted when no other share exists. Errors: CANCELLED if `cancel` is cancelled during the
+  /// wait.
   absl::StatusOr<Share> Take(int64_t bytes, const CancelToken& cancel);
 
   int64_t limit() const { return limit_; }
@@ -46,7 +47,8 @@ class ByteBudget {
   std::condition_variable changed_;
   int64_t used_ = 0;
   int64_t next_turn_ = 0;
-  std::set<int64_t> waiting_;  ///< turn numbers of the waiting calls
+  /// sequence numbers of the waiting calls; the smallest is served next
+  std::set<int64_t> waiting_;
 };
 
 }  // namespace slicefarm

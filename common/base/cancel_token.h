@@ -7,9 +7,9 @@
 
 namespace slicefarm {
 
-/// Token that reports if the work has been cancelled. Algorithms that can take over 50 ms poll the
-/// token and return Cancelled. Copies are cheap. A token may be polled from any thread if its poll
-/// function allows this.
+/// Token that reports whether the work has been cancelled. Algorithms that can take over 50 ms poll
+/// the token and return its Cancelled error. Copies are cheap. A token may be polled from any
+/// thread if its poll function allows this.
 class CancelToken {
  public:
   CancelToken() = default;  ///< Makes a token that is never cancelled.

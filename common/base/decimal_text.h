@@ -8,7 +8,7 @@
 namespace slicefarm {
 
 inline constexpr int64_t kPowersOfTen[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
-/// Largest length of a decimal number as text, including sign and point.
+/// Largest number of characters of a decimal number, including sign and point.
 inline constexpr size_t kLongestDecimal = 22;
 
 /// Writes value / 10^digits at `at`, without trailing zeros: 1500 with 3 digits is "1.5". Returns

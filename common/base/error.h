@@ -85,12 +85,12 @@ struct ErrorDetail {
 absl::Status MakeError(absl::StatusCode code, Reason reason, std::string_view message,
                        std::map<std::string, std::string> metadata = {});
 
-/// Returns InvalidArgument with a limit and the actual value. `what`: counted things, for the
-/// message. The metadata has `limit` and `got`.
+/// Returns an InvalidArgument error for a value above a limit. `what`: name of the counted things,
+/// such as "layers", for the message. The metadata has `limit` and `got`, the actual value.
 absl::Status LimitError(Reason reason, std::string_view what, int64_t limit, int64_t got);
 
-/// Returns the details that MakeError has attached. For an error without details, returns the
-/// reason that fits its code.
+/// Returns the details that MakeError has attached to `status`. For an error without details,
+/// returns the reason that fits the status code.
 ErrorDetail DetailOf(const absl::Status& status);
 
 }  // namespace slicefarm

@@ -21,8 +21,8 @@ struct PerfectMatching {
   /// is then still of minimum weight.
   bool Proves(const WeightedEdge& edge) const;
 
-  /// Odd set of nodes with its dual variable. Part of the proof, which LightestPerfectMatching
-  /// sets.
+  /// Set of an odd number of nodes, and its dual variable. OddSets are part of the proof; only
+  /// LightestPerfectMatching makes them.
   struct OddSet {
     int32_t number;
     int64_t dual;
@@ -30,7 +30,7 @@ struct PerfectMatching {
   int64_t dual_scale = 1;
   /// Dual variable of each node, for weights multiplied by `dual_scale`.
   std::vector<int64_t> node_dual;
-  /// For each node: odd sets that contain it, sorted by their numbers.
+  /// odd sets that contain each node, indexed by node; each list is sorted by OddSet::number
   std::vector<std::vector<OddSet>> odd_sets;
 };
 

@@ -30,8 +30,9 @@ struct Span {
 /// counted. Thread-safe.
 class SpanLog {
  public:
-  /// Makes a log. `now_us`: current time in microseconds since 1970. Later times are measured from
-  /// this time by a monotonic clock.
+  /// Makes an empty log. `now_us`: current time in microseconds since 1970; the log adds the time
+  /// of a monotonic clock to it. `max_spans`: number of spans that are stored; further spans are
+  /// only counted.
   SpanLog(int64_t now_us, size_t max_spans) : start_us_(now_us), max_spans_(max_spans) {}
 
   int64_t NowUs() const { return start_us_ + static_cast<int64_t>(clock_.Seconds() * 1e6); }
@@ -51,11 +52,12 @@ class SpanLog {
   int64_t dropped_ = 0;
 };
 
-/// Adds a span to a log. The span lasts from the construction of this object to its destruction.
-/// For use by one thread.
+/// Adds a span to a log when this object is destroyed. The span begins with the object's
+/// construction. For use by one thread.
 class ScopedSpan {
  public:
-  /// Begins a span. If `log` is null, nothing is recorded. The log must outlive this object.
+  /// Begins a span; if `log` is null, nothing is recorded. `name`, `track`: see Span. The log must
+  /// outlive this object.
   ScopedSpan(SpanLog* log, std::string name, std::string track = "") : log_(log) {
     if (log_ != nullptr) span_ = {std::move(name), std::move(track), log_->NowUs()};
   }

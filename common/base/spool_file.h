@@ -16,14 +16,14 @@ namespace slicefarm {
 /// space. The file disappears with this object, even if the process crashes. Thread-safe.
 class SpoolFile {
  public:
-  /// Position of a text in the file.
+  /// Position and length of a text in the file, in bytes.
   struct Place {
     int64_t offset = 0;
     int64_t size = 0;
   };
 
-  /// Makes a file in an existing directory. If the name is empty, the system's directory for
-  /// temporary files is used. Errors of all functions: DISK_FULL, STORE_FAILED.
+  /// Makes a file in an existing directory; an empty `directory` is the system's directory for
+  /// temporary files. Errors of all functions of the class: DISK_FULL, STORE_FAILED.
   static absl::StatusOr<std::unique_ptr<SpoolFile>> Make(const std::string& directory);
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;
@@ -31,8 +31,8 @@ class SpoolFile {
 
   absl::StatusOr<Place> Add(std::string_view text);
 
-  /// Fills `bytes` with the data from `offset` on. Errors: also STORE_FAILED if the file ends
-  /// earlier.
+  /// Fills `bytes` with the file's data from `offset` on. Returns STORE_FAILED if the file has
+  /// fewer bytes after `offset`.
   absl::Status ReadAt(int64_t offset, std::span<char> bytes) const;
 
  private:

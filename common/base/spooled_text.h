@@ -16,7 +16,8 @@ namespace slicefarm {
 /// Text that may be larger than the memory: a sequence of pieces, some of them in a spool file.
 class SpooledText {
  public:
-  /// Function that receives the next bytes of the text. If it returns an error, the iteration ends.
+  /// Function that receives the next bytes of the text. If the function returns an error,
+  /// ForEachBlock stops and returns this error.
   using Visit = std::function<absl::Status(std::string_view bytes)>;
 
   /// Size of the blocks that ForEachBlock passes to `visit`.
@@ -24,7 +25,7 @@ class SpooledText {
 
   SpooledText() = default;
   explicit SpooledText(std::string text) { Add(std::move(text)); }
-  /// Makes an empty text that can have pieces in this spool file.
+  /// Makes an empty text. Its pieces may be in memory or in this spool file.
   explicit SpooledText(std::unique_ptr<const SpoolFile> spool) : spool_(std::move(spool)) {}
 
   void Add(std::string text);
@@ -33,14 +34,13 @@ class SpooledText {
 
   int64_t size() const { return size_; }
 
-  /// Calls `visit` with consecutive blocks of kBlockBytes until the end of the text; the last block
-  /// may be shorter. Each call of this function visits the whole text. Errors: errors of `visit`;
-  /// STORE_FAILED.
+  /// Calls `visit` with consecutive blocks of kBlockBytes, from the text's start to its end; the
+  /// last block may be shorter. Errors: the first error of `visit`; STORE_FAILED.
   absl::Status ForEachBlock(const Visit& visit) const;
 
-  /// Returns up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED.
-  /// REQUIRES: offset >= 0, limit >= 0. Cost: O(number of pieces before the end of the read +
-  /// limit).
+  /// Returns `limit` bytes from `offset` on, or fewer if the text ends earlier. Errors:
+  /// STORE_FAILED. REQUIRES: offset >= 0, limit >= 0. Cost: O(number of pieces before the end of
+  /// the read + limit).
   absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) const;
 
   /// Returns the whole text. Only for texts that fit into memory. Errors: STORE_FAILED.

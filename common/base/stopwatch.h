@@ -4,8 +4,9 @@
 
 namespace slicefarm {
 
-/// Timer that measures the seconds since its construction, by a monotonic clock. Times are used in
-/// reports, and to decide when the same work is started a second time; they never change a result.
+/// Timer that measures the seconds since its construction with a monotonic clock. Times are used in
+/// reports, and to decide when slow work is started a second time on another worker. They never
+/// change a result.
 class Stopwatch {
  public:
   double Seconds() const {

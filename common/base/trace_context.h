@@ -6,9 +6,9 @@
 
 namespace slicefarm {
 
-/// Trace to which some work belongs, and the span of the trace that requested the work. The context
-/// is passed on from call to call and is written to logs, so that all work for a job can be found
-/// on any machine. Source: W3C Trace Context, version 00.
+/// Trace to which some work belongs, and the span that requested the work. Each call passes the
+/// context on, and logs contain it, so that all work for a job can be found on any machine. Source:
+/// W3C Trace Context, version 00.
 struct TraceContext {
   std::string trace_id = {};  ///< 32 lower-case hex digits, not all 0; empty: no trace
   std::string span_id = {};   ///< 16 lower-case hex digits, not all 0
@@ -29,9 +29,9 @@ std::optional<TraceContext> ParseTraceparent(std::string_view text);
 /// REQUIRES: !context.empty().
 std::string Traceparent(const TraceContext& context);
 
-/// Returns the trace of a job for which the client has given no trace. The trace id is the job's id
-/// if it has 32 hex digits. The result depends only on the job, so all coordinators get the same
-/// trace.
+/// Returns the trace of a job for which the client has given no trace. If the job's id has 32 hex
+/// digits, it is the trace id. The result depends only on the job's id, so all coordinators get the
+/// same trace.
 TraceContext TraceOfJob(std::string_view job_id);
 
 /// Returns a new span within the trace of `parent`. Its id depends only on `parent` and `what`, so

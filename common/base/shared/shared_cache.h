@@ -19,9 +19,9 @@
 
 namespace slicefarm {
 
-/// Cache, by digest, of shared values that a server has received as bytes. It evicts the values
-/// that were not added or requested for the longest time. A user that has taken a value can use it
-/// even after its eviction. Thread-safe.
+/// Cache of values that a server has received as bytes; the key is the digest of the bytes. The
+/// cache evicts the values that were not added or requested for the longest time. A caller may use
+/// a value even after its eviction. Thread-safe.
 class SharedCache {
  public:
   struct Counts {
@@ -29,11 +29,11 @@ class SharedCache {
     int64_t misses = 0;   ///< number of requests for values not in the cache
     int64_t evicted = 0;  ///< number of evicted values
     int64_t entries = 0;  ///< current number of values
-    int64_t bytes = 0;    ///< size of the current values, as received
+    int64_t bytes = 0;    ///< size of the current values in the form in which they were received
   };
 
-  /// Makes a cache for at most `capacity` bytes. A single value may be larger; it is then the only
-  /// one.
+  /// Makes a cache for at most `capacity` bytes. A single larger value is also stored; the cache
+  /// then contains no other value.
   explicit SharedCache(int64_t capacity) : capacity_(capacity) {}
 
   bool Has(const std::string& digest) const;
@@ -41,8 +41,9 @@ class SharedCache {
   void Put(SharedBytes bytes);
 
   /// Returns the value with this digest. The first call converts the bytes by `read(bytes)` and
-  /// then discards the bytes. `kind`: required kind (SharedBytes). Errors: SHARED_MISSING with
-  /// metadata `digest`; REQUEST_MALFORMED if the value is of another kind; errors of `read`.
+  /// then discards the bytes. `kind`: kind that the value must have (SharedBytes::kind). Errors:
+  /// SHARED_MISSING with metadata `digest`; REQUEST_MALFORMED if the value is of another kind; the
+  /// error of `read`.
   template <typename T>
   absl::StatusOr<Shared<T>> Take(const std::string& digest, std::string_view kind,
                                  const std::function<absl::StatusOr<T>(std::string_view)>& read) {
