@@ -8,8 +8,8 @@
 
 namespace slicefarm::config {
 
-/// Number of keys in a profile that have an effect. Values of keys are only evaluated for choices
-/// that are not fully supported. Keys of print hosts and of resin printing are not counted.
+/// Numbers of keys in a profile, by their effect. The value of a key matters only for a choice: an
+/// unsupported choice counts as partial. Keys of print hosts and of resin printing are not counted.
 struct Coverage {
   int32_t keys = 0;
   int32_t effect = 0;   ///< keys that have their full effect, or that only describe the profile
@@ -18,7 +18,8 @@ struct Coverage {
   std::vector<std::string> without;  ///< `key: why` for each partial or ineffective key, sorted
 };
 
-/// Returns how many keys of a profile have an effect. The last value of a repeated key counts.
+/// Returns the coverage of a profile of a filament printer. If a key is repeated, its last value
+/// counts.
 Coverage CoverageOf(std::span<const Setting> profile);
 
 }  // namespace slicefarm::config

@@ -25,7 +25,7 @@ struct MissingFeature {
 /// Feature that may be missing if the job allows it (`--allow`, JobSpec.allow).
 struct Allowance {
   std::string_view name;
-  std::string_view doc;  ///< description for people: consequence of the missing feature
+  std::string_view doc;  ///< consequence of the missing feature, as a description for users
 };
 
 inline constexpr std::string_view kPaintedFilaments = "painted_filaments";

@@ -19,8 +19,8 @@ struct ResolvedPlate {
   JobSettings settings;
   std::vector<ObjectInput> objects;
   int64_t region_rows = 0;  ///< number of different sets of region settings
-  /// Text of ResolvedSettings::effective_text. If objects have settings of their own, a line
-  /// `object_settings = ` follows with these settings as JSON.
+  /// ResolvedSettings::effective_text of the job's settings. If objects have settings of their own,
+  /// a line `object_settings = ` with these settings as JSON follows.
   std::string effective_text;
   /// Notes as in ResolvedSettings. Notes on an object begin with the object's name.
   std::vector<SettingNote> no_effect;

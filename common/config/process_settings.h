@@ -16,8 +16,9 @@
 
 namespace slicefarm::config {
 
-/// Different rows of region settings of a plate, collected while the plate is resolved. The base
-/// class has one row for all regions, for a process without settings per region.
+/// Table of the different rows of region settings of a plate, which is filled while the plate is
+/// resolved. This base class is for a process without settings per region: all regions share one
+/// row.
 class RegionRows {
  public:
   virtual ~RegionRows() = default;
@@ -33,21 +34,22 @@ class RegionRows {
   virtual void PutInto(JobSettings& /*plate*/) const {}
 };
 
-/// Arguments of ProcessSettings::DeriveOptions: one resolved set of settings, after all values are
-/// stored.
+/// Arguments of ProcessSettings::DeriveOptions: one set of settings, after the values of `draft`
+/// are stored in `result`.
 struct OptionSources {
   const SettingValues& draft;
   std::span<const Setting> given;
-  ResolvedSettings& result;  ///< resolved settings; receives notes and warnings
+  ResolvedSettings& result;  ///< receives derived options, notes and warnings
   ReportedSettings& told;
 };
 
 /// Format of a job's output file, identified by the file name's suffix.
 struct FileFormat {
   std::string_view suffix;  ///< suffix such as ".svg"
-  std::string_view key;     ///< setting that selects the format
+  std::string_view key;     ///< setting that selects the format, by the value `value`
   std::string_view value;
-  /// True: a file name with this suffix is an error for processes that do not list the suffix.
+  /// True: the suffix is only used by this process. A job of a process without this suffix is
+  /// refused if its output file has the suffix.
   bool alone = false;
   /// True: a file with the suffix gets this format unless settings select another one.
   bool chosen_by_name = true;
@@ -69,33 +71,35 @@ class ProcessSettings {
   virtual ~ProcessSettings() = default;
 
   // Functions for the settings table.
-  /// Returns rows of this process into which values can be stored. The initial values do not
-  /// matter.
+  /// Returns rows of this process, into which the values of all settings are then stored. The
+  /// initial values do not matter.
   virtual JobRows Standards() const = 0;
   /// Returns a plate with the job's rows and without objects.
   virtual ProcessValue PlateOf(const ProcessValue& job) const = 0;
-  /// Returns all settings that have an effect, with their scopes, in any order. It is called once.
+  /// Returns all settings that have an effect, with their scopes, in any order. Called once.
   virtual std::vector<SettingSpec> Table() const = 0;
   /// Returns true if a key outside of the table belongs to this process. Files contain such keys,
   /// but they have no effect.
   virtual bool Knows(std::string_view /*key*/) const { return false; }
 
-  /// Returns the keys that a machine's profile sets. A job that sets all of them names its machine.
+  /// Returns the keys that each profile of a machine sets. If a job sets all of them, it is made
+  /// for a certain machine (CheckMachineNamed).
   virtual std::span<const std::string_view> MachineKeys() const { return {}; }
 
   // Functions for one set of settings, in the order of the calls. For their errors see Resolve.
-  /// Returns the index of the item to use in lists that have one item per extruder.
+  /// Returns the index of the extruder. In lists with one item per extruder, the item with this
+  /// index is used.
   virtual size_t ListItem(std::span<const Setting> /*given*/) const { return 0; }
   /// Replaces values that refer to other settings by absolute values. Requests that cannot be
   /// fulfilled are reported in `result`.
   virtual absl::Status Derive(SettingValues& draft, ResolvedSettings& result) const = 0;
   /// Checks that the values are consistent with each other.
   virtual absl::Status Check(const SettingValues& draft) const = 0;
-  /// Sets the options that depend on several settings.
+  /// Sets the options that depend on several settings, in OptionSources::result.
   virtual absl::Status DeriveOptions(const OptionSources& /*settling*/) const {
     return absl::OkStatus();
   }
-  /// Checks the complete settings, including their text.
+  /// Checks the complete settings, including ResolvedSettings::effective_text.
   virtual absl::Status Finish(const SettingValues& /*draft*/, ResolvedSettings& /*result*/) const {
     return absl::OkStatus();
   }
@@ -109,26 +113,26 @@ class ProcessSettings {
                                     std::vector<MissingFeature>& /*missing*/) const {
     return absl::OkStatus();
   }
-  /// Returns the profiles of the job that are not compatible with this machine or print, by the
-  /// profiles' own conditions. `settings_text`: ResolvedSettings::effective_text.
+  /// Returns the job's profiles that exclude this machine or print by their own conditions, such as
+  /// `compatible_printers_condition`. `settings_text`: ResolvedSettings::effective_text.
   virtual std::vector<MissingFeature> Incompatible(std::span<const Setting> /*job*/,
                                                    std::string_view /*settings_text*/) const {
     return {};
   }
   virtual std::unique_ptr<RegionRows> NewRows() const { return std::make_unique<RegionRows>(); }
-  /// Returns the requests of an object's parts and ranges that the object's settings disable, each
-  /// as `what: needs ...`.
+  /// Returns the settings of an object's parts and ranges that have no effect, because a setting of
+  /// the object disables them. Each line is `key = value: needs ...`.
   virtual std::vector<std::string> UnmetNeedsOf(const SceneObject& /*object*/,
                                                 const JobRows& /*settings*/) const {
     return {};
   }
-  /// Adds rows for the structures that planning adds to an object, and stores the indexes of the
-  /// rows in `object`, the settings of the object.
+  /// Adds rows for the structures that planning adds to an object, such as supports. Stores the
+  /// indices of these rows in `object`, the settings of the object.
   virtual absl::Status AddRows(JobRows& /*object*/, RegionRows& /*rows*/) const {
     return absl::OkStatus();
   }
-  /// Returns true if an object of the plate and an object with the settings `other` are equal for
-  /// all stages. REQUIRES: slicing treats both alike.
+  /// Returns true if object number `object` of the plate and an object with the settings `other`
+  /// have the same settings for all stages. REQUIRES: their settings for slicing are equal.
   virtual bool AreAlike(const JobSettings& /*plate*/, size_t /*object*/,
                         const JobRows& /*other*/) const {
     return true;
@@ -150,8 +154,8 @@ class ProcessSettings {
   /// process. Returns an empty text if there is none.
   virtual std::string_view Example() const { return {}; }
   virtual ResultWords Words() const { return {}; }
-  /// Returns the cost of the material per kg. Returns 0 if the settings have none and the farm's
-  /// own value applies.
+  /// Returns the cost of the material per kg. Returns 0 if the settings have no cost; then the
+  /// farm's own value is used.
   virtual double MaterialCostPerKg(const JobSettings& /*settings*/) const { return 0; }
 };
 

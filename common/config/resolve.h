@@ -18,7 +18,8 @@ using slicefarm::Source;
 
 class ParsedTexts;
 
-/// Factors by which parts are scaled, because their filament shrinks.
+/// Factors by which parts are enlarged before slicing, because their filament shrinks when it
+/// cools.
 struct ShrinkageCompensation {
   double xy = 1;
   double z = 1;
@@ -28,8 +29,8 @@ struct ShrinkageCompensation {
 struct ResolvedSettings {
   JobRows settings;
   ShrinkageCompensation growth;
-  /// Text of the settings by EffectiveText, including given settings that no stage uses
-  /// (told_settings.h). Resolve of these lines gives the same `settings` and the same text.
+  /// Text of the settings (EffectiveText), including given settings that no stage uses
+  /// (reported_settings.h). Resolve of these lines gives the same `settings` and the same text.
   std::string effective_text;
   /// Given settings without effect or without full effect.
   std::vector<SettingNote> no_effect;
@@ -55,11 +56,12 @@ struct ResolvedSettings {
 /// - SETTING_OUT_OF_RANGE (metadata `setting`, `value`, `min`, `max`), also for settings that are
 ///   inconsistent with each other.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process);
-/// Resolves one of many sets of settings that share long texts. `parsed` stores the parsed texts.
+/// Resolves one of many sets of settings that share long texts. `parsed`: texts that earlier calls
+/// have parsed; new long texts are added.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process,
                                          ParsedTexts& parsed);
 
-/// Returns the settings that have an effect on the job's process as `key = value` lines sorted by
+/// Returns the settings that have an effect on the job's process as `key = value` lines, sorted by
 /// key. The lines include `told`: given settings that no stage uses. Two texts are equal if and
 /// only if the settings are equal.
 std::string EffectiveText(const JobRows& settings, const ReportedSettings& told = {});

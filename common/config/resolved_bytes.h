@@ -10,10 +10,10 @@
 
 namespace slicefarm::config {
 
-/// Size of settings after resolution, estimated from the length of their texts. Each object, part
-/// or range with settings of its own also has all settings of the job. Long texts of the job are
-/// stored once for all of them. Only a fraction of the length of such a text counts, because it is
-/// scanned but not parsed again.
+/// Size of all resolved settings, estimated from the length of their texts. Each object, part or
+/// range with settings of its own gets a copy of all settings of the job. Only long texts of the
+/// job are stored once for all copies; a fraction of their length counts per copy, because each
+/// copy scans the text again.
 class ResolvedBytes {
  public:
   /// Adds one more set of settings. Errors: REQUEST_TOO_LARGE if all sets together exceed

@@ -14,8 +14,8 @@ namespace slicefarm::config {
 template <typename Row>
 class RowTable {
  public:
-  /// Returns the index of the row, which is added if it is new. Cost: O(rows). Errors:
-  /// REQUEST_TOO_LARGE beyond limits::kMaxRegionSettings.
+  /// Returns the index of a row; a new row is added. Cost: O(rows). Errors: REQUEST_TOO_LARGE
+  /// beyond limits::kMaxRegionSettings.
   absl::StatusOr<int32_t> Add(const Row& row) {
     const auto found = std::ranges::find(rows_, row);
     if (found != rows_.end()) return static_cast<int32_t>(found - rows_.begin());

@@ -16,35 +16,36 @@
 
 namespace slicefarm::config {
 
-/// Parsed values of long texts, such as fields, that several sets of settings share. Each text is
-/// parsed once.
+/// Parsed values of long texts, such as fields, that several sets of settings share. Each long text
+/// is parsed once.
 class ParsedTexts {
  public:
-  /// Returns ParseValue(spec, text).
+  /// Returns ParseValue(spec, text). For a long text (limits::kLongTextBytes), stores the result or
+  /// returns the stored result.
   absl::StatusOr<Value> Parse(const SettingSpec& spec, std::string_view text);
 
  private:
   std::map<std::pair<const SettingSpec*, std::string>, absl::StatusOr<Value>, std::less<>> known_;
 };
 
-/// Reader that takes settings one by one. It keeps the last value of each key and makes notes on
-/// replaced values.
+/// Reader that receives settings one by one. The last value of each key counts; the reader makes
+/// notes on replaced values.
 class SettingReader {
  public:
-  /// Makes a reader. `tool`: index of the item that counts in lists per extruder. `parsed` must
-  /// outlive the reader.
+  /// Makes a reader. `tool`: index of the extruder; in lists with one item per extruder, its item
+  /// is used. `parsed` must outlive the reader.
   SettingReader(Process process, size_t tool, ParsedTexts& parsed);
 
   /// Reads a setting. Errors: any error of Resolve that concerns a single setting.
   absl::Status Read(const Setting& setting);
 
-  /// Skips a setting that a later setting of any source replaces.
+  /// Notes a setting that is not read, because a later setting with the same key replaces it.
   void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
 
   /// Returns the settings that no stage uses.
   ReportedSettings Told() const;
 
-  /// Returns the values after all settings are read. Reports the settings without effect in
+  /// Returns the values; call it after all settings are read. Adds the settings without effect to
   /// `result`: changes of the print first, descriptions of profiles last.
   SettingValues Finish(ResolvedSettings& result);
 

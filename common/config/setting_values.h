@@ -18,7 +18,7 @@ class SettingValues {
   explicit SettingValues(Process process);
 
   struct Entry {
-    std::optional<Value> value = {};  ///< value; none: `nil`
+    std::optional<Value> value = {};  ///< value; nullopt: the setting is `nil`
     std::string written = {};         ///< text that the user wrote, for errors
     std::string all = {};             ///< whole text of the list from which `value` was taken
     bool given = false;               ///< true if the value was given and is not just the default
@@ -35,7 +35,7 @@ class SettingValues {
   Entry& At(std::string_view key);
   const Entry& At(std::string_view key) const;
 
-  /// Returns the number of a setting. REQUIRES: the setting has a value.
+  /// Returns the setting's value as a number. REQUIRES: the setting has a value (it is not `nil`).
   double Number(std::string_view key) const;
   void SetNumber(std::string_view key, double number);
 

@@ -10,8 +10,9 @@
 
 namespace slicefarm::config::presets {
 
-/// Names of presets as a user gives them. An empty process or filament is the printer's default, or
-/// the preset with the default's alias that is made for the printer.
+/// Names of presets as a user gives them. If the process or filament is empty, the printer's
+/// default is used: the preset of this name, or the preset with the same alias that is made for the
+/// printer.
 struct PresetNames {
   std::string printer;
   std::string process;
@@ -25,21 +26,26 @@ struct ChosenPresets {
   const Preset* filament = nullptr;
 };
 
-/// Returns the printers of this name: the preset, or all presets of the model with this name.
-/// Errors: PROFILE_NOT_FOUND with the most similar name (metadata `preset`, `suggestion`).
+/// Returns the printer presets with this name. If there are none, returns all presets of the
+/// printer model with this name. Errors: PROFILE_NOT_FOUND with the most similar name (metadata
+/// `preset`, `suggestion`).
 absl::StatusOr<std::vector<const Preset*>> PrintersNamed(const PresetSet& set,
                                                          std::string_view name);
 
-/// Returns the listed presets of a kind that are made for the printer, by name.
+/// Returns the listed presets of a kind that are made for the printer, sorted by name.
 std::vector<const Preset*> MadeFor(const PresetSet& set, const PrinterFit& fit, PresetKind kind);
 
-/// Returns the presets of a job. A process or filament may be named by its alias ("0.20mm
-/// Standard" for "0.20mm Standard @MK4") if only one preset with it is made for the printer.
+/// Returns the presets of a job. A process or filament may also be named by its alias, if only one
+/// preset with this alias is made for the printer. Example: "0.20mm Standard" for "0.20mm Standard
+/// @MK4".
 ///
-/// Errors: PROFILE_NOT_FOUND for a name that no preset has (metadata `preset` and, if there is a
-/// similar name, `suggestion`), and for a printer without a default; REQUEST_MALFORMED for a model
-/// with several presets, and for a preset that is not made for the printer or process; as
-/// PresetSet::Lineage.
+/// Errors:
+/// - PROFILE_NOT_FOUND for a name that no preset has (metadata `preset` and, if there is a similar
+///   name, `suggestion`), and for an empty name if the printer has no default;
+/// - REQUEST_MALFORMED for the name of a printer model with several presets, and for an alias of
+///   several presets;
+/// - REQUEST_MALFORMED for a preset that is not made for the printer or process;
+/// - any error of PresetSet::Lineage.
 absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNames& names);
 
 }  // namespace slicefarm::config::presets

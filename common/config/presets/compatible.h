@@ -10,16 +10,18 @@
 
 namespace slicefarm::config::presets {
 
-/// Printer preset that processes and filaments are matched with, as in the presets' program. The
-/// list `compatible_printers` has names. If it is empty, `compatible_printers_condition` decides. A
-/// condition that cannot be evaluated excludes nothing.
+/// Test whether processes and filaments are made for a printer preset, by the rules of the presets'
+/// program. The list `compatible_printers` has the names of printers. If the list is empty,
+/// `compatible_printers_condition` decides. A condition that cannot be evaluated counts as true.
 ///
-/// OrcaSlicer also accepts a list that has the parent of a user's printer. It hides a filament of
-/// its library if a vendor has a filament with the same alias for the printer. PrusaSlicer only
-/// accepts presets of the printer's vendor and of users.
+/// OrcaSlicer has two more rules. For a user's printer, the list may also name the printer's
+/// parent. A filament of OrcaSlicer's library is refused if another filament with the same alias
+/// names the printer. PrusaSlicer accepts only presets of the printer's vendor, presets of users,
+/// and templates (PresetScope::templates).
 class PrinterFit {
  public:
-  /// Errors: as PresetSet::Lineage. `set` must outlive the result. Cost: O(presets).
+  /// Prepares the test for a printer. Errors: any error of PresetSet::Lineage. `set` must outlive
+  /// the result. Cost: O(presets).
   static absl::StatusOr<PrinterFit> Make(const PresetSet& set, const Preset& printer);
 
   /// Returns true if the process or filament is made for the printer. Returns false for a preset
@@ -34,13 +36,15 @@ class PrinterFit {
 
   const PresetSet* set_;
   const Preset* printer_;
-  std::string vendor_;                  ///< vendor of the printer, or of the one it inherits from
+  /// vendor of the printer; for a user's printer, vendor of the nearest ancestor that has one
+  std::string vendor_;
   macro::TemplateVariables variables_;  ///< the printer's settings
-  std::set<std::string> held_;          ///< aliases of vendors' filaments that name the printer
+  /// aliases of filaments outside of OrcaSlicer's library that name the printer
+  std::set<std::string> held_;
 };
 
-/// Returns true if the filament is made for the process: `compatible_prints`, or else
-/// `compatible_prints_condition`.
+/// Returns true if the filament is made for the process. The filament's list `compatible_prints`
+/// decides; if the list is empty, its `compatible_prints_condition`.
 bool AcceptsProcess(const PresetSet& set, const Preset& filament, const Preset& process);
 
 }  // namespace slicefarm::config::presets

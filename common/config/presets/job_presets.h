@@ -10,28 +10,29 @@
 
 namespace slicefarm::config::presets {
 
-/// Setting of a job in the names and values of the presets' program, with its source.
+/// Setting of a job, with its name and value in the presets' program, and with its source.
 struct SourcedValue {
   std::string key;
   std::string value;
-  const Preset* from = nullptr;  ///< nullptr: the program's default, or the name of a preset
+  const Preset* from = nullptr;  ///< preset that has the value; nullptr: the program's default
 };
 
-/// Returns all settings of a job, by key, as the presets' program combines them: its defaults, the
-/// process, the printer, and the filament. Settings in a preset of the wrong kind do not count.
-/// OrcaSlicer's defaults are included, because they differ from PrusaSlicer's. Lists of compatible
-/// presets are left out. Errors: as PresetSet::Lineage.
+/// Returns all settings of a job, sorted by key, as the presets' program combines them. The printer
+/// overrides the process, and the filament overrides both. A setting is left out if presets of its
+/// kind may not have it (MayHaveKey). Lists of compatible presets are left out, too. For
+/// OrcaSlicer, its defaults are included, because they differ from PrusaSlicer's. Errors: any error
+/// of PresetSet::Lineage.
 absl::StatusOr<std::vector<SourcedValue>> CombinePresets(const PresetSet& set,
                                                          const ChosenPresets& chosen);
 
 /// Settings of a job in PrusaSlicer's names.
 struct JobPresets {
   std::vector<Setting> settings;
-  std::vector<std::string> of_print;  ///< settings without effect that change the print
-  std::vector<std::string> others;    ///< further settings without effect
+  std::vector<std::string> of_print;  ///< OrcaUnused::of_print; empty for presets of other programs
+  std::vector<std::string> others;    ///< OrcaUnused::others, only for settings that a preset has
 };
 
-/// Returns the settings of CombinePresets in PrusaSlicer's names and values. Errors: as
+/// Returns the settings of CombinePresets with PrusaSlicer's names and values. Errors: any error of
 /// CombinePresets.
 absl::StatusOr<JobPresets> SettingsOfPresets(const PresetSet& set, const ChosenPresets& chosen);
 

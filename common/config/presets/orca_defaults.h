@@ -4,9 +4,9 @@
 
 namespace slicefarm::config::presets {
 
-/// Return the settings of OrcaSlicer's presets of one kind as lines `key = value` with the value
-/// that the program takes if no preset has the setting. Lines without `=` are settings that have no
-/// such value. Values have the escapes of a config.ini. Source: OrcaSlicer, February 2026.
+/// Return OrcaSlicer's settings for presets of one kind, one setting per line. `key = value`: the
+/// value that the program uses if no preset has the setting. `key` alone: the setting has no such
+/// value. Values have the escapes of a config.ini. Source: OrcaSlicer, February 2026.
 std::string_view OrcaPrinterDefaults();
 std::string_view OrcaProcessDefaults();
 std::string_view OrcaFilamentDefaults();

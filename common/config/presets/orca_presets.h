@@ -28,9 +28,10 @@ struct OrcaFile {
   PrinterModel model;
 };
 
-/// Returns the content of a JSON file. `path` decides the kind and the name of a preset that says
-/// neither. `of_vendor`: a vendor's file, which may include other presets and be a mere base.
-/// Errors: as for a preset without a name.
+/// Returns the content of a JSON file. If the file names neither the kind nor the name of a preset,
+/// `path` decides: a folder's name is the kind, the file's name is the preset's name. `of_vendor`:
+/// true for a vendor's file, which may include further presets as parents. A file without a kind is
+/// kOther.
 OrcaFile ReadOrcaFile(const std::string& path, FlatJson json, bool of_vendor);
 
 }  // namespace slicefarm::config::presets

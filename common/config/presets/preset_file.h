@@ -14,7 +14,7 @@ inline constexpr int64_t kMaxPresetFiles = 50'000;
 inline constexpr int64_t kMaxPresetFileBytes = 16 << 20;
 inline constexpr int64_t kMaxPresetBytes = 256 << 20;  ///< bytes of all files, expanded
 
-/// File of presets in memory.
+/// File with presets, in memory.
 struct PresetFile {
   std::string path;  ///< path with `/` between folders, relative to the source
   std::string bytes;
@@ -29,10 +29,10 @@ std::string FileStem(std::string_view path);
 /// Returns true for the bytes of a ZIP archive: .orca_printer, .orca_filament, .bbscfg, .bbsflmt.
 bool IsArchive(std::string_view bytes);
 
-/// Returns the files of an archive that may have presets, in its order. Their paths begin with the
-/// archive's path. Errors: SETTING_MALFORMED for a damaged or encrypted archive; REQUEST_TOO_LARGE
-/// beyond the limits on files, bytes and compression, which are checked before anything is
-/// expanded.
+/// Returns the files of an archive that may have presets (MayHavePresets), in the archive's order.
+/// Their paths begin with the archive's path. Errors: SETTING_MALFORMED for a damaged or encrypted
+/// archive; REQUEST_TOO_LARGE beyond the limits on files, bytes and compression. The limits are
+/// checked before any file is expanded.
 absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive);
 
 }  // namespace slicefarm::config::presets

@@ -8,11 +8,11 @@
 
 namespace slicefarm::config::presets {
 
-/// Returns true if presets of this kind may have the setting. The programs ignore settings in a
-/// preset of another kind. Settings that are in no list of the program belong to any kind.
+/// Returns true if presets of this kind may have the setting. The programs ignore a setting in a
+/// preset of another kind. Returns true for a setting that the program's list of no kind contains.
 bool MayHaveKey(PresetKind kind, PresetDialect dialect, std::string_view key);
 
-/// Returns keys and values that OrcaSlicer takes if no preset of this kind has the setting.
+/// Returns the keys and values that OrcaSlicer uses for settings that no preset of this kind has.
 const std::vector<std::pair<std::string_view, std::string_view>>& OrcaDefaultsOf(PresetKind kind);
 
 }  // namespace slicefarm::config::presets

@@ -18,7 +18,7 @@ struct FlatValue {
 };
 using FlatPreset = std::map<std::string, FlatValue, std::less<>>;
 
-/// Presets of all sources, which find their parents among each other.
+/// All presets of all sources. Names of parents are looked up in the set.
 class PresetSet {
  public:
   /// Limits on inheritance: generations above a preset, and presets that one preset inherits from.
@@ -29,7 +29,7 @@ class PresetSet {
   int32_t AddScope(PresetScope scope);
   void Add(Preset preset);
   void Add(PrinterModel model);
-  /// Adds a line about a file, or a part of it, that is not used.
+  /// Adds a message about a file, or a part of a file, that is not used.
   void AddProblem(std::string line) { problems_.push_back(std::move(line)); }
 
   const std::vector<Preset>& presets() const { return presets_; }
@@ -38,21 +38,21 @@ class PresetSet {
   /// Returns the model of a printer preset, or nullptr.
   const PrinterModel* ModelOf(const Preset& printer) const;
 
-  /// Returns the listed presets with this name, or with it as an old name, in the order in which
-  /// they were added. Exact names come first.
+  /// Returns the listed presets of a kind with this name, followed by the presets that have the
+  /// name as an old name. Both groups are in the order in which presets were added.
   std::vector<const Preset*> Named(PresetKind kind, std::string_view name) const;
 
-  /// Returns the preset and its ancestors; the settings of an earlier one win. Errors:
-  /// PROFILE_NOT_FOUND for a parent that is missing (metadata `preset`, `parent`);
-  /// SETTING_MALFORMED for a preset that inherits from itself; REQUEST_TOO_LARGE beyond the limits.
-  /// Cost: O(ancestors).
+  /// Returns the preset, followed by its ancestors. If several of them have a setting, the first in
+  /// this list counts. Errors: PROFILE_NOT_FOUND for a missing parent (metadata `preset`,
+  /// `parent`); SETTING_MALFORMED for a preset that inherits from itself; REQUEST_TOO_LARGE beyond
+  /// the limits. Cost: O(ancestors).
   absl::StatusOr<std::vector<const Preset*>> Lineage(const Preset& preset) const;
 
-  /// Returns all settings of a preset. Errors: as Lineage.
+  /// Returns all settings of a preset, including inherited ones. Errors: any error of Lineage.
   absl::StatusOr<FlatPreset> Flatten(const Preset& preset) const;
 
-  /// Returns the value of one setting of the preset with this lineage; an empty text if none of
-  /// them has it.
+  /// Returns the value of a setting for the preset with this result of Lineage; an empty text if no
+  /// preset of the lineage has the setting.
   static std::string_view ValueOf(const std::vector<const Preset*>& lineage, std::string_view key);
 
  private:
@@ -65,7 +65,7 @@ class PresetSet {
   std::vector<Preset> presets_;
   std::vector<PrinterModel> models_;
   std::vector<std::string> problems_;
-  /// Indices into presets_ by kind and name, and by kind and old name.
+  /// Indices into presets_ by kind and name (by_name_), and by kind and old name (by_old_name_).
   std::multimap<std::pair<PresetKind, std::string>, size_t> by_name_, by_old_name_;
 };
 

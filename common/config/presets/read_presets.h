@@ -8,18 +8,18 @@
 
 namespace slicefarm::config::presets {
 
-/// Returns the presets of files. Files without presets are left out. Formats:
+/// Returns the presets in `files`. Formats:
 /// - folders of OrcaSlicer and Bambu Studio: VENDOR.json with the folder VENDOR, presets of users;
 /// - exports of these programs: single JSON files and archives;
 /// - bundles and presets of PrusaSlicer and SuperSlicer, flat config.ini files.
 ///
-/// As in OrcaSlicer, a file of a vendor's folder counts only if the vendor's list names it.
-/// `files` are read in the order of their paths, vendors before users, so that the result does not
-/// depend on the order of a folder.
+/// Of the files in a vendor's folder, only files that the vendor's list names are used, as in
+/// OrcaSlicer. Files are read in the order of their paths, vendors before users, so that the result
+/// does not depend on the order of `files`.
 ///
-/// A file that cannot be read is a line of PresetSet::problems, and its presets are missing.
-/// Errors: SETTING_MALFORMED if no file has a preset, with the first problem; REQUEST_TOO_LARGE
-/// beyond the limits of preset_file.h. Cost: O(n log n) of the bytes.
+/// If a file cannot be read, its presets are missing, and PresetSet::problems has a line about it.
+/// Errors: SETTING_MALFORMED, with the first problem, if no file has a preset; REQUEST_TOO_LARGE
+/// beyond the limits of preset_file.h. Cost: O(n log n) for n bytes.
 absl::StatusOr<PresetSet> ReadPresets(std::vector<PresetFile> files);
 
 }  // namespace slicefarm::config::presets

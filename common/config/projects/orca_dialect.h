@@ -15,8 +15,9 @@ namespace slicefarm::config {
 using OrcaLookup = std::function<std::optional<std::string>(std::string_view key)>;
 
 /// Returns slicefarm's settings for output that OrcaSlicer and Bambu Studio write without having a
-/// setting for it: Bambu Lab's own dialect for its machines, the progress, limits of the machine,
-/// labels of objects. Source: the G-code of Bambu Studio 2.4; OrcaSlicer 2.2, Print and GCode.
+/// setting for it. These are Bambu Lab's own dialect for its machines, progress, limits of the
+/// machine, and labels of objects. Source: the G-code of Bambu Studio 2.4; OrcaSlicer 2.2, Print
+/// and GCode.
 std::vector<Setting> DialectOf(const OrcaLookup& given);
 
 /// Returns true if the machine is from Bambu Lab.

@@ -9,15 +9,16 @@
 
 namespace slicefarm::config {
 
-/// Part of a project file that becomes a job.
+/// Job that is made from one plate of a project file.
 struct ProjectJob {
-  std::vector<Setting> settings;  ///< settings of the project, then of the plate
-  /// Objects with their printable copies; objects without such copies are left out.
+  /// settings of the project, followed by settings of the plate, which override them
+  std::vector<Setting> settings;
+  /// Objects on the plate with at least one printable copy. Other copies are left out.
   std::vector<SceneObject> objects;
-  /// Other contents of the project that no stage uses, as lines for the report.
+  /// Contents of the project that no stage uses, as lines for the report.
   std::vector<std::string> without_effect;
-  /// Lines of `without_effect` that are not settings (painted areas, pauses at heights, left-out
-  /// parts) or that change the print.
+  /// Lines of `without_effect` that need a warning: settings that change the print, and contents
+  /// other than settings (painted areas, pauses at heights, left-out parts).
   std::vector<std::string> warnings;
   /// Missing features that spoil the print of this plate: painted filaments. They are not among the
   /// warnings.
@@ -31,11 +32,12 @@ struct ProjectJob {
 /// equivalent in PrusaSlicer are added to Project::without_effect.
 Project InPrusaNames(Project project);
 
-/// Returns the job of one plate of a project, in the form of InPrusaNames.
+/// Returns the job of one plate of a project, with PrusaSlicer's names (see InPrusaNames).
 ///
-/// `plate`: number from 1; 0: the only plate that has objects. Errors: REQUEST_MALFORMED (metadata
-/// `field`: `plate`, and `plates`: number of plates) for a plate that does not exist, and for 0 if
-/// several plates have objects. NOTHING_TO_PRINT for a plate without printable copies.
+/// `plate`: number of the plate from 1, or 0 for the only plate that has objects. Errors:
+/// REQUEST_MALFORMED (metadata `field`: `plate`, and `plates`: number of plates) for a plate that
+/// does not exist, and for 0 if several plates have objects. NOTHING_TO_PRINT for a plate without
+/// printable copies.
 absl::StatusOr<ProjectJob> JobOfProject(const Project& project, int plate);
 
 }  // namespace slicefarm::config

@@ -7,8 +7,8 @@
 
 namespace slicefarm::config {
 
-/// Returns true if a config.ini, or the first line of a G-code file, names SuperSlicer as its
-/// author.
+/// Returns true if the author in a config.ini, or in the first line of a G-code file, is
+/// SuperSlicer.
 bool IsSuperSlicers(std::string_view text);
 
 /// Converts settings of SuperSlicer to PrusaSlicer's, in their order.

@@ -15,7 +15,7 @@
 namespace slicefarm::config {
 
 /// Access to the row of type `Row` in JobRows, and the scope of the row's settings. The base
-/// template is for a process that has no settings per object or region.
+/// template is for a process with a single row, `Row`, in JobRows::own.
 template <typename Row>
 struct RowOf {
   static constexpr Scope kScope = Scope::kJob;
@@ -41,7 +41,8 @@ struct RowOf<ObjectSlicingOptions> {
   }
 };
 
-/// Base of RowOf for a row that is a member of a process's rows, such as FdmRows::region.
+/// Base class of RowOf<Row> for a row that is member kMember of a process's rows, such as
+/// FdmRows::region.
 template <auto kMember, Scope kRowScope>
 struct MemberRow;
 template <typename Own, typename Row, Row Own::*kMember, Scope kRowScope>
@@ -53,12 +54,13 @@ struct MemberRow<kMember, kRowScope> {
   }
 };
 
-/// Relation between the number in a member and the number in the setting.
+/// Unit of a member's number: the setting's unit, or a fraction for a setting in percent, or
+/// radians for a setting in degrees.
 enum class Scale { kSame, kPercent, kDegrees };
 
 namespace internal {
 
-/// Returns the quotient of the setting's number and the member's number.
+/// Returns the setting's number divided by the member's number.
 constexpr double Divisor(Scale scale) {
   return scale == Scale::kPercent ? 100 : scale == Scale::kDegrees ? 180 / std::numbers::pi : 1;
 }
@@ -117,7 +119,7 @@ Value Load(const T& member, double divisor) {
   }
 }
 
-/// Returns the class of a pointer to member. It is only declared, for use in types.
+/// Returns the class that has the member. The function is only declared, for use in decltype.
 template <typename Class, typename Member>
 Class ClassOf(Member Class::*);
 

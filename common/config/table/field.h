@@ -30,11 +30,11 @@ constexpr std::string_view ScopeName(Scope scope) {
   return {};
 }
 
-/// Member of JobRows in which a setting's value is stored.
+/// Functions that store a setting's value in a member of JobRows and read it from there.
 struct Field {
   void (*set)(JobRows&, const Value&) = nullptr;
   Value (*get)(const JobRows&) = nullptr;
-  Scope scope = Scope::kJob;  ///< scope of the row that has the member
+  Scope scope = Scope::kJob;  ///< scope of the row to which the member belongs
 };
 
 }  // namespace slicefarm::config

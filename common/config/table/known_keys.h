@@ -4,21 +4,24 @@
 
 namespace slicefarm::config {
 
-/// Setting of PrusaSlicer (2.5 to 2.9) that has no effect here.
+/// Setting of PrusaSlicer (2.5 to 2.9) that has no effect in slicefarm.
 struct KnownKey {
   std::string_view key;
   std::string_view why;  ///< reason, such as "not supported yet"
-  /// Value that requests nothing, so that nothing is reported for it. `has_neutral`: false if there
-  /// is no such value.
+  /// Value that requests nothing: a setting with this value is not reported. Only valid if
+  /// `has_neutral` is true.
   std::string_view neutral = {};
   bool has_neutral = false;
-  /// True if the setting concerns the print; false for profiles, hosts and other machines.
+  /// True if the setting concerns the print; false for a setting about profiles, print hosts or
+  /// other kinds of machines.
   bool of_print = true;
-  bool changes_print = false;  ///< true if the part differs from the request: needs a warning
+  /// true if the part differs from the request without the setting: needs a warning
+  bool changes_print = false;
   /// True if templates may name the setting and the G-code quotes it. False for private values,
   /// such as the password of a print host: receivers of the file must not get them.
   bool told = true;
-  /// True if the setting concerns the use of several extruders; only one prints.
+  /// True if the setting concerns the use of several extruders; in slicefarm only one extruder
+  /// prints.
   bool of_several_extruders = false;
   /// True if ignoring the setting spoils the print. A job with the setting is then refused unless
   /// it allows the feature to be missing (missing_feature.h).
@@ -29,7 +32,7 @@ struct KnownKey {
 /// has an effect (settings_table.h).
 const KnownKey* FindKnownKey(std::string_view key);
 
-/// Returns true if `value` requests nothing beyond the usual behaviour: all its items equal the
+/// Returns true if `value` requests no change of the usual behaviour: each of its items equals the
 /// neutral value. Numbers are compared as numbers.
 bool IsNeutral(const KnownKey& key, std::string_view value);
 

@@ -8,19 +8,20 @@ namespace slicefarm::config {
 enum class OrcaValue {
   kSame,
   kPercent,    ///< number that is a percentage, with or without its sign
-  kPercentOf,  ///< percentage of `detail`, which is another setting of OrcaSlicer
-  kShareOf,    ///< percentage of `detail`, or a number that becomes one
-  kOrAuto,     ///< number; if it is negative or `detail`, the slicer chooses the value
-  kRest,       ///< percentage; PrusaSlicer has its complement to 100%
-  kNot,        ///< flag with the opposite meaning
-  kPoints,     ///< list that is used as a whole
-  kPairs,      ///< list that is used as a whole, with `;` between its items
-  kChoice,     ///< name that OrcaChoices lists for the setting
-  kWhole,      ///< unchanged text
-  kGcode,      ///< G-code with other names of placeholders
+  kPercentOf,  ///< number; a percentage becomes this share of OrcaSlicer's setting `detail`
+  kShareOf,    ///< percentage; a number becomes its percentage of OrcaSlicer's setting `detail`
+  /// number; nothing is set for a negative number or the text `detail`: the slicer chooses
+  kOrAuto,
+  kRest,    ///< percentage that becomes its complement to 100 %
+  kNot,     ///< flag with the opposite meaning
+  kPoints,  ///< list of which all items are used, not only the first
+  kPairs,   ///< list of which all items are used, with `;` between them
+  kChoice,  ///< name of a choice, converted by OrcaChoices
+  kWhole,   ///< unchanged text
+  kGcode,   ///< G-code; its placeholders are renamed
 };
 
-/// Name of a setting in OrcaSlicer and Bambu Studio.
+/// Name of a setting in OrcaSlicer and Bambu Studio, and the conversion of its value.
 struct OrcaName {
   std::string_view name;
   OrcaValue value = OrcaValue::kSame;

@@ -26,20 +26,20 @@ struct OrcaChoice {
   bool exact = true;  ///< false: the value is only similar, and the difference is reported
 };
 
-/// Variable that G-code may name and that is not a setting.
+/// Variable that G-code may name and that is not a setting, in OrcaSlicer and in PrusaSlicer.
 struct OrcaVariable {
   std::string_view from;
   std::string_view to;  ///< variable or setting in PrusaSlicer
 };
 
-/// Default value of a setting that G-code may name and that a preset may leave out.
+/// OrcaSlicer's default value of a setting that G-code may name although no preset has it.
 struct OrcaStandard {
   std::string_view key;
   std::string_view value;
 };
 
-/// Returns the conversions of all settings of OrcaSlicer. First are the names in rows of the
-/// settings table, then the settings without effect. The list is made once.
+/// Return all conversions from OrcaSlicer. OrcaRows begins with the names from the settings table
+/// (SettingSpec::orca); settings without effect follow. Each list is made once.
 std::span<const OrcaRow> OrcaRows();
 std::span<const OrcaChoice> OrcaChoices();
 std::span<const OrcaVariable> OrcaVariables();

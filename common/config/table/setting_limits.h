@@ -7,8 +7,8 @@
 
 namespace slicefarm::config {
 
-/// Checks the size of a value and the number of settings. Errors: REQUEST_TOO_LARGE with `limit`
-/// and `got`.
+/// CheckSettingSize checks the sizes of a setting's key and value, CheckSettingCount the number of
+/// settings. Errors: REQUEST_TOO_LARGE with `limit` and `got`.
 absl::Status CheckSettingSize(std::string_view key, std::string_view value);
 absl::Status CheckSettingCount(int64_t count);
 

@@ -54,8 +54,9 @@ constexpr std::string_view KindName(Kind kind) {
   return kNames[static_cast<size_t>(kind)];
 }
 
-/// Name of a choice. The table also contains PrusaSlicer's names that are not supported yet. Their
-/// `note` describes the substitute, and such a value is reported as one without full effect.
+/// Name of a choice. The table also contains PrusaSlicer's choices that are not supported yet. For
+/// these, `note` describes the substitute that is used; a setting with such a choice is reported as
+/// partly effective.
 struct Choice {
   std::string_view name;
   int value = 0;
@@ -66,13 +67,13 @@ struct Choice {
 enum class List {
   kNone,
   kPerExtruder,  ///< list with one item per extruder
-  kPerMode,      ///< list with the items of normal and silent mode
+  kPerMode,      ///< list with two items, for normal and silent mode
 };
 
-/// Number of the choice machine_limits_usage = ignore.
+/// Choice::value of machine_limits_usage = ignore.
 inline constexpr int kIgnoreLimits = 2;
 
-/// Text for "no value" in a config.ini.
+/// Text of a setting without a value in a config.ini.
 inline constexpr std::string_view kNotSet = "nil";
 
 /// Definition of a setting: everything needed to read, check, document and print it.
@@ -80,18 +81,19 @@ struct SettingSpec {
   std::string_view key;
   Kind kind = Kind::kNumber;
   std::string_view unit = {};
-  double min = 0;  ///< smallest number, in `unit`; a percentage is checked by its absolute value
+  double min = 0;  ///< smallest number, in `unit`; a percentage is first converted to `unit`
   double max = 0;
   std::string_view standard = {};  ///< default value, in the form of a config.ini
   std::string_view doc = {};
   std::vector<Choice> choices = {};
   std::string_view relative_to = {};
-  /// Base of the percentage in words, for a base that is not a setting.
+  /// Description of the percentage's base, if the base is not a setting (`relative_to`).
   std::string_view percent_of = {};
   List list = List::kNone;
-  /// Member that stores the value; none: the value only acts through other settings (derive.h).
+  /// Member that stores the value. Empty: the value acts only through other settings
+  /// (derive_steps.h).
   Field field = {};
-  Field also = {};              ///< second member that stores the same value
+  Field also = {};              ///< second member that stores the same value; may be empty
   std::string_view group = {};  ///< part of the table, such as "walls" or "infill"
   std::optional<Scope> own_scope =
       {};  ///< scope, if the setting has no field, or if its scope is not the scope of the field
@@ -101,7 +103,7 @@ struct SettingSpec {
   Scope scope() const { return own_scope.value_or(field.scope); }
 };
 
-/// Returns the setting with a scope that differs from the scope of its row.
+/// Returns the setting with this scope instead of the scope of its field.
 inline SettingSpec InScope(Scope scope, SettingSpec spec) {
   spec.own_scope = scope;
   return spec;
@@ -119,7 +121,7 @@ inline SettingSpec Orca(OrcaName name, SettingSpec spec) {
   return spec;
 }
 
-/// Part of a settings table: a name and the function that makes its settings.
+/// Section of a settings table: its name and the function that makes its settings.
 struct SettingGroup {
   std::string_view name;
   std::vector<SettingSpec> (*make)();

@@ -8,8 +8,8 @@
 
 namespace slicefarm::config {
 
-/// Returns the number of insertions, deletions, replacements and swaps of neighbours that turn `a`
-/// into `b`. Cost: O(|a| |b|). Source: Damerau; optimal string alignment.
+/// Returns the number of edits that turn `a` into `b`: insertions, deletions, replacements and
+/// swaps of neighbouring characters. Cost: O(|a| |b|). Source: Damerau; optimal string alignment.
 int EditDistance(std::string_view a, std::string_view b);
 
 /// Returns the name in `names` that `word` most likely means, or an empty text if none is similar.

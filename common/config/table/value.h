@@ -33,7 +33,8 @@ absl::StatusOr<Value> ParseNumber(std::string_view text, bool may_be_percent);
 /// Returns the shortest decimal text of a quantised number: "0.2", "1000", "-0.05".
 std::string PrintNumber(double number);
 
-/// Converts the escapes `\n`, `\r` and `\\` in texts of a config.ini to characters and back.
+/// Convert the escapes `\n`, `\r` and `\\` in texts of a config.ini to characters (Unescape) and
+/// back (Escape).
 std::string Unescape(std::string_view text);
 std::string Escape(std::string_view text);
 
@@ -58,9 +59,9 @@ std::string PrintAreas(const std::vector<Polygon>& areas);
 absl::StatusOr<Point> ParsePoint(std::string_view text);
 std::string PrintPoint(const Point& point);
 
-/// Parses picture sizes in pixels, such as `32x32, 300x300/QOI`; an empty text has none. All
-/// formats of PrusaSlicer are accepted. Pictures are made as QOI or JPG if requested, otherwise as
-/// PNG. Errors: unknown format, more than limits::kMaxThumbnails pictures, a side beyond
+/// Parses picture sizes in pixels, such as `32x32, 300x300/QOI`; an empty text gives no sizes. All
+/// formats of PrusaSlicer are accepted; QOI and JPG are stored, other formats become PNG. Errors:
+/// unknown format, more than limits::kMaxThumbnails pictures, a side beyond
 /// limits::kMaxThumbnailPx.
 absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text);
 /// Returns true if `text`, in the form of ParseSizes, requests only the formats PNG, JPG and QOI.
