@@ -4,9 +4,9 @@
 
 namespace slicefarm::gcode {
 
-/// Returns true if lines of G-code do not change the state that programs track between layers: the
-/// position of the nozzle, fans and accelerations. Returns false for unknown commands, including
-/// macros. Cost: O(bytes).
+/// Returns true if lines of G-code do not change the state that a program's writer tracks between
+/// layers: position of the nozzle, fans and accelerations (M204). Other limits and modes, such as
+/// M203 and M83, may change. Returns false for unknown commands, including macros. Cost: O(bytes).
 bool LeavesModes(std::string_view code);
 
 }  // namespace slicefarm::gcode

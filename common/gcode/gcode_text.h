@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// Units of positions and filament in the text. Planned values are multiples of these units, so
-/// that the text contains them exactly.
+/// Units of positions and filament in the text, per mm. Planned values are multiples of these
+/// units, so that the text contains them exactly.
 inline constexpr int64_t kUmPerMm = 1'000;
 inline constexpr int64_t kFilamentUnitsPerMm = 100'000;
 
@@ -28,7 +28,7 @@ class GcodeText {
     text_.push_back(part);
     return *this;
   }
-  /// Appends a piece of G-code, and a line end if it has none.
+  /// Appends lines of G-code. A line end is added unless `code` has one at its end.
   GcodeText& Lines(std::string_view code);
   /// Appends an integer.
   GcodeText& Integer(int64_t value);

@@ -4,16 +4,16 @@
 
 namespace slicefarm::gcode {
 
-/// A value that remains in force until it is changed, such as a feed rate. A program writes it only
-/// where it changes.
+/// Value that a machine keeps until a command changes it, such as a feed rate. A program writes the
+/// value only where it changes.
 template <typename T>
 class Modal {
  public:
   Modal() = default;  ///< no value was written yet
   explicit Modal(const T& told) : told_(told) {}
 
-  /// Returns true if `value` must be written, because it differs from the last written value.
-  /// Stores it as written.
+  /// Returns true if `value` must be written, because it differs from the last written value. Then
+  /// stores `value` as the last written value.
   bool Changes(const T& value) {
     if (told_ == value) return false;
     told_ = value;

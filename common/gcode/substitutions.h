@@ -39,8 +39,8 @@ class Substitutions {
   bool empty() const { return all_.empty(); }
 
   /// Returns `gcode` after all rules, applied one after another. Errors: ResourceExhausted as soon
-  /// as a rule makes the text longer than `most_bytes`; Cancelled. Cost: for each rule linear in
-  /// the text and in the replaced text, unless the pattern must look beyond its match.
+  /// as a rule makes the text longer than `most_bytes`; Cancelled. Cost per rule: linear in the
+  /// length of `gcode` and of the result, unless the pattern has to examine text after its match.
   absl::StatusOr<std::string> Apply(std::string gcode, size_t most_bytes,
                                     const CancelToken& cancel) const;
 

@@ -10,7 +10,7 @@ namespace slicefarm::gcode {
 inline constexpr std::string_view kBinaryMagic = "GCDE";
 inline constexpr uint32_t kBinaryVersion = 1;
 inline constexpr uint16_t kCrc32 = 1;
-inline constexpr uint16_t kIni = 0;  ///< encoding of metadata
+inline constexpr uint16_t kIni = 0;  ///< code of the metadata's encoding: lines `key=value`
 inline constexpr uint16_t kMeatPackComments = 2;
 
 enum BlockType : uint16_t {

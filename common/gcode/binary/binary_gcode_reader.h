@@ -22,8 +22,8 @@ struct BinaryBlock {
 /// Returns true if the file begins like binary G-code.
 bool IsBinaryGcode(std::string_view file);
 
-/// Reads a file of binary G-code in pieces and verifies the checksums. It has only one block in
-/// memory at a time. Cost: O(bytes).
+/// Reads a file of binary G-code in pieces and verifies the checksums. Only one block is in memory
+/// at a time. Cost: O(bytes).
 class BinaryGcodeReader {
  public:
   using Take = std::function<absl::Status(const BinaryBlock& block)>;
@@ -35,8 +35,8 @@ class BinaryGcodeReader {
   /// block's offset; any error of `take`.
   absl::Status Add(std::string_view bytes);
 
-  /// Ends the file; call it after all bytes were added. Errors: InvalidArgument for a file that
-  /// ends within a block.
+  /// Checks that the file is complete; call it after all bytes were added. Errors: InvalidArgument
+  /// for a file that ends within a block.
   absl::Status End() const;
 
  private:
@@ -50,8 +50,9 @@ class BinaryGcodeReader {
   bool has_checksums_ = false;
 };
 
-/// Returns the lines of a block of G-code. Blanks between the words of moves are restored. Comments
-/// after commands and empty lines cannot be restored. Errors: InvalidArgument.
+/// Returns the lines of a block of G-code (kGcode). Blanks between the words of moves are restored.
+/// Comments after commands and empty lines cannot be restored. Errors: InvalidArgument for a
+/// malformed block.
 absl::StatusOr<std::string> TextOf(const BinaryBlock& block);
 
 /// Returns the file as G-code text, with metadata and thumbnails as slicefarm writes them. Errors:
