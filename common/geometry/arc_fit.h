@@ -14,8 +14,8 @@ struct PlaceUm {
   friend bool operator==(const PlaceUm&, const PlaceUm&) = default;
 };
 
-/// A piece of a polyline: one of its segments, or an arc that replaces several segments. It begins
-/// at the end of the previous piece.
+/// A piece of a polyline: one of its segments, or an arc that replaces several segments. A piece
+/// begins at the last point of the previous piece.
 struct CurvePiece {
   size_t last = 0;  ///< index of the piece's last point in the polyline
   bool is_arc = false;
@@ -29,16 +29,17 @@ struct CurvePiece {
 /// replaces, measured from any point of either.
 inline constexpr double kArcToleranceUm = 25;
 
-/// Replaces segments of a polyline by arcs where they fit, starting at its first point. Each arc is
-/// as long as possible, and fulfils these conditions:
-/// - The arc is within the tolerance of its segments, and has their length to 0.1 %.
+/// Replaces segments of a polyline by arcs where possible, from the first point to the last. Each
+/// arc is as long as possible, and fulfils these conditions:
+/// - Its distance from the segments is nowhere more than the tolerance. Its length equals the
+///   length of the segments to 0.1 %.
 /// - It replaces at least three segments, all bending in the same direction, by less than a full
 ///   circle in total.
 /// - Both ends have the same distance from the centre, except for the rounding of the centre.
 ///
-/// Shapes: points[0] to points[n - 1]; pieces end at increasing indices, the last at n - 1. No two
-/// neighbouring points are the same. REQUIRES: tolerance_um > 1.5, because rounding uses 1.5 of it.
-/// Cost: O(n log n) where arcs are long, n points.
+/// The pieces are in the order of the polyline; the last one ends at the last point. REQUIRES: no
+/// two neighbouring points are the same; tolerance_um > 1.5, because rounding uses 1.5 of it. Cost
+/// for n points: O(n log n) if arcs are long.
 std::vector<CurvePiece> FitArcs(std::span<const PlaceUm> points,
                                 double tolerance_um = kArcToleranceUm);
 

@@ -9,11 +9,12 @@
 
 namespace slicefarm {
 
-/// Index of the edges of a region, to find the edges near a point or box. It stores the edges that
-/// pass each square of a grid.
+/// Index of the edges of a region, to find the edges near a point or box. For each square of a
+/// grid, it stores the edges that pass the square.
 class EdgeIndex {
  public:
-  /// An edge of the region, with the index of its ring and its index in the ring.
+  /// Edge of the region. `ring` is the index of its ring, and `edge` the index of its start in the
+  /// ring.
   struct Edge {
     Point a, b;  ///< the region is to the left of ab
     int32_t ring = 0;
@@ -24,7 +25,8 @@ class EdgeIndex {
   /// larger if there would be many more squares than edges. Cost: O(edges + squares).
   EdgeIndex(const MultiPolygon& region, Coord square_nm);
 
-  /// Calls visit(number) with the number of each edge that may meet the box, once or more per edge.
+  /// Calls visit(number) with the number of each edge near the box: all edges that meet the box,
+  /// and possibly further ones. An edge may be visited several times. At(number) is the edge.
   template <typename Visit>
   void ForEachNear(const Box& box, Visit visit) const {
     const int32_t left = Column(box.min.x), right = Column(box.max.x);
@@ -43,9 +45,11 @@ class EdgeIndex {
   const Box& bounds() const { return box_; }
   int32_t size() const { return static_cast<int32_t>(edges_.size()); }
 
-  /// Returns the column of the squares that contain x; outside the bounds, the nearest column.
+  /// Returns the column of the squares with this x. If x is outside the bounds, returns the nearest
+  /// column.
   int32_t Column(Coord x) const { return SquareOf(x, box_.min.x, box_.max.x); }
-  /// Returns the row of the squares that contain y; outside the bounds, the nearest row.
+  /// Returns the row of the squares with this y. If y is outside the bounds, returns the nearest
+  /// row.
   int32_t Row(Coord y) const { return SquareOf(y, box_.min.y, box_.max.y); }
 
   /// Returns true if the open segment ab meets an edge. Exact.

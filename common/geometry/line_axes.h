@@ -4,8 +4,8 @@
 
 namespace slicefarm {
 
-/// Coordinate axes rotated about the origin: u is along a direction, v is perpendicular to it.
-/// Parallel lines are laid out in these axes. Multiples of a right angle are exact.
+/// Coordinate axes rotated about the origin: u is along a direction, v is to its left. Parallel
+/// lines are laid out in these axes. Rotations by multiples of a right angle are exact.
 class LineAxes {
  public:
   /// Makes axes with u at an angle in radians.

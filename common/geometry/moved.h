@@ -4,9 +4,9 @@
 
 namespace slicefarm {
 
-/// Returns the shape moved by `by`.
+/// Returns the ring moved by the vector `by`.
 Polygon Moved(Polygon ring, Point by);
-/// Returns the islands moved by `by`.
+/// Returns the islands moved by the vector `by`.
 MultiPolygon Moved(MultiPolygon polygons, Point by);
 
 }  // namespace slicefarm

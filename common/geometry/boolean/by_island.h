@@ -7,10 +7,9 @@
 
 namespace slicefarm::internal {
 
-/// Applies `one` to each island separately and returns all results in canonical form. The cost of
-/// one sweep grows with the number of edges that meet a scan line, so many small sweeps are faster
-/// than one sweep over a whole layer. REQUIRES: if two islands do not meet, their results do not
-/// meet either.
+/// Calls `one` for each island separately and returns all results in canonical form. The cost of a
+/// sweep grows with the number of edges that meet the sweep line, so many small sweeps are faster
+/// than one sweep over a whole layer. REQUIRES: the results of two islands do not meet each other.
 template <typename One>
 MultiPolygon ByIsland(const MultiPolygon& polygons, const One& one) {
   if (polygons.size() == 1) return one(polygons);

@@ -10,14 +10,14 @@
 
 namespace slicefarm::internal {
 
-/// Finds pairs of edges that may meet; private to common/geometry.
+/// Search for pairs of edges that may meet; private to common/geometry.
 
 /// An edge with its bounding box.
 struct BoxedEdge {
   Point from, to;
   Point min, max;
-  int32_t ring = 0;   ///< set and used by the caller only
-  int32_t index = 0;  ///< set and used by the caller only
+  int32_t ring = 0;   ///< index of the edge's ring, for the caller
+  int32_t index = 0;  ///< index of the edge in its ring, for the caller
 };
 
 inline BoxedEdge MakeBoxedEdge(Point from, Point to, int32_t ring, int32_t index) {
@@ -34,7 +34,8 @@ inline void AppendBoxedEdges(const Polygon& points, int32_t ring, std::vector<Bo
   }
 }
 
-/// The axis along which fewer edges lie beside each other, as a member of Point.
+/// Returns the axis for a sweep, as a member of Point. Along this axis, the boxes of the edges are
+/// shorter in total, so that fewer of them overlap.
 inline Coord Point::*SweepAxis(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b = {}) {
   double x = 0, y = 0;
   for (const std::span<const BoxedEdge> edges : {a, b}) {
@@ -48,12 +49,12 @@ inline Coord Point::*SweepAxis(std::span<const BoxedEdge> a, std::span<const Box
 
 /// Bounding box of an edge for a sweep. It is small, because a sweep reads many of them.
 struct SweepSpan {
-  Coord from = 0, to = 0;     ///< along the axis
-  Coord least = 0, most = 0;  ///< across it
+  Coord from = 0, to = 0;     ///< extent of the box along the sweep axis, in nm
+  Coord least = 0, most = 0;  ///< extent of the box across the sweep axis, in nm
   const BoxedEdge* edge = nullptr;
 };
 
-/// Returns the spans of edges in the order in which a sweep along the axis meets them.
+/// Returns the boxes of edges for a sweep along an axis, sorted by their start along the axis.
 inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord Point::*along) {
   Coord Point::*const across = along == &Point::x ? &Point::y : &Point::x;
   std::vector<std::pair<Coord, size_t>> order;
@@ -69,13 +70,14 @@ inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord
   return spans;
 }
 
-/// The search gives up on more pairs than these, a few milliseconds' and as many for each edge:
-/// it would not be faster than a proper sweep.
+/// Limit on the pairs that a search tests: kPairsAnyway (a few milliseconds) plus kPairsPerEdge for
+/// each edge. Beyond the limit, the search fails, because a complete sweep would be faster.
 inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
-/// Calls visit(edge of e, edge) for each span from index `from` on with a box that meets the box of
-/// e. Returns false as soon as visit returns false, or if `budget`, which it counts down, is spent.
+/// Calls visit(edge of e, edge of f) for each f in `spans`, from index `from` on, with a box that
+/// meets the box of e. Each test of a pair reduces `budget` by one. Returns false as soon as
+/// `visit` returns false, or if `budget` is used up. REQUIRES: `spans` is sorted as by SweepSpans.
 template <typename Visit>
 bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, size_t from,
                     size_t& budget, const Visit& visit) {
@@ -88,9 +90,8 @@ bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, siz
   return true;
 }
 
-/// Calls visit(edge of a, edge of b) for all pairs of one edge of `a` and one edge of `b` with
-/// intersecting boxes. Stops and returns false if visit returns false, or if there are too many
-/// pairs. Reorders the edges.
+/// Calls visit(e, f) once for each pair of edges with intersecting boxes. Stops and returns false
+/// if `visit` returns false, or if the search tests more pairs than the limit allows.
 template <typename Visit>
 bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
   const std::vector<SweepSpan> spans = SweepSpans(edges, SweepAxis(edges));
@@ -100,8 +101,8 @@ bool ForEachNearPair(std::span<const BoxedEdge> edges, const Visit& visit) {
   return true;
 }
 
-/// Calls visit(e, f) in the same manner for pairs of an edge of `a` and an edge of `b`, in either
-/// order.
+/// Calls visit(e, f) like the function above, but only for pairs of an edge of `a` and an edge of
+/// `b`. `e` may be of either set.
 template <typename Visit>
 bool ForEachNearPair(std::span<const BoxedEdge> a, std::span<const BoxedEdge> b,
                      const Visit& visit) {

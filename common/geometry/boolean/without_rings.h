@@ -16,8 +16,9 @@ MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Poly
 MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings);
 
 /// Appends to `rings` the rings of `region` that can affect `box`, with the same winding numbers
-/// inside the box. Parts of rings that are beyond one side of the box are replaced by a line, so
-/// the appended rings are meaningless outside the box. Cost: O(n), n points.
+/// inside the box. A sequence of points that are all beyond the same side of the box is replaced by
+/// its two ends. Outside the box, the appended rings are therefore meaningless. Cost: O(n), n
+/// points.
 void AppendRingsNear(const MultiPolygon& region, const Box& box, std::vector<Polygon>& rings);
 
 }  // namespace slicefarm

@@ -6,8 +6,8 @@
 
 namespace slicefarm {
 
-/// Islands after each edge was moved. Nothing else has changed, except that some edges between two
-/// corners have shrunk to nothing and are omitted.
+/// Result of TryOffset: islands with each edge moved by the offset distance. Edges that have shrunk
+/// to nothing are omitted; nothing else has changed.
 struct CleanOffset {
   MultiPolygon polygons;
   bool has_tips = false;  ///< true if the result has a convex corner of less than 60 degrees
@@ -19,19 +19,20 @@ struct CleanOffset {
 /// distance and cut square beyond, as in Offset. Returns nullopt if a ring would vanish, split,
 /// join another ring, or change its shape otherwise; use Offset for these cases.
 ///
-/// The result equals that of Offset to within 2 nm across its edges; along them, the tips of acute
-/// corners lie farther apart.
-/// Cost: O(n log n), about a tenth of a sweep's.
+/// Measured at right angles to its edges, the result differs from the result of Offset by at most 2
+/// nm. Along the edges, the tips of acute corners may differ by more. Cost: O(n log n) for n edges,
+/// about a tenth of a sweep's.
 std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distance_nm);
 
-/// Shrinks an island, which may split or lose parts. Each edge sweeps a rectangle and each reflex
-/// corner its miter. The uncovered rest is the result, found by the winding numbers of one curve.
-/// Returns nullopt if this curve is not in general position. REQUIRES: distance_nm > 0; the island
-/// is simple. Cost: see TryWindingRegion; about a fifth of a sweep's.
+/// Shrinks an island, which may split or lose parts. While the boundary moves inwards, each edge
+/// covers a rectangle and each reflex corner a miter. The result is the part of the island that
+/// remains uncovered, found by the winding numbers of one curve. Returns nullopt if this curve is
+/// not in general position. REQUIRES: distance_nm > 0; the island is simple. Cost: see
+/// TryWindingRegion; about a fifth of a sweep's.
 std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm);
 
-/// Returns Offset(polygons, distance_nm), calculated by TryOffset or TryErode if they succeed.
-/// Islands are handled one by one if they shrink, and together if they grow.
+/// Returns Offset(polygons, distance_nm). Uses TryOffset or TryErode if they succeed. To shrink,
+/// the islands are handled one by one; to grow, together.
 MultiPolygon FastOffset(const MultiPolygon& polygons, Coord distance_nm);
 
 }  // namespace slicefarm

@@ -20,8 +20,8 @@ struct OffsetOptions {
 };
 
 /// Grows (distance > 0) or shrinks (< 0) a region. Rings that shrink to nothing vanish: a unit
-/// square inset by 0.6 is empty. The result is in canonical form. Cost: that of TryWindingRegion,
-/// or O(n log n) and a union where that is in doubt.
+/// square inset by 0.6 is empty. The result is in canonical form. Cost: that of TryWindingRegion;
+/// if it fails, in addition O(n log n) for n edges and a union by Clipper.
 MultiPolygon Offset(const MultiPolygon& polygons, Coord distance_nm,
                     const OffsetOptions& options = {});
 

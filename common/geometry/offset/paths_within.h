@@ -38,7 +38,8 @@ class PathsWithin {
 
   MultiPolygon region_;       ///< the region, grown slightly, so that paths may follow its boundary
   std::vector<Point> bends_;  ///< points at which paths may bend
-  /// Straight distances between pairs of bends, in nm; infinite if they do not see each other.
+  /// Lengths of the straight lines between pairs of bends, in nm; infinite if the line leaves the
+  /// region.
   std::vector<std::vector<double>> lengths_;
 };
 

@@ -16,10 +16,10 @@ struct BoundaryEdge {
   int next = 0;
 };
 
-/// Boundary of one connected region in the form for the Voronoi diagram of segments. Coordinates
-/// are multiples of `unit_nm`, relative to `origin`. INVARIANT: no two edges cross or touch, except
-/// neighbours at their common corner, and no corner is on the line through its neighbours. Both are
-/// decided exactly.
+/// Boundary of one connected region, as input of the Voronoi diagram of segments. Coordinates are
+/// multiples of `unit_nm`, relative to `origin`. INVARIANT: no two edges cross or touch, except
+/// neighbours at their common corner, and no corner is on the line through its neighbours. Both
+/// conditions are tested exactly.
 struct Boundary {
   Point origin;
   Coord unit_nm = 1;

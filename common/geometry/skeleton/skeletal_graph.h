@@ -48,9 +48,9 @@ struct SkeletalGraph {
   double Length(int half) const;
   /// Returns the point nearest to the node on the half-edge's feature.
   Vector2 Foot(int half, const SkeletalNode& node) const;
-  /// Returns a half-edge that starts at each node, indexed by node.
+  /// Returns the index of one half-edge that starts at each node, indexed by node.
   std::vector<int> Leaving() const;
-  /// Calls visit(half) for each half-edge that has the start node of `leaving`, in their order
+  /// Calls visit(half) for each half-edge that has the same start node as `leaving`, in their order
   /// around this node.
   template <typename Visit>
   void ForEachLeaving(int leaving, const Visit& visit) const {
@@ -68,9 +68,9 @@ struct SkeletalGraph {
 /// Precision of the chords that replace curved edges (parabolas) of the medial axis.
 struct SkeletalOptions {
   double tolerance_nm = 2'000;  ///< largest error of a chord, in position and in radius
-  double step_nm = 800'000;     ///< length of the longest chord
-  /// An edge is central if the two boundary sides beside it form an angle below this one (radians).
-  /// A chord ends where a curve passes this angle.
+  double step_nm = 800'000;     ///< upper limit on the length of a chord
+  /// An edge is central if the two boundary sides beside it form an angle below this one, in
+  /// radians. A chord ends at the point of a curve where the angle has this value.
   double transition_angle = 0.1745;
 };
 

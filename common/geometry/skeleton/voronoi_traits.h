@@ -24,7 +24,7 @@ class Loose {
   Loose(Number value)
       : value_(static_cast<double>(value)) {}  // NOLINT(google-explicit-constructor)
 
-  // Arithmetic uses doubles.
+  // Conversion to double, so that arithmetic uses doubles.
   operator double() const { return value_; }  // NOLINT(google-explicit-constructor)
 
   Loose operator-() const { return -value_; }
