@@ -4,8 +4,9 @@
 
 namespace slicefarm {
 
-/// Returns `value`, lowered until no axis exceeds its limit. `value`: speed or acceleration of a
-/// move. `ratio`: share of each axis in it. `limits`: limit per axis; limits of 0 are ignored.
+/// Returns `value`, reduced until no axis exceeds its limit. `value`: speed or acceleration along a
+/// move. `ratio`: movement of each axis per mm of the move. `limits`: limit per axis; a limit of 0
+/// is ignored.
 double LimitedByAxes(double value, const std::array<double, 4>& ratio,
                      const std::array<double, 4>& limits);
 

@@ -25,7 +25,7 @@ class JerkPlanner : public Planner {
   std::span<const MoveProfile> Stop() override;
 
  private:
-  /// Moves [first, last) that are planned as one path.
+  /// Moves with indices [first, last) that are planned as one path.
   struct Span {
     size_t first = 0;
     size_t last = 0;

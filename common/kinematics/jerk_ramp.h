@@ -11,11 +11,11 @@ struct RampLimits {
   double jerk_mm_s3 = 0;
 };
 
-// A ramp is a change of speed with zero acceleration at both ends. The acceleration rises at the
-// largest jerk j, stays at its limit a if it reaches the limit, and falls. T is the duration. With
-// the speed change dv = |v1 - v0|:
-//   dv >= a^2 / j:  T = dv / a + a / j;   else the acceleration peaks at sqrt(j dv):  T = 2 sqrt(dv
-//   / j); length = (v0 + v1) / 2 T.
+// A ramp is a change of speed from v0 to v1 with zero acceleration at both ends. The acceleration
+// rises at the largest jerk j, stays at its limit a if it reaches the limit, and falls. Let dv =
+// |v1 - v0|, and T the duration. The length is (v0 + v1) / 2 T.
+//   dv >= a^2 / j:  T = dv / a + a / j
+//   dv < a^2 / j:   T = 2 sqrt(dv / j); the acceleration peaks at sqrt(j dv)
 
 /// Returns the time of a ramp in s. `change_mm_s`: >= 0.
 double RampTime(double change_mm_s, const RampLimits& limits);
@@ -23,14 +23,14 @@ double RampTime(double change_mm_s, const RampLimits& limits);
 /// Returns the length of a ramp in mm.
 double RampLength(double from_mm_s, double to_mm_s, const RampLimits& limits);
 
-/// Returns the greatest speed that a ramp of `length_mm` reaches from `from_mm_s`. By symmetry, it
-/// is also the greatest speed that can be slowed to `from_mm_s`. It is the positive root of a
-/// quadratic equation. If the acceleration peaks below its limit, it is the root of x^3 + 2 v0 x =
-/// length sqrt(j), x^2 = dv.
+/// Returns the greatest speed that a ramp of `length_mm` reaches from `from_mm_s`. By symmetry, a
+/// ramp of this length can also slow down from this speed to `from_mm_s`. The speed is the positive
+/// root of a quadratic equation. If the acceleration peaks below its limit, the speed is v0 + x^2,
+/// with the root x of x^3 + 2 v0 x = length sqrt(j).
 double SpeedAfter(double from_mm_s, double length_mm, const RampLimits& limits);
 
-/// Phase of a move with constant jerk; a move has up to seven. The values refer to the start of the
-/// phase.
+/// Phase of constant jerk in a profile. `time_s` is its duration; speed and acceleration are the
+/// values at its start.
 struct JerkPhase {
   double time_s = 0;
   double speed_mm_s = 0;
@@ -43,7 +43,8 @@ struct JerkPhase {
   double SpeedAt(double t) const;
 };
 
-/// Speed profile of a path: a ramp up, a part at constant speed, and a ramp down.
+/// Speed profile of a path in up to seven phases: a ramp up, a part at constant speed, and a ramp
+/// down.
 class JerkProfile {
  public:
   /// Makes the fastest profile up to `top_mm_s`. If the path is too short for this speed, the peak
@@ -70,7 +71,7 @@ class JerkProfile {
 /// order.
 class ProfileWalk {
  public:
-  /// REQUIRES: `profile` outlives this object.
+  /// Starts at the beginning of the profile. REQUIRES: `profile` outlives this object.
   explicit ProfileWalk(const JerkProfile& profile) : phases_(profile.phases()) {}
 
   /// Time and speed at a position.
@@ -78,7 +79,8 @@ class ProfileWalk {
     double time_s = 0;
     double speed_mm_s = 0;
   };
-  /// Returns time and speed at a position. `move_mm`: distance from the start, in mm.
+  /// Returns time and speed at a position. `move_mm`: distance from the start of the path, in mm;
+  /// not less than in the previous call.
   Passing At(double move_mm);
 
  private:

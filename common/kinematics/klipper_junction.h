@@ -5,9 +5,10 @@
 
 namespace slicefarm {
 
-/// Returns the move with speed and acceleration within Klipper's limits: the limits of the toolhead
-/// and of the z axis. The limits of the extruder apply to retractions (also during a wipe) and to
-/// filament moves without x and y; they are independent of the toolhead's. Sets corner_v2.
+/// Returns the move with speed and acceleration within Klipper's limits. Moves in x, y or z are
+/// limited by the toolhead and by the z axis. Retractions (also during a wipe) and filament moves
+/// without x and y are limited by the extruder, too. The extruder's limits do not depend on the
+/// toolhead's. Sets corner_v2.
 KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
 /// Returns the greatest squared speed (mm^2/s^2) at Klipper's junction from `before` to `move`.

@@ -27,7 +27,7 @@ double JunctionDeviationV2(const KinematicMove& before, const KinematicMove& mov
 double SafeSpeed(const KinematicMove& move, const MachineLimits& limits);
 
 /// Returns the greatest speed in mm/s from `before` to `move` by classic jerk: no axis changes its
-/// speed by more than its limit. If a stop and a new start within these limits are about as fast,
+/// speed by more than its limit. If the SafeSpeed of both moves is above 99 % of this speed,
 /// returns SafeSpeed of `move`. REQUIRES: both moves are results of LimitedByMarlin. Source: Marlin
 /// 2.1, Planner::_populate_block, CLASSIC_JERK.
 double ClassicJerkSpeed(const KinematicMove& before, const KinematicMove& move,

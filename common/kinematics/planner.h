@@ -48,7 +48,8 @@ class Planner {
   MachineLimits limits_;
 };
 
-/// Returns the greatest change of the squared speed over a move.
+/// Returns by how much a move's acceleration can change the squared speed (mm^2/s^2) over the
+/// move's length.
 inline double ReachV2(const KinematicMove& move) {
   return 2 * move.length_mm * move.acceleration_mm_s2;
 }

@@ -7,7 +7,8 @@
 
 namespace slicefarm {
 
-/// Planner that always moves as fast as the junctions allow. Firmwares differ only in their rules.
+/// Planner with one backward and one forward pass over the moves. It moves as fast as the junctions
+/// allow. Each firmware only gives its rules.
 class TwoPassPlanner : public Planner {
  public:
   /// Rules of a firmware.
@@ -18,7 +19,7 @@ class TwoPassPlanner : public Planner {
     double (*start_v2)(const KinematicMove& first, const MachineLimits& limits);
     double (*junction_v2)(const KinematicMove& before, const KinematicMove& move,
                           const MachineLimits& limits);
-    double rest_v2 = 0;  ///< squared speed at the end of the sequence
+    double rest_v2 = 0;  ///< squared speed at the end of the sequence, in mm^2/s^2
   };
 
   TwoPassPlanner(const Rules& rules, const MachineLimits& limits)
