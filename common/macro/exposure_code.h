@@ -26,9 +26,9 @@ struct ExposureCode {
 absl::StatusOr<ExposureCode> ParseExposureCode(const ExposureOutput& output);
 
 /// Checks the templates before any work: all names in parts that may run must exist, and operands
-/// must have valid types. Templates of formats other than G-code are not checked, because a profile
-/// may contain templates for another machine. `settings_text`: the effective settings. Errors:
-/// SETTING_MALFORMED naming the setting.
+/// must have valid types. Templates of an output format other than G-code are not checked, because
+/// a profile may contain templates for another machine. `settings_text`: the effective settings.
+/// Errors: SETTING_MALFORMED naming the setting.
 absl::Status CheckExposureCode(const ExposureOutput& output, std::string_view settings_text);
 
 /// Returns the variables of the whole print, besides settings:

@@ -8,7 +8,7 @@
 
 namespace slicefarm::macro {
 
-/// Position of a parser in a template, and recognition of the words of its language.
+/// Scanner of a template: reads characters, signs, words and names at its current position.
 class TemplateScanner {
  public:
   /// Maximum nesting depth. Deeper templates are refused, so that no template can exhaust the
@@ -45,7 +45,8 @@ class TemplateScanner {
 
   std::string_view text_;
   size_t at_ = 0;
-  mutable int32_t line_ = 1;  ///< line number at line_at_, so that lines are counted only once
+  /// line number at position line_at_, so that each line is counted only once
+  mutable int32_t line_ = 1;
   mutable size_t line_at_ = 0;
 };
 

@@ -12,8 +12,8 @@
 
 namespace slicefarm::macro {
 
-/// Evaluates the expressions of a template. Names are looked up in local and global variables, then
-/// in the scope.
+/// Evaluates the expressions of a template. A name is looked up first in the local variables, then
+/// in the global variables, then in `scope`.
 class ExpressionValue {
  public:
   /// REQUIRES: `scope` and `memory` outlive this object.
@@ -39,8 +39,8 @@ class ExpressionValue {
 
   TemplateVariables& locals() { return locals_; }
 
-  /// Adds the size of a copied value to the total. Returns ResourceExhausted if the total is too
-  /// large for one template.
+  /// Adds the size of a copied value to the template's total. Returns ResourceExhausted if the
+  /// total exceeds the limit for one template.
   absl::Status Spend(const TemplateVariable& copied);
   absl::Status Spend(const TemplateValue& copied, int64_t times = 1);
 

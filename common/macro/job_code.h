@@ -26,7 +26,7 @@ struct JobCode {
   Template at_height;  ///< `template_custom_gcode`
   Template file_name;
   /// True if before_layer_gcode or layer_gcode depends on earlier layers or on global variables.
-  /// They are then expanded after all layers exist, in the order of the layers.
+  /// Then both are expanded after all layers exist, in the order of the layers.
   bool layers_wait = false;
 };
 
@@ -34,8 +34,8 @@ struct JobCode {
 absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options);
 
 /// Checks the templates before any work: all names in parts that may run must exist, and operands
-/// must have valid types. `settings_text`: the effective settings. Errors: SETTING_MALFORMED naming
-/// the setting.
+/// must have valid types. `settings_text`: text of the job's effective settings. Errors:
+/// SETTING_MALFORMED naming the setting.
 absl::Status CheckJobCode(const MotionOptions& options, std::string_view settings_text);
 
 /// Returns true if a template of the job uses the creation time.

@@ -14,7 +14,7 @@ TemplateVariable SettingVariable(std::string_view key, std::string_view value);
 /// variable is a list with this value.
 TemplateVariable OneOfSetting(std::string_view key, TemplateValue value);
 
-/// Adds variables that have no value yet:
+/// Adds these variables; existing variables keep their values, except for alternative names:
 /// - the settings of `given` (`key = value` lines);
 /// - PrusaSlicer's defaults of settings that are not given;
 /// - alternative names of these values: print_bed_min, _max and _size, print_preset,
@@ -22,8 +22,8 @@ TemplateVariable OneOfSetting(std::string_view key, TemplateValue value);
 ///   tool in use (setting `extruder`), timestamp, year, ... of creation_time.
 void AddSettingVariables(std::string_view given, TemplateVariables& variables);
 
-/// Returns all variables that are not settings, with the value Unknown. Their values are determined
-/// only by the print.
+/// Returns all variables that are not settings, with the value Unknown. Only the print determines
+/// their values.
 TemplateVariables VariablesOfThePrint();
 
 /// Returns true if the variable is known only after all layers are made, or if its value in a layer

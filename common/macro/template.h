@@ -19,14 +19,14 @@ struct Expression {
     kVariable,  ///< variable `text`; `parts` is empty or has the index
     kSign,      ///< sign: `text` is "-" or "+"
     kNot,
-    /// parts from left to right, with `operators` between them; the part after =~ and !~ is a
-    /// literal
+    /// chain of `parts` from left to right, with `operators` between them; the part after =~ and !~
+    /// is a literal
     kChain,
     kAnd,  ///< conjunction of all parts
     kOr,
-    kChoice,   ///< conditional expression: condition ? yes : no
-    kCall,     ///< function call: `text` is the name of the function
-    kPattern,  ///< argument of one_of that is a regular expression: its only part
+    kChoice,   ///< conditional expression: parts are condition, value if true, value if false
+    kCall,     ///< function call: `text` is the function's name, `parts` are its arguments
+    kPattern,  ///< argument of one_of that is a regular expression; it is the only part
   };
   Kind kind = Kind::kLiteral;
   std::string text = {};
@@ -38,13 +38,13 @@ struct Expression {
 /// A statement of a template, or plain text.
 struct Statement {
   enum class Kind {
-    kText,    ///< plain text: `text`, printed unchanged
+    kText,    ///< plain text that is printed unchanged: `text`
     kPrint,   ///< expression: prints the value of `values[0]`
     kLegacy,  ///< [name], [name_2], [name[index]]: variable `text`, with an index if there is one
     kAssign,  ///< assignment to variable `text`, or to its item `index`
     kLocal,
     kGlobal,
-    kIf,      ///< condition: each statement of `body` is a branch
+    kIf,      ///< conditional statement: each statement of `body` is a kBranch
     kBranch,  ///< {if c}, {elsif c} or, without `values`, {else}, with its `body`
   };
   /// Kind of the right side of an assignment.
@@ -83,7 +83,7 @@ struct Template {
 /// Cost: O(length). Source: PrusaSlicer's documentation, "Macros", and the behaviour of its parser.
 absl::StatusOr<Template> ParseTemplate(std::string_view setting, std::string_view text);
 
-/// A setting that is a template, and the destination of its parsed form.
+/// Setting that contains a template, and the object that receives the parsed template.
 struct TemplatePlace {
   std::string_view setting;
   const std::string& text;
@@ -99,11 +99,11 @@ std::set<std::string> NamesIn(const Template& code);
 /// Returns the global variables that a template declares.
 std::set<std::string> GlobalsOf(const Template& code);
 
-/// Payload key of the variable that an error concerns.
+/// Payload key of a status: its payload is the name of the variable that the error concerns.
 inline constexpr char kVariableUrl[] = "slicefarm/unknown-variable";
 
-/// Returns SETTING_MALFORMED for `setting` at a line; REQUEST_TOO_LARGE for a text that becomes too
-/// long.
+/// Returns `fault` as the error of a template in `setting`, with the line: SETTING_MALFORMED, or
+/// REQUEST_TOO_LARGE if `fault` is ResourceExhausted.
 absl::Status TemplateError(std::string_view setting, int32_t line, const absl::Status& fault);
 
 }  // namespace slicefarm::macro

@@ -29,8 +29,9 @@ struct TemplateScope {
 /// Returns the expanded text of a template. An index beyond the end of a list gives the first item,
 /// and so does a list without an index. + also joins texts; / of integers gives an integer.
 /// Operands of `and`, `or` and ?: and branches of {if} that are not needed are not evaluated.
-/// Errors: InvalidArgument SETTING_MALFORMED naming setting, line and, if there is one, the unknown
-/// `variable`. The metadata has `limit` if the result would exceed limits::kMaxExpandedBytes, or if
+///
+/// Errors: SETTING_MALFORMED with metadata `setting`, `line` and, for an unknown name, `variable`.
+/// REQUEST_TOO_LARGE with `limit` if the result would exceed limits::kMaxExpandedBytes, or if
 /// intermediate lists and texts would exceed a multiple of this limit. Cost: O(template + joined
 /// and copied values).
 absl::StatusOr<std::string> RunTemplate(const Template& code, const TemplateScope& scope,

@@ -10,7 +10,7 @@
 
 namespace slicefarm::macro {
 
-/// A setting without a value in its list (`nil`).
+/// Item of a setting that has no value (`nil`).
 struct Nil {
   friend bool operator==(Nil, Nil) { return true; }
 };
