@@ -15,20 +15,20 @@ namespace slicefarm {
 /// Returns the centre distance of neighbouring beads of the same width: width - height (1 - pi/4).
 Coord Spacing(Coord width_nm, Coord height_nm);
 
-/// Returns SETTING_OUT_OF_RANGE with the name of the width setting if the spacing would not be
-/// positive.
+/// Checks that beads of this width have a positive spacing. Errors: SETTING_OUT_OF_RANGE for
+/// `setting`, the name of the width's setting.
 absl::Status CheckSpacing(std::string_view setting, Coord width_nm, Coord height_nm);
 
 /// Returns the bead width that has the spacing `spacing_nm`.
 Coord WidthForSpacing(Coord spacing_nm, Coord height_nm);
 
-/// Returns the section area in mm^2: height times spacing. A bead narrower than its height is a
-/// disc of that width.
+/// Returns the area of the bead's cross section in mm^2: height times spacing. A bead narrower than
+/// its height has the cross section of a disc with its width as the diameter.
 double SectionMm2(Coord width_nm, Coord height_nm);
 
-/// Returns the width of the bead that fills a strip of width `strip_nm`: its section area is the
-/// strip's width times the height. This is WidthForSpacing, or the diameter of a disc if that width
-/// is below the height.
+/// Returns the width of the bead that fills a strip: its cross section is `strip_nm` times
+/// `height_nm`. The result is WidthForSpacing(strip_nm). If that would be less than the height, the
+/// result is the diameter of a disc with this area.
 Coord WidthToFill(Coord strip_nm, Coord height_nm);
 
 }  // namespace slicefarm

@@ -18,14 +18,14 @@ struct CopyName {
   friend bool operator==(const CopyName&, const CopyName&) = default;
 };
 
-/// State of the print at the start of a pass, as planned. The numbers include layers at the very
-/// top of an object that may turn out too thin for a bead.
+/// State of the print at the start of a pass (Copy::pass), as planned. The numbers of layers may
+/// include layers at the very top of an object that turn out too thin for a bead.
 struct PassFacts {
   /// Number of layers of all earlier passes; for the first pass: number of layers of the raft.
   int32_t layers_before = 0;
   /// Index of the job's layer in which the objects of this pass begin; 0 without a raft.
   int32_t first_layer = 0;
-  Coord top_before_nm = 0;  ///< height of the top of the earlier passes
+  Coord top_before_nm = 0;  ///< height of the highest layer of all earlier passes
 
   friend bool operator==(const PassFacts&, const PassFacts&) = default;
 };

@@ -4,10 +4,11 @@
 
 namespace slicefarm {
 
-/// Shortcoming of a stage's result in one layer, compared with the request.
+/// Deviation of one layer's result from the request.
 struct LayerWarning {
   int32_t layer = 0;
-  int32_t plain_islands = 0;  ///< number of islands with walls of constant width as a fallback
+  /// number of islands with walls of constant width, because kArachne failed
+  int32_t plain_islands = 0;
 
   friend bool operator==(const LayerWarning&, const LayerWarning&) = default;
 };

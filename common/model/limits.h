@@ -18,8 +18,8 @@ inline constexpr int64_t kMaxFaceVertices = 1024;  ///< vertices of one OBJ face
 // Limits of a project file (3MF), which is an archive of files.
 inline constexpr int64_t kMaxExpandedArchiveBytes = int64_t{2} << 30;
 inline constexpr int64_t kMaxCompressionRatio = 200;
-/// Size up to which the compression ratio of a file in the archive is not limited, because blanks
-/// compress a thousandfold.
+/// Size of a file in the archive up to which its compression ratio is not limited, because blanks
+/// can be compressed to a thousandth.
 inline constexpr int64_t kFreeExpandedBytes = 1 << 20;
 inline constexpr int64_t kMaxArchiveEntries = 1'000;
 /// Size of one settings file in the archive.
@@ -35,25 +35,26 @@ inline constexpr int64_t kMaxHeightRanges = 1'000;  ///< height ranges of one ob
 inline constexpr int64_t kMaxPartRanges = 100'000;
 inline constexpr int64_t kMaxProjectPlates = 1'000;
 inline constexpr int64_t kMaxProjectBytes = 16 << 20;  ///< size of names and settings together
-/// Scale factor, or shift in mm; large because plates lie side by side.
+/// Element of a transform: scale factor, or shift in mm. Large, because the plates of a project are
+/// side by side.
 inline constexpr double kMaxTransformEntry = 1e6;
 inline constexpr double kMaxMeshCoordinateMm = 10'000;
 /// Coordinate of a placed part; it fits in 32-bit nanometres.
 inline constexpr Coord kMaxCoord = 2'100'000'000;
-/// Height of a machine in profiles. The parts on it are still limited by kMaxCoord.
+/// Print height of a machine in a profile, in nm. The parts themselves are limited by kMaxCoord.
 inline constexpr Coord kMaxPrintHeight = 10'000'000'000;
 inline constexpr int64_t kMaxLayers = 20'000;
-/// Sum of the layers of all objects that are printed one after the other. Each such layer is a
+/// Total number of layers of all passes. In sequential printing, each layer of each object is a
 /// separate program.
 inline constexpr int64_t kMaxLayerPrograms = 200'000;
 inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
-/// Points of the outlines of all layers and parts of a job, before simplification. Copies count
-/// once.
+/// Points of the outlines of all layers and parts of a job, before simplification. Copies of an
+/// object count once.
 inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
 /// Size of a job's result, G-code or vectors, that a spool and a store accept.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;  ///< objects, copies included
-/// stacks: parts and stacks that planning adds
+/// stacks (stack.h): parts of objects, and stacks that planning adds
 inline constexpr int64_t kMaxStacks = 4 * kMaxObjects + 1'000;
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of region settings
 /// Size of all resolved settings of a job. Each height range, part or object with settings of its
@@ -66,7 +67,7 @@ inline constexpr int32_t kMaxRaftLayers = 100;
 /// Limits of a milling job: its steps (levels and rows), and the weight of one step.
 inline constexpr int64_t kMaxMillSteps = 200'000;
 inline constexpr int32_t kMaxMillWeight = 1'000;
-/// Limits of an engraved surface and of a texture object. Each is sent as one message.
+/// Limits of an engraved surface and of a texture object. Each of them is sent as one message.
 inline constexpr int64_t kMaxSurfaceTriangles = 1'000'000;
 inline constexpr int64_t kMaxSurfacePoints = 2'000'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
@@ -74,25 +75,27 @@ inline constexpr int32_t kMaxThumbnails = 8;
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
 /// Size of a message between stages; a message contains one layer.
 inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;
-/// Size of one value that the calls of a job share, such as the settings. Also the size of all
-/// shared values, of all jobs, that a server keeps at a time.
+/// Size of one value that the calls of a job share, such as the settings. kMaxKeptSharedBytes: size
+/// of all shared values of all jobs that a server stores at a time.
 inline constexpr int64_t kMaxSharedBytes = 1 << 30;
 inline constexpr int64_t kMaxKeptSharedBytes = 256 << 20;
 inline constexpr int64_t kSharedPieceBytes = 1 << 20;
 inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
-inline constexpr int64_t kUploadChunkBytes = 64 << 10;  ///< upload chunk that our own programs send
+/// upload chunk that slicefarm's own programs send
+inline constexpr int64_t kUploadChunkBytes = 64 << 10;
 /// Upload chunk that other clients may send.
 inline constexpr int64_t kMaxUploadChunkBytes = 1 << 20;
 /// Size of the value of one setting, such as a start G-code.
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;
-/// Size of an expanded G-code template, or of a text within it. A layer with such a text stays far
-/// below kMaxStageMessageBytes.
+/// Size of an expanded G-code template, or of a text within it. A layer with an expanded template
+/// remains far below kMaxStageMessageBytes.
 inline constexpr int64_t kMaxExpandedBytes = 1 << 20;
 /// Size of a field of density, stress or materials. A field is a setting and fits in a job's spec.
 inline constexpr int64_t kMaxFieldBytes = 768 << 10;
 inline constexpr int64_t kMaxFieldValues = 200'000;  ///< nodes of a field's grid
 inline constexpr size_t kMaxMixedMaterials = 6;      ///< materials of one mixing extruder
-/// Number of layers above and below a layer that a field by distance to the surface reads.
+/// Number of layers above and below a layer that a field needs, if its density depends on the
+/// distance to the surface.
 inline constexpr int64_t kMaxFieldHaloLayers = 100;
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;  ///< length of an object's name or a request id
@@ -108,8 +111,8 @@ inline constexpr int64_t kMaxProfileRevisions = 10'000;  ///< profile revisions 
 inline constexpr int64_t kMaxUrlBytes = 2'048;
 inline constexpr int64_t kMaxOpenJobs = 10'000;  ///< waiting and running jobs of a tenant
 
-/// Returns the size limit of a setting's value, by its name. Names ending in _field or _image have
-/// the larger limit, because they contain a grid or a file.
+/// Returns the size limit for the value of the setting `key`. Keys that end in _field or _image
+/// have a larger limit, because their values contain a grid or a file.
 constexpr int64_t MaxSettingBytes(std::string_view key) {
   const bool is_long = key.ends_with("_field") || key.ends_with("_image");
   return is_long ? kMaxFieldBytes : kMaxSettingBytes;

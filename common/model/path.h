@@ -36,22 +36,23 @@ inline bool IsBridge(Feature feature) {
 /// Returns the name of a feature for reports: "External perimeter", "Perimeter", ...
 std::string_view FeatureName(Feature feature);
 
-/// Returns the text of the `;TYPE:` comment that PrusaSlicer's previewers read. It is FeatureName,
-/// except that solid infill over bridges is reported as solid infill, and bridges over sparse
-/// infill as bridges.
+/// Returns the text of the `;TYPE:` comment that PrusaSlicer's previewers read. The text is
+/// FeatureName, with two exceptions: solid infill over bridges is reported as solid infill, and
+/// bridges over sparse infill as bridges.
 std::string_view FeatureType(Feature feature);
 
 /// Bead to print: a line with a width at each point and the height of its layer. Between two points
-/// the width changes linearly. Two equal consecutive points make a step of the width. INVARIANT:
+/// the width changes linearly. Two equal consecutive points change the width at once. INVARIANT:
 /// points.size() >= 2; widths_nm.size() is 1 (constant width) or points.size().
 struct Path {
   Feature feature = Feature::kPerimeter;
   int32_t settings = 0;  ///< index into the job's tables of region settings
   int32_t inset = 0;     ///< number of the wall, for walls; 0 is the outermost
-  int32_t ring = -1;     ///< ring of the outline that the path follows, for closed walls of inset 0
-  bool closed = false;   ///< true if the last point connects to the first, which is not repeated
+  /// index of the outline's ring that the path follows (OutlineOf); set for closed walls of inset 0
+  int32_t ring = -1;
+  bool closed = false;     ///< true if the last point connects to the first, which is not repeated
   bool reversible = true;  ///< true if the path may be printed backwards
-  /// Tool index; other values than 0 are refused because there is only one tool yet.
+  /// Index of the tool. Only 0 is accepted, because several tools are not supported yet.
   int32_t tool = 0;
   std::vector<Point> points;
   std::vector<Coord> widths_nm;

@@ -9,19 +9,20 @@
 
 namespace slicefarm {
 
-/// Time of a print, by activity. Times in s.
+/// Time of a print by activity, in s.
 struct PrintTimes {
   std::array<double, kFeatureCount> feature_s = {};  ///< time of beads per Feature
   double travel_s = 0;                               ///< time of moves without extrusion
   double retract_s = 0;                              ///< time of moves of the filament alone
   double custom_s = 0;                               ///< time of moves in custom G-code
   double dwell_s = 0;                                ///< time of G4 commands
-  double heating_s = 0;  ///< waiting time for heaters, by the heating rates of the settings
+  /// waiting time for heaters, estimated from the heating rates of the settings
+  double heating_s = 0;
   // Numbers of actions of unknown duration; each adds 0 s to the total.
   int64_t homings = 0;
   int64_t heat_waits = 0;  ///< number of waits for heaters without a heating rate
   int64_t tool_changes = 0;
-  // The same total time, divided by position: before the layers, in each layer of the program, and
+  // Total time again, divided by position: before the layers, in each layer of the program, and
   // after the layers.
   double before_s = 0;
   std::vector<double> layer_s;

@@ -7,14 +7,14 @@
 
 namespace slicefarm {
 
-/// Value of a type that belongs to one process, such as FdmSettings. Code that holds the value does
-/// not need the type. Copies share the value until one of them is changed. An empty ProcessValue
-/// has the default value of the default process.
+/// Holder of a value of one process's type, such as FdmSettings. Code that stores or copies the
+/// holder does not need the type. Copies share the value until one of them is changed. An empty
+/// ProcessValue has the default value of the default process.
 class ProcessValue {
  public:
   ProcessValue() = default;
-  /// Makes a ProcessValue from a value of a type with kProcess and operator==. The constructor is
-  /// implicit, because the settings of a process are a process value.
+  /// Stores a value of a type with kProcess and operator==. The constructor is implicit, so that
+  /// the settings of a process can be assigned directly.
   template <typename T>
   requires requires { T::kProcess; }
   ProcessValue(T value)  // NOLINT(google-explicit-constructor)

@@ -9,10 +9,10 @@ namespace slicefarm {
 /// Heights of a raft's layers and of the part on it.
 struct RaftHeights {
   int32_t layers = 0;  ///< `raft_layers`: number of layers; 0: no raft
-  /// `first_layer_height`: height of the raft's first layer; with a raft, the part has no layer of
-  /// this height
+  /// `first_layer_height`: height of the raft's first layer. With a raft, the part's own first
+  /// layer does not have this height.
   Coord first_nm = 200'000;
-  /// Height of the other layers: the greater of layer_height and 3/4 of nozzle_diameter.
+  /// Height of the raft's other layers: the greater of layer_height and 3/4 of nozzle_diameter.
   Coord others_nm = 300'000;
   /// `raft_contact_distance`: gap between the raft's top and the part
   Coord contact_distance_nm = 100'000;

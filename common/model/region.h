@@ -18,8 +18,8 @@ enum class Role : uint8_t {
 };
 inline constexpr int kRoleCount = 6;
 
-/// Returns the feature that beads of a role are reported as. For kPart it is `feature`; other roles
-/// have a fixed feature.
+/// Returns the feature under which the beads of a structure are reported. For kPart it is
+/// `feature`; each other role has one fixed feature.
 constexpr Feature FeatureFor(Role role, Feature feature) {
   switch (role) {
     case Role::kPart:
@@ -40,7 +40,7 @@ constexpr Feature FeatureFor(Role role, Feature feature) {
 struct Region {
   Role role = Role::kPart;
   int32_t settings = 0;  ///< index into the job's tables of region settings
-  /// Tool index; other values than 0 are refused because there is only one tool yet.
+  /// Index of the tool. Only 0 is accepted, because several tools are not supported yet.
   int32_t tool = 0;
   MultiPolygon outlines;
 

@@ -5,8 +5,8 @@
 
 namespace slicefarm {
 
-/// Origin of a setting. A profile is a whole file, and many of its keys may be unknown here. A
-/// request contains only keys that a person chose.
+/// Origin of a setting. A profile is a whole file, and slicefarm may not know many of its keys. A
+/// request contains only settings that a person chose.
 enum class Source : uint8_t { kProfile, kRequest };
 
 /// Key and value of a config.ini, as text. Newlines in the value are written as `\n`.

@@ -6,14 +6,16 @@
 
 namespace slicefarm {
 
-/// Turn of a spiral, the only bead of a section. It is a loop along which the nozzle rises from the
-/// top of the layer below to the top of the loop's own layer.
+/// Turn of a spiral: a loop along which the nozzle rises from the top of the layer below to the top
+/// of the loop's own layer. The turn is the only bead of its section.
 struct SpiralTurn {
   Point start;  ///< start and end of the loop
-  /// End of the turn below, from which this turn continues; none: the first turn.
+  /// End of the turn in the layer below, from which this turn continues; nullopt for the first
+  /// turn.
   std::optional<Point> from = {};
   bool last = false;  ///< true if no turn follows
-  /// True: the path moves gradually from the turn below to this one; false: at once.
+  /// True: the path changes gradually from the turn below to this one. False: the path follows this
+  /// turn from its start.
   bool blends = true;
 
   friend bool operator==(const SpiralTurn&, const SpiralTurn&) = default;

@@ -5,18 +5,20 @@
 
 namespace slicefarm {
 
-/// Purpose of a stack. The order is the order in which the stacks of one copy are printed in a
-/// layer.
+/// Purpose of a stack. In a layer, the stacks of one copy are printed in the order of this enum.
 enum class StackKind : uint8_t { kSkirt, kBrim, kRaft, kSupport, kPart };
 inline constexpr int kStackKindCount = 5;
 
-/// Number of the object to which structures around several objects belong. It has one copy, at the
-/// plate's origin. This copy is printed first and has no label.
+/// Stack::object of structures around several objects, such as the skirt. This number has one copy,
+/// at the plate's origin. The copy is printed first and has no label.
 inline constexpr int32_t kPlateObject = -1;
 
-/// Structure that is built in layers of its own: a part, or a structure that planning adds.
+/// Structure that is built in layers: a part of an object, or a structure that planning adds. Each
+/// stack has its own layers.
 struct Stack {
-  int32_t id = 0;  ///< id in the job; a part has its object's number, added stacks have higher ids
+  /// unique id in the job; the stack of an object's part has the object's number, added stacks have
+  /// higher ids
+  int32_t id = 0;
   int32_t object = 0;  ///< object that provides the copies, passes and labels of the stack
   StackKind kind = StackKind::kPart;
 
@@ -30,8 +32,8 @@ struct Stack {
   friend bool operator==(const Stack&, const Stack&) = default;
 };
 
-/// Stack of the finished paths with which layers begin, such as the skirt. It has no sections, and
-/// no code searches for them.
+/// Stack of the paths in Skirt and LayerPlan::paths. It has no sections, so its id -1 is never
+/// searched for.
 inline constexpr Stack kSkirtStack(-1, kPlateObject, StackKind::kSkirt);
 
 }  // namespace slicefarm

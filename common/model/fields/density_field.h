@@ -16,22 +16,24 @@ enum class DensityLaw : uint8_t {
   kHeaviside,  ///< (tanh(b e) + tanh(b (v - e))) / (tanh(b e) + tanh(b (1 - e)))
 };
 
-/// Method that selects the filled cells if each cell of the infill is either empty or filled with
-/// the field's greatest density.
+/// Method of dithering: each cell of the infill is either empty or filled with the field's greatest
+/// density, and the method selects the filled cells.
 enum class Dither : uint8_t {
-  /// No dithering: line spacing follows the field; patterns with fixed spacing use blue noise.
+  /// No dithering: the line spacing follows the field. For patterns with a fixed spacing,
+  /// kBlueNoise is used.
   kNone,
   kBlueNoise,
   kFloydSteinberg,
 };
 
-/// Density of the sparse infill as a function of position. The density depends only on the position
-/// and its distance to the part's surface.
+/// Density of the sparse infill as a function of position: of the height, the distance to the
+/// part's surface, or all three coordinates.
 struct DensityField {
   enum class Kind : uint8_t { kHeight, kSurfaceDistance, kGrid };
 
   Kind kind = Kind::kHeight;
-  std::vector<double> at_mm = {0};  ///< heights or surface distances, ascending
+  /// heights above the object's bottom, or distances to the surface, ascending
+  std::vector<double> at_mm = {0};
   /// Values at `at_mm`: linear in between, constant beyond both ends.
   std::vector<double> values = {0.2};
   FieldGrid grid = {};  ///< grid of a field of kind kGrid
@@ -42,7 +44,8 @@ struct DensityField {
   double cell_mm = 2;  ///< side length of a dither cell
 
   double At(const PlaceMm& place_mm, double to_surface_mm) const;
-  /// Returns the density of a layer if it is the same in the whole layer.
+  /// Returns the density of the layer at height z if it is the same in the whole layer, otherwise
+  /// nullopt.
   std::optional<double> UniformAt(double z_mm) const;
   double Greatest() const;
   double Least() const;

@@ -17,8 +17,8 @@ std::vector<std::string> FieldNotes(const DensityField& field, FillPattern patte
 
 /// Returns the largest line distance, in mm, at which a pattern's density in cells of 5 mm is
 /// within 5 % of the requested density on average. The values were measured with uniform densities,
-/// by the plastic in 196 cells of a box 16 mm high. Returns 0 if the value is unknown or the
-/// pattern's lines are graded.
+/// by the plastic in 196 cells of a box 16 mm high. Returns 0 if the pattern was not measured, or
+/// if it adapts its line distances to the field.
 double MostEvenPitchMm(FillPattern pattern);
 
 }  // namespace slicefarm

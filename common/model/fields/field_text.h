@@ -12,8 +12,9 @@
 namespace slicefarm {
 
 /// Parses a field from a setting: JSON on one line, as common/model/fields/README.md describes it.
-/// Errors: InvalidArgument that names the entry that is missing, unknown, of the wrong type, not
-/// finite or out of range. A wrong number of values is reported with the required number.
+/// Errors: InvalidArgument for an entry that is missing, unknown, of the wrong type, not finite or
+/// out of range; the message names the entry. If the number of values is wrong, the message has the
+/// required number.
 absl::StatusOr<DensityField> ParseDensityField(std::string_view text);
 absl::StatusOr<StressField> ParseStressField(std::string_view text);
 absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text);

@@ -6,8 +6,9 @@
 
 namespace slicefarm {
 
-/// Share of each material in the plastic of a mixing extruder, by position on the plate. INVARIANT:
-/// all parts have the same kind and nodes, and their sum at each node is 1.
+/// Share of each material in the plastic of a mixing extruder, as a function of the position on the
+/// plate. INVARIANT: all parts have the same kind and nodes, and the sum of their values at each
+/// node is 1.
 struct MaterialField {
   /// Share of each material: two or more fields with the linear formula.
   std::vector<DensityField> parts;

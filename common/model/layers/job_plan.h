@@ -16,7 +16,8 @@
 
 namespace slicefarm {
 
-/// Copy of an object on the plate. Its toolpaths are the object's toolpaths, shifted.
+/// Copy of an object on the plate. The toolpaths of a copy are the object's toolpaths, moved by
+/// `shift`.
 struct Copy {
   int32_t object = 0;
   /// Displacement in whole micrometres, so that rounded coordinates are shifted exactly.
@@ -29,13 +30,15 @@ struct Copy {
 
 /// Planning decisions for one stack's section in a layer, in the object's own coordinates.
 struct SectionPlan {
-  int32_t stack = 0;          ///< id of the stack
-  Point entry;                ///< point near which the section starts
-  std::optional<Point> exit;  ///< point near which the section ends: the start of the section above
+  int32_t stack = 0;  ///< id of the stack
+  Point entry;        ///< point near which the section starts
+  /// point near which the section ends: the entry of the same stack in the layer above
+  std::optional<Point> exit;
   /// Start points of the walls, one per ring of OutlineOf. Empty: walls start near the nozzle.
   std::vector<Point> seams;
-  MultiPolygon carried = {};              ///< area directly above supports
-  std::optional<SpiralTurn> spiral = {};  ///< turn of a spiral that is the only wall of the section
+  MultiPolygon carried = {};  ///< area directly above supports
+  /// turn of a spiral; this turn is the section's only wall
+  std::optional<SpiralTurn> spiral = {};
   /// Area where overhangs have curled up above the layer; travels avoid it.
   MultiPolygon curled = {};
 
@@ -55,7 +58,8 @@ struct PlannedInfill {
   int32_t stack = 0;     ///< id of the stack
   int32_t settings = 0;  ///< index into the job's tables of region settings
   FillPattern pattern = FillPattern::kGrid;
-  /// Lines of a pattern that planning lays out; they may extend beyond the region.
+  /// Lines of a pattern that planning lays out over the whole job; infill cuts them off at the
+  /// region's boundary.
   std::vector<Polyline> lines;
   MultiPolygon left_out;  ///< area without sparse infill
   MultiPolygon combined;  ///< area where the sparse infill is `combined_height_nm` high
@@ -68,10 +72,9 @@ struct PlannedInfill {
 /// that the layers are independent afterwards.
 struct LayerPlan {
   Point entry;  ///< point near which the layer starts, in plate coordinates
-  /// True if the layer below ends near `entry` with the filament ready to print, and the section of
-  /// the only copy begins there. False: the filament is retracted between the two layers.
-  /// `ends_ready`: corresponding value for the layer above, at the exit of the layer's last
-  /// section.
+  /// True if the layer below ends near `entry` with the filament ready to print. The only copy's
+  /// section then begins there. False: the filament is retracted between the two layers.
+  /// `ends_ready`: true if this layer likewise ends ready, at the `exit` of its last section.
   bool begins_ready = false;
   bool ends_ready = false;
   std::vector<SectionPlan> sections;  ///< one plan per stack, sorted by stack id
@@ -87,7 +90,7 @@ struct LayerPlan {
 struct AddedStack {
   Stack stack;
   Coord lift_nm = 0;                    ///< height of the stack's bottom above the bed
-  std::vector<ObjectSection> sections;  ///< the stack's own layers, from the bottom
+  std::vector<ObjectSection> sections;  ///< layers of the stack, from the bottom
 
   friend bool operator==(const AddedStack&, const AddedStack&) = default;
 };
@@ -95,15 +98,15 @@ struct AddedStack {
 /// Finished paths in plate coordinates with which the lowest layers of the print begin.
 struct Skirt {
   std::vector<Path> loops;
-  /// Number of layers with the skirt, counted from the lowest layer; layers of supports alone
+  /// Number of layers with the skirt, counted from the lowest layer. Layers that only have supports
   /// (OnlySupports) are not counted.
   int32_t layers = 0;
 
   friend bool operator==(const Skirt&, const Skirt&) = default;
 };
 
-/// Quality of the planned seams. A seam may follow a seam of a ring in the layer below; the
-/// distance between the two is called its step.
+/// Quality of the planned seams. If a seam follows the seam of a ring in the layer below, the
+/// distance between the two seams is called its step.
 struct SeamQuality {
   int64_t loops = 0;      ///< number of outlines with a planned seam
   int64_t followers = 0;  ///< number of seams that follow a seam in the layer below
@@ -120,7 +123,8 @@ struct SeamQuality {
 /// Result of planning for the outlines of a whole job.
 struct JobPlan {
   std::vector<LayerPlan> layers;  ///< plans of the print's layers, without the paths of the skirt
-  /// Height of each object's bottom above the bed; 0 for objects beyond the end of the list.
+  /// Height of each object's bottom above the bed, indexed by object. The list may be shorter than
+  /// the list of objects; missing entries are 0.
   std::vector<Coord> lifts_nm;
   std::vector<AddedStack> stacks;  ///< added stacks, sorted by id
   Skirt skirt;

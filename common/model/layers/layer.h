@@ -76,8 +76,7 @@ struct ObjectSection {
 /// the outer ring precedes the holes.
 const MultiPolygon& OutlineOf(const ObjectSection& section);
 
-/// Returns the area of a section that has a mark of the role. Returns an empty area if there is
-/// none.
+/// Returns the area of a section with a mark of the role; an empty area if there is no such mark.
 const MultiPolygon& MarkedIn(const ObjectSection& section, PartRole role);
 
 /// Sections of all stacks in one layer. A stack has a section in each of its own layers, even if
@@ -93,8 +92,8 @@ struct SlicedLayer {
 /// layers of the parts.
 bool OnlySupports(const SlicedLayer& layer);
 
-/// Area for the infill of one region. The outer sides of the infill's beads may reach the area's
-/// boundary. The overlap with the walls is not included: it is an option of the infill.
+/// Area for the infill of one region. The beads of the infill may extend up to the area's boundary.
+/// The overlap with the walls is not included, because it is an option of the infill.
 struct FillArea {
   Role role = Role::kPart;
   int32_t settings = 0;
@@ -127,7 +126,8 @@ struct WalledSection {
 struct WalledLayer {
   LayerFrame frame;
   std::vector<WalledSection> sections;
-  int32_t plain_islands = 0;  ///< number of islands with walls of constant width as a fallback
+  /// number of islands with walls of constant width, because kArachne failed
+  int32_t plain_islands = 0;
 
   friend bool operator==(const WalledLayer&, const WalledLayer&) = default;
 };
@@ -169,17 +169,18 @@ struct FilledLayer {
   friend bool operator==(const FilledLayer&, const FilledLayer&) = default;
 };
 
-/// Travel from the end of one path to the start of the next.
+/// Move without extrusion from the end of one path to the start of the next.
 struct Travel {
-  bool hidden = false;  ///< true if oozing is not visible here, so that no retraction is needed
+  /// true if oozing during the travel is not visible, so that no retraction is needed
+  bool hidden = false;
   std::vector<Point> corners;  ///< intermediate points of the travel; empty: straight line
-  /// True if the travel crosses an outer wall: it needs a retraction even if it is short.
+  /// True if the travel crosses an outer wall. Then it needs a retraction even if it is short.
   bool over_wall = false;
 
   friend bool operator==(const Travel&, const Travel&) = default;
 };
 
-/// Travel from the last path of a block to a point.
+/// Travel from the last path of a block to the point `to`.
 struct Leave {
   Point to;
   Travel way;
@@ -194,13 +195,15 @@ struct PathBlock {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<Path> paths;
-  /// Travel to each path. Empty: all travels are straight and visible. The travel to the first path
-  /// is only used if the block is the first of a layer with OrderedLayer::begins_ready.
+  /// Travel to each path, indexed like `paths`. Empty: all travels are straight and visible. The
+  /// travel to the first path is used only if the block is the first of a layer with
+  /// OrderedLayer::begins_ready.
   std::vector<Travel> travels = {};
-  /// travel to the exit, used if the block is the last of a layer with OrderedLayer::ends_ready
+  /// travel to SectionPlan::exit, used if the block is the last of a layer with
+  /// OrderedLayer::ends_ready
   std::optional<Leave> leave = {};
-  /// Area that the stack's layer below covers. It is set if motion needs this area (LooksBelow),
-  /// and for turns of a spiral; otherwise it is empty.
+  /// Area that the stack's layer below covers. Only set for turns of a spiral, or if motion needs
+  /// the area (LooksBelow); otherwise empty.
   MultiPolygon below = {};
   MultiPolygon carried = {};  ///< SectionPlan::carried, set if motion needs `below`
   /// SectionPlan::spiral, the turn that the only path follows
@@ -215,8 +218,8 @@ struct BlockVisit {
   int32_t copy = -1;  ///< index into the job's copies; -1: the block belongs to the plate
   int32_t pass = 0;   ///< pass of the copy
   Point shift;        ///< displacement from the object's origin to the copy's position
-  /// Intermediate points of the travel from the previous visit, on the plate. Empty: straight line.
-  /// They are ignored for the first visit of a pass.
+  /// Intermediate points of the travel from the previous visit, in plate coordinates. Empty:
+  /// straight line. For the first visit of a pass, they are ignored.
   std::vector<Point> corners = {};
 
   friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
@@ -227,9 +230,9 @@ struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< visits in the order of printing
-  /// True if the filament begins the layer in the state in which the layer below ends: ready or
-  /// retracted. False: the filament begins retracted. `ends_ready`: corresponding value for the
-  /// layer above. If one of them is true, no block of the layer has two visits. The only exception
+  /// True: the layer begins with the filament in the state in which the layer below ends, ready or
+  /// retracted. False: it begins with the filament retracted. `ends_ready` says the same about the
+  /// layer above. If one of them is true, each block of the layer has one visit. The only exception
   /// is a spiral turn that is the layer's only block: it has one visit per pass.
   bool begins_ready = false;
   bool ends_ready = false;
@@ -266,8 +269,8 @@ struct ProgramStats {
   friend bool operator==(const ProgramStats&, const ProgramStats&) = default;
 };
 
-/// Move at an end of a layer's program, rounded like its G-code: end position, feed rate,
-/// acceleration and extrusion.
+/// Move at the start or end of a layer's program, rounded like its G-code. x, y and z are the
+/// position at the move's end.
 struct EdgeMove {
   int32_t x_um = 0;
   int32_t y_um = 0;
@@ -281,12 +284,13 @@ struct EdgeMove {
   friend bool operator==(const EdgeMove&, const EdgeMove&) = default;
 };
 
-/// Moves at both ends of a layer. Their duration depends on the moves of the neighbouring layers.
-/// Each list begins with the start position of its first move. A list is empty if nothing moves.
+/// Moves at the start (`head`) and end (`tail`) of a layer. Their duration also depends on the
+/// moves of the neighbouring layers. The first entry of each list is only the start position of the
+/// first move. A list is empty if nothing moves.
 struct LayerEdges {
-  /// Moves at the start of the layer; x and y are unknown before the approach.
+  /// Moves at the start of the layer. x and y are unknown before the move `approach`.
   std::vector<EdgeMove> head;
-  int32_t approach = 0;  ///< index in `head` of the move to the layer's entry
+  int32_t approach = 0;  ///< index in `head` of the move to LayerProgram::entry
   std::vector<EdgeMove> tail;
   double acceleration_mm_s2 = 0;  ///< acceleration setting of the machine at the end of the layer
 
@@ -296,7 +300,7 @@ struct LayerEdges {
 /// Number of custom G-code texts per layer: before_layer_gcode and layer_gcode.
 inline constexpr int kCodesOfALayer = 2;
 
-/// Machine state that a program sets and that stays until it is set again.
+/// State of the machine that a command sets and that remains until a command changes it.
 enum class MachineMode : uint8_t {
   kFan,
   kAcceleration,        ///< acceleration of all moves, or of printing moves only
@@ -312,10 +316,10 @@ inline constexpr std::string_view kReady = "ready", kRetracted = "retracted";
 /// Values per MachineMode, as text. Empty: unknown.
 using ModeValues = std::array<std::string, kMachineModes>;
 
-/// Line of a layer's program that sets a mode. The line has no effect if the mode already has this
-/// value.
+/// Line of a layer's program that sets a mode to `value`. The line is unnecessary if the mode
+/// already has this value.
 struct ModeLine {
-  int64_t at = 0;  ///< offset of its first byte in the G-code
+  int64_t at = 0;  ///< offset of the line's first byte in the G-code
   int64_t size = 0;
   MachineMode mode = MachineMode::kFan;
   std::string value;
@@ -325,54 +329,55 @@ struct ModeLine {
 
 /// G-code of one layer of one pass. It starts and ends in the canonical state: relative extrusion,
 /// absolute coordinates, filament retracted. If the OrderedLayer has `begins_ready`, the layer
-/// starts with the filament as the layer below leaves it. Then `mode_lines` contains the line that
-/// retracts the filament or makes it ready. Layers are joined by concatenation, without the mode
+/// instead starts in the filament state in which the layer below ends. Then one of `mode_lines`
+/// retracts the filament or makes it ready. The layers' texts are concatenated without the mode
 /// lines that have no effect.
 struct LayerProgram {
   LayerFrame frame;
   int32_t pass = 0;  ///< number of the pass: see Copy::pass
   std::string gcode;
-  /// Start of the first path in G-code coordinates. The program's first move goes to this point
+  /// Start of the first path in G-code coordinates. The program's first move leads to this point,
   /// from any position.
   Point entry;
   Point exit;
-  /// Statistics. The times assume a standstill before and after the layer, and exclude the approach
-  /// to the entry.
+  /// Totals of the layer. The times assume a standstill before and after the layer, and exclude the
+  /// approach to the entry.
   ProgramStats stats;
   LayerEdges edges;
-  /// Ascending offsets in `gcode` for before_layer_gcode and layer_gcode, if these texts depend on
-  /// previous layers (ProgramEnvelope::layer_code). Usually empty: `gcode` then already contains
-  /// the texts.
+  /// Offsets in `gcode`, ascending, at which before_layer_gcode and layer_gcode are inserted later
+  /// (ProgramEnvelope::layer_code). Usually empty: `gcode` then already contains these texts. They
+  /// are inserted later only if they depend on previous layers.
   std::vector<int64_t> code_at;
   std::vector<ModeLine> mode_lines = {};  ///< mode lines, sorted by offset
-  /// Values of the modes at the end of the layer. An empty value: the layer does not change this
+  /// Value of each mode at the end of the layer; an empty text if the layer does not change the
   /// mode. nullopt: custom G-code in the layer may have changed any mode.
   std::optional<ModeValues> modes_at_end = {};
-  /// True if the layer ends retracted, apart from effects of custom G-code.
+  /// True if the layer ends with the filament retracted. Effects of custom G-code are not
+  /// considered.
   bool ends_retracted = true;
   /// Convex hull of the beads on the plate, including their widths. Only set for a layer on the
   /// bed.
   Polygon footprint = {};
-  /// Time in the machine's silent mode, if MotionOptions has silent limits.
+  /// Duration of the layer in the machine's silent mode, if MotionOptions has limits for it.
   double silent_time_s = 0;
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };
 
 /// Texts around the layers of a program. The file consists of head, prologue, then a prefix and a
-/// program for each layer, then epilogue and tail. Head and tail are comments for programs that
-/// read the file.
+/// program for each layer, then epilogue and tail. Head and tail are comments, which other programs
+/// read.
 struct ProgramEnvelope {
   std::string prologue;
   std::vector<std::string> layer_prefixes;  ///< prefix of each layer (progress); usually empty
   std::string epilogue;
   PrintTimes times;      ///< times of the whole print
   double travel_mm = 0;  ///< length of the travels in layers and between them
-  /// Texts to insert at LayerProgram::code_at: two per layer, or none at all.
+  /// Texts that are inserted at LayerProgram::code_at: two per layer. Empty: no layer has code_at.
   std::vector<std::string> layer_code;
   std::string head;
   std::string tail;
-  std::string file_name;  ///< file name by the settings, without a folder
+  std::string file_name;  ///< name of the output file by `output_filename_format`, without a folder
 
   friend bool operator==(const ProgramEnvelope&, const ProgramEnvelope&) = default;
 };

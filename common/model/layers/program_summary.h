@@ -26,7 +26,7 @@ struct LayerSummary {
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };
 
-/// Copy of an object, described for programs that read the G-code.
+/// Name and footprint of a copy of an object; the head of the file lists them for other programs.
 struct CopySummary {
   CopyName name;
   Polygon footprint;  ///< convex hull on the plate
@@ -34,15 +34,15 @@ struct CopySummary {
   friend bool operator==(const CopySummary&, const CopySummary&) = default;
 };
 
-/// Data from which motion writes the texts before and after the layers.
+/// Data from which motion makes the ProgramEnvelope (layer.h).
 struct ProgramSummary {
   /// Layers in the order of printing: by pass, then from the bottom up.
   std::vector<LayerSummary> layers;
   ProgramStats total;  ///< sum over the layers
   std::vector<Thumbnail> thumbnails;
   std::vector<CopySummary> copies;
-  /// Effective settings, one `key = value` per line. The end of the file quotes them for programs
-  /// that read the G-code.
+  /// Effective settings, one `key = value` per line. The end of the G-code file quotes them for
+  /// other programs.
   std::string settings_text;
 
   friend bool operator==(const ProgramSummary&, const ProgramSummary&) = default;

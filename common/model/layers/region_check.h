@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Checks that the index `settings` is below `rows`, the number of region settings, and that the
-/// tool is 0. Other tools are not supported yet. Errors: REQUEST_MALFORMED with the layer.
+/// Checks that `settings`, the index of region settings, is less than `rows`, and that the tool is
+/// 0. Other tools are not supported yet. Errors: REQUEST_MALFORMED with the layer.
 absl::Status CheckRegion(int32_t settings, int32_t tool, size_t rows, const LayerFrame& frame);
 
 /// Checks all regions of a layer with CheckRegion.

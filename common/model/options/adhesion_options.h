@@ -10,11 +10,11 @@ namespace slicefarm {
 /// Options of skirt, brim and raft, which keep parts on the bed. Member comments begin with the
 /// name of the setting (the name in PrusaSlicer).
 
-/// Use of the skirt as a wall against draughts. It decides the skirt's height and its distance from
-/// the parts.
+/// Use of the skirt as a draught shield. The choice determines the skirt's height and its distance
+/// from the parts.
 enum class DraftShield : uint8_t {
-  kDisabled,  ///< skirt on the first layers, outside of the brims
-  /// Skirt of the usual height, but close to the parts: brims are cut back where it runs.
+  kDisabled,  ///< no shield: skirt on the first layers, outside of the brims
+  /// Skirt of the usual height, but close to the parts. Where the skirt is, brims are cut off.
   kLimited,
   kEnabled,  ///< skirt close to the parts on all layers
 };
@@ -23,10 +23,11 @@ enum class DraftShield : uint8_t {
 struct SkirtOptions {
   /// Number of skirt loops; 0 disables the skirt and overrides the other options.
   int32_t loops = 0;
-  /// `skirt_distance`: distance to the inner side of the first line
+  /// `skirt_distance`: distance from the parts to the inner side of the first loop
   Coord distance_nm = 6'000'000;
-  Coord min_length_nm = 0;    ///< `min_skirt_length`: minimum length of filament on each layer
-  int32_t height_layers = 1;  ///< `skirt_height`: number of layers
+  /// `min_skirt_length`: minimum length of filament for the skirt on each layer
+  Coord min_length_nm = 0;
+  int32_t height_layers = 1;  ///< `skirt_height`: number of layers with the skirt
   DraftShield draft_shield = DraftShield::kDisabled;  ///< setting draft_shield
   Coord width_nm = 400'000;   ///< `first_layer_extrusion_width`: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer
@@ -49,7 +50,7 @@ enum class BrimType : uint8_t {
 /// and from these values.
 struct AutomaticBrim {
   bool on = false;
-  /// Warping length of the material: a shorter length means more warping.
+  /// Warping length of the material in mm. A shorter length means more warping.
   double thermal_length_mm = 200;
   double adhesion = 1;        ///< factor of the material on the brim's width
   double max_speed_mm_s = 0;  ///< highest print speed of the object
@@ -63,7 +64,7 @@ struct BrimOptions {
   AutomaticBrim automatic = {};
   Coord width_nm = 0;       ///< setting brim_width; for ears: their radius
   Coord separation_nm = 0;  ///< setting brim_separation
-  /// Width of the brim's lines; pieces narrower than half a line are dropped.
+  /// Width of the brim's lines. Pieces of the brim narrower than half this width are dropped.
   Coord line_width_nm = 400'000;
   double ear_max_angle_rad =
       2.18166;  ///< `brim_ears_max_angle`: largest inner angle of a corner with an ear; 125 degrees
@@ -77,15 +78,16 @@ struct BrimOptions {
 /// Purpose of a layer of a raft.
 enum class RaftLayerKind : uint8_t { kFirst, kBase, kInterface };
 
-/// Returns the kind of a raft layer. Of n layers, the upper (n + 1) / 2 are interface layers. The
-/// lowest of the remaining layers is the first layer.
+/// Returns the kind of a raft layer. Of `layers` layers, the upper (layers + 1) / 2 are interface
+/// layers. Below the interface layers, the lowest layer is the first layer, and further layers are
+/// base layers.
 constexpr RaftLayerKind RaftLayerKindOf(int32_t layer, int32_t layers) {
   if (layer >= layers / 2) return RaftLayerKind::kInterface;
   return layer == 0 ? RaftLayerKind::kFirst : RaftLayerKind::kBase;
 }
 
-/// Lines of a raft's layers, from the settings. The region settings of the raft are made from these
-/// values.
+/// Lines of a raft's layers, as the settings give them. The region settings of the raft are derived
+/// from these values.
 struct RaftLines {
   Coord width_nm = 400'000;          ///< setting support_material_extrusion_width
   Coord spacing_nm = 2'500'000;      ///< `support_material_spacing`: gap between lines of the base
@@ -100,7 +102,7 @@ struct RaftOptions {
   RaftHeights heights = {};
   RaftLines lines = {};
   Coord expansion_nm = 1'500'000;  ///< setting raft_expansion
-  /// Setting raft_first_layer_expansion, in addition to raft_expansion.
+  /// `raft_first_layer_expansion`: expansion of the first layer, in addition to raft_expansion.
   Coord first_layer_expansion_nm = 3'000'000;
 
   friend bool operator==(const RaftOptions&, const RaftOptions&) = default;

@@ -6,27 +6,27 @@
 
 namespace slicefarm {
 
-/// Algorithm that makes the walls.
+/// Algorithm that computes the walls.
 enum class WallGenerator : uint8_t {
   kArachne,  ///< largest number of walls that fits, with widths that fill the island
   kClassic,  ///< walls of constant width, with gap fill where no wall fits
 };
 
-/// Part of an island that has only one wall, with infill inside it.
+/// Islands or areas that have only one wall, with infill inside it.
 enum class OneWallOnTop : uint8_t {
   kNowhere,
   kTopmost,   ///< islands of the object's last layer
-  kSurfaces,  ///< areas with nothing above; the inner walls go around these areas
+  kSurfaces,  ///< areas without material above them; the inner walls are led around these areas
 };
 
-/// Walls that get a rough surface.
+/// Walls that get a rough (fuzzy) surface.
 enum class FuzzySkin : uint8_t {
   kNone,
   kContours,  ///< `fuzzy_skin = external`: the outermost walls of outer rings only
   kAllWalls,  ///< `fuzzy_skin = all`: the outermost walls of outer rings and of holes
 };
 
-/// Number of layers above and below a layer on which its walls by kArachne depend.
+/// Number of layers above and below a layer that kArachne reads to compute the layer's walls.
 inline constexpr int32_t kBeadingHaloLayers = 2;
 
 /// Options for the walls of one region. Member comments begin with the name of the setting.
@@ -39,17 +39,19 @@ struct BeadingOptions {
   FuzzySkin fuzzy = FuzzySkin::kNone;  ///< setting fuzzy_skin
   /// `fuzzy_skin_thickness`: largest displacement of points, inwards and outwards
   Coord fuzzy_thickness_nm = 300'000;
-  Coord fuzzy_point_distance_nm = 800'000;  ///< `fuzzy_skin_point_dist`: average distance of points
-  Coord external_width_nm = 450'000;        ///< setting external_perimeter_extrusion_width
-  Coord inner_width_nm = 450'000;           ///< setting perimeter_extrusion_width
+  /// `fuzzy_skin_point_dist`: average distance between displaced points
+  Coord fuzzy_point_distance_nm = 800'000;
+  Coord external_width_nm = 450'000;  ///< setting external_perimeter_extrusion_width
+  Coord inner_width_nm = 450'000;     ///< setting perimeter_extrusion_width
   /// `first_layer_extrusion_width`: width of all walls of layer 0
   Coord first_layer_width_nm = 450'000;
-  bool gap_fill = true;              ///< setting gap_fill_enabled
-  Coord min_gap_width_nm = 80'000;   ///< `gap_fill_min_width`: narrower gaps remain empty
-  Coord max_gap_width_nm = 800'000;  ///< width above which the infill fills a gap
+  bool gap_fill = true;             ///< setting gap_fill_enabled
+  Coord min_gap_width_nm = 80'000;  ///< `gap_fill_min_width`: narrower gaps remain empty
+  /// largest width of a gap that gap fill fills; wider gaps get infill
+  Coord max_gap_width_nm = 800'000;
   bool thin_walls = true;  ///< `thin_walls`: used by kClassic; kArachne always prints thin walls
   /// Minimum length of thin-wall beads in islands that have walls, for kClassic. Shorter beads are
-  /// left out. Set for supports, to drop the beads in their tips.
+  /// left out. Set for supports, to drop the beads in their pointed ends.
   Coord least_tip_nm = 0;
   Coord transition_length_nm = 400'000;  ///< setting wall_transition_length
   /// `wall_transition_angle` in radians
@@ -60,8 +62,8 @@ struct BeadingOptions {
   Coord min_bead_width_nm = 340'000;        ///< setting min_bead_width
   Coord max_bead_width_nm = 800'000;        ///< setting max_bead_width
   bool lock_outer_width = false;            ///< setting lock_outer_width
-  /// Class of the region. Regions of an object with the same class get their walls together, as if
-  /// they were one region.
+  /// Class of the region. The regions of an object with the same class are united before their
+  /// walls are computed.
   int32_t wall_class = 0;
 
   friend bool operator==(const BeadingOptions&, const BeadingOptions&) = default;

@@ -11,22 +11,23 @@ namespace slicefarm {
 
 struct GrownCutter;
 
-/// Piece of a cutter's profile between two heights above the tip: an arc or a straight line.
+/// Piece of a cutter's profile between the heights from_mm and to_mm above the tip: an arc or a
+/// straight line.
 struct ProfilePiece {
   double from_mm = 0;
   double to_mm = std::numeric_limits<double>::infinity();
-  /// arc: radius, also the height of its centre above the tip; 0: the piece is a line
+  /// arc: radius, and at the same time the height of the arc's centre; 0: the piece is a line
   double corner_mm = 0;
-  double flat_mm = 0;  ///< arc: distance of its centre from the axis
-  double base_mm = 0;  ///< line: radius of the line when extended to the height of the tip
+  double flat_mm = 0;  ///< arc: distance of the arc's centre from the axis
+  double base_mm = 0;  ///< line: radius at height 0, to which the line is extended
   double slope = 0;    ///< line: increase of the radius per height; >= 0
 
   friend bool operator==(const ProfilePiece&, const ProfilePiece&) = default;
 };
 
 /// Cutter that turns about a vertical axis, described by its radius at each height above the tip.
-/// The radius never decreases, and it increases ever more slowly with height: the cutter is convex.
-/// The shaft has no upper end.
+/// The cutter is convex: the radius never decreases with height, and its slope never increases. The
+/// shaft has no upper end.
 ///
 /// Angles are half angles at the tip of a cone, in degrees. The functions that make a cutter return
 /// SETTING_OUT_OF_RANGE for sizes that are not positive or not finite. They also return this error
@@ -71,8 +72,8 @@ class Cutter {
   double HeightAt(double distance_mm) const;
 
   /// Returns the cutter offset by `by_mm`: outwards, or inwards if `by_mm` is negative. A kink
-  /// between two straight lines is mitred instead of rounded, so the result is slightly larger
-  /// there. REQUIRES: -radius_mm() < by_mm.
+  /// between two straight lines is mitred instead of rounded, so the result is slightly larger at a
+  /// kink. REQUIRES: -radius_mm() < by_mm.
   GrownCutter Grown(double by_mm) const;
 
   friend bool operator==(const Cutter&, const Cutter&) = default;
@@ -86,8 +87,7 @@ class Cutter {
   double radius_mm_;
 };
 
-/// Result of Cutter::Grown: a cutter that is larger or smaller than the original cutter by an
-/// offset.
+/// Result of Cutter::Grown.
 struct GrownCutter {
   Cutter cutter;
   /// Height of this cutter's tip above the original tip; negative if this cutter is larger.

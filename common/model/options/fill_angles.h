@@ -18,12 +18,12 @@ struct AngleStep {
   friend bool operator==(const AngleStep&, const AngleStep&) = default;
 };
 
-/// Parses a template of angles per layer: items separated by commas, repeated from the start after
-/// the last item. `45` is an angle. `+30` and `-30` turn relative to the layer below. `#N` after an
-/// item repeats the item in N layers:
+/// Parses a template of angles per layer: items separated by commas. After the last item, the
+/// template starts again. `45` is an angle. `+30` and `-30` are relative to the layer below. `#N`
+/// after an item repeats the item in N layers:
 ///       0,90        +30        0#2,45#2,90#2
-/// A turn in the lowest layer is relative to `fill_angle`. Errors: InvalidArgument for an empty
-/// list, for an item that is not a number up to 360 degrees, or for more than kMaxAngleSteps
+/// A relative angle in the lowest layer is relative to `fill_angle`. Errors: InvalidArgument for an
+/// empty list, for an item that is not a number up to 360 degrees, or for more than kMaxAngleSteps
 /// layers.
 absl::StatusOr<std::vector<AngleStep>> ParseFillAngles(std::string_view text);
 inline constexpr int kMaxAngleSteps = 1000;
@@ -32,8 +32,9 @@ inline constexpr int kMaxAngleSteps = 1000;
 /// combined.
 std::string PrintFillAngles(const std::vector<AngleStep>& steps);
 
-/// Returns the angle in degrees, in [0, 360), for a layer number within the object. REQUIRES: steps
-/// are not empty, layer >= 0. Cost: O(steps).
+/// Returns the infill angle of a layer in degrees, in [0, 360). `base_degrees`: `fill_angle`.
+/// `layer`: number of the layer within the object. REQUIRES: steps are not empty, layer >= 0. Cost:
+/// O(steps).
 double FillAngleAt(const std::vector<AngleStep>& steps, double base_degrees, int32_t layer);
 
 }  // namespace slicefarm

@@ -45,12 +45,12 @@ enum class FillPattern : uint8_t {
 enum class SolidFillStyle : uint8_t {
   kNone,    ///< no solid fill: the pattern is not allowed in top_fill_pattern and similar settings
   kLines,   ///< straight lines with a spacing fitted to the region
-  kCurves,  ///< lines that end at the region's boundary
+  kCurves,  ///< curved lines that end at the region's boundary
   kAlongEdge,  ///< lines along the region's boundary
 };
 
-/// Description of a pattern. Settings, help, gallery, benchmarks and tests read this table. The
-/// code of each pattern is in services/infill/algo/patterns/.
+/// Description of a pattern, which settings, help, gallery, benchmarks and tests read. The code of
+/// each pattern is in services/infill/algo/patterns/.
 struct FillPatternInfo {
   FillPattern pattern = FillPattern::kRectilinear;
   std::string_view name;  ///< name in settings: the name in PrusaSlicer if it has the pattern

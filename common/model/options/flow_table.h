@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Point of a flow table: a line with the given length gets this share of its plastic.
+/// Point of a flow table: a line of this length gets this share of its normal plastic.
 struct FlowPoint {
   double length_mm = 0;
   double factor = 1;

@@ -18,8 +18,8 @@ enum class HeightCodeKind : uint8_t {
   kCustom,       ///< custom G-code; `text`: its lines, written unchanged
 };
 
-/// G-code inserted before a layer. The layer is the first one with its top at or above the given
-/// height of the print.
+/// G-code that is inserted before a layer: the first layer with its top at or above the given
+/// height.
 struct HeightCode {
   Coord print_z_nm = 0;
   HeightCodeKind kind = HeightCodeKind::kCustom;
@@ -30,10 +30,10 @@ struct HeightCode {
 
 inline constexpr int kMaxHeightCodes = 10'000;
 
-/// Parses a list such as `[{"z":1.2,"type":"pause","text":"insert the nut"}]`. z: in mm, above 0.
-/// type: color_change, pause, template or custom. text: optional. The result is sorted by height;
-/// it is empty for an empty text. Errors: InvalidArgument for any other text, and for more than
-/// kMaxHeightCodes.
+/// Parses a list such as `[{"z":1.2,"type":"pause","text":"insert the nut"}]`. z: height in mm,
+/// above 0. type: color_change, pause, template or custom. text: optional. The result is sorted by
+/// height. An empty `text` gives an empty list. Errors: InvalidArgument for any other text, and for
+/// more than kMaxHeightCodes codes.
 absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text);
 
 /// Returns the codes on one line in the form that ParseHeightCodes reads. Returns an empty text for

@@ -26,29 +26,30 @@ struct IroningOptions {
   IroningType type = IroningType::kTop;  ///< setting ironing_type
   double flow = 0.15;  ///< `ironing_flowrate`: share of the plastic that would fill the layer
   Coord spacing_nm = 100'000;  ///< `ironing_spacing`: distance of the ironing lines
-  Coord inset_nm = 0;          ///< `ironing_inset`: distance from the part's edge; 0: half a nozzle
+  /// `ironing_inset`: distance from the surface's boundary; 0: half the nozzle diameter
+  Coord inset_nm = 0;
 
   friend bool operator==(const IroningOptions&, const IroningOptions&) = default;
 };
 
 /// `ensure_vertical_shell_thickness`: sloped surfaces that get solid infill behind their walls.
 enum class ShellThickness : uint8_t {
-  /// no slopes: only areas below or above an exposed surface at least one bead wide are solid
+  /// no slopes: a layer is solid only where a surface at least one bead wide is exposed
   kDisabled,
-  /// gentle slopes: over the number of solid layers they recede by three bead widths or more
+  /// gentle slopes: within the solid layers, the outline recedes by three bead widths or more
   kPartial,
   kEnabled,  ///< all slopes
 };
 
-/// Number of layers below that infill over bridges reads: a bridge in the layer below lies over a
-/// gap two layers below.
+/// Number of layers below a layer that the infill over bridges reads. A bridge in the layer below
+/// spans a gap in the layer under it.
 inline constexpr int32_t kOverBridgeHaloLayers = 2;
 
 /// Options for the infill of one region. Member comments begin with the name of the setting.
 struct InfillOptions {
   int32_t top_solid_layers = 5;     ///< setting top_solid_layers
   int32_t bottom_solid_layers = 5;  ///< setting bottom_solid_layers
-  /// top and bottom solid layers that may be left out
+  /// top and bottom solid layers that may be left out (shell_extra.h)
   ShellExtra top_spare = {}, bottom_spare = {};
   double density = 0.2;                      ///< setting fill_density, in [0, 1]
   FillPattern pattern = FillPattern::kGrid;  ///< setting fill_pattern
@@ -59,7 +60,7 @@ struct InfillOptions {
   FillPattern solid_pattern = FillPattern::kRectilinear;
   FillPattern top_pattern = FillPattern::kMonotonic;     ///< setting top_fill_pattern
   FillPattern bottom_pattern = FillPattern::kMonotonic;  ///< setting bottom_fill_pattern
-  /// Setting fill_angle; solid layers turn by 90 degrees from layer to layer.
+  /// Setting fill_angle. The angle of solid layers changes by 90 degrees from layer to layer.
   double angle_rad = 0.78539816339744831;
   /// `fill_angle_template`, `solid_fill_angle_template`: canonical texts (fill_angles.h). Empty: no
   /// template.
@@ -72,34 +73,36 @@ struct InfillOptions {
   /// `infill_overlap`: length by which the ends of lines extend into the walls
   Coord overlap_nm = 112'500;
   double solid_below_area_mm2 =
-      0;  ///< `solid_infill_below_area`: smaller sparse regions become solid
-  /// `infill_anchor`: anchor length at a line's end that is not linked
+      0;  ///< `solid_infill_below_area`: regions of sparse infill with a smaller area become solid
+  /// `infill_anchor`: length by which a line without a link is extended along the wall
   Coord anchor_nm = 2'700'000;
-  Coord anchor_max_nm = 50'000'000;  ///< `infill_anchor_max`: longest link; 0: no links
+  /// `infill_anchor_max`: longest link of two lines along the wall; 0: no links
+  Coord anchor_max_nm = 50'000'000;
   /// `infill_smoothing`: smoothing of the lines of pattern medialaxis; 0: no smoothing
   Coord smoothing_nm = 0;
   /// Setting solid_infill_every_layers; 0: no additional solid layers.
   int32_t solid_every_layers = 0;
   /// Setting bridge_angle; 0: a direction is computed for each bridge.
   double bridge_angle_rad = 0;
-  double bridge_flow = 1;     ///< `bridge_flow_ratio`: factor on the plastic of bridges
-  double top_flow = 1;        ///< `top_solid_infill_flow_ratio`: factor on the plastic of top skins
-  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+  double bridge_flow = 1;  ///< `bridge_flow_ratio`: factor on the plastic of bridges
+  double top_flow = 1;     ///< `top_solid_infill_flow_ratio`: factor on the plastic of top skins
+  /// `thick_bridges`: bridge beads are round, with the nozzle's diameter
+  bool thick_bridges = true;
   /// `bottom_solid_infill_flow_ratio`: factor on the plastic of bottom skins
   double bottom_flow = 1;
   Coord walls_nm = 0;  ///< total thickness of the walls around the infill
-  /// `over_bridge_speed`: solid infill over bridges is a separate feature
+  /// `over_bridge_speed`: true if solid infill over bridges is a feature of its own
   bool over_bridges = false;
-  /// `internal_bridge_speed`: bridges over sparse infill are a separate feature
+  /// `internal_bridge_speed`: true if bridges over sparse infill are a feature of their own
   bool internal_bridges = false;
   /// `internal_bridge_flow`: factor on the plastic of bridges over sparse infill; 0: bridge_flow
   double internal_bridge_flow = 0;
-  /// `thick_internal_bridges`: bridges over sparse infill are round strands as wide as the nozzle
+  /// `thick_internal_bridges`: thick_bridges for bridges over sparse infill
   bool thick_internal_bridges = true;
-  /// `interface_shells`: adds skins at the boundaries to other regions
+  /// `interface_shells`: also makes skins where the region touches other regions
   bool interface_shells = false;
   Coord nozzle_nm = 400'000;  ///< setting nozzle_diameter
-  /// `infill_every_layers`: number of layers that one layer of sparse infill fills
+  /// `infill_every_layers`: number of layers that share one sparse infill, in the topmost of them
   int32_t every_layers = 1;
   bool only_where_needed = false;                    ///< setting infill_only_where_needed
   ShellThickness shells = ShellThickness::kEnabled;  ///< setting ensure_vertical_shell_thickness
@@ -111,22 +114,23 @@ struct InfillOptions {
   /// `density_field`, `stress_field`: canonical texts (fields/field_text.h). Empty: no field.
   SharedText density_field = {};
   SharedText stress_field = {};
-  /// Number of layers above and below that density_field reads to compute the distance to the
-  /// surface.
+  /// Number of layers above and below a layer that density_field needs to compute the distance to
+  /// the surface.
   int32_t field_halo_layers = 0;
 
   friend bool operator==(const InfillOptions&, const InfillOptions&) = default;
 };
 
-/// Returns true if skins over sparse infill are bridges: the gaps between the sparse lines are at
-/// least two beads wide. Densities in fields are not evaluated; with a field the result is false.
+/// Returns true if skins over sparse infill are bridges, because the gaps between the sparse lines
+/// are at least two beads wide. Returns false if the density or the lines follow a field.
 inline bool BridgesSparse(const InfillOptions& options) {
   constexpr double kDensest = 1.0 / 3;
   return options.density <= kDensest && options.density_field.empty() &&
          options.stress_field.empty();
 }
 
-/// Returns true if planning decides about the sparse infill: its pattern, its lines or its layers.
+/// Returns true if planning decides about the sparse infill: its pattern, its lines, or the layers
+/// that have it.
 inline bool NeedsPlan(const InfillOptions& options) {
   return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
          options.only_where_needed;

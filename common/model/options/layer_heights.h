@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// Options of layers that are as high as the object's shape allows.
+/// Options of adaptive layer heights, which follow the slope of the object's surface.
 struct AdaptiveHeights {
   bool on = false;  ///< setting adaptive_layer_height
   /// `adaptive_layer_cusp`: largest step between layers, measured along the surface's normal
@@ -24,7 +24,7 @@ struct AdaptiveHeights {
 
 inline constexpr double kMostHeightRatio = 100;
 
-/// Height of the layers at one height above the object's bottom.
+/// Layer height at a height above the object's bottom.
 struct LayerHeightAt {
   Coord z_nm = 0;
   Coord height_nm = 0;

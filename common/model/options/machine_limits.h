@@ -8,8 +8,8 @@ namespace slicefarm {
 /// Firmware for which the G-code is written.
 enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper, kRepRapFirmware, kPrusaBuddy, kBambu };
 
-/// Limits of the machine as set in its firmware. The motion planner uses the same rules, so that
-/// times are accurate.
+/// Limits that are set in the machine's firmware. The motion planner (common/kinematics) uses the
+/// same rules, so that times are accurate.
 struct MachineLimits {
   // Values in the order x, y, z, e.
   /// Setting machine_max_feedrate_x..e.
@@ -30,8 +30,10 @@ struct MachineLimits {
   double minimum_cruise_ratio = 0.5;       ///< setting minimum_cruise_ratio (Klipper)
   double min_extruding_rate_mm_s = 0;      ///< `machine_min_extruding_rate`: lowest speed of beads
   double min_travel_rate_mm_s = 0;         ///< `machine_min_travel_rate`: lowest speed of travels
-  double jerk_mm_s3 = 100'000;  ///< `jerk_limit`: maximum change of acceleration (own planner)
-  bool emit_to_gcode = false;   ///< `machine_limits_usage = emit_to_gcode`
+  /// `jerk_limit`: largest change of acceleration per time (JerkPlanner)
+  double jerk_mm_s3 = 100'000;
+  /// true if the G-code sets these limits: `machine_limits_usage = emit_to_gcode`
+  bool emit_to_gcode = false;
 
   friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
 };

@@ -60,29 +60,29 @@ struct MachineMotion {
   double travel_speed_z_mm_s = 0;            ///< setting travel_speed_z; 0: the machine's z limit
   /// Setting first_layer_speed; 0: first_layer_speed_ratio applies.
   double first_layer_speed_mm_s = 30;
-  /// Used if first_layer_speed is a percentage: share of the feature's speed; 1 means 100 %.
+  /// Used if first_layer_speed is a percentage: its share of the feature's speed; 1 means 100 %.
   double first_layer_speed_ratio = 1;
   /// `first_layer_infill_speed`: speed of solid infill in the first layer; 0: first_layer_speed
   double first_layer_infill_speed_mm_s = 0;
-  /// `first_layer_speed_over_raft`, for the layer on a raft; 0: over_raft_speed_ratio applies
+  /// `first_layer_speed_over_raft`: speed of the layer on a raft; 0: over_raft_speed_ratio applies
   double over_raft_speed_mm_s = 30;
-  /// Used if first_layer_speed_over_raft is a percentage: share of the feature's speed; 1 means 100
-  /// %.
+  /// Used if first_layer_speed_over_raft is a percentage: its share of the feature's speed; 1 means
+  /// 100 %.
   double over_raft_speed_ratio = 1;
-  /// slow_down_layers: number of layers over which speeds rise from first-layer speeds
+  /// `slow_down_layers`: number of layers over which speeds rise from the first layer's speeds
   int32_t slow_down_layers = 0;
   double max_print_speed_mm_s = 80;  ///< setting max_print_speed
-  /// wipe_speed as a ratio to travel_speed; used without role_based_wipe_speed
+  /// `wipe_speed`, as a share of travel_speed; not used with role_based_wipe_speed
   double wipe_speed_ratio = 0.8;
   bool wipe_as_printed =
-      false;  ///< role_based_wipe_speed: wipes run at the speed of the bead before
-  /// max_volumetric_extrusion_rate_slope_positive and _negative: largest rise and fall of the flow
-  /// per time. 0: unlimited.
+      false;  ///< `role_based_wipe_speed`: a wipe has the speed of the bead before it
+  /// `max_volumetric_extrusion_rate_slope_positive` and `_negative`: largest rise and fall of the
+  /// flow per time; 0: unlimited.
   double flow_rise_mm3_s2 = 0;
   double flow_fall_mm3_s2 = 0;
 
-  /// `perimeter_acceleration`, `infill_acceleration`, ...: acceleration per Feature. 0:
-  /// default_acceleration.
+  /// Acceleration per Feature, from the settings `perimeter_acceleration`, `infill_acceleration`,
+  /// ...; 0: default_acceleration.
   std::array<double, kFeatureCount> acceleration_mm_s2 = {};
   double default_acceleration_mm_s2 = 0;  ///< setting default_acceleration; 0: the firmware decides
   /// Setting first_layer_acceleration; 0: the feature's acceleration.
@@ -99,16 +99,16 @@ struct MachineMotion {
 
   std::string printer_model;  ///< setting printer_model
 
-  /// activate_chamber_temp_control. If false, no command sets the chamber temperatures: they are
-  /// only variables of templates.
+  /// `activate_chamber_temp_control`. If false, no command for the chamber temperature is written;
+  /// the temperature is only a variable of templates.
   bool heats_chamber = true;
   /// `autoemit_temperature_commands`: adds heating commands around start_gcode for the heaters that
   /// start_gcode does not heat.
   bool emit_temperatures = true;
 
-  /// Setting nozzle_heating_rate, for times; 0: heating takes no time.
+  /// Setting nozzle_heating_rate, for the estimated time; 0: the heating time is not counted.
   double nozzle_heating_c_s = 0;
-  double bed_heating_c_s = 0;  ///< setting bed_heating_rate
+  double bed_heating_c_s = 0;  ///< setting bed_heating_rate; 0: the heating time is not counted
 
   bool progress = false;   ///< `remaining_times`: writes M73 before each layer
   double z_offset_mm = 0;  ///< setting z_offset
@@ -123,7 +123,7 @@ struct MachineMotion {
   ObjectLabels labels = ObjectLabels::kNone;  ///< setting gcode_label_objects
   SharedText between_objects_gcode;           ///< setting between_objects_gcode
   Coord max_print_height_nm = 0;              ///< setting max_print_height; 0: unlimited
-  /// bed_shape without bed_exclude_area: area that travels do not leave. Empty: no area is
+  /// Area that travels must not leave: `bed_shape` without `bed_exclude_area`. Empty: no area is
   /// excluded.
   MultiPolygon room;
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< setting arc_fitting
@@ -152,7 +152,7 @@ struct MotionOptions : MachineMotion {
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };
 
-/// Returns true if the fan depends on the share of a wall's width with something below.
+/// Returns true if the fan speed depends on how much of a wall's width rests on the layer below.
 inline bool CoolsByRest(const CoolingOptions& cooling) {
   return cooling.overhang_fan_share > 0 && cooling.overhang_fan_share < 1;
 }

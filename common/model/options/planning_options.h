@@ -20,7 +20,8 @@ struct ObjectPlanOptions {
   BrimOptions brim = {};      ///< brim of the object; kNone for an object with a raft
   int32_t brim_settings = 0;  ///< index into the job's tables of region settings
   RaftOptions raft = {};
-  std::vector<int32_t> raft_settings = {};  ///< row of region settings for each layer of the raft
+  /// index of region settings for each layer of the raft, indexed by layer
+  std::vector<int32_t> raft_settings = {};
   SupportOptions support = {};
   SupportRows support_settings = {};
   SpiralOptions spiral = {};
@@ -34,10 +35,10 @@ struct JobPlanOptions {
   SkirtOptions skirt;
   int32_t skirt_settings = 0;        ///< index into the job's tables of region settings
   bool objects_may_overlap = false;  ///< setting objects_may_overlap
-  /// `avoid_crossing_curled_overhangs`: computes where overhangs curl up
+  /// `avoid_crossing_curled_overhangs`: planning computes SectionPlan::curled
   bool avoid_curled = false;
-  /// bed_shape without bed_exclude_area: area outside of which planning adds nothing. Empty: no
-  /// limit.
+  /// Area outside of which planning adds no structures: `bed_shape` without `bed_exclude_area`.
+  /// Empty: no limit.
   MultiPolygon bed;
 
   friend bool operator==(const JobPlanOptions&, const JobPlanOptions&) = default;
@@ -46,7 +47,8 @@ struct JobPlanOptions {
 /// Options of the planning stage.
 struct PlanningOptions : JobPlanOptions {
   std::vector<ObjectPlanOptions> objects = {{}};  ///< options of each object
-  std::vector<InfillOptions> infill;  ///< infill of each region; empty: no region needs a plan
+  /// infill options of each region; empty: no region needs a plan (NeedsPlan)
+  std::vector<InfillOptions> infill;
 
   using Row = JobPlanOptions;
   template <typename Self>

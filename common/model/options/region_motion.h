@@ -7,7 +7,8 @@
 
 namespace slicefarm {
 
-/// Number of overhang degrees: walls with 0, 25, 50 and 75 % of their width on the layer below.
+/// Number of overhang degrees. Walls of degree 0 to 3 have 0, 25, 50 and 75 % of their width on the
+/// layer below.
 inline constexpr int kOverhangDegrees = 4;
 
 /// Loops of a region that get a scarf seam.
@@ -17,8 +18,8 @@ enum class ScarfPlacement : uint8_t {
   kEverywhere,
 };
 
-/// Options of a scarf seam: a loop begins low and thin, rises, and ends on top of its own
-/// beginning. The scarf replaces a butt joint, which would be visible.
+/// Options of a scarf seam. A loop begins low and thin, rises to its full height, and ends on top
+/// of its own beginning. A scarf is less visible than a butt joint.
 struct ScarfOptions {
   ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< setting scarf_seam_placement
   bool only_on_smooth = true;  ///< `scarf_seam_only_on_smooth`: no scarf at corners
@@ -40,14 +41,15 @@ struct RegionMotion {
   /// `small_perimeter_threshold`: radius of the largest small loop
   double small_perimeter_radius_mm = 6.5;
   bool dynamic_overhangs = false;  ///< setting enable_dynamic_overhang_speeds
-  /// overhang_speed_0 to _3, per overhang degree.
+  /// `overhang_speed_0` to `_3`: speed per overhang degree.
   std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
   ScarfOptions scarf;
-  /// overhangs: walls without support below are bridges, with the speed, fan and flow of bridges.
+  /// `overhangs`: walls with nothing below are bridges, with the speed, fan and flow of bridges.
   bool bridging_walls = false;
   double bridge_flow = 1;           ///< setting bridge_flow_ratio
   double internal_bridge_flow = 0;  ///< setting internal_bridge_flow; 0: bridge_flow
-  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+  /// `thick_bridges`: bridge beads are round, with the nozzle's diameter
+  bool thick_bridges = true;
 
   friend bool operator==(const RegionMotion&, const RegionMotion&) = default;
 };

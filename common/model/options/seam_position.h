@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// Start position of loops.
+/// Position at which loops start and end.
 enum class SeamPosition : uint8_t {
   kNearest,  ///< point near the nozzle
   kRear,     ///< vertical line at the rear

@@ -6,13 +6,13 @@
 
 namespace slicefarm {
 
-/// `top_solid_min_thickness`, `bottom_solid_min_thickness`: number of solid layers that are only
-/// there to reach a minimum thickness. They are the solid layers farthest from the surface, and
-/// some of them may be left out.
+/// Solid layers that exist only to reach a minimum thickness (`top_solid_min_thickness`,
+/// `bottom_solid_min_thickness`). They are the solid layers farthest from the surface. Some of them
+/// may be left out.
 struct ShellExtra {
   int32_t layers = 0;  ///< largest number of layers that may be left out
-  /// A layer may be left out if the layers between it and the surface are at least this thick
-  /// together.
+  /// A layer may be left out if the layers between it and the surface have at least this total
+  /// height.
   Coord enough_nm = 0;
 
   friend bool operator==(const ShellExtra&, const ShellExtra&) = default;

@@ -15,12 +15,12 @@ namespace slicefarm {
 /// Member comments begin with the name of the setting (the name in PrusaSlicer if it has the
 /// setting).
 
-/// Treatment of a hole that begins above a wider recess (counterbore).
+/// Treatment of a hole that begins in the ceiling of a wider recess (counterbore).
 enum class CounterboreBridging : uint8_t {
   kNone,  ///< no bridging: the hole's walls are printed in the air
-  /// Bridges beside the hole in one layer, bridges across them in the next, then the hole.
+  /// In one layer bridges beside the hole, in the next layer bridges across them, then the hole.
   kPartial,
-  kSacrificial,  ///< one bridge that closes the recess and is drilled through later
+  kSacrificial,  ///< one bridge over the whole recess; the user drills the hole through it later
 };
 
 /// Object settings for slicing.
@@ -28,8 +28,8 @@ struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< setting layer_height
   FillRule fill_rule = FillRule::kNonZero;  ///< `slicing_mode`: regular, even_odd, positive
   bool close_holes = false;  ///< `slicing_mode = close_holes`: only outer rings are used
-  /// `slice_closing_radius`: closes cracks narrower than twice this value, but only in meshes that
-  /// are not closed.
+  /// `slice_closing_radius`: closes cracks narrower than twice this value. Only used for meshes
+  /// with open edges.
   Coord closing_radius_nm = 49'000;
   /// `xy_size_compensation`: grows the outlines and shrinks the holes
   Coord xy_compensation_nm = 0;
@@ -38,8 +38,8 @@ struct ObjectSlicingOptions {
   /// elephant foot compensation.
   bool on_bed = true;
   Coord elephant_foot_nm = 0;  ///< `elefant_foot_compensation`: shrinks the first layer on the bed
-  /// Smallest width of a part that elephant_foot_nm leaves. PrusaSlicer uses width + spacing of the
-  /// first layer's outer wall.
+  /// Smallest width that the elephant foot compensation leaves of a narrow area. PrusaSlicer uses
+  /// width + spacing of the first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
   /// Height of the object's bottom above the bed; it counts towards the build height.
   Coord lift_nm = 0;
@@ -71,8 +71,8 @@ struct JobSlicingOptions {
   Coord max_print_height_nm = 0;  ///< setting max_print_height; 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< setting thumbnails
   Coord part_distance_nm = 6'000'000;  ///< `duplicate_distance`: distance between arranged copies
-  /// Used instead of `part_distance_nm` if greater. With complete_objects it is
-  /// extruder_clearance_radius; with brims it leaves part_distance_nm between the brims.
+  /// Distance that is used instead of `part_distance_nm` if it is greater. With complete_objects it
+  /// is extruder_clearance_radius. With brims it leaves part_distance_nm between the brims.
   Coord clearance_radius_nm = 0;
 
   friend bool operator==(const JobSlicingOptions&, const JobSlicingOptions&) = default;

@@ -8,7 +8,7 @@ namespace slicefarm {
 struct SpiralOptions {
   Coord width_nm = 0;  ///< width of the bead; 0: no spiral
   /// True: each turn changes gradually from the outline of the layer below to the outline of its
-  /// own layer. False with fuzzy skin.
+  /// own layer. False: each turn follows the outline of its own layer, as with fuzzy skin.
   bool blends = true;
 
   friend bool operator==(const SpiralOptions&, const SpiralOptions&) = default;

@@ -13,9 +13,9 @@ namespace slicefarm {
 
 /// Shape of supports.
 enum class SupportStyle : uint8_t {
-  kGrid,  ///< columns on a coarse grid
-  kSnug,  ///< columns as wide as the overhang that they support
-  kTree,  ///< organic supports: branches
+  kGrid,  ///< vertical columns on a coarse grid
+  kSnug,  ///< vertical columns with the shape of the overhang that they support
+  kTree,  ///< organic supports: branches that join towards the bed
 };
 
 /// Fill pattern of the support's body.
@@ -44,16 +44,20 @@ struct TreeOptions {
 /// Support options of one object.
 struct SupportOptions {
   bool on = false;  ///< setting support_material
-  /// `support_material_auto`: supports overhangs by the threshold; false: only enforced areas
+  /// `support_material_auto`: true: supports overhangs by `threshold_rad`; false: supports only
+  /// enforced areas
   bool automatic = true;
   SupportStyle style = SupportStyle::kGrid;  ///< setting support_material_style
-  /// `support_material_threshold`: walls that rise less steeply are supported. 0: supports walls
-  /// that overhang by more than half of the outer wall's width; for kTree, by more than two thirds.
+  /// `support_material_threshold`: walls at a smaller angle to the horizontal are supported. 0:
+  /// supports walls that overhang by more than half of the outer wall's width; for kTree, by more
+  /// than two thirds.
   double threshold_rad = 0;
-  /// `support_material_enforce_layers`: number of layers supported regardless of the threshold
+  /// `support_material_enforce_layers`: number of layers, from the bottom, of which all overhangs
+  /// are supported
   int32_t enforced_layers = 0;
-  bool bed_only = false;     ///< `support_material_buildplate_only`: no supports begin on the part
-  bool skip_bridges = true;  ///< setting dont_support_bridges
+  /// `support_material_buildplate_only`: supports begin only on the bed, not on the part
+  bool bed_only = false;
+  bool skip_bridges = true;             ///< setting dont_support_bridges
   Coord top_gap_nm = 200'000;           ///< setting support_material_contact_distance
   Coord bottom_gap_nm = 200'000;        ///< setting support_material_bottom_contact_distance
   Coord xy_gap_nm = 225'000;            ///< setting support_material_xy_spacing
@@ -82,7 +86,7 @@ struct SupportOptions {
   friend bool operator==(const SupportOptions&, const SupportOptions&) = default;
 };
 
-/// Kinds of support region, each printed with its own row of region settings.
+/// Kinds of support region. Each kind has its own row of region settings.
 enum class SupportRow : uint8_t {
   kFirstLayer,  ///< layer on the bed, for any kind of support above
   kBase,
@@ -92,7 +96,7 @@ enum class SupportRow : uint8_t {
 };
 inline constexpr int kSupportRowCount = 5;
 
-/// Rows of the job's tables of region settings, indexed by SupportRow.
+/// Indices into the job's tables of region settings, indexed by SupportRow.
 using SupportRows = std::array<int32_t, kSupportRowCount>;
 
 }  // namespace slicefarm

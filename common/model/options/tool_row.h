@@ -34,12 +34,13 @@ struct RetractionOptions {
   bool ramping = false;       ///< `travel_ramping_lift`: the nozzle rises along the travel
   double ramp_lift_mm = 0;    ///< `travel_max_lift`: replaces lift_mm
   double ramp_slope_deg = 0;  ///< setting travel_slope; 0 and 90: vertical lift
-  /// `travel_lift_before_obstacle`: rises more steeply if the part's walls are near
+  /// `travel_lift_before_obstacle`: the lift is steeper if walls of the part are near
   bool before_obstacles = false;
-  bool wipe = false;  ///< wipe: the nozzle continues along the path while retracting
+  /// `wipe`: the nozzle continues along the path while the filament is retracted
+  bool wipe = false;
   /// `retract_before_wipe`: share of the length that is retracted before the wipe begins
   double before_wipe = 0;
-  /// wipe_distance: length of the wipe; 0: as long as the retraction takes at the wipe's speed
+  /// `wipe_distance`: length of the wipe; 0: the wipe lasts as long as the retraction
   double wipe_distance_mm = 0;
 
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
@@ -58,18 +59,18 @@ struct CoolingOptions {
   double min_print_speed_mm_s = 10;        ///< setting min_print_speed
   /// `cooling_slowdown_logic = consistent_surface`: outer walls are slowed down last.
   bool consistent_surface = false;
-  /// `cooling_perimeter_transition_distance`, used with consistent_surface: inner beads that end at
-  /// most this length before an outer wall are slowed down like the wall
+  /// `cooling_perimeter_transition_distance`, used with consistent_surface: inner beads are slowed
+  /// down like the outer wall if they end at most this length before it
   double transition_mm = 10;
   /// `full_fan_speed_layer`: layer up to which the fan speed rises; 0: no ramp
   int32_t full_fan_speed_layer = 0;
   bool dynamic_fan = false;  ///< setting enable_dynamic_fan_speeds
-  /// overhang_fan_speed_0 to _3, per overhang degree.
+  /// `overhang_fan_speed_0` to `_3`: fan speed per overhang degree (kOverhangDegrees).
   std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};
-  /// overhang_fan_threshold: smallest unsupported share of a wall's width that bridge_fan_percent
-  /// cools; 0: all outer walls; 1: only walls that are bridges
+  /// `overhang_fan_threshold`: smallest unsupported share of an outer wall's width for which the
+  /// fan runs at bridge_fan_percent; 0: all outer walls; 1: only walls that are bridges
   double overhang_fan_share = 1;
-  /// support_material_interface_fan_speed; -1: the layer's fan
+  /// `support_material_interface_fan_speed`; -1: the layer's fan speed
   int32_t interface_fan_percent = -1;
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;

@@ -42,22 +42,25 @@ struct IndexedMesh {
 struct MeshReport {
   std::string name;
   int64_t triangles = 0;
-  int64_t vertices = 0;  ///< number of vertices after welding equal positions of the file
+  int64_t vertices = 0;  ///< number of vertices after equal positions of the file are merged
   /// number of separate bodies: sets of faces that share no edge with each other
   int64_t bodies = 0;
   int64_t open_edges = 0;  ///< number of edges with only one face, as read from the file
   /// number of edges with more than two faces, as read from the file
   int64_t non_manifold_edges = 0;
-  /// Number of faces oriented against most faces around them; slicing flips them.
+  /// Number of faces with the opposite orientation of most faces around them. Slicing flips these
+  /// faces.
   int64_t flipped_faces = 0;
-  /// Number of faces without area, also after rounding to nanometres.
+  /// Number of faces without area, including faces that lose their area by rounding to nanometres.
   int64_t degenerate_faces = 0;
-  int64_t repeated_faces = 0;  ///< number of faces with the same corners as another face; left out
-  double volume_mm3 = 0;       ///< signed volume of one copy, as placed
+  /// number of faces that have the same corners as another face; these faces are left out
+  int64_t repeated_faces = 0;
+  double volume_mm3 = 0;                     ///< signed volume of one copy, as placed
   std::array<double, 3> min_mm = {0, 0, 0};  ///< bounding box of the first copy, as placed
   std::array<double, 3> max_mm = {0, 0, 0};
   // Results of slicing:
-  /// Number of loops with a gap that was closed within the limit of the settings.
+  /// Number of loops that had a gap within the limit of the settings
+  /// (JobSlicingOptions::max_gap_nm) and were closed.
   int64_t open_loops_closed = 0;
   int64_t open_loops_dropped = 0;  ///< number of loops that remained open and are not printed
   double largest_gap_closed_mm = 0;

@@ -5,7 +5,7 @@
 
 namespace slicefarm {
 
-/// Measures of an object's orientation on the bed.
+/// Properties of an object's orientation on the bed.
 struct Lying {
   double contact_mm2 = 0;   ///< area of faces in contact with the bed
   double overhang_mm2 = 0;  ///< area of faces that need support, projected from above
@@ -15,7 +15,7 @@ struct Lying {
   friend bool operator==(const Lying&, const Lying&) = default;
 };
 
-/// Orientation that is better for printing an object than the requested one.
+/// Recommendation to rotate an object, because another orientation is better for printing.
 struct OrientationAdvice {
   std::string object;  ///< name of the object
   /// Rotation that should replace Placement::rotate_deg.

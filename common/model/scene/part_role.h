@@ -8,7 +8,7 @@ namespace slicefarm {
 enum class PartRole : uint8_t {
   kSolid,            ///< volume that is printed
   kNegative,         ///< volume that is cut out of the object's solid parts
-  kModifier,         ///< volume inside which the object has other settings
+  kModifier,         ///< volume in which parts of the object have other settings
   kSupportEnforcer,  ///< volume that gets supports
   kSupportBlocker,   ///< volume that gets no supports
   kSeamEnforcer,     ///< volume in which loops preferably start

@@ -9,9 +9,9 @@
 
 namespace slicefarm {
 
-/// Placement of an object on the bed. The file's units are converted to mm; then the object is
-/// scaled and rotated about x, y, z in this order, and lowered onto z = 0. Each of `centers` is the
-/// position of the middle of one copy's bounding box.
+/// Placement of an object on the bed. The file's units are converted to mm. Then the object is
+/// scaled, rotated about x, y and z in this order, and moved in z so that its bottom is at z = 0.
+/// Each of `centers` is the position of the middle of one copy's bounding box.
 struct Placement {
   double unit_mm = 1.0;                     ///< mm per unit of the file
   std::array<double, 3> scale = {1, 1, 1};  ///< scale factors, above 0
@@ -26,7 +26,8 @@ struct Placement {
 absl::Status CheckPlacement(const Placement& placement);
 
 /// Returns the transform from the file's units to millimetres, without a shift. Sines are computed
-/// with + and * alone, so they have the same bits on every machine. Right angles are exact.
+/// only with + and *, so they have the same bits on every machine. Rotations by right angles are
+/// exact.
 Transform TransformOf(const Placement& placement);
 
 }  // namespace slicefarm

@@ -60,7 +60,7 @@ struct Instance {
   bool operator==(const Instance&) const = default;
 };
 
-/// Uploaded mesh file, identified by its content. Jobs refer to it.
+/// Uploaded mesh file, identified by the SHA-256 of its content. Jobs refer to this digest.
 struct StoredMesh {
   std::string sha256;
   std::string name;
@@ -80,8 +80,8 @@ struct SceneObject {
   bool operator==(const SceneObject&) const = default;
 };
 
-/// Makes an object of one part, from a file with one mesh. It has one copy at each of the
-/// placement's centers. Without centers it has `copies` copies (at least one), which are arranged
+/// Makes an object of one part, from a file with one mesh. The object has one copy at each of the
+/// placement's centers. Without centers, it has `copies` copies (at least one), which are arranged
 /// automatically.
 SceneObject ObjectOfFile(const std::string& name, int32_t file, const Placement& placement,
                          int32_t copies);
@@ -108,8 +108,8 @@ enum class SettingsDialect : uint8_t {
   kOrca,   ///< OrcaSlicer and Bambu Studio
 };
 
-/// Content of a project file (3MF) besides its triangles. Settings are the texts of the file, under
-/// the names of its dialect.
+/// Content of a project file (3MF), except the triangles of its meshes. Settings have the keys and
+/// values of the file's dialect.
 struct Project {
   std::string application;  ///< application that wrote the file, such as "PrusaSlicer-2.9.2"
   SettingsDialect dialect = SettingsDialect::kPrusa;
