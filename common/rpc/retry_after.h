@@ -10,8 +10,8 @@ namespace slicefarm::rpc {
 /// Interval at which waiting code polls its cancel token.
 constexpr std::chrono::milliseconds kPollCancel{20};
 
-/// Returns the time after which the server that returned this error accepts a retry; 0 if the error
-/// does not contain a time.
+/// Returns the time after which a call that failed with this error may be retried. Returns 0 if the
+/// error does not contain a time (kRetryAfterMs).
 std::chrono::milliseconds RetryAfter(const absl::Status& error);
 
 /// Waits for `time`. Errors: Cancelled as soon as `cancel` is cancelled.

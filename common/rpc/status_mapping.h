@@ -9,12 +9,12 @@ namespace slicefarm::rpc {
 /// ErrorInfo.domain of all errors of slicefarm.
 inline constexpr char kErrorDomain[] = "slicefarm";
 
-/// Metadata key: time in milliseconds after which a retry is useful. It is transferred as
+/// Metadata key for the time in milliseconds after which a retry is useful. The value is sent as
 /// google.rpc.RetryInfo.
 inline constexpr char kRetryAfterMs[] = "retry_after_ms";
 
-/// Metadata key of an error that gRPC itself made: the connection broke during the call. The key is
-/// absent if there was no connection at all.
+/// Metadata key of an error that gRPC itself made. It is set if the connection broke during the
+/// call, and absent if there was no connection at all.
 inline constexpr char kConnectionBroke[] = "connection_broke";
 
 /// Returns the gRPC status of an error. Reason and metadata become a google.rpc.Status with
@@ -23,9 +23,9 @@ inline constexpr char kConnectionBroke[] = "connection_broke";
 grpc::Status ToGrpc(const absl::Status& status);
 
 /// Converts gRPC's status back to an error. Errors that gRPC itself made have no details, and are
-/// converted as follows: messages beyond the limit become InvalidArgument with reason
+/// converted as follows: messages beyond the size limit become InvalidArgument with reason
 /// REQUEST_TOO_LARGE; a server without a free thread becomes OVERLOADED; broken connections become
-/// Unavailable; all other errors follow their code.
+/// Unavailable. For all other errors, the reason fits the status code (DetailOf).
 absl::Status FromGrpc(const grpc::Status& status);
 
 }  // namespace slicefarm::rpc

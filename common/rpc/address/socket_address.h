@@ -9,9 +9,9 @@ namespace slicefarm::rpc {
 
 using SocketAddresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
-/// Returns the stream socket addresses of `address` (host:port; an IPv6 host in brackets), the
-/// preferred address first; null if there are none. `flags`: flags of getaddrinfo; AI_PASSIVE for a
-/// server that listens on the address.
+/// Returns the stream socket addresses to which `address` (host:port; an IPv6 host in brackets)
+/// resolves, the preferred address first. Returns null if there are none. `flags`: flags of
+/// getaddrinfo; AI_PASSIVE for a server that listens on the address.
 SocketAddresses ResolveSocketAddress(const std::string& address, int flags = 0);
 
 }  // namespace slicefarm::rpc

@@ -20,12 +20,12 @@ namespace slicefarm::rpc {
 struct ClientCallOptions {
   std::chrono::milliseconds deadline{60'000};
   CancelToken cancel = {};
-  TraceContext trace = {};  ///< empty: the call belongs to no trace
+  TraceContext trace = {};  ///< trace to which the call belongs; empty: none
 };
 
-/// Client side of one call. It always has a deadline. While it waits for the peer, it polls the
-/// cancel token. When the token is cancelled, it cancels the call, so that the peer stops as well.
-/// For one thread.
+/// Client side of one call with a deadline. While a function waits for the peer, it polls the
+/// cancel token. If the token is cancelled, the function cancels the call, so that the peer stops
+/// as well. For use by one thread.
 class ClientCall {
  public:
   explicit ClientCall(const ClientCallOptions& options);
@@ -36,20 +36,21 @@ class ClientCall {
   grpc::ClientContext* context() { return &context_; }
   grpc::CompletionQueue* queue() { return &queue_; }
 
-  /// Waits for the operation that was started last. Returns true if it succeeded.
+  /// Waits until the running operation has completed. Returns true if the operation succeeded.
+  /// REQUIRES: exactly one operation is running.
   bool Await() { return AwaitAny().ok; }
 
-  /// Completed operation and its result.
+  /// Operation that has completed.
   struct Done {
     void* tag = nullptr;
     bool ok = false;  ///< true if the operation succeeded
   };
-  /// Waits until one of the running operations has completed, and returns it.
+  /// Waits until one of the running operations has completed, and returns this operation.
   Done AwaitAny();
 
   /// Returns the result of the call. `status`: the status from gRPC. The result is Cancelled only
-  /// if the caller's own token has cancelled the call. If the peer has cancelled it, the result is
-  /// Unavailable.
+  /// if the caller's own token has cancelled the call. If the peer has cancelled the call, the
+  /// result is Unavailable.
   absl::Status Outcome(const grpc::Status& status) const;
 
  private:
@@ -85,8 +86,8 @@ class StreamCall {
   using Start =
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
 
-  /// Starts the call. `start`: calls the stub's PrepareAsync method with the given context and
-  /// queue.
+  /// Starts the call. `start`: function that calls the stub's PrepareAsync method with the given
+  /// context and queue.
   StreamCall(const ClientCallOptions& options, const Start& start)
       : call_(options), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(nullptr);
@@ -99,10 +100,11 @@ class StreamCall {
     (void)Finish();
   }
 
-  // Writes are collected in gRPC's write buffer; WritesDone sends the remaining bytes. See
+  // gRPC collects the written requests in a buffer; WritesDone sends the remaining bytes. See
   // server_stream.h.
 
-  /// Returns false if an operation has failed because the call has ended. Finish returns the cause.
+  /// Returns false after an operation has failed because the call has ended. Then Finish returns
+  /// the cause.
   bool alive() const { return alive_; }
 
   /// Writes a request. Returns true if the call is still alive.
@@ -118,8 +120,7 @@ class StreamCall {
     return Step([&] { stream_->Read(response, nullptr); });
   }
 
-  /// Ends the call and returns its status. Called once, when everything was read or when the caller
-  /// gives up.
+  /// Ends the call and returns its status. Call it once: after the last answer, or to give up.
   absl::Status Finish() {
     finished_ = true;
     grpc::Status status;

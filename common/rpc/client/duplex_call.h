@@ -10,8 +10,9 @@
 namespace slicefarm::rpc {
 
 /// Call of a method with streams in both directions. The server may answer before all requests are
-/// written. One thread uses the call, and handles answers whenever it waits. So for streams of any
-/// size, client and server never both wait until the other one reads.
+/// written. While the calling thread waits to write, it handles the answers that arrive. Therefore
+/// client and server never both wait until the peer reads, at any length of the streams. For use by
+/// one thread.
 template <typename Request, typename Response>
 class DuplexCall {
  public:
@@ -20,9 +21,9 @@ class DuplexCall {
       std::function<std::unique_ptr<Stream>(grpc::ClientContext*, grpc::CompletionQueue*)>;
   using Take = std::function<absl::Status(Response&)>;
 
-  /// Starts the call. `start`: calls the stub's PrepareAsync method with the given context and
-  /// queue. `take`: receives each answer, in order, during Write and Finish, and may move from it.
-  /// Its first error ends the call.
+  /// Starts the call. `start`: function that calls the stub's PrepareAsync method with the given
+  /// context and queue. `take`: receives each answer, in order, during Write and Finish, and may
+  /// move from it. The first error of `take` ends the call.
   DuplexCall(const ClientCallOptions& options, const Start& start, Take take)
       : call_(options), take_(std::move(take)), stream_(start(call_.context(), call_.queue())) {
     stream_->StartCall(&writing_);
@@ -35,7 +36,8 @@ class DuplexCall {
     if (!finished_) (void)Abandon(absl::OkStatus());
   }
 
-  /// Returns false after the call has ended or `take` returned an error. Finish returns the cause.
+  /// Returns false after the call has ended or `take` has returned an error. Then Finish returns
+  /// the cause.
   bool alive() const { return can_write_; }
 
   /// Writes a request. Returns true if the call is still alive.
@@ -47,8 +49,8 @@ class DuplexCall {
     return can_write_;
   }
 
-  /// Handles the remaining answers. Returns the first error of `take`; if there is none, the status
-  /// of the call.
+  /// Passes the remaining answers to `take` and ends the call. Returns the first error of `take`;
+  /// if there is none, the status of the call.
   absl::Status Finish() {
     if (can_write_) {
       writing_ = true;
@@ -104,7 +106,7 @@ class DuplexCall {
   std::unique_ptr<Stream> stream_;
   Response response_;
   absl::Status taken_;
-  /// A write operation is running; the address of this member is the tag of the operation.
+  /// True while a write operation is running. The address of this member is the operation's tag.
   bool writing_ = false;
   bool reading_ = false;
   bool can_write_ = false;

@@ -35,8 +35,9 @@ class CallMetrics {
   prometheus::Family<prometheus::Histogram>& handling_seconds_;
 };
 
-/// Reports each call of a server to CallMetrics. Methods that are not in this program's protos
-/// count as "unknown". Otherwise callers could create any number of labels.
+/// Interceptor factory that reports each call of a server to CallMetrics. Methods that are not in
+/// this program's protos are counted under the name "unknown", so that callers cannot create any
+/// number of labels.
 class CallMetricsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit CallMetricsFactory(CallMetrics& metrics) : metrics_(metrics) {}

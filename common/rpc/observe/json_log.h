@@ -29,7 +29,7 @@ using LogFields = std::vector<LogField>;
 /// Adds trace_id and span_id; adds nothing for an empty trace.
 void AddTrace(const TraceContext& trace, LogFields* fields);
 
-/// Warning or error that was written.
+/// Warning or error that the log has written.
 struct Problem {
   std::chrono::system_clock::time_point time;
   std::string text;  ///< message and fields of the line, as JSON
@@ -44,9 +44,9 @@ struct Problem {
 /// share their limits.
 class JsonLog {
  public:
-  /// Makes a log to stderr. `service`: the program, such as `beading`.
+  /// Makes a log to stderr. `service`: name of the program, such as `beading`.
   explicit JsonLog(std::string_view service);
-  /// Makes a log for tests, with a logger that has its own sinks.
+  /// Makes a log for tests. `logger` has its own sinks.
   JsonLog(std::string_view service, std::shared_ptr<spdlog::logger> logger,
           const LineLimits& limits = {});
 

@@ -8,11 +8,11 @@
 
 namespace slicefarm::rpc {
 
-/// Limits of the number of log lines.
+/// Limits on the number of log lines.
 struct LineLimits {
   double burst = 20;  ///< largest number of lines with the same message that are written at once
   double lines_per_s = 1;  ///< maximum average rate of lines with the same message
-  /// Number of messages with separate limits; all further messages share one limit.
+  /// Number of different messages that have separate limits; all further messages share one limit.
   size_t max_messages = 256;
 };
 

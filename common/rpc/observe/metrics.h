@@ -26,7 +26,7 @@ class Metrics {
   /// label is free text.
   prometheus::Registry& registry() { return registry_; }
 
-  /// Adds values that are read when Prometheus requests them. Call it before Serve.
+  /// Adds values that are read whenever Prometheus requests the metrics. Call it before Serve.
   void Show(std::shared_ptr<prometheus::Collectable> values) {
     shown_.push_back(std::move(values));
   }
@@ -36,12 +36,12 @@ class Metrics {
     pages_.push_back({path, "text/html; charset=utf-8", std::move(html)});
   }
 
-  /// Starts the HTTP server on `address` (host:port, port 0: any); returns the port. Errors:
-  /// Unavailable if it cannot listen on this address.
+  /// Starts the HTTP server on `address` (host:port; port 0: any free port). Returns the port.
+  /// Errors: Unavailable if the server cannot listen on this address.
   absl::StatusOr<int> Serve(const std::string& address);
 
-  /// Stops the HTTP server after the running request. Afterwards the objects given to Show may be
-  /// destroyed.
+  /// Stops the HTTP server after the running request. Afterwards, the objects that were passed to
+  /// Show may be destroyed.
   void Stop();
 
   /// Returns the text that Prometheus reads.

@@ -16,23 +16,23 @@
 namespace slicefarm::rpc {
 
 /// Returns the default policy of an internal service, such as a stage. The coordinator may call all
-/// its methods. Any client with a certificate may call health and reflection.
+/// methods of the service. Any client with a certificate may call health and reflection.
 std::string_view InnerPolicy();
 
 /// Returns the policy of a service that checks the caller of each call itself: it allows all calls.
 std::string_view OpenPolicy();
 
-/// Applies a policy to each call of a server with TLS, before any handler runs. It is passed to the
-/// server's credentials. A refused call ends as UNAUTHENTICATED if the peer has no identity, else
-/// as PERMISSION_DENIED. Thread-safe.
+/// Applies a policy to each call of a server with TLS, before any handler runs. The server's
+/// credentials contain this object. A refused call ends as UNAUTHENTICATED if the peer has no
+/// identity, otherwise as PERMISSION_DENIED. Thread-safe.
 class Authorizer : public grpc::AuthMetadataProcessor {
  public:
-  /// Makes an authorizer from the policy text `builtin`. Errors: see AuthzPolicy::Parse.
+  /// Makes an authorizer with the policy text `builtin`. Errors: any error of AuthzPolicy::Parse.
   static absl::StatusOr<std::shared_ptr<Authorizer>> Make(std::string_view builtin, JsonLog log);
 
-  /// Makes an authorizer from the policy in a file, and reads the file again whenever it changes.
+  /// Makes an authorizer with the policy in a file, and reads the file again whenever it changes.
   /// If the new policy cannot be read or used, the old policy remains in force and an error is
-  /// logged. Errors: see ReadTextFile and AuthzPolicy::Parse.
+  /// logged. Errors, for the first policy: any error of ReadTextFile and AuthzPolicy::Parse.
   static absl::StatusOr<std::shared_ptr<Authorizer>> Watch(
       const std::string& path, JsonLog log,
       std::chrono::milliseconds every = std::chrono::seconds(1));

@@ -28,7 +28,7 @@ namespace slicefarm::rpc {
 /// 1.51 has only the header. Unknown keys, such as `headers`, are refused.
 class AuthzPolicy {
  public:
-  /// Reads a policy. Errors: REQUEST_MALFORMED, which names the position.
+  /// Reads a policy from JSON. Errors: REQUEST_MALFORMED, which names the position in the policy.
   static absl::StatusOr<AuthzPolicy> Parse(std::string_view json);
 
   /// Returns true if the call is allowed. `principal`: the caller's identity. `path`:

@@ -10,8 +10,8 @@ namespace slicefarm::rpc {
 
 /// Token in a call's metadata, `authorization: Bearer TOKEN` (RFC 6750).
 
-/// Sends a token with each call of a channel. gRPC's call credentials can do the same, but only
-/// over TLS, and connections on the loopback address may have no TLS.
+/// Interceptor factory of a channel: sends a token with each call. gRPC's call credentials can do
+/// this only over TLS, and connections on the loopback address may have no TLS.
 class BearerTokenFactory : public grpc::experimental::ClientInterceptorFactoryInterface {
  public:
   explicit BearerTokenFactory(std::string token) : token_(std::move(token)) {}
@@ -22,8 +22,8 @@ class BearerTokenFactory : public grpc::experimental::ClientInterceptorFactoryIn
   const std::string token_;
 };
 
-/// Returns the token of a call. Returns nullopt without `authorization` metadata. Returns an empty
-/// text if the metadata is no bearer token or occurs several times.
+/// Returns the token of a call; nullopt if the call has no `authorization` metadata. Returns an
+/// empty text if the metadata is no bearer token or occurs several times.
 std::optional<std::string> BearerToken(const grpc::ServerContextBase& context);
 
 }  // namespace slicefarm::rpc

@@ -14,7 +14,7 @@ struct CallPeer {
   std::string identity = {};     ///< identity in the certificate (identity.h); empty: there is none
   bool certified = false;        ///< true if the client has presented a valid certificate
   std::string fingerprint = {};  ///< SHA-256 of the certificate, 64 hex digits; empty without one
-  /// In gRPC's form, `ipv4:10.1.2.3:40000`; for a client of the proxy, only its IP address.
+  /// Address in gRPC's form, `ipv4:10.1.2.3:40000`. For a client of the proxy: only its IP address.
   std::string address = {};
 };
 

@@ -11,8 +11,9 @@
 namespace slicefarm::rpc {
 
 /// Metric slicefarm_certificate_expiry_timestamp_seconds: expiry time of the certificate in this
-/// program's files; 0 if they cannot be used. The files are read on each request of the metrics.
-/// gRPC also reads renewed files while it runs, but if they are unusable, only its log shows this.
+/// program's files; 0 if the files cannot be used. The files are read for each request of the
+/// metrics. gRPC also reads renewed files while it runs; if they are unusable, only gRPC's log
+/// shows this.
 class CertificateMetrics : public prometheus::Collectable {
  public:
   /// REQUIRES: files.has_certificate().

@@ -9,12 +9,12 @@
 
 namespace slicefarm::rpc {
 
-/// Returns the text of a settings file. Errors: REQUEST_MALFORMED, with the file's name, if it
-/// cannot be read or is larger than 16 MiB.
+/// Returns the text of a settings file. Errors: REQUEST_MALFORMED, with the file's name, if the
+/// file cannot be read or is larger than 16 MiB.
 absl::StatusOr<std::string> ReadTextFile(const std::string& path);
 
-/// Checks on its own thread whether a file has changed. It compares the content, because mounted or
-/// linked files may change without a new modification time.
+/// Checks on its own thread whether a file has changed. The check compares the content, because
+/// mounted or linked files may change without a new modification time.
 class FileWatch {
  public:
   /// Starts the thread. `text`: content that the caller has already read; empty: none. `changed`:

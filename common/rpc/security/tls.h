@@ -16,18 +16,18 @@ class FileWatcherCertificateProvider;
 
 namespace slicefarm::rpc {
 
-/// Selects if a server accepts clients without a certificate. If a client presents a certificate,
-/// it must be valid with both values.
+/// Selects whether a server accepts clients without a certificate. A certificate that a client
+/// presents must be valid in both cases.
 enum class ClientCerts { kRequired, kOptional };
 
-/// TLS credentials of a program, from its files. The files are checked every second, and renewed
-/// files apply to new connections without a restart. If renewed files cannot be read, the old files
+/// TLS credentials of a program, from its files. The files are checked every second; renewed files
+/// apply to new connections without a restart. If renewed files cannot be read, the old files
 /// remain in use. As long as a key does not match its certificate, no new connection succeeds.
 /// Therefore replace key and certificate at the same time, by renaming their directory or the link
 /// to it. Thread-safe.
 class Tls {
  public:
-  /// Reads the files. Errors: see CheckTlsFiles.
+  /// Reads the files. Errors: any error of CheckTlsFiles.
   static absl::StatusOr<std::shared_ptr<const Tls>> Open(const TlsFiles& files);
 
   /// Returns credentials of a server. REQUIRES: a certificate.

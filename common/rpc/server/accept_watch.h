@@ -8,14 +8,13 @@
 namespace slicefarm::rpc {
 
 /// Returns true if the server at `address` (host:port) accepts a new connection: it sends data or
-/// closes the connection within `patience`. A connection in the kernel's queue that the server has
-/// not accepted does not count. `tls`: the server uses TLS; a server without TLS gets the beginning
-/// of an HTTP/2 connection. The server's certificate is not checked.
+/// closes the connection within `patience`. A connection that waits in the kernel's queue is not
+/// accepted yet. `tls`: true if the server uses TLS; to a server without TLS, the beginning of an
+/// HTTP/2 connection is sent. The server's certificate is not checked.
 bool TakesConnections(const std::string& address, bool tls, std::chrono::milliseconds patience);
 
-/// Checks repeatedly that a server accepts new connections. This is necessary because a gRPC 1.51
-/// server never accepts again after accept() has failed once because no file descriptor was free
-/// (CVE-2023-4785).
+/// Checks repeatedly that a server accepts new connections. In gRPC 1.51, a server that runs out of
+/// file descriptors during accept() never accepts connections again (CVE-2023-4785).
 class AcceptWatch {
  public:
   static constexpr int kTries = 6;

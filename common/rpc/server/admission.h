@@ -10,11 +10,11 @@
 
 namespace slicefarm::rpc {
 
-/// Limits the number of calls that work at the same time, and the number of calls that wait.
-/// Thread-safe; must outlive its tickets.
+/// Limit on the number of calls that work at the same time (slots), and on the number of calls that
+/// wait for a slot. Thread-safe; must outlive its tickets.
 class Admission {
  public:
-  /// Permission to work. Its destruction frees the slot.
+  /// Permission to work: one slot. The destructor frees the slot.
   class Ticket {
    public:
     explicit Ticket(Admission* admission) : admission_(admission) {}
@@ -26,11 +26,12 @@ class Admission {
     Admission* admission_;
   };
 
+  /// Makes a limit. `slots`: calls that work at the same time. `queue`: calls that may wait.
   /// REQUIRES: slots >= 1, queue >= 0.
   Admission(int slots, int queue) : slots_(slots), queue_(queue) {}
 
   /// Waits for a slot. Errors: ResourceExhausted, reason OVERLOADED with metadata `limit` and
-  /// `retry_after_ms`, if the queue is full; Cancelled.
+  /// `retry_after_ms`, if the queue is full; Cancelled if `cancel` is cancelled during the wait.
   absl::StatusOr<Ticket> Enter(const CancelToken& cancel);
 
   int slots() const { return slots_; }

@@ -17,26 +17,27 @@
 
 namespace slicefarm::rpc {
 
-/// Slots, queue length and time limits of a gate.
+/// Slots, queue length and time limits of a CallLimiter.
 struct CallGateOptions {
   int slots = 1;  ///< number of calls that work at the same time
   int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
   /// Deadline of calls for which the client has set none.
   std::chrono::milliseconds default_deadline{300'000};
-  std::chrono::milliseconds longest = CallScope::kNoLimit;  ///< time limit of every call
+  /// time limit of every call, even if its client has set a later deadline
+  std::chrono::milliseconds longest = CallScope::kNoLimit;
 };
 
-/// Call as its handler sees it. The handler fills in job id, layers and further fields for the log.
+/// Properties of a call for its handler. The handler sets job_id, layers and `about` for the log.
 struct Call {
   CancelToken cancel;  ///< cancelled by the client or at the deadline
   TraceContext trace;  ///< trace that the client sent
   std::string job_id;
-  LayerRange layers;  ///< layers of the call, for the log; empty: it concerns no layers
+  LayerRange layers;  ///< layers of the call, for the log; empty: the call concerns no layers
   LogFields about;    ///< further fields of the log line
 };
 
-/// Common procedure of every call with heavy work: wait for a slot, work, log one line, return the
-/// status. Thread-safe.
+/// Runs every call with heavy work in the same steps: wait for a slot, work, log one line, return
+/// the status. Thread-safe.
 class CallLimiter {
  public:
   CallLimiter(const CallGateOptions& options, JsonLog log);

@@ -8,16 +8,16 @@
 
 namespace slicefarm::rpc {
 
-/// Tag of an operation in the queue. Each asynchronous operation of gRPC gets a pointer to a tag.
-/// The tag is called when the operation has ended. `ok`: gRPC's result of the operation.
+/// Tag of an asynchronous operation of gRPC in the queue. gRPC gets a pointer to the tag. When the
+/// operation has ended, the queue calls the tag. `ok`: gRPC's result of the operation.
 using QueueTag = std::function<void(bool ok)>;
 
-/// Queue for a thousand or more calls that may stay open for long without occupying a thread. It
+/// Queue for a thousand or more calls that may remain open for long without occupying a thread. It
 /// uses gRPC's asynchronous API, with one thread for all events of these calls.
 ///
 /// gRPC's callback API is unsuitable: in version 1.51 its threads sleep for 0.1 s after each second
-/// without a callback. If a server has one method of this kind, it accepts no calls of any method
-/// during this sleep. Every eleventh call waited for up to 0.1 s.
+/// without a callback. If a server has one method of the callback API, it accepts no calls of any
+/// method during this sleep. Every eleventh call waited for up to 0.1 s.
 class CallQueue {
  public:
   /// REQUIRES: the server has not started yet.

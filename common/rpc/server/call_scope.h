@@ -15,8 +15,8 @@ namespace slicefarm::rpc {
 /// Returns true if the client of the call has set a deadline.
 bool HasDeadline(const grpc::ServerContext& context);
 
-/// Deadline and cancellation of a call. The handler passes its token to the algorithm. The object
-/// exists as long as the handler runs. Thread-safe.
+/// Deadline and cancellation of a call on the server. The call's handler passes Token() to the
+/// algorithm. The object must exist until the handler ends. Thread-safe.
 class CallScope {
  public:
   using Clock = std::chrono::steady_clock;
@@ -32,7 +32,7 @@ class CallScope {
   /// passes, or when the server stops. The token is cheap to poll: it queries gRPC once per
   /// millisecond. It must not outlive the scope.
   CancelToken Token() const;
-  /// Returns true if the token of the call is cancelled.
+  /// Returns true if Token() is cancelled.
   bool Cancelled() const;
 
   /// Returns the status for the client: DeadlineExceeded if `status` is Cancelled because of the

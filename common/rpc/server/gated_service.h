@@ -13,9 +13,9 @@
 
 namespace slicefarm::rpc {
 
-/// Implementation of the service `Api`, such as v1::Beading. Its methods are functions, and each
-/// call passes through a gate. Methods that are not added are unimplemented. Add methods before the
-/// server starts:
+/// Implementation of the service `Api`, such as v1::Beading. Each method is a function, and each
+/// call passes through a CallLimiter, the gate. Methods that are not added are unimplemented. Add
+/// methods before the server starts:
 ///
 ///   auto service = std::make_unique<GatedService<v1::Beading>>(gate);
 ///   service->Add("BeadLayers", &v1::Beading::Service::BeadLayers, [&](Call& call, auto& stream) {
@@ -27,9 +27,8 @@ class GatedService : public grpc::Service {
   /// REQUIRES: `gate` outlives the service.
   explicit GatedService(CallLimiter& gate) : gate_(gate) {}
 
-  /// Adds a method with streams in both directions. `method`: method of the generated service,
-  /// which only provides the message types. `handle`: absl::Status(Call&, ServerStream<Response,
-  /// Request>&).
+  /// Adds a method with streams in both directions. `method`: method of the generated service; only
+  /// its message types are used. `handle`: absl::Status(Call&, ServerStream<Response, Request>&).
   template <typename Response, typename Request, typename Handle>
   void Add(const char* name,
            grpc::Status (Api::Service::*)(grpc::ServerContext*,
@@ -63,7 +62,8 @@ class GatedService : public grpc::Service {
   }
 
  private:
-  /// Adds a method as gRPC's generated services do. gRPC owns the method and its handler.
+  /// Adds a method in the same manner as gRPC's generated services. gRPC owns the method and its
+  /// handler.
   void AddServed(const char* name, grpc::internal::RpcMethod::RpcType type,
                  grpc::internal::MethodHandler* handler) {
     paths_.push_back(std::string("/") + Api::service_full_name() + "/" + name);

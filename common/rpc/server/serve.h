@@ -27,20 +27,21 @@ namespace slicefarm::rpc {
 /// Command-line options that every server program has.
 struct ServeFlags {
   ServerOptions server;
-  int metrics_port = -1;   ///< -1: metrics are not served; 0: any port
-  int max_concurrent = 0;  ///< 0: the number of available CPUs
+  int metrics_port = -1;  ///< port of the metrics; -1: no metrics; 0: any free port
+  /// number of calls that work at the same time; 0: the number of available CPUs
+  int max_concurrent = 0;
   int drain_s = 30;
-  /// Time in s without an accepted connection after which the server ends; 0: no check.
+  /// Time in s after which the server ends if it accepts no new connections (AcceptWatch); 0: no
+  /// check.
   int accept_patience_s = 30;
-  TlsFiles tls;  ///< files of the server for TLS: all three, or none for no TLS
+  TlsFiles tls;  ///< certificate, key and CAs of the server; all three, or none for no TLS
   ClientCerts client_certs = ClientCerts::kRequired;
   /// Policy that decides which caller may call which method (AuthzPolicy). Only used with TLS.
   std::string_view policy = InnerPolicy();
-  std::string policy_file;  ///< file of the policy; if empty, `policy` applies
+  std::string policy_file;  ///< file with the policy; empty: `policy` is used
 };
 
-/// Exit code of a server that no longer accepts new connections. After a restart it accepts them
-/// again.
+/// Exit code of a server that no longer accepts new connections. A restart solves the problem.
 inline constexpr int kTakesNoConnections = 3;
 
 /// Adds --listen, --metrics-port, --drain, --accept-patience, --tls-cert, --tls-key, --tls-ca,
@@ -48,8 +49,8 @@ inline constexpr int kTakesNoConnections = 3;
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
 
 /// Life cycle of a server program: serve until SIGTERM or SIGINT, drain, return. Create the object
-/// in main() before any thread starts. As soon as the program serves, it prints `listening on
-/// HOST:PORT` and `metrics on HOST:PORT` to stdout.
+/// in main() before any thread starts. As soon as the servers listen, the program prints `listening
+/// on HOST:PORT` and `metrics on HOST:PORT` to stdout.
 class ServerProgram {
  public:
   /// Creates the program. `name`: name for the log, for example `beading` for slicefarm-beading.
@@ -60,17 +61,17 @@ class ServerProgram {
   const JsonLog& log() const { return log_; }
   Metrics& metrics() { return metrics_; }
 
-  /// Waits for SIGTERM or SIGINT. Returns true if one arrives within `time`; the program must then
-  /// end without a call of Run.
+  /// Waits for SIGTERM or SIGINT. Returns true if a signal arrives within `time`; then the program
+  /// must end without calling Run.
   bool EndsWithin(std::chrono::milliseconds time) const { return signal_.WaitFor(time); }
 
-  /// Returns the options of the gate for heavy calls, according to the flags.
+  /// Returns the options of the CallLimiter for calls with heavy work, according to the flags.
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
-  /// Adds the load metrics of the gate (GateMetrics). The gate must outlive Run.
+  /// Adds the load metrics of `gate` (GateMetrics). `gate` must exist until Run returns.
   void Show(const CallLimiter& gate);
 
-  /// Adds the metrics of the cache of shared values (SharedMetrics). The cache must outlive Run.
+  /// Adds the metrics of `cache` (SharedMetrics). `cache` must exist until Run returns.
   void Show(const SharedCache& cache);
 
   /// Sets a readiness check. While `ready` returns false, the health service reports NOT_SERVING,
@@ -80,8 +81,8 @@ class ServerProgram {
 
   /// Serves `services`, which include the service of `queued`, until a signal arrives or new
   /// connections are no longer accepted. Then calls `on_signal`, which must end everything that
-  /// would keep calls in flight. After the return, services and shown metrics are no longer used.
-  /// Returns the exit code of the program: 0; 1 if it cannot listen, or cannot use the
+  /// would keep calls in flight. After Run returns, services and shown metrics are no longer used.
+  /// Returns the exit code of the program: 0; 1 if the server cannot listen or cannot use the
   /// certificates; or kTakesNoConnections.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
           const std::function<void()>& on_signal = {}, QueuedMethods* queued = nullptr);
@@ -95,18 +96,18 @@ class ServerProgram {
   JsonLog log_;
   Metrics metrics_;
   CallMetrics call_metrics_;
-  std::function<bool()> ready_;  ///< null: always ready
+  std::function<bool()> ready_;  ///< readiness check; null: always ready
 };
 
-/// Function that creates a service behind a gate. The gate outlives the service.
+/// Function that creates a service with the CallLimiter `gate`. `gate` outlives the service.
 using MakeService = std::function<std::unique_ptr<grpc::Service>(CallLimiter& gate)>;
 
 /// main() of the server program of one stage.
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make);
 
-/// Function that creates a service behind a gate. The service's calls refer to values in `shared`
-/// by their digests. The gate and `shared` outlive the service.
+/// Function that creates a service with the CallLimiter `gate`. The service's calls refer to values
+/// in `shared` by their digests. `gate` and `shared` outlive the service.
 using MakeSharingService =
     std::function<std::unique_ptr<grpc::Service>(CallLimiter& gate, SharedCache& shared)>;
 

@@ -24,17 +24,19 @@ struct ServerOptions {
   std::string listen = "127.0.0.1:0";  ///< host:port; port 0: any free port
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
   int64_t max_buffer_bytes = int64_t{1} << 30;  ///< limit on messages in flight, over all calls
-  /// Largest number of calls with a thread; further calls are refused with RESOURCE_EXHAUSTED.
+  /// Largest number of threads, which is also the largest number of calls at the same time; further
+  /// calls are refused with RESOURCE_EXHAUSTED. Calls of a CallQueue do not count.
   int max_threads = 64;
-  /// Age after which a connection accepts no new calls. Clients then connect again, so that they
-  /// also use new replicas. Open calls continue. 0: no limit.
+  /// Age after which a connection accepts no new calls. Its client then connects again, and may
+  /// reach a new replica. Open calls continue. 0: no limit.
   std::chrono::seconds max_connection_age{0};
   /// Largest number of open calls per connection; further calls wait in the client. 0: no limit.
   int max_streams_per_connection = 0;
   std::shared_ptr<grpc::ServerCredentials> credentials = nullptr;  ///< null: no TLS
-  /// Receives details of storage errors, which clients must not see (StorageErrorsFactory).
+  /// Log for the details of storage errors, which clients must not see (StorageErrorsFactory).
+  /// nullopt: the details are not hidden.
   std::optional<JsonLog> log = {};
-  /// Additional interceptors. They see the statuses that clients receive.
+  /// Additional interceptors. They receive each status in the form in which the client receives it.
   std::vector<
       std::function<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>()>>
       interceptors = {};
@@ -44,7 +46,8 @@ struct ServerOptions {
 class Server {
  public:
   /// Starts a server. `services`, the service of `queued`, and `metrics` must outlive the server.
-  /// Errors: Unavailable if it cannot listen on the address; OUT_OF_RANGE if the port is invalid.
+  /// Errors: Unavailable if the server cannot listen on the address; OUT_OF_RANGE if the port is
+  /// invalid.
   static absl::StatusOr<std::unique_ptr<Server>> Start(const ServerOptions& options,
                                                        const std::vector<grpc::Service*>& services,
                                                        CallMetrics& metrics,
@@ -53,12 +56,12 @@ class Server {
 
   int port() const { return port_; }
 
-  /// Sets the health of the server as a whole. The health of ServiceOfThisBuild does not change.
-  /// Has no effect after TurnAway.
+  /// Sets the health of the whole server. The health of ServiceOfThisBuild does not change. Has no
+  /// effect after TurnAway.
   void SetReady(bool ready);
 
-  /// Sets all health to NOT_SERVING, so that load balancers send new calls to other servers. The
-  /// server still accepts calls.
+  /// Sets the health of all services to NOT_SERVING, so that load balancers send new calls to other
+  /// servers. The server still accepts calls.
   void TurnAway();
 
   /// Calls TurnAway and accepts no new calls. Waits until the calls in flight have ended, and

@@ -11,9 +11,9 @@
 
 namespace slicefarm::rpc {
 
-/// Service slicefarm.v1.SharedValues, which stores values that the calls of a job share, at most
-/// limits::kMaxKeptSharedBytes. Received bytes must match their digest. Clients cannot read the
-/// values. The server's policy allows calls only to coordinators.
+/// Implementation of the service slicefarm.v1.SharedValues: stores values that the calls of a job
+/// share, in total at most limits::kMaxKeptSharedBytes. Received bytes must match their digest.
+/// Clients cannot read the values. The server's policy allows calls only to coordinators.
 class SharedStore {
  public:
   explicit SharedStore(JsonLog log);

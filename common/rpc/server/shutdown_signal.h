@@ -5,8 +5,9 @@
 
 namespace slicefarm::rpc {
 
-/// Waits for SIGTERM and SIGINT. Construct the object in main() before the first thread starts: it
-/// blocks these signals in this thread, and all threads that are started later inherit the block.
+/// Waits for SIGTERM and SIGINT. Construct the object in main() before the first thread starts. The
+/// constructor blocks both signals in the main thread, and all threads that are started later
+/// inherit the block.
 class ShutdownSignal {
  public:
   ShutdownSignal();

@@ -8,10 +8,10 @@
 
 namespace slicefarm::rpc {
 
-/// Hides messages of the storage from clients, because they contain names of files, hosts and
-/// tables. For STORE_FAILED and DISK_FULL, the log gets the complete error, and the client gets
-/// code and reason with a general message. DATA_LOSS is not changed: it concerns data that the
-/// client sent.
+/// Interceptor factory that hides messages of the storage from clients, because they contain names
+/// of files, hosts and tables. For STORE_FAILED and DISK_FULL, the log gets the complete error, and
+/// the client gets code and reason with a general message. DATA_LOSS is not changed: it concerns
+/// data that the client sent.
 class StorageErrorsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit StorageErrorsFactory(JsonLog log) : log_(std::move(log)) {}

@@ -17,18 +17,18 @@ namespace slicefarm::rpc {
 /// Time limits and minimum rate of streams.
 struct StreamTimes {
   std::chrono::milliseconds idle{60'000};  ///< maximum time without a message
-  /// Minimum average rate. The delay of a stream grows with time. Each message decreases it, down
-  /// to 0, by the time that the bytes would need at this rate. A stream with a delay of `idle` is
-  /// cut.
+  /// Minimum average rate of a stream. The delay of a stream grows with time. Each message reduces
+  /// the delay, but not below 0, by the time that its bytes need at this rate. The stream is cut
+  /// when its delay reaches `idle`.
   int64_t min_bytes_per_s = 4096;
   /// Deadline of calls for which the client has set none.
   std::chrono::milliseconds default_deadline{300'000};
 };
 
-/// Cuts streams of clients that send or read nothing, or that are too slow. A handler of the
-/// synchronous API occupies a thread while it waits for the next message, and cannot check the time
-/// itself. A few hundred slow clients would occupy all threads of a server. Thread-safe; must
-/// outlive its guards.
+/// Cuts streams of clients that neither send nor read, or that are too slow. While a handler of
+/// gRPC's synchronous API waits for the next message, it occupies a thread and cannot check the
+/// time. A few hundred slow clients would occupy all threads of a server. Thread-safe; must outlive
+/// its guards.
 class StreamWatch {
  private:
   using Clock = std::chrono::steady_clock;
@@ -38,7 +38,7 @@ class StreamWatch {
 
     grpc::ServerContext& context;
     const Clock::time_point deadline;
-    /// Time at which the stream is cut. Each message moves it to a later time, in proportion to its
+    /// Time at which the stream is cut. Each message postpones this time in proportion to its
     /// bytes.
     std::atomic<Clock::time_point> due;
     bool cut = false;
