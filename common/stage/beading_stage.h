@@ -12,11 +12,12 @@ namespace slicefarm {
 
 struct BeadingOptions;
 
-/// Wall options of all regions, indexed by Region::settings. All calls of a job share the table: it
-/// is sent and read once (common/wire/shared_wire.h).
+/// Wall options of all regions, indexed by Region::settings. All calls of a job share the table. A
+/// server receives and parses it only once (common/wire/shared_wire.h).
 using BeadingTable = std::vector<BeadingOptions>;
 
-/// Stage that makes the walls. The results are in order, one per layer of the range.
+/// Stage that computes the walls. It returns one layer for each layer of neighbourhood.range, in
+/// order.
 class BeadingStage {
  public:
   virtual ~BeadingStage() = default;

@@ -9,17 +9,17 @@
 
 namespace slicefarm {
 
-/// Copies of an object that differ only by a shift along the bed.
+/// Copies of an object that differ only by a shift in x and y.
 struct CopyGroup {
-  Transform to_plate;  ///< common transform of the copies, without the shift in x and y
+  Transform to_plate;  ///< transform of each copy, with the shift in x and y set to 0
   std::vector<const Instance*> instances;
 };
 
 /// Returns the printable copies of an object in groups, in the order of their first copies. The
-/// groups point to the instances of the argument.
+/// groups contain pointers to elements of `instances`.
 std::vector<CopyGroup> GroupsOf(std::span<const Instance> instances);
 
-/// Returns the positions of the copies of a group.
+/// Returns the positions of a group's copies, in the order of CopyGroup::instances.
 std::vector<CopyInput> CopiesOf(const CopyGroup& group);
 
 }  // namespace slicefarm

@@ -15,8 +15,8 @@ namespace slicefarm {
 struct ExposureJob;
 struct ExposureSettings;
 
-/// Stage that converts layers to exposure vectors and to programs for the machine. It is the only
-/// stage per layer of its process.
+/// Stage that converts layers to exposure vectors and to programs for the machine. An exposure
+/// process has no other stage that works layer by layer.
 class ExposureStage {
  public:
   virtual ~ExposureStage() = default;

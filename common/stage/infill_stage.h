@@ -17,12 +17,12 @@ struct InfillOptions;
 /// Infill options of all regions, indexed by Region::settings. All calls of a job share the table.
 using InfillTable = std::vector<InfillOptions>;
 
-/// Stage that fills the islands of each layer.
+/// Stage that computes the infill of each layer's islands.
 class InfillStage {
  public:
   virtual ~InfillStage() = default;
-  /// Returns the layers of neighbourhood.range with walls and infill. `walled` and `plans` belong
-  /// to the same layers; only the `infill` of a plan is used.
+  /// Returns the layers of neighbourhood.range with walls and infill. `walled` and `plans` have one
+  /// entry for each of these layers. Only LayerPlan::infill is used.
   virtual absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
       std::span<const LayerPlan> plans, const Shared<InfillTable>& regions) const = 0;

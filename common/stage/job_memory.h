@@ -12,7 +12,8 @@ namespace slicefarm {
 struct StageCall;
 
 /// Account of the memory that a job uses in this program. Code that reads possibly large data
-/// reports the size while it reads. Then a job is stopped before it uses the memory of other jobs.
+/// reports the data's size while it reads, so that a job is stopped before it uses the memory of
+/// other jobs.
 class JobMemory {
  public:
   enum class Kind { kMeshes, kOutlines, kPlan, kProgram };
@@ -21,18 +22,19 @@ class JobMemory {
   virtual ~JobMemory() = default;
 
   /// Sets the number of bytes of this kind that the job uses from now on. A reduction always
-  /// succeeds. The call may wait for other jobs. Errors: see IsOutOfMemory; Cancelled.
+  /// succeeds. An increase may wait for other jobs. Errors: see IsOutOfMemory; Cancelled.
   virtual absl::Status Hold(Kind kind, int64_t bytes) = 0;
 };
 
-/// Returns true for the memory errors of Hold. REQUEST_TOO_LARGE: the job would not fit even if it
-/// were alone. OVERLOADED: the job has to free its memory for another job, and may be retried.
+/// Returns true if `status` is a memory error of Hold. REQUEST_TOO_LARGE: the job would not fit
+/// even without other jobs. OVERLOADED: the job must end, to free its memory for another job; it
+/// may be retried.
 bool IsOutOfMemory(const absl::Status& status);
 
 /// Metadata key that marks the memory errors of Hold.
 inline constexpr char kMemoryKind[] = "memory";
 
-/// Calls Hold of the call's memory account, if there is one.
+/// Calls Hold of the memory account of `call`, if it has one.
 absl::Status HoldMemory(const StageCall& call, JobMemory::Kind kind, int64_t bytes);
 
 /// Returns the approximate memory of layers and their plans, in bytes. Cost: O(rings).

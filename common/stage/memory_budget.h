@@ -19,14 +19,14 @@ namespace slicefarm {
 
 /// Limit on the memory of all jobs of this program together.
 ///
-/// A new job waits until its memory fits beside the memory of the running jobs. The order of
-/// waiting jobs: first the tenant that uses the least memory, then the highest priority, then the
-/// longest wait. A job that fits may overtake earlier jobs that do not fit, until the overtaking
-/// jobs have used as much as the whole budget.
+/// A new job waits until its memory fits beside the memory of the running jobs. Waiting jobs have
+/// this order: first the tenant that uses the least memory, then the highest priority, then the
+/// longest wait. A job that fits may overtake earlier jobs that do not fit. This ends when the
+/// overtaking jobs have used as much memory as the whole budget.
 ///
 /// A running job may need more memory. If several such jobs do not fit, one of them waits, and the
-/// job that began last ends with OVERLOADED to free memory. The budget remembers the memory that
-/// this job needed. When the job is tried again, it waits for this amount before it begins.
+/// job that began last ends with OVERLOADED to free memory. The budget remembers how much memory
+/// the ended job needed. A retry of this job waits for this amount before it begins.
 ///
 /// Thread-safe; must outlive its shares.
 class MemoryBudget {
@@ -51,7 +51,7 @@ class MemoryBudget {
     const std::string job_;
     const CancelToken cancel_;
     std::array<int64_t, kKinds> held_ = {};
-    // Protected by the budget's mutex:
+    // The following members are protected by the budget's mutex.
     int64_t turn_ = 0;
     int64_t bytes_ = 0;  ///< reserved bytes: at least the used bytes
     bool gives_way_ = false;
@@ -60,9 +60,10 @@ class MemoryBudget {
 
   explicit MemoryBudget(int64_t limit) : limit_(limit) {}
 
-  /// Waits until there is memory for `bytes` of meshes, and for the additional memory that an
-  /// earlier attempt of the job needed. `cancel` also applies to the share. Errors:
-  /// REQUEST_TOO_LARGE if the job does not fit even alone; the error of `cancel`.
+  /// Waits until there is memory for a new job: `bytes` for meshes, and the additional memory that
+  /// an earlier attempt of the job needed. `job`: the job's id. `cancel`: ends this wait and the
+  /// waits of Share::Hold. Errors: REQUEST_TOO_LARGE if the job does not fit even without other
+  /// jobs; CANCELLED.
   absl::StatusOr<std::unique_ptr<Share>> Take(const Claimant& who, const std::string& job,
                                               int64_t bytes, const CancelToken& cancel);
 
@@ -75,7 +76,7 @@ class MemoryBudget {
     Claimant who;
     int64_t bytes = 0;
     int64_t turn = 0;
-    int64_t passed_by = 0;  ///< bytes of the jobs that have overtaken this one
+    int64_t passed_by = 0;  ///< total bytes of the jobs that have overtaken this job
   };
 
   bool Before(const Waiter& a, const Waiter& b) const;
@@ -96,12 +97,14 @@ class MemoryBudget {
   int64_t next_turn_ = 0;
   std::list<Waiter> waiting_;
   std::map<std::string, int64_t> by_tenant_;
-  std::map<std::string, int64_t> needs_;  ///< needs of the jobs that had to free memory, by job id
-  Share* growing_ = nullptr;              ///< running job that waits for more memory
+  /// memory that each job needed when it ended to free memory, by job id
+  std::map<std::string, int64_t> needs_;
+  Share* growing_ = nullptr;  ///< running job that waits for more memory
 };
 
-/// Returns the default limit for the jobs of this process: half of the memory of the container, or
-/// else of the machine. The other half is for messages, results and the allocator's reserve.
+/// Returns the default limit for the jobs of this process: half of the container's memory, or of
+/// the machine's memory without a container limit. The other half is for messages, results and the
+/// allocator's reserve.
 int64_t DefaultMemoryBudget();
 
 }  // namespace slicefarm

@@ -11,22 +11,22 @@
 
 namespace slicefarm {
 
-/// Stage that converts meshes to programs of a milling machine. Any ranges of a job's steps can be
-/// computed separately. Assemble combines all results in one call.
+/// Stage that converts meshes to programs of a milling machine. Each range of a job's steps can be
+/// computed on its own. Assemble combines all results in one call.
 class MillingStage {
  public:
   virtual ~MillingStage() = default;
-  /// Divides a job into steps. Errors: the part cannot be milled with these settings; the error
-  /// names the reason.
+  /// Divides a job into steps. Returns an error with its reason if the part cannot be milled with
+  /// these settings.
   virtual absl::StatusOr<MillLayout> LayOut(const StageCall& call,
                                             const Shared<MillInput>& input) const = 0;
-  /// Returns the results of the steps in the range. Errors: REQUEST_MALFORMED for a range outside
-  /// of the job.
+  /// Computes the steps of the range. Errors: REQUEST_MALFORMED if the job does not have all steps
+  /// of the range.
   virtual absl::StatusOr<std::vector<MilledStep>> Mill(const StageCall& call,
                                                        const Shared<MillInput>& input,
                                                        StepRange range) const = 0;
-  /// Combines the steps into a program. `steps`: all steps of the job. `settings_text`: effective
-  /// settings, quoted at the end of the program.
+  /// Combines the steps into a program. `steps`: results of all steps of the job. `settings_text`:
+  /// effective settings; the end of the program quotes them.
   virtual absl::StatusOr<MilledProgram> Assemble(const StageCall& call,
                                                  const Shared<MillInput>& input,
                                                  std::vector<MilledStep> steps,

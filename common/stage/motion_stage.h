@@ -14,12 +14,12 @@ namespace slicefarm {
 struct MotionJob;
 struct MotionOptions;
 
-/// Stage that writes the G-code of layers and the texts around them.
+/// Stage that writes the G-code of layers (Program) and the texts around the layers (Envelope).
 class MotionStage {
  public:
   virtual ~MotionStage() = default;
-  /// Returns programs, sorted by layer, then by pass. A layer has a program for each pass that
-  /// prints something in it, and at least one program.
+  /// Returns the programs of the layers, sorted by layer, then by pass. A layer has a program for
+  /// each pass that prints something in the layer. A layer without prints has one program.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
                                                             const Shared<MotionJob>& job) const = 0;

@@ -6,10 +6,11 @@
 
 namespace slicefarm {
 
-/// Consecutive layers of a job: the layers to work on, and their halo of layers below and above.
+/// Layers to work on (`range`), with their halo: further layers below and above that the stage
+/// reads.
 struct Neighbourhood {
   LayerRange range;                     ///< layers to work on
-  std::span<const SlicedLayer> layers;  ///< consecutive layers that include `range`
+  std::span<const SlicedLayer> layers;  ///< consecutive layers of the job: `range` and its halo
 };
 
 }  // namespace slicefarm

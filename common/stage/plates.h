@@ -23,26 +23,27 @@ struct PlatePlace {
   friend bool operator==(const PlatePlace&, const PlatePlace&) = default;
 };
 
-/// Stage that distributes a scene over as many plates as necessary, before jobs are made from it.
-/// It is pure and thread-safe, like the stages of jobs.
+/// Stage that distributes a scene over as many plates as necessary, before jobs are made from the
+/// scene. The stage is pure and thread-safe, like the stages of jobs (stages.h).
 class ArrangingStage {
  public:
   virtual ~ArrangingStage() = default;
 
-  /// Returns a position for each copy, sorted by object. Copies with a position keep it, on plate
-  /// 0. Each other copy gets a position on some plate. A copy is turned only if this saves a plate.
-  /// Errors: the errors in Reason; OUT_OF_BUILD_VOLUME with the objects that are too large for an
-  /// empty bed; Cancelled.
+  /// Returns a position for each copy, in the order of the objects. A copy that has a position
+  /// already keeps it, on plate 0. Each other copy gets a position on some plate. A copy is turned
+  /// only if this saves a plate. Errors: OUT_OF_BUILD_VOLUME with the objects that are too large
+  /// for an empty bed; any error of reading the meshes (SlicingStage); Cancelled.
   virtual absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;
 };
 
 /// Returns the input of PutOnPlates for a scene. Printable copies of an object with different
-/// orientations become separate objects. The parts have no rows of settings.
+/// orientations become separate objects. The parts have no region settings.
 std::vector<ObjectInput> ObjectsToPlace(std::span<const SceneObject> objects);
 
-/// Returns the objects of each plate with their copies on this plate. No plate is empty, and
-/// objects keep their order. `places`: one for each copy of ObjectsToPlace(objects).
+/// Returns the objects of each plate, with the copies that are on this plate. No plate is empty,
+/// and objects keep their order. `places`: one for each copy of ObjectsToPlace(objects), in the
+/// same order.
 std::vector<std::vector<SceneObject>> OnPlates(std::span<const SceneObject> objects,
                                                std::span<const PlatePlace> places);
 

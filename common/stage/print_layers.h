@@ -11,12 +11,12 @@ namespace slicefarm {
 
 /// Returns the layers of a print: one for each height at which a layer of some stack ends. A layer
 /// contains all sections that end at its height, sorted by stack id. The layer's height is the
-/// distance from the layer below.
+/// distance from the top of the layer below.
 ///
 /// `parts`: layers of the parts from the bottom up, as if the bottom of each object were on the
-/// bed. `lifts_nm`: height of each object's bottom; 0 for objects beyond the end of the list.
-/// `added`: stacks that planning adds. Cost: none if nothing is lifted or added; otherwise O(n log
-/// n) for n sections.
+/// bed. `lifts_nm`: height of each object's bottom above the bed, indexed by object; missing
+/// entries are 0. `added`: stacks that planning adds. Cost: none if nothing is lifted or added;
+/// otherwise O(n log n) for n sections.
 std::vector<SlicedLayer> PrintLayers(std::vector<SlicedLayer> parts,
                                      std::span<const Coord> lifts_nm,
                                      std::vector<AddedStack> added);

@@ -11,24 +11,24 @@
 
 namespace slicefarm {
 
-/// Part of an object as input of slicing. Its settings are indexes into the job's tables of region
-/// settings.
+/// Part of an object as input of slicing. Instead of settings, it has indices into the job's tables
+/// of region settings.
 struct PartInput {
   std::string name;
   MeshRef mesh;
   PartRole role = PartRole::kSolid;
   Transform to_object = Transform::Identity();
-  /// Region settings of a solid part: one index for each of ObjectInput::ranges, then the index for
+  /// Indices of a solid part's region settings: one for each of ObjectInput::ranges, then one for
   /// all other heights.
   std::vector<int32_t> regions = {0};
-  /// Effect of a modifier: for the index of the region settings outside of the modifier, the index
-  /// of the settings inside it.
+  /// Effect of a modifier. Inside the modifier, region settings with the index `key` are replaced
+  /// by region settings with the index `value`.
   std::map<int32_t, int32_t> changes = {};
 
   bool operator==(const PartInput&) const = default;
 };
 
-/// Heights of an object, above its bottom, that have a layer height of their own.
+/// Range of heights above an object's bottom that has its own layer height.
 struct RangeInput {
   Coord from_nm = 0;
   Coord to_nm = 0;
@@ -50,14 +50,14 @@ struct CopyInput {
   friend bool operator==(const CopyInput&, const CopyInput&) = default;
 };
 
-/// Object and its copies, which are all alike.
+/// Object and its copies. All copies are equal, except for their positions.
 struct ObjectInput {
   std::string name;
   std::vector<PartInput> parts;
   std::vector<RangeInput> ranges;
   std::vector<CopyInput> copies = {{}};
-  /// Transform that is applied after each part's to_object. Afterwards the object is lowered or
-  /// raised onto the bed.
+  /// Transform that is applied after Part::to_object. Afterwards the object is moved in z so that
+  /// its bottom is on the bed.
   Transform to_plate = Transform::Identity();
   /// Depth to which the object is sunk into the bed, in mm. The part of the object below the bed is
   /// not printed.

@@ -27,13 +27,15 @@ struct PlacedCopy {
   friend bool operator==(const PlacedCopy&, const PlacedCopy&) = default;
 };
 
-/// Result of slicing: layers from the bottom up without gaps (a layer may be empty), and findings
-/// about the meshes.
+/// Result of slicing: layers from the bottom up without gaps (a layer may be empty), and properties
+/// of the meshes.
 struct SlicedJob {
   std::vector<SlicedLayer> layers;
   std::vector<std::string> object_names;  ///< name of each object
-  std::vector<PlacedCopy> copies;         ///< copies, ordered by object and then as in the input
-  /// report of each part, sorted by object; seam enforcers and blockers that are surfaces have none
+  /// copies, sorted by object; copies of one object are in the input's order
+  std::vector<PlacedCopy> copies;
+  /// report of each part, sorted by object; seam enforcers and blockers made of surfaces have no
+  /// report
   std::vector<MeshReport> meshes;
   std::vector<Thumbnail> thumbnails;
   std::vector<OrientationAdvice>
@@ -45,21 +47,21 @@ struct SlicedOutlines {
   std::span<const SlicedLayer> layers;
   std::span<const PlacedCopy> copies;
   std::span<const std::string> object_names =
-      {};  ///< names for messages; may be fewer than objects
+      {};  ///< names of the objects for messages; the list may be shorter than the list of objects
 };
 
 /// Stage that reads meshes, puts them on the bed and slices them.
 class SlicingStage {
  public:
   virtual ~SlicingStage() = default;
-  /// Slices the objects. The input is passed by value, so that the bytes of a large mesh are freed
-  /// as soon as they are read.
+  /// Slices the objects. `input` is passed by value, so that the bytes of a large mesh are freed as
+  /// soon as the mesh is read.
   virtual absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                           const SlicingOptions& options) const = 0;
 };
 
 /// Stage that reads meshes and puts them on the bed, for processes that work on the meshes
-/// themselves. Errors: as SlicingStage has for reading and placing meshes.
+/// themselves. Errors: any error of SlicingStage that concerns reading or placing meshes.
 class PlacingStage {
  public:
   virtual ~PlacingStage() = default;

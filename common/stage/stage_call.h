@@ -13,7 +13,8 @@ class SpanLog;
 /// Tenant and priority of a job, for fair sharing.
 struct Claimant {
   std::string tenant;
-  int priority = 0;  ///< priority among the tenant's own jobs; greater values first
+  /// priority among the jobs of the same tenant; a job with a greater value is first
+  int priority = 0;
 };
 
 /// Context of a call of a stage.
@@ -21,9 +22,9 @@ struct StageCall {
   std::string job_id;  ///< id of the job, for logs
   Claimant claimant = {};
   CancelToken cancel;
-  int threads = 1;           ///< number of threads that a stage may use; never changes the result
+  int threads = 1;           ///< number of threads that a stage may use; does not change the result
   TraceContext trace = {};   ///< trace context, passed on with each call; empty: none
-  SpanLog* spans = nullptr;  ///< log of timed spans in this process; null: none
+  SpanLog* spans = nullptr;  ///< log for spans of time in this process; null: none
   JobMemory* memory = nullptr;  ///< memory account of the job in this process; null: not counted
 };
 

@@ -18,7 +18,7 @@ enum class Stage : uint8_t {
   kOrdering,
   kMotion,
   kExposure,
-  kPlacing,  ///< method of the slicing service
+  kPlacing,  ///< stage for meshes; a method of the slicing service
   kMilling,
   kTexture,
 };
@@ -51,8 +51,8 @@ constexpr std::optional<Stage> FindStage(std::string_view name) {
   return std::nullopt;
 }
 
-/// Wall time of each stage in seconds, as measured by the caller; 0 for a stage that the process
-/// does not have.
+/// Wall time of each stage in seconds, as measured by the caller. For a stage that the process does
+/// not have, it is 0.
 class StageTimes {
  public:
   double& operator[](Stage stage) { return seconds_[static_cast<size_t>(stage)]; }

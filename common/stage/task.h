@@ -19,27 +19,27 @@
 
 namespace slicefarm {
 
-/// Description of a task for people and logs.
+/// Description of a task, for people and logs.
 struct TaskLabel {
   std::string text;  ///< description such as "layers 3 to 9"
-  /// The same description for programs: layer_first, layer_last.
+  /// Numbers in the description, for programs: layer_first and layer_last.
   std::map<std::string, int64_t> numbers;
 
   friend bool operator==(const TaskLabel&, const TaskLabel&) = default;
 };
 
-/// Returns the label of a task that makes a range of layers.
+/// Returns the label of a task for a range of layers.
 TaskLabel LabelOf(LayerRange layers);
 
-/// Piece of a job's work that one call of a TaskRunner makes, completely or not at all. Code that
-/// distributes tasks only uses their process, weight and label. The payload has a type of the
+/// Piece of a job's work. One call of a TaskRunner does the whole task, or fails. Code that
+/// distributes tasks uses only their process, weight and label. The payload's type depends on the
 /// process (processes/<name>/task).
 class Task {
  public:
   Task() = default;  ///< Makes an empty task.
 
-  /// Makes a task from a value with kProcess, Weight() and Label(). The constructor is implicit,
-  /// because a payload is a task.
+  /// Makes a task from a payload: a value with kProcess, Weight() and Label(). The constructor is
+  /// implicit, so that a payload can be passed as a task.
   template <class Payload>
   requires requires { Payload::kProcess; }
   Task(Payload payload)  // NOLINT(google-explicit-constructor)
@@ -49,7 +49,7 @@ class Task {
         payload_(std::move(payload)) {}
 
   Process process() const { return process_; }
-  /// Returns the amount that the finished task adds to the progress.
+  /// Returns the amount by which the finished task increases the job's progress.
   int32_t weight() const { return weight_; }
   const TaskLabel& label() const { return label_; }
 
@@ -72,18 +72,18 @@ class TaskResult {
   TaskResult() = default;  ///< Makes an empty result.
 
   /// Makes a result from a value with `times`, Print() and ProgramBytes(). The constructor is
-  /// implicit, like the constructor of Task.
+  /// implicit, so that the value can be passed as a result.
   template <class Result>
   requires requires(const Result& result) { result.ProgramBytes(); }
   TaskResult(Result result)  // NOLINT(google-explicit-constructor)
       : made_(std::make_unique<Of<Result>>(std::move(result))) {}
 
-  // REQUIRES, for all functions below: the result is not empty.
+  // REQUIRES, for all functions below: the result was not made by the default constructor.
 
   const StageTimes& times() const { return made_->times(); }
-  /// Returns a fingerprint of the program. If a task is made twice with equal programs, the
-  /// fingerprints are equal, even if the times differ. Fingerprints are valid only within this
-  /// process. Cost: O(bytes).
+  /// Returns a fingerprint of the program. Equal programs have equal fingerprints, even if the
+  /// times differ. Fingerprints may only be compared within one process of the operating system.
+  /// Cost: O(bytes).
   size_t Print() const { return made_->Print(); }
   /// Returns the number of bytes that the result adds to the job's program.
   int64_t ProgramBytes() const { return made_->ProgramBytes(); }
@@ -113,7 +113,8 @@ class TaskResult {
   std::unique_ptr<Made> made_;
 };
 
-/// Interface for running tasks: a chain of stages, or a worker that runs the chain elsewhere.
+/// Interface for running tasks: either a chain of stages, or a worker elsewhere that runs the
+/// chain.
 class TaskRunner {
  public:
   virtual ~TaskRunner() = default;
@@ -140,7 +141,7 @@ class RunnerOf : public TaskRunner {
   }
 };
 
-/// Runner that combines runners of several processes.
+/// Runner that passes each task to the runner of the task's process.
 class ProcessRunners : public TaskRunner {
  public:
   /// Makes the runner. `runners`: at most one per process.

@@ -11,17 +11,17 @@
 
 namespace slicefarm {
 
-/// Stage that makes textures on surfaces. Any ranges of a job's layers can be made separately.
+/// Stage that makes textures on surfaces. Each range of a job's layers can be computed on its own.
 class TextureStage {
  public:
   virtual ~TextureStage() = default;
-  /// Maps the surface into the plane. Calls with equal surfaces share one result.
+  /// Maps the surface to the plane. Calls with equal surfaces share one result.
   virtual absl::StatusOr<MappedSurface> Map(const StageCall& call,
                                             const Shared<SurfaceInput>& surface) const = 0;
   virtual absl::StatusOr<EngraveLayout> LayOut(const StageCall& call,
                                                const Shared<EngraveInput>& input) const = 0;
-  /// Returns a layer for each number in the range, in the order of work. Errors: REQUEST_MALFORMED
-  /// for numbers that the job does not have.
+  /// Returns the layers of the range, in the order of work. Errors: REQUEST_MALFORMED if the job
+  /// does not have all layers of the range.
   virtual absl::StatusOr<std::vector<EngravedLayer>> Engrave(const StageCall& call,
                                                              const Shared<EngraveInput>& input,
                                                              LayerRange range) const = 0;
