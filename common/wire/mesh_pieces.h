@@ -12,7 +12,7 @@
 
 namespace slicefarm {
 
-/// Returns the numbers of vertices and triangles of a mesh.
+/// Returns the counts of a mesh's vertices and triangles.
 v1::MeshSize SizeOf(const IndexedMesh& mesh);
 
 /// Calls `send` with each piece of a mesh, until `send` returns false. Errors: OUT_OF_RANGE for
@@ -20,15 +20,16 @@ v1::MeshSize SizeOf(const IndexedMesh& mesh);
 absl::Status ForEachPiece(const IndexedMesh& mesh,
                           const std::function<bool(const v1::MeshPiece&)>& send);
 
-/// Assembles meshes from their pieces. The meshes arrive one after the other.
+/// Assembles meshes from their pieces. All pieces of a mesh must arrive before the pieces of the
+/// next mesh.
 class MeshReader {
  public:
   /// Creates a reader for meshes of the announced sizes. Errors: REQUEST_MALFORMED for invalid
-  /// sizes; MESH_TOO_LARGE if more triangles are announced than a job may have.
+  /// sizes; MESH_TOO_LARGE if the sizes announce more triangles than a job may have.
   static absl::StatusOr<MeshReader> Begin(std::vector<v1::MeshSize> sizes);
 
-  /// Adds a piece. Errors: REQUEST_MALFORMED for more data than announced, and for indices of
-  /// vertices that do not exist.
+  /// Adds a piece. Errors: REQUEST_MALFORMED for more data than announced, and for vertex indices
+  /// out of range.
   absl::Status Add(const v1::MeshPiece& piece);
 
   /// Returns the meshes. Errors: REQUEST_MALFORMED for less data than announced.
@@ -39,7 +40,7 @@ class MeshReader {
 
   std::vector<v1::MeshSize> sizes_;
   std::vector<IndexedMesh> meshes_;
-  size_t mesh_ = 0;  ///< index of the mesh that is being filled
+  size_t mesh_ = 0;  ///< index of the mesh to which the next piece belongs
 };
 
 }  // namespace slicefarm

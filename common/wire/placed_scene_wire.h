@@ -11,7 +11,7 @@
 namespace slicefarm {
 
 /// Converts a scene without its meshes. The caller sends the meshes afterwards in pieces, in the
-/// order of the parts.
+/// order of the parts (mesh_pieces.h).
 absl::Status ToProto(const PlacedScene& scene, v1::PlacedScene* proto);
 /// Returns the scene without its meshes. Errors: REQUEST_MALFORMED with the name of the field;
 /// REQUEST_TOO_LARGE.

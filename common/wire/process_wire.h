@@ -17,7 +17,8 @@
 
 namespace slicefarm {
 
-/// Reads the layers that follow the start of a task: the layers of `range` and of its halo.
+/// Reads the layers that follow the first message of a task: the layers of `range` and their halo.
+/// `end`: the worker's end of the call.
 inline absl::StatusOr<std::vector<SlicedLayer>> ReceiveLayers(LayerRange range,
                                                               const CancelToken& cancel,
                                                               WorkerEnd& end) {

@@ -10,8 +10,8 @@
 
 namespace slicefarm {
 
-/// Objects as clients submit them, and the mesh files of their parts. A part refers to a file by
-/// its index.
+/// Objects that a client submits, and the mesh files of their parts. A part refers to a file by its
+/// index in `meshes`.
 struct SubmittedScene {
   std::vector<StoredMesh> meshes;  ///< mesh files without duplicates
   std::vector<SceneObject> objects;
@@ -20,13 +20,14 @@ struct SubmittedScene {
 };
 
 /// Converts an object with its parts and copies. `meshes`: files, indexed by MeshRef::file of the
-/// parts. Copies that are not to be printed are left out.
+/// parts. Copies that must not be printed are left out.
 void ToProto(const SceneObject& object, std::span<const StoredMesh> meshes, v1::Object* proto);
 
-/// Converts submitted objects. Errors: REQUEST_MALFORMED with the path to the field, for invalid
-/// digests, numbers that are not finite, values that are given in two forms at once, and objects
-/// without a mesh; REQUEST_TOO_LARGE beyond limits::kMaxParts, kMaxHeightRanges and kMaxObjects;
-/// errors of FromProto(v1::Placement).
+/// Converts submitted objects. Errors:
+/// - REQUEST_MALFORMED with the path to the field, for invalid digests, numbers that are not
+///   finite, values that are given in two forms at once, and objects without a mesh;
+/// - REQUEST_TOO_LARGE beyond limits::kMaxParts, kMaxHeightRanges and kMaxObjects;
+/// - any error of FromProto(v1::Placement).
 absl::StatusOr<SubmittedScene> FromProto(
     const google::protobuf::RepeatedPtrField<v1::Object>& objects);
 

@@ -53,14 +53,15 @@ absl::StatusOr<std::shared_ptr<const SharedBytes>> MakePart(const T& value) {
 
 }  // namespace internal
 
-/// Returns the serialized value with its digest. Errors: errors of ToProto; REQUEST_TOO_LARGE for
-/// more than limits::kMaxSharedBytes. Cost: O(bytes) at the first call, nothing afterwards.
+/// Returns the serialized value with its digest. Errors: the error of ToProto; REQUEST_TOO_LARGE
+/// for more than limits::kMaxSharedBytes. Cost: O(bytes) at the first call for a value; later calls
+/// are free.
 template <typename T>
 const absl::StatusOr<std::shared_ptr<const SharedBytes>>& PartOf(const Shared<T>& value) {
   return value.Once([](const T& held) { return internal::MakePart(held); });
 }
 
-/// Returns the shared parts of a call that refers only to this value.
+/// Returns the list of shared parts for a call that refers only to this value.
 template <typename T>
 absl::StatusOr<SharedParts> OnePart(const Shared<T>& value) {
   const auto& part = PartOf(value);
@@ -68,9 +69,9 @@ absl::StatusOr<SharedParts> OnePart(const Shared<T>& value) {
   return SharedParts{*part};
 }
 
-/// Returns the value with this digest from the cache. `field`: field of the call with the digest,
-/// for error messages. Errors: SHARED_MISSING; REQUEST_MALFORMED and REQUEST_TOO_LARGE with the
-/// path to the field.
+/// Returns the value with this digest from the cache. `field`: field of the message that contains
+/// the digest, for error messages. Errors: SHARED_MISSING if the cache does not have the value;
+/// REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to the field.
 template <typename T>
 absl::StatusOr<Shared<T>> TakeShared(SharedCache& cache, const std::string& digest,
                                      std::string_view field) {

@@ -16,12 +16,13 @@
 namespace slicefarm {
 
 /// Converts the input of slicing to the first message of a stream, without the bytes of the files.
-/// The bytes follow in chunks, in order. A chunk may contain the end of one file and the beginning
-/// of the next.
+/// The bytes of all files follow in chunks, in the order of the files. A chunk may contain the end
+/// of one file and the beginning of the next.
 absl::Status ToProto(const StageCall& call, const SliceInput& input, const SlicingOptions& options,
                      v1::SliceStart* proto);
 
-/// Calls `send` with each chunk, until `send` returns false. Chunks are views of the input.
+/// Calls `send` with each chunk of the files, until `send` returns false. The chunks are views of
+/// `input`.
 void ForEachChunk(const SliceInput& input, const std::function<bool(std::string_view)>& send);
 
 /// Assembles the files from chunks.
@@ -43,7 +44,7 @@ class SliceInputReader {
  private:
   SliceInput input_;
   std::vector<size_t> sizes_;
-  size_t file_ = 0;  ///< index of the file that is being filled
+  size_t file_ = 0;  ///< index of the file to which the next bytes belong
 };
 
 /// First message of the stream, and the reader for the files.
@@ -54,14 +55,13 @@ struct SliceStart {
 };
 absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto);
 
-/// Converts a sliced job without its layers, which follow one by one.
+/// Converts a sliced job without its layers, which are sent afterwards, one per message.
 absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
 /// Converts the position of a copy on a plate to its message and back.
 absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
-/// Converts a position of a copy. Errors: REQUEST_MALFORMED for a plate number that no job can
-/// have.
+/// Converts the position of a copy. Errors: REQUEST_MALFORMED for an invalid plate number.
 absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto);
 
 namespace v1 {

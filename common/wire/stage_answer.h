@@ -12,18 +12,18 @@
 namespace slicefarm {
 
 /// Server side of a stage's call that refers to its job data by digest. Requirements: the type Call
-/// has `cancel`, and `job_id`, which is written to the log. The type Stream has the types Request
-/// and Response.
+/// has the members `cancel` and `job_id` (for the log), such as rpc::Call. The type Stream has the
+/// types Request and Response.
 
-/// Call with its first message and its job data.
+/// First message of a call, and the job data to which it refers.
 template <typename Start, typename Job>
 struct BegunCall {
   Start start;
   Shared<Job> job;
 };
 
-/// Reads the start of a call and its job data. Errors: errors of ReadStart; SHARED_MISSING; errors
-/// of FromProto for a Job.
+/// Reads the first message of a call, and takes its job data from `shared`. Errors: any error of
+/// ReadStart and TakeShared.
 template <typename Job, typename Call, typename Stream>
 auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
   auto start = ReadStart<typename Stream::Request>(stream, call.cancel);
@@ -35,8 +35,9 @@ auto BeginCall(Call& call, Stream& stream, SharedCache& shared) {
   return absl::StatusOr<Begun>(Begun{*std::move(start), *std::move(job)});
 }
 
-/// Reads the start of a call about a range of layers, as BeginCall does. The range is also written
-/// to the log. Errors: as in BeginCall; REQUEST_MALFORMED without a range.
+/// Reads the first message of a call about a range of layers, and its job data (BeginCall). The
+/// range is also written to the log. Errors: any error of BeginCall; REQUEST_MALFORMED if the
+/// message has no range.
 template <typename Job, typename Call, typename Stream>
 auto BeginRange(Call& call, Stream& stream, SharedCache& shared) {
   auto begun = BeginCall<Job>(call, stream, shared);

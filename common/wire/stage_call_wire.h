@@ -8,12 +8,12 @@
 namespace slicefarm {
 
 /// Converts the context of a call. Each call of a stage begins with this context. Cancellation and
-/// deadline are not part of the message: gRPC transfers them.
+/// deadline are not part of the message, because gRPC transfers them.
 v1::StageCall ToProto(const StageCall& call);
 
-/// Converts the context of a call. Errors: FailedPrecondition, reason BUILD_MISMATCH with `caller`
-/// and `callee`, if the caller has another build. The stages of another build would not give the
-/// same bytes.
+/// Returns the context of a call. Errors: FailedPrecondition, reason BUILD_MISMATCH with `caller`
+/// and `callee`, if the caller has another build (build_info.h). The stages of another build might
+/// not give the same bytes.
 absl::StatusOr<StageCall> FromProto(const v1::StageCall& proto);
 
 namespace v1 {

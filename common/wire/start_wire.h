@@ -22,7 +22,7 @@ namespace slicefarm {
 struct StageStart {
   StageCall call;
   std::string shared;     ///< digest of the stage's job data (shared_wire.h)
-  LayerRange range = {};  ///< layers to work on; empty: the call concerns no layers
+  LayerRange range = {};  ///< layers to work on; empty: the call is not about layers
 };
 
 absl::Status ToProto(const StageStart& start, v1::StageStart* proto);

@@ -13,7 +13,7 @@
 namespace slicefarm {
 
 /// One end of a call with messages in both directions. Read returns false if there are no more
-/// messages, Write if the peer has disconnected.
+/// messages. Write returns false if the peer has disconnected.
 template <typename In, typename Out>
 class MessageChannel {
  public:
@@ -22,7 +22,7 @@ class MessageChannel {
   virtual bool Write(const Out& message) = 0;
 };
 
-/// Channel that uses a gRPC stream or an object with the same interface. The stream must outlive
+/// Channel over a gRPC stream, or over an object with the same interface. The stream must outlive
 /// the channel.
 template <typename In, typename Out, typename Stream>
 class ChannelOf : public MessageChannel<In, Out> {
@@ -38,16 +38,16 @@ class ChannelOf : public MessageChannel<In, Out> {
 using WorkerEnd = MessageChannel<v1::WorkRequest, v1::WorkResponse>;
 using CoordinatorEnd = MessageChannel<v1::WorkResponse, v1::WorkRequest>;
 
-/// Received task with all data to which it points.
+/// Received task, and the owner of all data to which the task points.
 class ReceivedTask {
  public:
   virtual ~ReceivedTask() = default;
-  /// Returns the task, which points into this object.
+  /// Returns the task, which is valid as long as this object exists.
   virtual Task task() const = 0;
 };
 
-/// Messages for the tasks of one process and for their results. Each process has one object of this
-/// class, in processes/<name>/wire; processes/list/wire.h lists these objects.
+/// Conversion of one process's tasks and results to messages and back. Each process has one object
+/// of this class, in processes/<name>/wire; processes/list/wire.h lists these objects.
 class TaskWire {
  public:
   virtual ~TaskWire() = default;
@@ -56,22 +56,22 @@ class TaskWire {
   virtual bool IsIn(const v1::WorkStart& start) const = 0;
 
   // Functions for the coordinator.
-  /// Returns the number of outline points of the task, which determines the duration of a call.
+  /// Returns the number of outline points of the task. It determines the deadline of the call.
   virtual int64_t PointsIn(const Task& task) const = 0;
-  /// Returns the shared data of the job's tasks, to which the first message refers by digest. It is
-  /// called once per job.
+  /// Returns the shared data of the job's tasks, to which the first message of each task refers by
+  /// digest. Called once per job.
   virtual absl::StatusOr<SharedParts> PartsOf(const Task& task) const = 0;
-  /// Sends a task. Returns OK if all messages are written, or if the peer has disconnected.
+  /// Sends a task. Returns OK if all messages are written, and also if the peer has disconnected.
   virtual absl::Status Send(const StageCall& call, const Task& task, CoordinatorEnd& end) const = 0;
-  /// Reads the result until there are no more messages. Errors: REQUEST_MALFORMED.
+  /// Reads the messages of a result until there are no more. Errors: REQUEST_MALFORMED.
   virtual absl::StatusOr<TaskResult> ReceiveResult(CoordinatorEnd& end) const = 0;
-  /// Checks that a result belongs to this task. Errors: REQUEST_MALFORMED.
+  /// Checks that the result belongs to the task. Errors: REQUEST_MALFORMED.
   virtual absl::Status Check(const Task& task, const TaskResult& result) const = 0;
 
   // Functions for the worker.
-  /// Reads a task. `start`: the first message, for which IsIn is true; further messages are read
-  /// from `end`. Errors: SHARED_MISSING; REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to
-  /// the field; the error of `cancel`.
+  /// Reads a task. `start`: content of the first message, for which IsIn returned true. `shared`:
+  /// cache of shared data. Further messages are read from `end`. Errors: SHARED_MISSING;
+  /// REQUEST_MALFORMED and REQUEST_TOO_LARGE with the path to the field; CANCELLED.
   virtual absl::StatusOr<std::unique_ptr<ReceivedTask>> Receive(const v1::WorkStart& start,
                                                                 SharedCache& shared,
                                                                 const CancelToken& cancel,

@@ -10,8 +10,8 @@
 namespace slicefarm {
 
 /// Converts data that all calls of an engraving job share. The settings are sent without their
-/// images, which are separate fields. Whether the values are usable is checked by the stage, not
-/// here. Errors: REQUEST_MALFORMED with the path to the field; MESH_TOO_LARGE.
+/// images, which are separate fields. The stage, not this function, checks whether the values can
+/// be used. Errors: REQUEST_MALFORMED with the path to the field; MESH_TOO_LARGE.
 absl::Status ToProto(const SurfaceInput& surface, v1::SurfaceInput* proto);
 absl::StatusOr<SurfaceInput> FromProto(const v1::SurfaceInput& proto);
 absl::Status ToProto(const MappedSurface& surface, v1::MappedSurface* proto);

@@ -14,7 +14,7 @@ namespace slicefarm {
 /// Converts the results of the texture stage. Errors: REQUEST_MALFORMED with the path to the field.
 absl::Status ToProto(const EngraveLayout& layout, v1::EngraveLayout* proto);
 absl::StatusOr<EngraveLayout> FromProto(const v1::EngraveLayout& proto);
-/// Converts a layer without its text.
+/// Converts a layer without its text (see SendPieces).
 absl::Status ToProto(const EngravedLayer& layer, v1::EngravedLayer* proto);
 absl::StatusOr<EngravedLayer> FromProto(const v1::EngravedLayer& proto);
 
@@ -35,8 +35,8 @@ absl::Status SendPieces(const EngravedLayer& layer, const Send& send) {
   return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "the peer went away");
 }
 
-/// Adds a received piece to the layers. Errors: REQUEST_MALFORMED for text without a layer, and for
-/// more text than a program may have.
+/// Appends a received piece to `layers`: a new layer, or text of the last layer. Errors:
+/// REQUEST_MALFORMED for text before the first layer, and for more text than a program may have.
 absl::Status TakePiece(const v1::EngravedPiece& piece, std::vector<EngravedLayer>* layers);
 
 namespace v1 {

@@ -14,7 +14,7 @@ namespace slicefarm {
 /// First message of a call of the texture service. Errors: see stage_call_wire.h and layer_wire.h.
 struct TextureStart {
   StageCall call;
-  std::string shared;     ///< digest of a SurfaceInput or an EngraveInput
+  std::string shared;     ///< digest of a SurfaceInput or an EngraveInput (shared_wire.h)
   LayerRange range = {};  ///< layers of an EngraveLayers call
 };
 absl::Status ToProto(const TextureStart& start, v1::TextureStart* proto);

@@ -8,8 +8,9 @@ namespace slicefarm {
 
 namespace internal {
 
-/// Returns true if kValue is an enumerator of its enumeration. In the compiler's text of this
-/// function, an enumerator appears as its name, and any other value as a cast of a number.
+/// Returns true if kValue is an enumerator of its enumeration. The function reads its own
+/// signature: the compiler writes an enumerator as a name, and any other value as a cast of a
+/// number.
 template <auto kValue>
 constexpr bool IsEnumerator() {
   constexpr std::string_view kText = __PRETTY_FUNCTION__;
@@ -18,8 +19,8 @@ constexpr bool IsEnumerator() {
   return kText[kAt + sizeof("kValue = ") - 1] != '(';
 }
 
-/// Returns the number of enumerators, at most 64. Counts upwards from kCount, so the enumerators
-/// below must exist.
+/// Returns the number of enumerators, at most 64. Counts upwards from kCount; REQUIRES: the values
+/// below kCount are enumerators.
 template <typename Enum, int kCount = 0>
 constexpr int CountEnumerators() {
   constexpr int kMost = 64;
@@ -31,7 +32,8 @@ constexpr int CountEnumerators() {
 
 }  // namespace internal
 
-/// Number of enumerators of an enumeration with the values 0, 1, 2, ... without gaps; at most 64.
+/// Number of enumerators of an enumeration, at most 64. REQUIRES: their values are 0, 1, 2, ...
+/// without gaps.
 template <typename Enum>
 requires std::is_enum_v<Enum>
 inline constexpr int kEnumerators = internal::CountEnumerators<Enum>();

@@ -14,8 +14,8 @@
 
 namespace slicefarm::internal {
 
-/// Reads values from the bytes of a FieldWriter. After the first error it reads nothing more and
-/// changes no value.
+/// Reads values from the bytes of a FieldWriter. After the first error, the functions read no bytes
+/// and change no values.
 class FieldReader {
  public:
   explicit FieldReader(std::string_view bytes) : left_(bytes) {}
@@ -28,19 +28,20 @@ class FieldReader {
   void Read(Number* value) {
     *value = static_cast<Number>(Integer(std::numeric_limits<Number>::max()));
   }
-  /// Reads a point. Coordinates beyond limits::kMaxCoord are errors, as in layers.
+  /// Reads a point. A coordinate beyond limits::kMaxCoord is an error.
   void Read(Point* point);
   void Read(std::string* text);
   void Read(SharedText* text);
   void Read(Cutter* cutter);
 
-  /// Reads a number from 0 to count - 1, such as the number of an enumerator.
+  /// Reads a number from 0 to count - 1, such as the value of an enumerator.
   int64_t Index(int64_t count);
   /// Reads the length of a list. Each item needs at least one byte, so the length is at most the
   /// number of remaining bytes.
   int64_t Count() { return Index(static_cast<int64_t>(left_.size()) + 1); }
 
-  /// Returns the first error. Without one, returns REQUEST_MALFORMED if bytes remain.
+  /// Returns the first error. If there is none, returns REQUEST_MALFORMED if bytes remain,
+  /// otherwise OK.
   absl::Status Finish();
 
  private:

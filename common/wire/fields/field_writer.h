@@ -21,8 +21,8 @@ class FieldWriter {
     WriteInteger(static_cast<int64_t>(value));
   }
   void Write(const std::string& text);
-  /// Writes a shared text. Only its first occurrence contains the text; later occurrences contain
-  /// its number.
+  /// Writes a shared text. Its first occurrence is written as text, each later occurrence as the
+  /// text's number.
   void Write(const SharedText& text);
   void Write(const Cutter& cutter);
 
@@ -32,7 +32,8 @@ class FieldWriter {
   void WriteInteger(int64_t value);
 
   std::string bytes_;
-  std::map<std::string_view, int64_t> texts_;  ///< number of each shared text, from 1
+  /// number of each shared text, in the order of first occurrence, from 1
+  std::map<std::string_view, int64_t> texts_;
 };
 
 }  // namespace slicefarm::internal

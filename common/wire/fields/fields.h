@@ -20,7 +20,7 @@ namespace slicefarm {
 
 /// Serialization of the options of stages. The values of the members follow one another without
 /// names or field numbers, because both ends have the same build (StageCall). A new member needs no
-/// code here.
+/// change in this file.
 ///
 /// Supported types are numbers, booleans, enumerations, texts, cutters, aggregates of supported
 /// types, and vectors, arrays and optionals of any supported type. A struct that is derived from a
@@ -99,8 +99,8 @@ std::string PackFields(const T& value) {
 
 /// Returns the aggregate that PackFields wrote. Errors: REQUEST_MALFORMED for missing or additional
 /// bytes, for numbers that are not finite or beyond limits::kMaxPrintHeight, and for unknown
-/// enumerators; REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. The ranges of
-/// single values are not checked here but in CheckOptions. Cost: O(bytes), in time and in memory.
+/// enumerators; REQUEST_TOO_LARGE for texts of more than limits::kMaxFieldBytes. CheckOptions, not
+/// this function, checks the ranges of single values. Cost: O(bytes), in time and in memory.
 template <typename T>
 absl::StatusOr<T> UnpackFields(std::string_view bytes) {
   internal::FieldReader reader(bytes);

@@ -18,7 +18,8 @@ absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto);
 absl::Status ToProto(ExposedProgram program, v1::ExposedProgram* proto);
 absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 
-/// Converts all fields of ExposureFrameRequest except `call` and the settings.
+/// Converts a summary to all fields of ExposureFrameRequest except `call` and the settings, and
+/// back.
 absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
 

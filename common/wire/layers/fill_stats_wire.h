@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Converts the material totals of an infill. Errors: REQUEST_MALFORMED, with the field, for an
-/// invalid amount, row, feature or pattern.
+/// Converts the totals of an infill. Errors: REQUEST_MALFORMED, with the field, for an invalid
+/// amount, index of settings, feature or pattern.
 absl::Status ToProto(const FillStats& use, v1::FillUse* proto);
 absl::StatusOr<FillStats> FromProto(const v1::FillUse& proto);
 

@@ -11,9 +11,9 @@
 
 namespace slicefarm {
 
-/// Conversion of layers: results of the stages from slicing to ordering (programs: program_wire.h).
-/// Errors: see geometry_wire.h and path_wire.h, with the path to the field, such as
-/// `islands[2].walls[7].xy_nm`; REQUEST_MALFORMED for indices and ranges that no job can have.
+/// Conversion of layers: results of the stages from slicing to ordering (for programs:
+/// program_wire.h). Errors: see geometry_wire.h and path_wire.h, with the path to the field, such
+/// as `islands[2].walls[7].xy_nm`. REQUEST_MALFORMED for indices and ranges that no job can have.
 
 /// Converts a layer frame to its message and back.
 void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);
@@ -81,8 +81,8 @@ absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto);
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto);
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
 
-/// Returns the range from the first to the last of the layers. REQUIRES: CheckConsecutive accepts
-/// the layers.
+/// Returns the range from the first to the last of the layers. REQUIRES: CheckConsecutive returns
+/// OK for the layers.
 template <typename Layers>
 LayerRange RangeOf(const Layers& layers) {
   if (layers.empty()) return {};
@@ -90,7 +90,8 @@ LayerRange RangeOf(const Layers& layers) {
 }
 
 /// Appends a converted layer. Errors: the error of the conversion; REQUEST_MALFORMED if the layer
-/// does not follow the previous one. So a peer that sends layers without end is refused early.
+/// does not follow the previous one. The check at each layer stops a peer that sends layers without
+/// end.
 template <typename Layer>
 absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers) {
   if (!layer.ok()) return layer.status();
@@ -102,7 +103,7 @@ absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers)
   return Malformed("layer", "does not follow the one before");
 }
 
-/// Checks that the indices of the layers are consecutive and ascending.
+/// Checks that the index of each layer is one more than the index of the layer before.
 template <typename Layers>
 absl::Status CheckConsecutive(const Layers& layers) {
   for (size_t i = 1; i < layers.size(); ++i) {
@@ -137,7 +138,7 @@ absl::Status CheckProgramsOfRange(const Programs& programs, LayerRange range) {
   return Malformed("layer", "not a program for each layer of the range");
 }
 
-/// Checks the input of a stage for a range: consecutive layers that contain the range.
+/// Checks the layers that a stage receives for a range: they are consecutive and contain the range.
 absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range);
 
 namespace v1 {

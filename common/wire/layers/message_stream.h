@@ -17,7 +17,9 @@ namespace slicefarm {
 /// server. A Stream has Read(Message*) and Write(const Message&). Read returns false if there are
 /// no more messages, Write if the call has ended.
 
-/// Reads the first message of a call, which must have the field `start`.
+/// Reads the first message of a call, which must have the field `start`. `cancel`: token that is
+/// stored in the result's StageCall. Errors: REQUEST_MALFORMED; any error of FromProto for the
+/// start.
 template <typename Request, typename Stream>
 auto ReadStart(Stream& stream, const CancelToken& cancel)
     -> decltype(FromProto(std::declval<Request>().start())) {
@@ -29,8 +31,8 @@ auto ReadStart(Stream& stream, const CancelToken& cancel)
   return start;
 }
 
-/// Writes the first message of a call. If the peer has disconnected, the next write or the end of
-/// the call shows this.
+/// Writes the first message of a call. If the peer has disconnected, this function still returns
+/// OK: the next write fails.
 template <typename Request, typename Stream, typename Start>
 absl::Status WriteStart(Stream& stream, const Start& start) {
   Request request;
@@ -39,8 +41,8 @@ absl::Status WriteStart(Stream& stream, const Start& start) {
   return status;
 }
 
-/// Passes each remaining message to `take` until `take` returns an error. The returned error
-/// contains the number of the message.
+/// Passes each remaining message to `take` until `take` returns an error. Returns this error, with
+/// the number of the message.
 template <typename Message, typename Stream, typename Take>
 absl::Status ReadEach(Stream& stream, const Take& take) {
   Message message;
@@ -50,8 +52,8 @@ absl::Status ReadEach(Stream& stream, const Take& take) {
   return absl::OkStatus();
 }
 
-/// Writes a message for each of `models`, filled by `fill(model, &message)`. Errors: the error of
-/// `fill`; Unavailable if the peer has stopped reading.
+/// Writes a message for each of `models`. `fill(model, &message)` fills the message. Errors: the
+/// error of `fill`; Unavailable if the peer has stopped reading.
 template <typename Message, typename Stream, typename Models, typename Fill>
 absl::Status WriteEach(Stream& stream, Models&& models, const Fill& fill) {
   for (auto& model : models) {
@@ -64,7 +66,7 @@ absl::Status WriteEach(Stream& stream, Models&& models, const Fill& fill) {
   return absl::OkStatus();
 }
 
-/// Appends the converted message to the list, or returns the error of its conversion.
+/// Appends the result of a conversion to `models`, or returns its error.
 template <typename Model>
 absl::Status Append(absl::StatusOr<Model> model, std::vector<Model>* models) {
   if (!model.ok()) return model.status();
@@ -72,7 +74,7 @@ absl::Status Append(absl::StatusOr<Model> model, std::vector<Model>* models) {
   return absl::OkStatus();
 }
 
-/// Reads the layers that follow the start of a call: the layers of the start's range and of its
+/// Reads the layers that follow the first message of a call: the layers of start.range and their
 /// halo.
 template <typename Request, typename Start, typename Stream>
 absl::StatusOr<std::vector<SlicedLayer>> ReadNeighbourhood(Stream& stream, const Start& start) {

@@ -35,7 +35,7 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto);
 /// Converts the planned infill of a region to its message and back.
 absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto);
 absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto);
-/// Checks that the plans are sorted by stack, then by settings row. Errors: REQUEST_MALFORMED.
+/// Checks that the plans are sorted by stack, then by region settings. Errors: REQUEST_MALFORMED.
 absl::Status CheckOrder(std::span<const PlannedInfill> plans);
 
 /// Converts a layer plan to its message and back.
@@ -45,7 +45,8 @@ absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 /// Converts a stack without its sections, which are separate messages.
 absl::Status ToProto(const AddedStack& added, v1::AddedStack* proto);
 absl::StatusOr<AddedStack> FromProto(const v1::AddedStack& proto);
-/// Checks that a job can have a stack at this height above the bed. Errors: REQUEST_MALFORMED.
+/// Checks that `lift_nm` is a valid height of a stack's bottom above the bed. Errors:
+/// REQUEST_MALFORMED.
 absl::Status CheckLift(std::string_view field, int64_t lift_nm);
 
 /// Converts a skirt to its message and back.

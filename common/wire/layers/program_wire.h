@@ -17,7 +17,7 @@ namespace slicefarm {
 /// the argument is an rvalue or passed by value. Errors, with the name of the field: OUT_OF_RANGE,
 /// REQUEST_MALFORMED.
 
-/// Converts the material totals of a feature to their message and back.
+/// Converts the totals of a feature to their message and back.
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto);
 absl::StatusOr<FeatureUse> FromProto(const v1::FeatureUse& proto);
 
@@ -33,7 +33,7 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto);
 v1::LayerWarning ToProto(const LayerWarning& warning);
 absl::StatusOr<LayerWarning> FromProto(const v1::LayerWarning& proto);
 
-/// Converts the times of the stages to its message and back.
+/// Converts the times of the stages to their message and back.
 v1::StageTimes ToProto(const StageTimes& times);
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 
@@ -41,7 +41,7 @@ absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto);
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 
-/// Converts all fields of FrameRequest except `call` and the options.
+/// Converts a summary to all fields of FrameRequest except `call` and the options, and back.
 absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
 absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
 

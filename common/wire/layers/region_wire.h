@@ -23,14 +23,14 @@ absl::StatusOr<FillArea> FromProto(const v1::FillArea& proto);
 /// Converts a stack to its message and back.
 void ToProto(const Stack& stack, v1::Stack* proto);
 absl::StatusOr<Stack> FromProto(const v1::Stack& proto);
-/// Checks that a number may be the id of a stack.
+/// Checks that a number is a valid id of a stack. Errors: REQUEST_MALFORMED.
 absl::Status CheckStack(std::string_view field, int32_t id);
 
 /// Converts a mark to its message and back.
 absl::Status ToProto(const Mark& mark, v1::Mark* proto);
 absl::StatusOr<Mark> FromProto(const v1::Mark& proto);
 
-/// Checks the index of a layer within its stack, and the height of its beads. Errors:
+/// Checks the number of a layer within its stack, and the height of its beads. Errors:
 /// REQUEST_MALFORMED.
 absl::Status CheckSection(int32_t layer, int64_t height_nm);
 

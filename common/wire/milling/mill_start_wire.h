@@ -16,7 +16,7 @@ namespace slicefarm {
 /// with the name of the field.
 struct MillStart {
   StageCall call;
-  std::string shared;      ///< digest of a MillInput
+  std::string shared;      ///< digest of the job's MillInput (shared_wire.h)
   StepRange range = {};    ///< steps of a MillSteps call; empty for other calls
   int32_t step_count = 0;  ///< number of steps that follow in an AssembleProgram call
   std::string settings_text = {};

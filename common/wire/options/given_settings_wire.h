@@ -18,7 +18,7 @@ inline v1::Setting ToProto(const Setting& setting) {
   return proto;
 }
 
-/// Returns the setting of a message, including its source (from a profile or from the job).
+/// Returns the setting of a message, including its source (profile or request).
 inline Setting FromProto(const v1::Setting& proto) {
   return {proto.key(), proto.value(), proto.from_profile() ? Source::kProfile : Source::kRequest};
 }

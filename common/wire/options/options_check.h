@@ -19,10 +19,10 @@ struct MillSettings;
 struct EngraveSettings;
 
 /// Each CheckOptions checks that the algorithms can work with all values: lengths used as divisors
-/// are positive, counts are bounded, and tables of regions have equal lengths. It does not check if
-/// a value is sensible for a user; common/config does this when it reads the setting. Errors:
-/// REQUEST_MALFORMED with the name of the member; REQUEST_TOO_LARGE for too many rows of a table.
-/// Cost: O(rows of all tables).
+/// are positive, counts are bounded, and tables of regions have equal lengths. It does not check
+/// whether a value is sensible for a user; common/config does this when it reads the setting.
+/// Errors: REQUEST_MALFORMED with the name of the member; REQUEST_TOO_LARGE for too many rows of a
+/// table. Cost: O(rows of all tables).
 absl::Status CheckOptions(const SlicingOptions& options);
 absl::Status CheckOptions(const std::vector<BeadingOptions>& table);
 absl::Status CheckOptions(const std::vector<InfillOptions>& table);

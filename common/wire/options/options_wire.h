@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// Returns the options that PackFields wrote. Checks them by CheckOptions. Errors: see UnpackFields
-/// and CheckOptions.
+/// Returns the options that PackFields wrote, after a check by CheckOptions. Errors: any error of
+/// UnpackFields and CheckOptions.
 template <typename Options>
 absl::StatusOr<Options> OptionsFromBytes(std::string_view bytes) {
   absl::StatusOr<Options> options = UnpackFields<Options>(bytes);

@@ -12,14 +12,14 @@
 
 namespace slicefarm {
 
-/// Length and the name of its member, for error messages.
+/// Length in nm, and the name of the member with this length, for error messages.
 struct NamedLength {
   std::string_view member;
   Coord value_nm = 0;
 };
 
-/// Checks that all lengths are from `least_nm` to limits::kMaxCoord. Errors: REQUEST_MALFORMED with
-/// the name of the first other length.
+/// Checks that each length is in [least_nm, limits::kMaxCoord]. Errors: REQUEST_MALFORMED with the
+/// name of the first length outside of this range.
 inline absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coord least_nm) {
   for (const auto& [member, value_nm] : lengths)
     if (value_nm < least_nm || value_nm > limits::kMaxCoord)
@@ -55,7 +55,7 @@ inline absl::Status CheckNoLessThanZero(std::string_view member, double value) {
 /// Checks that a table has at least one row and at most limits::kMaxRegionSettings rows.
 absl::Status CheckRows(size_t rows, std::string_view table);
 
-/// Returns the first error that `check` finds in a row, with the path to the row.
+/// Calls `check` for each row of a table. Returns the first error, with the path to the row.
 template <typename Row, typename Check>
 absl::Status CheckEach(const std::vector<Row>& table, std::string_view name, const Check& check) {
   absl::Status status = CheckRows(table.size(), name);

@@ -5,7 +5,8 @@
 
 namespace slicefarm {
 
-/// Returns true if the value may be a sum of lengths, times and the like: finite and not negative.
+/// Returns true if the value is a valid amount, such as a sum of lengths or times: finite and not
+/// negative.
 inline bool IsAmount(double value) { return std::isfinite(value) && value >= 0; }
 
 /// Returns true if all values are amounts.

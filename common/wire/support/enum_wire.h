@@ -7,9 +7,9 @@
 
 namespace slicefarm {
 
-/// Converts an enumerator to its message value, which is one higher than the model's value. The
-/// value 0 means that the sender did not set the field. For each pair of enumerations,
-/// static_asserts check that the values correspond.
+/// Converts an enumerator of the model to its message value, which is one higher. The message value
+/// 0 means that the sender did not set the field. For each pair of enumerations, static_asserts
+/// check that the values correspond.
 template <typename Proto, typename Model>
 Proto EnumToProto(Model value) {
   return static_cast<Proto>(static_cast<int>(value) + 1);

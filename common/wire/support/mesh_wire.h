@@ -14,9 +14,9 @@ namespace slicefarm {
 v1::MeshFormat ToProto(MeshFormat format);
 absl::StatusOr<MeshFormat> FromProto(v1::MeshFormat proto);
 
-/// Converts a placement. Values that a message omits have defaults: the unit is 1 mm, the scale 1,
-/// and the rotation 0. A single scale applies to all axes. Errors: REQUEST_MALFORMED for wrong
-/// numbers of values, non-finite numbers and scales that are not positive; OUT_OF_RANGE;
+/// Converts a placement. A message may omit values: the defaults are 1 mm for the unit, 1 for the
+/// scale and 0 for the rotation. A single scale applies to all axes. Errors: REQUEST_MALFORMED for
+/// wrong numbers of values, non-finite numbers and scales that are not positive; OUT_OF_RANGE;
 /// REQUEST_TOO_LARGE for more than limits::kMaxObjects copies.
 absl::Status ToProto(const Placement& placement, v1::Placement* proto);
 absl::StatusOr<Placement> FromProto(const v1::Placement& proto);

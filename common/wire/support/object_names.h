@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Checks the names of objects. Errors: REQUEST_TOO_LARGE for more names than a job may have
-/// objects, and for long names.
+/// Checks the names of objects. Errors: REQUEST_TOO_LARGE for more than limits::kMaxObjects names,
+/// and for a name longer than limits::kMaxNameBytes.
 absl::Status CheckObjectNames(const google::protobuf::RepeatedPtrField<std::string>& names);
 
 }  // namespace slicefarm

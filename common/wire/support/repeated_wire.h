@@ -11,7 +11,7 @@
 
 namespace slicefarm {
 
-/// Conversion of lists. Each element is converted by ToProto or FromProto of its type. Errors
+/// Conversion of lists. ToProto or FromProto of the element's type converts each element. Errors
 /// contain the index of the element.
 
 /// Converts all models to messages in the field `field`.
