@@ -22,7 +22,8 @@ std::string Word(const std::string& path) {
   return word;
 }
 
-/// Returns the quota of the process. In a container its own cgroup appears as the root.
+/// Returns the number of CPUs that the process's quota allows. In a container, the process's own
+/// cgroup is visible as the root of the hierarchy.
 std::optional<int> Quota() {
   std::string quota;
   std::string period;

@@ -25,8 +25,8 @@ double Polynomial(const std::array<double, kCount>& c, double x) {
   return sum;
 }
 
-/// Returns the upper half of the bits. Its product with itself, or with an integer of 21 bits, is
-/// exact.
+/// Returns the value with its lower half of bits set to 0. The product of the result with itself,
+/// or with an integer of 21 bits, is exact.
 double UpperHalf(double x) {
   return std::bit_cast<double>(std::bit_cast<uint64_t>(x) & 0xffffffff00000000);
 }
@@ -54,7 +54,7 @@ Reduced ByQuarterTurns(double angle) {
                                  2.02226624871116645580e-21};
   constexpr std::array kTail = {6.07710050650619224932e-11, 2.02226624879595063154e-21,
                                 8.47842766036889956997e-32};  // pi / 2 less the pieces so far
-  // Ratios of rest to angle below which the next piece is needed.
+  // Ratios of rest to angle. Below ratio i, piece i + 1 of pi / 2 is needed.
   constexpr std::array kEnough = {0x1p-16, 0x1p-49, 0.0};
   if (std::abs(angle) <= std::numbers::pi / 4) return {0, angle, 0};
   const double quarters = (angle * kTwoOverPi + kToWhole) - kToWhole;

@@ -8,13 +8,14 @@
 namespace slicefarm {
 namespace {
 
-/// Buffer that collects pieces into blocks.
+/// Buffer that collects the bytes of pieces and passes them on in blocks of kBlockBytes.
 class Blocks {
  public:
   explicit Blocks(const SpooledText::Visit& visit)
       : visit_(visit), block_(static_cast<size_t>(SpooledText::kBlockBytes)) {}
 
-  /// Adds `size` bytes. `fill(offset, bytes)` writes the bytes from `offset` on.
+  /// Adds a piece of `size` bytes. `fill(offset, bytes)` reads the piece's bytes from `offset` on
+  /// into `bytes`.
   template <typename Fill>
   absl::Status Take(int64_t size, const Fill& fill) {
     for (int64_t done = 0; done < size;) {

@@ -54,8 +54,8 @@ bool MayBeGiven(const Setting& setting, Process process, Scope place, bool of_ra
   return ScopeOf(setting, process) >= place;
 }
 
-/// Resolver of the settings of objects, parts and ranges of a job. It resolves each set of settings
-/// only once.
+/// Resolver of the settings of a job's objects, parts and ranges. Each different set of settings is
+/// resolved only once.
 class Resolver {
  public:
   Resolver(std::span<const Setting> job, Process process, const CancelToken& cancel,
@@ -84,7 +84,8 @@ class Resolver {
   const JobRows& job_rows() const { return job_rows_; }
   const ProcessSettings& process() const { return SettingsOf(process_); }
 
-  /// Returns the job's settings overridden by `own`.
+  /// Returns the rows for the job's settings, overridden by `own`. `object`: name of the object,
+  /// for notes and errors.
   absl::StatusOr<JobRows> With(const std::string& object, const Settings& own) {
     if (const auto known = known_.find(own); known != known_.end()) return known->second;
     if (absl::Status wanted = cancel_.Check(); !wanted.ok()) return wanted;
@@ -107,14 +108,16 @@ class Resolver {
     return resolved->settings;
   }
 
-  /// Reports, once, a request that changes the print and cannot be fulfilled.
+  /// Adds a warning about a request that changes the print and cannot be fulfilled. The same text
+  /// is added only once.
   void Warn(const std::string& text) {
     if (!warned_.insert(text).second) return;
     plate_.no_effect.insert(plate_.no_effect.begin(), {text});
     plate_.warnings.push_back(text);
   }
 
-  /// Reports, once, a missing feature that spoils the print. The feature is also a warning.
+  /// Adds a missing feature that spoils the print, and the same text as a warning. The same feature
+  /// is added only once.
   void TellMissing(MissingFeature feature) {
     if (std::ranges::find(plate_.missing, feature) != plate_.missing.end()) return;
     if (warned_.insert(feature.text).second) plate_.warnings.push_back(feature.text);
@@ -333,7 +336,7 @@ std::string ObjectsText(std::span<const SceneObject> objects) {
          all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// Scales copies in place: the position in x and y stays, and z grows from the bed.
+/// Scales copies in place. In x and y a copy grows around its position; in z it grows from the bed.
 void Grow(const ShrinkageCompensation& growth, std::vector<Instance>& copies) {
   for (Instance& copy : copies) {
     copy.to_plate.topRows<2>().leftCols<3>() *= growth.xy;

@@ -26,9 +26,9 @@ absl::Status CheckLimits(std::span<const Setting> given) {
   return status;
 }
 
-/// Returns a flag for each setting that a later one with the same key replaces. The value of a
-/// replaced setting may be invalid. An empty value in a profile replaces nothing, because it may
-/// not be a value at all.
+/// Returns one flag per setting: true if a later setting with the same key replaces it. The value
+/// of a replaced setting may be invalid. An empty value in a profile replaces nothing, because
+/// profiles also contain empty texts for settings without a value.
 std::vector<bool> Replaced(std::span<const Setting> given) {
   std::vector<bool> replaced(given.size());
   std::set<std::string_view> later;
@@ -52,7 +52,7 @@ absl::Status ReadAll(std::span<const Setting> given, SettingReader& reader) {
   return absl::OkStatus();
 }
 
-/// Stores each value in its row.
+/// Stores each value of `draft` in its member of `settings`.
 void PutInto(JobRows& settings, const SettingValues& draft) {
   const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i)
@@ -92,8 +92,9 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Returns true if the setting is left out of the effective text when it is empty. Few jobs have
-/// fields, angles by layer, heights by z, excluded areas, or G-code at heights or of the filament.
+/// Returns true if an empty value of this setting is left out of the effective text. Few jobs have
+/// fields, angles per layer, layer heights by z, excluded areas, or G-code at heights or of the
+/// filament.
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
          spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||

@@ -23,8 +23,8 @@ std::string Quoted(std::string_view key, std::string_view value) {
   return fmt::format("{} = {}{}", key, value.substr(0, kMax), value.size() > kMax ? "..." : "");
 }
 
-/// Returns the item of `tool` in a list that has one item per extruder. Other values are returned
-/// unchanged.
+/// Returns the item of extruder `tool` if the setting has one item per extruder; otherwise the
+/// unchanged value.
 std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool) {
   if (spec.list != List::kPerExtruder) return std::string(value);
   if (spec.kind == Kind::kText || spec.kind == Kind::kGcode)
@@ -33,8 +33,8 @@ std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool)
   return std::string(Trim(items[tool < items.size() ? tool : 0]));
 }
 
-/// Returns the name of the other process that has the setting. Returns an empty text if the job's
-/// own process has it, or none.
+/// Returns the name of another process that has the setting; an empty text if no other process has
+/// it.
 std::string_view OwnerOf(std::string_view key, Process process) {
   for (const ProcessInfo& info : kProcesses)
     if (info.process != process && FindSetting(key, info.process) >= 0) return info.name;
@@ -92,7 +92,7 @@ std::string_view NumberAtFront(std::string_view value) {
   return Trim(value.substr(0, end));
 }
 
-/// Completes corners without "x": the second number is 0.
+/// Completes a list of corners: a corner without "x" gets 0 as its second number.
 std::string WithAllCorners(std::string_view value) {
   std::string corners;
   for (const std::string_view corner : Split(value, ",")) {
@@ -224,8 +224,8 @@ std::string SettingReader::Readable(const SettingSpec& spec, const std::string& 
   return read;
 }
 
-/// Notes a key that occurs twice in the same source, which is probably a mistake. A request that
-/// overrides a profile is not noted.
+/// Notes a setting that replaces another value of the same key from the same source, which is
+/// probably a mistake. A request that overrides a profile is not noted.
 void SettingReader::NoteOverridden(const Setting& setting, std::string_view value) {
   const auto [entry, first] = last_.try_emplace({setting.source, setting.key}, value);
   std::string& last = entry->second;
@@ -260,8 +260,8 @@ bool SettingReader::HasSilentMode() const {
   return FindSetting(kKey, draft_.process()) >= 0 && draft_.Number(kKey) != 0;
 }
 
-/// Notes the items of a list that have no effect. Only one item counts: the item of the tool, or of
-/// the machine's normal mode.
+/// Notes the items of a list that have no effect. Only one item has an effect: the item of the
+/// tool, or of the machine's normal mode.
 void SettingReader::NoteOtherItems(const SettingSpec& spec, const SettingValues::Entry& entry) {
   const std::string_view separator =
       spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";

@@ -18,7 +18,8 @@ bool IsOfRegion(const Setting& setting, Process process) {
   return index >= 0 && SettingsTable(process)[index].scope() >= Scope::kRegion;
 }
 
-/// Returns a digest of the settings that concern regions. Returns an empty text if there are none.
+/// Returns a digest of the settings in `settings` that concern regions; an empty text if there are
+/// no such settings.
 std::string NameOf(const std::vector<Setting>& settings, Process process) {
   Sha256 sha;
   bool any = false;

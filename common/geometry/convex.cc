@@ -12,7 +12,8 @@
 namespace slicefarm {
 namespace {
 
-/// Returns the sign of Orientation. It is calculated in double if it is certain there.
+/// Returns the sign of Orientation. Uses doubles where their result is certain, and exact integers
+/// elsewhere.
 int QuickOrientation(Point a, Point b, Point c) {
   const double left = static_cast<double>(b.x - a.x) * static_cast<double>(c.y - a.y);
   const double right = static_cast<double>(b.y - a.y) * static_cast<double>(c.x - a.x);

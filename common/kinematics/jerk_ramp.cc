@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMostSteps = 100;
 constexpr double kPrecision = 1e-14;
-/// Share below which a length is only a rounding error.
+/// Share of a length or time below which it is only a rounding error.
 constexpr double kNothing = 1e-11;
 
 /// Returns the root of x^3 + 2 v0 x = c, by Newton's steps from above.

@@ -7,7 +7,7 @@
 namespace slicefarm::macro {
 namespace {
 
-// Keys by type, separated by spaces.
+// Keys of PrusaSlicer's settings by type, separated by spaces.
 constexpr std::string_view kChoice =
     "arc_fitting bottom_fill_pattern brim_type draft_shield ensure_vertical_shell_thickness "
     "fill_pattern fuzzy_skin gcode_flavor gcode_label_objects host_type ironing_type "

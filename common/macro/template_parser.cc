@@ -58,7 +58,7 @@ class TemplateParser {
     return body;
   }
 
-  /// Returns the next word if it ends a part of an {if}; otherwise an empty text.
+  /// Returns the next word if it is {elsif}, {else} or {endif}; otherwise an empty text.
   std::string_view ClosingWord() {
     for (const std::string_view word : {"elsif", "else", "endif"})
       if (in_.SeesWord(word)) return word;

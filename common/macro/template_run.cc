@@ -24,8 +24,8 @@ absl::StatusOr<TemplateValue> InTypeOf(const TemplateValue& old, TemplateValue v
   return absl::InvalidArgumentError("the value has another type than the variable");
 }
 
-/// Converts the items of a list literal to one type: text if there is a text, else real if there is
-/// a real number.
+/// Converts the items of a list literal to one type: to text if one item is a text, otherwise to
+/// real numbers if one item is a real number.
 absl::Status MakeAlike(std::vector<TemplateValue>& items) {
   const auto any = [&](size_t type) {
     return std::ranges::any_of(items, [&](const TemplateValue& v) { return v.index() == type; });
@@ -113,7 +113,8 @@ class Runner {
     return absl::OkStatus();
   }
 
-  /// Runs a branch that may not run in the print. Variables that it changes are Unknown afterwards.
+  /// Runs a branch during a check; in the print, the branch may not run. Variables that the branch
+  /// changes are Unknown afterwards.
   absl::Status RunMaybe(const std::vector<Statement>& body) {
     const TemplateVariables locals = names_.locals();
     const TemplateVariables globals = memory_.globals;

@@ -55,7 +55,8 @@ google::rpc::RetryInfo RetryAfter(int64_t ms) {
   return info;
 }
 
-/// Returns the first of these keys that exists, under the name that belongs to it.
+/// Returns the value of the first of these keys that exists, with the prefix that belongs to the
+/// key.
 std::string Named(const std::map<std::string, std::string>& metadata,
                   std::initializer_list<std::pair<const char*, const char*>> keys) {
   for (const auto& [key, name] : keys) {

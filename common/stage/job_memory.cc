@@ -7,7 +7,7 @@
 namespace slicefarm {
 namespace {
 
-/// Overhead of an allocation, in bytes.
+/// Estimated overhead of one memory allocation, in bytes.
 constexpr int64_t kAllocation = 16;
 
 template <typename T>

@@ -142,8 +142,8 @@ void MemoryBudget::GiveBack(Share& share, int64_t bytes) {
   changed_.notify_all();
 }
 
-/// Changes the bytes of a share. The known need of a job stays reserved until the job uses more, so
-/// that the job does not fail again.
+/// Sets the bytes of a share. The memory that an earlier attempt of the job needed stays reserved
+/// until the job uses more, so that the job does not fail again.
 absl::Status MemoryBudget::Grow(Share& share, int64_t wanted) {
   Lock lock(mutex_);
   if (wanted > limit_) return TooLarge(wanted);
@@ -160,8 +160,9 @@ absl::Status MemoryBudget::Grow(Share& share, int64_t wanted) {
   return absl::OkStatus();
 }
 
-/// Waits until `more` bytes are free. If two jobs wait for more memory, the one that began later
-/// frees its memory. The earlier job then ends some day and frees its own memory.
+/// Waits until `more` bytes are free. If two jobs wait for more memory, the job that began later
+/// ends with OVERLOADED to free its memory. The other job can then continue and will free its own
+/// memory when it ends.
 absl::Status MemoryBudget::AwaitRoom(Lock& lock, Share& share, int64_t more) {
   absl::Status wanted;
   if (growing_ != nullptr && growing_->turn_ < share.turn_) {

@@ -25,8 +25,8 @@ namespace slicefarm {
 /// overtaking jobs have used as much memory as the whole budget.
 ///
 /// A running job may need more memory. If several such jobs do not fit, one of them waits, and the
-/// job that began last ends with OVERLOADED to free memory. The budget remembers how much memory
-/// the ended job needed. A retry of this job waits for this amount before it begins.
+/// job that began last ends with OVERLOADED to free memory. The budget remembers twice the memory
+/// that the ended job needed. A retry of this job waits for this amount before it begins.
 ///
 /// Thread-safe; must outlive its shares.
 class MemoryBudget {

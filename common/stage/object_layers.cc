@@ -9,7 +9,7 @@
 namespace slicefarm {
 namespace {
 
-/// First and last of a stack's own layers that are in a range.
+/// First and last of a stack's own layers in a range of the job's layers.
 struct OwnLayers {
   int32_t first = 0;
   int32_t last = 0;
@@ -35,8 +35,9 @@ const ObjectSection* SectionOf(const SlicedLayer& layer, int32_t stack) {
   return found != layer.sections.end() && found->stack.id == stack ? &*found : nullptr;
 }
 
-/// Steps from layer `from` until a layer contains the stack's own layer `wanted`. Returns the index
-/// of this layer, or of the last layer if there is none.
+/// Goes from layer `from` in steps until a layer contains the stack's own layer `wanted`. Returns
+/// the index of this layer. If there is none, returns the index of the last layer that has a
+/// section of the stack.
 int32_t Reach(std::span<const SlicedLayer> layers, int32_t stack, int32_t from, int32_t step,
               int32_t wanted) {
   int32_t at = from;

@@ -18,7 +18,7 @@ constexpr size_t kShownNames = 8;  // names that an error lists
 
 std::string Shown(std::string_view name) { return "\"" + ReplaceControls(name, '?') + "\""; }
 
-/// Returns the first of the names, in quotes.
+/// Returns the first kShownNames names, in quotes, and the number of the remaining names.
 std::string ShownNames(const std::vector<const Preset*>& presets) {
   std::string text;
   for (size_t i = 0; i < std::min(presets.size(), kShownNames); ++i)
@@ -82,7 +82,8 @@ class Chooser {
   }
 
  private:
-  /// Returns the preset of the printer's own group, or the first one.
+  /// Returns the first preset of the printer's own group (PresetScope); if there is none, the first
+  /// preset.
   const Preset* Preferred(const std::vector<const Preset*>& presets) const {
     const auto own = std::ranges::find(presets, printer_.scope, &Preset::scope);
     return own == presets.end() ? presets.front() : *own;
@@ -105,8 +106,8 @@ class Chooser {
                              all.empty() ? "none of the given presets" : ShownNames(all)));
   }
 
-  /// Returns the printer's default. Vendors often name the preset of another printer, so that the
-  /// one with the same alias is meant.
+  /// Returns the printer's default. Vendors often name a preset that is made for another printer.
+  /// Then the preset with the same alias that is made for this printer is returned.
   absl::StatusOr<const Preset*> Default(PresetKind kind) const {
     for (const std::string& name : DefaultNames(kind))
       for (const std::string& each : {name, AliasOf(name)})
@@ -121,7 +122,8 @@ class Chooser {
         {{"kind", std::string(KindName(kind))}});
   }
 
-  /// Returns the names that the printer gives as its default, and its model's materials.
+  /// Returns the names of the printer's default presets, followed by the default filaments of its
+  /// model.
   std::vector<std::string> DefaultNames(PresetKind kind) const {
     const auto lineage = set_.Lineage(printer_);
     if (!lineage.ok()) return {};

@@ -20,7 +20,8 @@ absl::Status NotFlatJson(std::string_view why) {
                    fmt::format("this is no preset: {}", why));
 }
 
-/// Receives the events of the JSON parser. Depth 1 is inside the object, depth 2 inside a list.
+/// Receiver of the JSON parser's events. At depth 1 the parser is inside the object, at depth 2
+/// inside a list.
 class FlatJsonHandler : public nlohmann::json_sax<json> {
  public:
   bool null() override { return Other(); }
@@ -75,14 +76,14 @@ class FlatJsonHandler : public nlohmann::json_sax<json> {
   }
 
  private:
-  /// Notes a value that presets do not have: it spoils the member.
+  /// Notes a value of a type that presets do not have. The whole member is then ignored.
   bool Other() {
     if (depth_ == 0) return Fail("it is not an object");
     is_other_ = true;
     return depth_ > 1 || End();
   }
 
-  /// Adds the list that has been read, or the name of a member that is ignored.
+  /// Ends a list. Adds it as a member, or adds its name to the ignored members.
   bool End() {
     const bool other = std::exchange(is_other_, false);
     const bool list = std::exchange(in_list_, false);

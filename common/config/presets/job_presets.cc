@@ -16,7 +16,8 @@ namespace {
 
 using ByKey = std::map<std::string, SourcedValue, std::less<>>;
 
-/// Settings that say which presets fit together. They do not hold for a combination.
+/// Returns true for settings that describe which presets fit together. They are meaningless in a
+/// combination of presets.
 bool DescribesPreset(std::string_view key) {
   return key.starts_with("compatible_print") || key == "inherits";
 }
@@ -37,8 +38,8 @@ absl::Status AddPreset(const PresetSet& set, const Preset& preset, ByKey& values
   return absl::OkStatus();
 }
 
-/// Adds the plate that is on the printer's bed, if the printer or its model says one. The printer
-/// has a number or a name.
+/// Adds `curr_bed_type`, the plate on the printer's bed, if the printer or its model names a
+/// default. The printer's default is a number or a name.
 void AddBedType(const PresetSet& set, const Preset& printer, ByKey& values) {
   static const auto* const kNumbered = new std::map<std::string_view, std::string_view>{
       {"1", "Cool Plate"},         {"2", "Engineering Plate"},   {"3", "High Temp Plate"},
@@ -71,7 +72,7 @@ std::vector<Setting> AsSettings(const std::vector<SourcedValue>& values) {
   return settings;
 }
 
-/// Converts OrcaSlicer's settings. Its defaults without effect are reported only if they change the
+/// Converts OrcaSlicer's settings. A default without effect is reported only if it changes the
 /// print.
 JobPresets FromOrcaPresets(const std::vector<SourcedValue>& values) {
   OrcaUnused unused;

@@ -27,7 +27,7 @@ bool IsOneOf(std::string_view key, std::span<const std::string_view> keys) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-/// Looks up members of an object; of equal keys the last one counts.
+/// Look-up of an object's members. If a key is repeated, its last value counts.
 class Members {
  public:
   explicit Members(const FlatJson& json) {
@@ -58,7 +58,8 @@ std::optional<PresetKind> KindNamed(std::string_view name) {
   return std::nullopt;
 }
 
-/// Returns the kind of a preset: as the file says, or as its members or its folder tell.
+/// Returns the kind of a preset from the first of these: the file's `type`, a key that only one
+/// kind has, the name of the innermost folder that names a kind.
 std::optional<PresetKind> KindOf(const std::string& path, const Members& members) {
   if (members.Has("type")) return KindNamed(members.Text("type"));
   if (members.Has("printer_settings_id")) return PresetKind::kPrinter;
@@ -71,7 +72,8 @@ std::optional<PresetKind> KindOf(const std::string& path, const Members& members
   return std::nullopt;
 }
 
-/// Returns the name: the file's own, or that of a key that presets of users have, or the file's.
+/// Returns the name of a preset from the first of these: the file's `name`, the id setting of the
+/// preset's kind (such as `print_settings_id`), the file's name.
 std::string NameOf(const std::string& path, PresetKind kind, const Members& members) {
   const std::string_view id = kind == PresetKind::kPrinter   ? "printer_settings_id"
                               : kind == PresetKind::kProcess ? "print_settings_id"

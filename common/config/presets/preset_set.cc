@@ -31,7 +31,8 @@ absl::Status OwnAncestor(const Preset& preset) {
 
 }  // namespace
 
-/// Walk over the ancestors of a preset, the last parent of each preset first.
+/// Depth-first walk over the ancestors of a preset. Of a preset's parents, the last one is visited
+/// first.
 class PresetSet::Walk {
  public:
   explicit Walk(const PresetSet& set) : set_(set) {}
@@ -41,7 +42,7 @@ class PresetSet::Walk {
       return LimitError(Reason::kRequestTooLarge, "generations of presets", kMaxGenerations,
                         generation);
     if (open_.contains(&preset)) return OwnAncestor(preset);
-    // The settings of a preset that was visited before already win.
+    // A preset that was visited before is already in the lineage, at a position with precedence.
     if (!seen_.insert(&preset).second) return absl::OkStatus();
     if (seen_.size() > kMaxAncestors)
       return LimitError(Reason::kRequestTooLarge, "presets that a preset inherits from",
@@ -114,8 +115,8 @@ const Preset* PresetSet::InScope(int32_t scope, PresetKind kind, std::string_vie
   return nullptr;
 }
 
-/// Returns the parent of this name: of the same scope, or else of the library of filaments. Presets
-/// of a user also inherit from all listed presets.
+/// Returns the parent with this name. It is looked up in the child's own scope first, then in the
+/// library of filaments for vendors' filaments, or in all listed presets for presets of a user.
 const Preset* PresetSet::ParentOf(const Preset& child, std::string_view name) const {
   if (const Preset* own = InScope(child.scope, child.kind, name); own != nullptr && own != &child)
     return own;

@@ -227,8 +227,8 @@ std::optional<PresetKind> KindOfFolder(std::string_view path) {
   return named ? std::optional(named->first) : std::nullopt;
 }
 
-/// Adds a file without sections: one preset of the folder's kind, or one of each kind, named as the
-/// file says.
+/// Adds a file without sections. In a preset's folder, the file is one preset of this kind.
+/// Otherwise it becomes one preset of each kind, with the names that the file contains.
 void AddFlat(const PresetFile& file, PresetDialect dialect, std::vector<Setting> settings,
              PresetSet& set) {
   Preset preset;

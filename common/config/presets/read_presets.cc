@@ -43,7 +43,7 @@ class FileSorter {
   int64_t count_ = 0;
 };
 
-/// Returns all files, with the files of archives instead of the archives.
+/// Returns all files. Each archive is replaced by the files in it.
 absl::StatusOr<std::vector<PresetFile>> Unpacked(std::vector<PresetFile> files, PresetSet& set) {
   FileSorter sorter;
   for (PresetFile& file : files) {

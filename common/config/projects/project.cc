@@ -87,7 +87,7 @@ class Translator {
   std::set<std::string> told_;  ///< settings of the project that are already reported
 };
 
-/// Returns true if the setting only says that a part is printed with the tool of its surroundings.
+/// Returns true if the setting only requests the tool that the surroundings of the part use anyway.
 bool IsUsualTool(const Setting& setting) {
   return setting.key == "extruder" && setting.value == "0";
 }
@@ -187,8 +187,8 @@ std::vector<SceneObject> ObjectsOn(const Project& project, size_t plate) {
   return objects;
 }
 
-/// Returns the number of the filament of all `objects`, from 0. If there are several, it returns
-/// the first one: such a plate is refused (plate_tool.h).
+/// Returns the number of the filament of `objects`, from 0. If they use several filaments, returns
+/// the first one: such a plate is refused later (plate_tool.h).
 size_t FilamentOf(const std::vector<SceneObject>& objects) {
   double least = 0;
   const auto look = [&least](const Settings& settings) {

@@ -12,8 +12,9 @@
 namespace slicefarm::config {
 namespace {
 
-/// Setting to which a percentage refers in SuperSlicer, if it refers to another setting or to none
-/// in PrusaSlicer. Source: `ratio_over` of its option definitions, 2.5.
+/// Setting to which a percentage refers in SuperSlicer. Only settings are listed for which
+/// PrusaSlicer uses another base or none. Source: `ratio_over` of SuperSlicer's option definitions,
+/// 2.5.
 struct SuperRelation {
   std::string_view key;
   std::string_view of;

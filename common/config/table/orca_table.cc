@@ -8,8 +8,8 @@
 namespace slicefarm::config {
 namespace {
 
-// Rows for settings that are not rows of our settings table: lists by tool and by mode, and
-// settings without effect.
+// Rows for settings that are not in our settings table: lists per tool and per mode, and settings
+// without effect.
 constexpr OrcaRow kRows[] = {
     {"support_filament", "support_material_extruder"},
     {"support_interface_filament", "support_material_interface_extruder"},

@@ -36,7 +36,7 @@ void Append32(uint32_t value, std::string& to) {
   Append16(static_cast<uint16_t>(value >> 16), to);
 }
 
-/// A block of the file. `parameters`: as bytes. `data`: before compression.
+/// Block of the file. `parameters` are in the bytes of the file; `data` is not compressed yet.
 struct Block {
   BlockType type;
   Compression compression = kNone;
@@ -113,7 +113,8 @@ std::vector<Block> MetadataOf(GcodeParts& parts) {
   return blocks;
 }
 
-/// Takes as many whole lines as a block can hold; empty if the first line is too long.
+/// Removes whole lines from the front of `rest`, as many as a block can hold, and returns them.
+/// Returns an empty text if the first line is too long.
 std::string_view TakeLines(std::string_view& rest) {
   size_t size = std::min(rest.size(), kMostTextBytes);
   if (size < rest.size()) {

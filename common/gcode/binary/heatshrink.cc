@@ -108,8 +108,9 @@ class BitWriter {
   std::string text_;
 };
 
-/// Removes the matches that are not part of a shortest stream. The rest of the bytes never costs
-/// more than the rest with one byte before it, so a chosen match is best used in full length.
+/// Removes the matches that are not part of a shortest stream, from the last byte to the first. A
+/// shorter remainder never costs more bits than a longer one, so a chosen match is used in its full
+/// length.
 void ChooseMatches(std::vector<Match>& matches) {
   std::vector<uint32_t> bits(matches.size() + 1, 0);
   for (size_t i = matches.size(); i-- > 0;) {

@@ -18,14 +18,14 @@ constexpr double kDoubtNm = 0.5;
 /// second.
 constexpr int64_t kMostLooks = 100'000'000;
 
-/// A crossing, seen from one of its two edges.
+/// Crossing of two edges, stored once for each of the two edges.
 struct Stop {
   int32_t ring = 0;
   int32_t edge = 0;
   double along_nm = 0;  ///< distance from the edge's start
-  int32_t change = 0;   ///< change of the winding number to the left of the ring
+  int32_t change = 0;   ///< change of the winding number to the left of the ring at the crossing
   int32_t crossing = 0;
-  int32_t winding = 0;  ///< winding number to the left of the part after the stop
+  int32_t winding = 0;  ///< winding number to the left of the ring's part after the crossing
   bool used = false;
 
   friend bool operator<(const Stop& a, const Stop& b) {
@@ -190,8 +190,8 @@ class Arrangement {
            static_cast<double>(max.x) >= x;
   }
 
-  /// Returns the winding number of all edges except `but` around a point on the edge `but`. Returns
-  /// nullopt if it is uncertain, or if too many edges were tested.
+  /// Returns the winding number at (x, y), a point on edge number `but` of `ring`, from all other
+  /// edges. Returns nullopt if the number is uncertain, or if too many edges were tested.
   std::optional<int> WindingSeenFrom(double x, double y, int32_t ring, int32_t but) {
     int winding = 0;
     for (size_t other = 0; other < rings_.size(); ++other) {

@@ -55,8 +55,8 @@ MultiPolygon Execute(Operation op, const MultiPolygon& a, const MultiPolygon& b)
   return Execute(ToClipper(op), subject, clip, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
 }
 
-/// A region with the boxes of its islands and rings. It can return the part of the region that
-/// matters near a box.
+/// Region with the bounding boxes of its islands and rings, to find the part of the region near a
+/// box.
 class Surroundings {
  public:
   explicit Surroundings(const MultiPolygon& region) : region_(region) {

@@ -62,7 +62,7 @@ Paths United(const std::vector<Paths>& groups, size_t from, size_t to) {
   return united;
 }
 
-/// Returns the groups after each `count` of them are united.
+/// Returns the groups of the next level: each `count` consecutive groups are united to one.
 std::vector<Paths> NextLevel(const std::vector<Paths>& groups, size_t count,
                              const CancelToken& cancel) {
   std::vector<Paths> next;

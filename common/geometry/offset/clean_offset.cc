@@ -129,8 +129,8 @@ class RingOffset {
     return true;
   }
 
-  /// Removes an edge and lets its neighbours meet, if both approach it and meet behind its line.
-  /// The edge then adds nothing to the half-planes of its neighbours.
+  /// Removes an edge, and lets its two neighbours meet each other. Succeeds only if both neighbours
+  /// approach the edge and meet behind its line. Then the edge has no effect on the result.
   bool Drop(MovingEdge& edge) {
     MovingEdge &before = edges_[edge.previous], &after = edges_[edge.next];
     const double turn = Cross(before.direction, after.direction);
@@ -168,11 +168,11 @@ bool HasReflexCorner(const Polygon& ring) {
   return false;
 }
 
-/// Returns the curve of a ring's edges after each moves left by `distance` on its own, starting at
-/// the outline. The winding numbers of the curve are the island's winding numbers, minus one for
-/// each rectangle that an edge sweeps and for each miter of a reflex corner. At a convex corner of
-/// 90 degrees or more, two rectangles overlap. The overlap is subtracted only once there, so that
-/// the curve does not cross itself at every corner.
+/// Returns the curve of a ring's edges after each edge has moved left by `distance` on its own. The
+/// winding numbers of the curve are the island's winding numbers, minus one for each rectangle that
+/// an edge sweeps and for each miter of a reflex corner. At a convex corner of 90 degrees or more,
+/// two rectangles overlap. This overlap is subtracted only once, so that the curve does not cross
+/// itself at every corner.
 Polygon SweptCurve(const Polygon& ring, double distance) {
   struct Step {
     Point from;

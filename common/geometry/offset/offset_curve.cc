@@ -65,8 +65,8 @@ class CurveMaker {
   }
   void Append(Point at, Vector2 n) { Append(at, n.x() * distance_, n.y() * distance_); }
 
-  /// Appends the join at a corner. Returns false if the edges are nearly straight: the next corner
-  /// is then measured against `in` again, so that many small turns add up.
+  /// Appends the join of edges `in` and `out` at a corner. Returns false if the edges are nearly
+  /// straight: then the next corner is also measured against `in`, so that many small turns add up.
   bool Corner(Point at, Vector2 in, Vector2 out) {
     double sine = Cross(in, out);
     const double cosine = Dot(in, out);

@@ -48,8 +48,8 @@ Polyline SimplifyLine(const Polyline& line, Coord tolerance_nm) {
 
 Polygon SimplifyRing(const Polygon& ring, Coord tolerance_nm) {
   if (ring.size() < 3) return {};
-  // The least point and the point farthest from it are on the hull, so both belong to any good
-  // approximation.
+  // The smallest point and the point farthest from it are corners of the convex hull, so both
+  // belong to any good approximation.
   Polyline line = ring;
   std::rotate(line.begin(), std::min_element(line.begin(), line.end()), line.end());
   const Point start = line.front();

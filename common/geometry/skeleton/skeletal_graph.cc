@@ -81,9 +81,9 @@ class Builder {
     return {vertex.x() * unit_, vertex.y() * unit_};
   }
 
-  /// Collects the edges of the diagram within the region, for each feature in their order around
-  /// it. It uses the connections of the cells instead of the positions of their edges, because the
-  /// positions are less exact.
+  /// Collects the edges of the diagram that are within the region, for each feature in their order
+  /// around the feature. The function follows the connections of the cells; the positions of the
+  /// edges are less exact.
   bool MakeCells() {
     inside_.assign(diagram_.num_edges(), false);
     const size_t count = boundary_.edges.size();
@@ -226,8 +226,9 @@ class Builder {
 
   // --- curves ------------------------------------------------------------------------------------
 
-  /// Returns sorted parameters strictly between `from` and `to`: `marks`, and steps between them of
-  /// at most `step`. No two parameters are nearer to each other than kLeastChordNm.
+  /// Returns sorted parameters strictly between `from` and `to`: `marks`, and further parameters so
+  /// that no step is longer than `step`. No two parameters are nearer to each other than
+  /// kLeastChordNm.
   std::vector<double> Parameters(double from, double to, std::vector<double> marks,
                                  double step) const {
     const double low = std::min(from, to), high = std::max(from, to);

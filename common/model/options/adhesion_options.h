@@ -78,9 +78,9 @@ struct BrimOptions {
 /// Purpose of a layer of a raft.
 enum class RaftLayerKind : uint8_t { kFirst, kBase, kInterface };
 
-/// Returns the kind of a raft layer. Of `layers` layers, the upper (layers + 1) / 2 are interface
-/// layers. Below the interface layers, the lowest layer is the first layer, and further layers are
-/// base layers.
+/// Returns the kind of a raft layer. `layer`: number of the layer from the bottom, from 0. The
+/// upper (layers + 1) / 2 of `layers` layers are kInterface. Below them, layer 0 is kFirst and all
+/// other layers are kBase.
 constexpr RaftLayerKind RaftLayerKindOf(int32_t layer, int32_t layers) {
   if (layer >= layers / 2) return RaftLayerKind::kInterface;
   return layer == 0 ? RaftLayerKind::kFirst : RaftLayerKind::kBase;

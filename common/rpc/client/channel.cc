@@ -11,9 +11,9 @@
 namespace slicefarm::rpc {
 namespace {
 
-// Retries for unary methods only. Streams are excluded, because a caller that has read part of an
-// answer cannot undo this. DeleteJob and DeleteProfile are excluded, because a second attempt would
-// not find the object. CreateJob can be retried safely with a request_id.
+// Retries are only for unary methods, because a caller that has read part of a stream's answer
+// cannot undo this. DeleteJob and DeleteProfile are excluded, because a second attempt would not
+// find the object. CreateJob can be retried safely with a request_id.
 constexpr char kServiceConfig[] = R"({
   "methodConfig": [{
     "name": [
