@@ -7,7 +7,7 @@
 
 namespace slicefarm::gcode {
 
-/// Controller of a machine without filament. It determines the G-code dialect.
+/// Controller of a machine without filament. The controller determines the G-code dialect.
 enum class Controller : uint8_t { kMarlin, kGrbl, kLinuxCnc };
 
 /// Commands that a controller supports, as far as controllers differ. Differences between the

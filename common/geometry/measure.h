@@ -29,7 +29,7 @@ Box Bounds(std::span<const Point> points);
 /// Returns the smallest box around the islands; empty if there are none.
 Box Bounds(const MultiPolygon& polygons);
 
-/// Returns the area in nm^2, positive for counter-clockwise rings. It is summed exactly and rounded
+/// Returns the area in nm^2, positive for counter-clockwise rings. The sum is exact and is rounded
 /// once.
 double SignedArea(const Polygon& ring);
 /// Returns the area of an island without its holes, in nm^2.

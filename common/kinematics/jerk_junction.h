@@ -7,7 +7,8 @@ namespace slicefarm {
 
 /// Bend of the path between two straight moves.
 struct Bend {
-  /// Curvature, in 1/mm, of the circle on which both moves would be chords of equal length.
+  /// Curvature, in 1/mm, of a circle with two chords that meet at the angle of the moves. Both
+  /// chords have the mean length of the moves.
   double curvature = 0;
   /// Curvature, in 1/mm, of the arc that rounds the corner, with the junction deviation as the
   /// arc's distance from the corner.

@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Look-ahead over a sequence of moves that begins and ends at a standstill. It follows the rules
-/// of a printer's firmware, so that its times are the printer's times:
+/// Look-ahead over a sequence of moves that begins and ends at a standstill. The planner follows
+/// the rules of a printer's firmware, so that the planned times equal the printer's times:
 ///   1 each move's speed and acceleration are lowered to the limits of the axes;
 ///   2 each junction with the previous move gets a greatest speed;
 ///   3 backward and forward passes lower these speeds until every move can reach its exit speed.

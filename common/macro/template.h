@@ -74,7 +74,7 @@ struct Template {
 ///
 ///   literals    12  0.5  "text"  true  false
 ///   operators   ?:  or ||  and &&  == != <> =~ !~  < <= > >=  + -  * / %  not !  - +  ( )
-///   patterns    text =~ /regular expression/ (text_pattern.h)
+///   patterns    text =~ /regular expression/ (regex.h)
 ///   functions   min(a, b) max(a, b) int(a) round(a) random(a, b) digits(a, width[, decimals])
 ///               zdigits(...) is_nil(v) empty(list) size(list)
 ///               one_of(text, "a", ~"pattern", /pattern/, ...) interpolate_table(x, (x0, y0), ...)

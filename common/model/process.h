@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Manufacturing process of a job. It determines the stages through which the job passes.
+/// Manufacturing process of a job. The process determines the stages through which the job passes.
 enum class Process : uint8_t {
   kFdm,
   kLaser,
@@ -30,7 +30,7 @@ inline constexpr ProcessInfo kProcesses[] = {
     {Process::kEngrave, "engrave", "A texture is engraved into a curved surface or built up on it"},
 };
 
-/// Process of a job that does not name one.
+/// Process of a job without an explicit process.
 inline constexpr Process kDefaultProcess = Process::kFdm;
 
 inline constexpr int kProcessCount = static_cast<int>(std::size(kProcesses));

@@ -24,9 +24,9 @@ class Shared {
   const T* operator->() const { return &held_->value; }
 
   /// Returns the result of `make(const T&)`. The first call computes the result; later calls, also
-  /// on copies of this object, return the same result. Each result type has one result, so two
-  /// functions `make` with the same type share it. The result exists as long as the value. `make`
-  /// must not call Once of the same value.
+  /// on copies of this object, return the same result. Results are distinguished only by their
+  /// type: two functions `make` with the same result type share one result. The result exists as
+  /// long as the value. `make` must not call Once of the same value.
   template <typename Make, typename Made = std::invoke_result_t<const Make&, const T&>>
   const Made& Once(const Make& make) const {
     const std::lock_guard lock(held_->mutex);

@@ -19,7 +19,7 @@ struct PresetNames {
   std::string filament;
 };
 
-/// Presets of a job. They point into the PresetSet.
+/// Presets of a job: pointers to elements of the PresetSet.
 struct ChosenPresets {
   const Preset* printer = nullptr;
   const Preset* process = nullptr;

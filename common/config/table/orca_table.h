@@ -10,7 +10,8 @@ namespace slicefarm::config {
 /// Conversion of a setting of OrcaSlicer to a setting of PrusaSlicer.
 struct OrcaRow {
   std::string_view from;  ///< name in OrcaSlicer and Bambu Studio
-  std::string_view to;  ///< name in PrusaSlicer; if two rows have the same `to`, the later row wins
+  /// name in PrusaSlicer; if several rows have the same `to`, the last row is used
+  std::string_view to;
   OrcaValue value = OrcaValue::kSame;
   std::string_view detail = {};
 };

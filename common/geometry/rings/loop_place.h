@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// A position on a loop: on the edge from point number `edge` to the next point. `at` are its
-/// coordinates; they are equal to the first point of the edge if the position is at this point.
+/// A position on a loop: on the edge from point number `edge` to the next point, with the
+/// coordinates `at`. If the position is at the first point of the edge, `at` equals this point.
 struct LoopPlace {
   size_t edge = 0;
   Point at;

@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// A directed edge of a boundary. The region is to its left. It also has the indices of the
-/// previous and the next edge.
+/// Directed edge of a boundary, with the region to its left. `previous` and `next` are the indices
+/// of the neighbouring edges.
 struct BoundaryEdge {
   Point from;
   Point to;

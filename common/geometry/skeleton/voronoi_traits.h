@@ -78,8 +78,8 @@ struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
 }  // namespace slicefarm
 
 /// The builder's number with a bound on its relative error, in ulps. If the bound is too large, the
-/// builder recalculates exactly. The reported bound is therefore only a fraction (kCoarser) of the
-/// true one.
+/// builder recalculates exactly. To avoid this, the class reports only a fraction (kCoarser) of the
+/// true bound.
 template <>
 class boost::polygon::detail::robust_fpt<slicefarm::Loose> {
   using Number = slicefarm::Loose;

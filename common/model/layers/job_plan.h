@@ -68,8 +68,8 @@ struct PlannedInfill {
   friend bool operator==(const PlannedInfill&, const PlannedInfill&) = default;
 };
 
-/// Planning decisions for one layer. They are made before the layers are distributed to workers, so
-/// that the layers are independent afterwards.
+/// Planning decisions for one layer. Planning makes them before the layers are distributed to
+/// workers, so that the layers are independent afterwards.
 struct LayerPlan {
   Point entry;  ///< point near which the layer starts, in plate coordinates
   /// True if the layer below ends near `entry` with the filament ready to print. The only copy's

@@ -72,7 +72,7 @@ struct ObjectSection {
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };
 
-/// Returns the area that the section covers. Ring numbers count through all islands; in each island
+/// Returns the area that the section covers. Rings are numbered through all islands; in each island
 /// the outer ring precedes the holes.
 const MultiPolygon& OutlineOf(const ObjectSection& section);
 

@@ -58,7 +58,7 @@ struct AutomaticBrim {
   friend bool operator==(const AutomaticBrim&, const AutomaticBrim&) = default;
 };
 
-/// Options of the brim. Its ears are as in OrcaSlicer.
+/// Options of the brim. Brim ears follow OrcaSlicer's rules.
 struct BrimOptions {
   BrimType type = BrimType::kNone;  ///< setting brim_type
   AutomaticBrim automatic = {};

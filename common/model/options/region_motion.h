@@ -27,8 +27,9 @@ struct ScarfOptions {
   bool entire_loop = false;    ///< `scarf_seam_entire_loop`: the scarf is as long as the loop
   /// `scarf_seam_start_height`: start height as a share of the layer height
   double start_height_ratio = 0;
-  double length_mm = 20;      ///< setting scarf_seam_length
-  double max_segment_mm = 1;  ///< `scarf_seam_max_segment_length`: longest segment with one flow
+  double length_mm = 20;  ///< setting scarf_seam_length
+  /// `scarf_seam_max_segment_length`: longest segment of a scarf with the same flow
+  double max_segment_mm = 1;
 
   friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
 };

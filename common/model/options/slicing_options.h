@@ -41,7 +41,7 @@ struct ObjectSlicingOptions {
   /// Smallest width that the elephant foot compensation leaves of a narrow area. PrusaSlicer uses
   /// width + spacing of the first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
-  /// Height of the object's bottom above the bed; it counts towards the build height.
+  /// Height of the object's bottom above the bed; included when the build height is checked.
   Coord lift_nm = 0;
   /// `spiral_vase`: first layer that is hollow and keeps only its largest outline. 0: no hollow
   /// layers.

@@ -11,8 +11,8 @@
 namespace slicefarm::rpc {
 
 /// Calls grpc.health.v1.Health and returns true if a server, or one service of the server, is
-/// SERVING. `service`: name of the service; empty for the whole server. Errors: errors of the call;
-/// NotFound if the server does not have the service.
+/// SERVING. `service`: name of the service; empty for the whole server. Errors: any error of the
+/// call; NotFound if the server does not have the service.
 absl::StatusOr<bool> IsServing(const std::shared_ptr<grpc::Channel>& channel,
                                const std::string& service, const ClientCallOptions& options);
 
