@@ -189,7 +189,7 @@ struct Leave {
 };
 
 /// Paths of one stack in the order and direction of printing, relative to the object's own origin.
-/// A closed path starts and ends at its first point. INVARIANT: not empty.
+/// A closed path starts and ends at its first point. INVARIANT: `paths` is not empty.
 struct PathBlock {
   Stack stack;
   int32_t layer = 0;
