@@ -8,9 +8,9 @@
 
 namespace slicefarm::ordering {
 
-/// A path, or several paths that are printed in this order and direction.
+/// Paths that are printed one after the other, in this order and direction.
 struct FillBlock {
-  std::vector<Path*> paths;  ///< paths of the block, at least one
+  std::vector<Path*> paths;  ///< at least one path
 };
 
 /// Prints the blocks to `route` in an order with little travel, ending near `next` if it is given.

@@ -10,11 +10,11 @@
 
 namespace slicefarm::ordering {
 
-/// Graph that turns a journey along legs into a closed tour. The two ends of a leg are two nodes
-/// with a fixed edge between them. A leg without length is one node. A fixed edge joins the
-/// journey's end to its start. If the journey has no fixed end, an extra node with distance 0 to
-/// all others takes its place. For a leg that may not be reversed, a rule puts its start before its
-/// end.
+/// Graph that turns a journey along legs (travel_order.h) into a closed tour. The two ends of a leg
+/// are two nodes with a fixed edge between them. A leg without length is one node. A fixed edge
+/// joins the journey's end to its start. If the journey has no fixed end, an extra node with
+/// distance 0 to all others takes its place. For a leg that may not be reversed, a rule puts its
+/// start before its end.
 class LegGraph {
  public:
   /// Builds the nodes, costs and rules.
@@ -39,7 +39,7 @@ class LegGraph {
   void AddRules(const Journey& journey, std::span<const Leg> legs);
 
   std::vector<Ends> ends_;  ///< end nodes of each leg, indexed by leg
-  /// Leg of each node, and true if the node is the leg's end; indexed by node.
+  /// Leg to which each node belongs, and true if the node is the leg's end; indexed by node.
   std::vector<Visit> entered_;
   Costs costs_;
   TourRules rules_;

@@ -7,14 +7,14 @@
 
 namespace slicefarm::ordering {
 
-/// Returns the vertex nearest to `to`; of several, the one with the lowest index. REQUIRES: loop is
-/// not empty.
+/// Returns the vertex nearest to `to`; if several are equally near, the one with the lowest index.
+/// REQUIRES: loop is not empty.
 LoopPlace NearestVertex(std::span<const Point> loop, Point to);
 
-/// Returns the start of a loop with this seam: a corner near the seam, because corners hide seams
-/// best. Without such a corner, returns the point of the loop nearest to the seam, which may be
-/// inside an edge. A vertex is not suitable: the vertices of round walls move from layer to layer,
-/// and the start would move with them. REQUIRES: loop is not empty.
+/// Returns the point at which a loop with this seam starts: a corner near the seam, because corners
+/// hide seams best. Without such a corner, returns the point of the loop nearest to the seam, which
+/// may be inside an edge. A vertex that is no corner is not suitable: the vertices of round walls
+/// move from layer to layer, and the start would move with them. REQUIRES: loop is not empty.
 LoopPlace NearestToSeam(std::span<const Point> loop, Point seam);
 
 /// Returns the point `by_nm` further along the loop in the direction of printing. The distance may

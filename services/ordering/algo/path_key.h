@@ -7,7 +7,7 @@
 
 namespace slicefarm::ordering {
 
-/// Returns the smallest point of a path in the order of points. The result does not depend on the
+/// Returns the path's smallest point in the order of `Point`. The result does not depend on the
 /// start of a loop.
 Point LeastPoint(const Path& path);
 

@@ -28,7 +28,8 @@ class Route {
   explicit Route(Point entry, Coord height_nm = 0) : at_(entry), height_nm_(height_nm) {}
 
   Point at() const { return at_; }
-  /// Returns the journey from the nozzle's position to `next`; without `next`, it may end anywhere.
+  /// Returns the journey (travel_order.h) from the nozzle's position to `next`. Without `next`, the
+  /// journey may end anywhere.
   Journey To(std::optional<Point> next = {}) const { return {at_, next, edges_.for_order}; }
   /// Begins an island. The next path is not linked to earlier paths. `edges` must outlive the
   /// printing of the island's paths.

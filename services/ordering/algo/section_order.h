@@ -12,17 +12,17 @@ namespace slicefarm::ordering {
 
 /// Returns the paths of one section in the order and direction of printing. Other sections have no
 /// influence.
-///   1 Islands by travel from plan.entry, towards plan.exit if there is one.
-///   2 In each island the walls, contour by contour (wall_order.h), then fills and gap fill in one
-///     order (fill_order.h). With infill_first: fills, walls, gap fill.
+///   1 Islands follow each other with little travel from plan.entry, towards plan.exit if there is
+///   one. 2 In each island the walls are first, contour by contour (wall_order.h). Then fills and
+///   gap fill follow in one common order (fill_order.h). With infill_first: fills, walls, gap fill.
 /// The block also contains the travels between the paths (island_travels.h, outside_travels.h),
 /// including the travel from plan.entry and to plan.exit. Travels from island to island are not
 /// hidden.
 ///
 /// Each path is returned once with its beads. Only its direction and, if closed, its start change.
-/// The result does not depend on the order of islands and paths in `section`, except in groups that
-/// keep their order. REQUIRES: all paths are well-formed, and their settings have a row in the
-/// tables.
+/// The result does not depend on the order of islands and paths in `section`; only groups of fills
+/// that must keep their order depend on it. REQUIRES: all paths are well-formed, and their settings
+/// have a row in the tables.
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                        const OrderingOptions& options, WorkBudget& budget);
 

@@ -47,14 +47,15 @@ struct Visit {
 };
 
 /// Returns an order and direction of all `legs` with little travel. For up to kFewLegs legs, the
-/// order is the best one (few_legs.h). For more legs the nearest-neighbour order is improved by
-/// TourSearch, with a number of exchanges in proportion to the legs, or until `budget` is spent.
-/// Without budget, the result is the nearest-neighbour order. Finally the same moves are tried
-/// around each travel that crosses the barrier, and each crossing counts as kCrossingNm of travel.
+/// order is the best one (few_legs.h). For more legs, TourSearch improves the nearest-neighbour
+/// order. Its number of exchanges is in proportion to the number of legs; it ends when `budget` is
+/// spent. Without budget, the result is the nearest-neighbour order. Finally the search continues
+/// around each travel that crosses the barrier, where each crossing counts as kCrossingNm of
+/// travel.
 ///
 /// The journey is a path with a fixed start and, if requested, a fixed end. Shapes: each leg once.
 /// A leg that is not reversible is never reversed, and the precedence is kept. Deterministic. Cost:
-/// O(n log n), n legs, and the moves tried, each O(1) to judge and O(n) to make.
+/// O(n log n), n legs, and the tried moves, each O(1) to judge and O(n) to make.
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget);
 

@@ -27,9 +27,9 @@ struct WallGroup {
 
 /// Groups the walls of an island by contour. Each wall of inset 0 begins a group. A wall of inset k
 /// joins the group of the wall of inset k - 1 that is nearest to its smallest point (LeastPoint).
-/// If there is no wall of inset k - 1 near by, wall k begins a group. A loop along two contours
-/// belongs to one of them. Shapes: each wall is in one group. Walls keep their order. Cost: O(walls
-/// * points of the walls near by).
+/// If there is no wall of inset k - 1 near by, wall k begins a group. If a loop follows two
+/// contours, it belongs to one of the two groups. Shapes: each wall is in one group. The walls of a
+/// group keep their order. Cost: O(walls * points of the walls near by).
 std::vector<WallGroup> GroupWalls(const std::vector<Path*>& walls);
 
 }  // namespace slicefarm::ordering

@@ -25,11 +25,11 @@ enum class InsetOrder {
 /// Rules for printing the walls of an island.
 struct WallRules {
   InsetOrder order = InsetOrder::kInnerFirst;
-  /// Seams of contours, indexed by the ring that the contour's outermost wall follows. The loops of
-  /// a contour without a ring in `seams` start near the nozzle.
+  /// Seams of contours, indexed by Path::ring of the contour's outermost wall. If this index is not
+  /// in `seams`, the contour's loops start near the nozzle.
   std::span<const Point> seams;
-  /// True to start each inner loop of a contour with a seam not at the seam but further along the
-  /// loop, by the distance between loop and seam.
+  /// true: in a contour with a seam, each inner loop starts further along the loop than the seam,
+  /// by the distance between the loop and the seam
   bool stagger = false;
 };
 

@@ -123,8 +123,7 @@ void JobPlanner::LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried) 
   }
   for (const auto& planner : planners_) planner->Look(layer, plan);
   settled_ = layers_.end();
-  for (const auto& planner : planners_)
-    settled_ = std::min(settled_, planner->Revise(layers_));
+  for (const auto& planner : planners_) settled_ = std::min(settled_, planner->Revise(layers_));
 }
 
 absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {

@@ -8,8 +8,8 @@ namespace slicefarm::ordering {
 class Barrier {
  public:
   virtual ~Barrier() = default;
-  /// Returns true if the straight line from a to b crosses the obstacle. REQUIRES: Parts(a, b) ==
-  /// Parts(b, a).
+  /// Returns true if the straight line from a to b crosses the obstacle. REQUIRES of
+  /// implementations: Parts(a, b) == Parts(b, a).
   virtual bool Parts(Point a, Point b) const = 0;
 };
 

@@ -5,10 +5,11 @@
 
 namespace slicefarm::ordering {
 
-/// Leads a layer's travels around the bed's excluded areas: the travels between visits and the
-/// travels between the paths of a block. All copies of a block share the travels inside the block.
-/// `room`: the bed without the excluded areas; empty if nothing is excluded. For travels between
-/// layers, the motion service does the same. Cost: O(legs * corners of `room`).
+/// Adds corners to a layer's travels so that they avoid the bed's excluded areas. Changes the
+/// travels between the visits of a pass, and the travels between the paths of a block. All copies
+/// of a block share its inner travels, so these avoid the areas of every copy. `room`: the bed
+/// without the excluded areas; empty if nothing is excluded. The motion service leads the travels
+/// between layers. Cost: O(legs * corners of `room`).
 void KeepInRoom(const MultiPolygon& room, OrderedLayer& layer);
 
 }  // namespace slicefarm::ordering

@@ -6,9 +6,10 @@
 
 namespace slicefarm::ordering {
 
-/// Leads a layer's travels between visits (copies of a block) around curled areas of three kinds of
-/// copies: the ones that the travel leaves, reaches or passes. `sights`: number of lines of sight
-/// that may be computed. Cost: O(visits^2) comparisons of boxes.
+/// Leads a layer's travels between visits (copies of a block) around curled areas. A travel avoids
+/// the curled areas of the copy where it starts, of the copy where it ends, and of all copies
+/// between them. `sights`: number of lines of sight that may be computed. Cost: O(visits^2)
+/// comparisons of boxes.
 void KeepOffCurled(const LayerPlan& plan, WorkBudget& sights, OrderedLayer& layer);
 
 }  // namespace slicefarm::ordering

@@ -13,15 +13,16 @@ namespace slicefarm::ordering {
 
 /// Search for travel paths that avoid curled edges, so that the nozzle does not hit them.
 ///
-/// Within 1.5 mm of its ends a travel may cross a curled area, because the nozzle has to reach a
-/// bead that begins there. The bed's size is unknown here: travel paths stay in the given `room`,
-/// which is the bounding box of beads.
+/// The first and the last 1.5 mm of a travel may cross a curled area, because beads can begin and
+/// end there. The class does not know the bed's size. Therefore its travel paths stay in `room`, a
+/// box within the bounding box of all beads.
 class CurlAvoidance {
  public:
   /// Stores the curled areas, and the box `room` that contains all travel paths.
   CurlAvoidance(MultiPolygon curled, const Box& room);
 
-  /// Returns true if the path `from`, corners, `to` crosses a curled area.
+  /// Returns true if the path `from`, `corners`, `to` crosses a curled area. Ignores the first and
+  /// the last 1.5 mm.
   bool Meets(Point from, std::span<const Point> corners, Point to) const;
 
   /// Returns the corners of a short path that crosses no curled area. Returns nothing if no such
@@ -32,8 +33,8 @@ class CurlAvoidance {
   /// Around; if there is no result, the corners stay.
   void KeepOff(Point from, Point to, WorkBudget& budget, std::vector<Point>& corners);
 
-  /// Returns the corners of a path within `region` that crosses no curled area and is at most
-  /// `longest_nm` long. Returns nothing if no such path exists or the budget is spent.
+  /// Returns the corners of a path from PathsThrough(region), at most `longest_nm` long, that
+  /// crosses no curled area. Returns nothing if no such path exists or the budget is spent.
   std::optional<std::vector<Point>> Within(TravelPaths& region, Point from, Point to,
                                            double longest_nm, WorkBudget& budget) const;
 

@@ -9,7 +9,8 @@
 
 namespace slicefarm::ordering {
 
-/// Returns the largest permitted length in nm of a travel from a to b that crosses no wall.
+/// Returns the largest permitted length in nm of a detour from a to b (max_detour_mm,
+/// max_detour_ratio); infinity if the options set no limit.
 inline double LongestDetour(Point a, Point b, const TravelOptions& options) {
   const double straight = Distance(a, b);
   double longest = std::numeric_limits<double>::infinity();

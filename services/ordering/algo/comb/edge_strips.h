@@ -21,10 +21,10 @@ class EdgeStrips {
  public:
   static constexpr uint32_t kAll = std::numeric_limits<uint32_t>::max();
 
-  /// Adds the edges of a ring, with the rank `order` for Crosses. Add all rings and lines, then
-  /// call Build, then query.
+  /// Adds the edges of a ring. `order`: their rank, which Crosses compares. Add all rings and
+  /// lines, then call Build; queries are valid only after Build.
   void AddRing(std::span<const Point> ring, uint32_t order = 0);
-  /// Adds the edges of an open line, with the rank `order` for Crosses.
+  /// Adds the edges of an open line. `order`: their rank, which Crosses compares.
   void AddLine(std::span<const Point> line, uint32_t order = 0);
   /// Sorts the added edges into strips.
   void Build();
@@ -33,8 +33,8 @@ class EdgeStrips {
 
   /// Returns true if the segment ab shares a point with an edge.
   bool Meets(Point a, Point b) const;
-  /// Returns true if ab and an edge with an order below `before` cross each other at a point inside
-  /// both.
+  /// Returns true if ab crosses an edge with an `order` less than `before`. The crossing must be an
+  /// inner point of both; a common end is no crossing.
   bool Crosses(Point a, Point b, uint32_t before = kAll) const;
   /// Returns true if p is inside an odd number of the rings. REQUIRES: p is not on a ring.
   bool Surrounds(Point p) const;
@@ -51,7 +51,7 @@ class EdgeStrips {
   void Add(Point a, Point b, uint32_t order);
   size_t StripOf(Coord y) const;
   std::span<const Edge> EdgesOf(size_t strip) const;
-  /// Returns true if hit(edge) is true for an edge near the segment.
+  /// Returns true if hit(edge) is true for at least one edge near the segment ab.
   template <typename Hit>
   bool AnyNear(Point a, Point b, Hit hit) const;
 

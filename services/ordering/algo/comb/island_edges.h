@@ -38,8 +38,7 @@ class IslandEdges : public Barrier {
   bool Grazes(Point a, Point b) const { return Grazes(std::array{a, b}); }
   /// Returns true if p is inside the outline. REQUIRES: p is not on the outline.
   bool Surrounds(Point p) const { return outline_.Surrounds(p); }
-  /// Returns true if there is no outline. Without an outline, Parts, Grazes and Surrounds mean
-  /// nothing.
+  /// Returns true if there is no outline. In this case, do not use Parts, Grazes and Surrounds.
   bool empty() const { return outline_.empty(); }
 
  private:

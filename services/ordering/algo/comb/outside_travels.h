@@ -12,12 +12,12 @@ struct TravelOptions;
 
 namespace slicefarm::ordering {
 
-/// Travels from island to island of a section. They are not hidden.
+/// Travels from island to island of a section. They are not hidden, so they need a retraction.
 ///
 /// With avoid_crossing, a travel from one outer wall to another makes a detour outside of all
-/// islands if a permitted detour exists. The detour is made if the travel crosses a third outer
-/// wall, or crosses its own two walls away from its ends. A travel from or to a path inside an
-/// island makes no detour, because it has to cross the island's wall anyway.
+/// islands if a permitted detour exists. The detour is made if the straight line crosses any outer
+/// wall between its two ends. A travel from or to a path inside an island makes no detour, because
+/// it has to cross the island's wall anyway.
 class OutsideTravels {
  public:
   /// Keeps references: `options` and the outlines of `section` must outlive this object.

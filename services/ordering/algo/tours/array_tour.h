@@ -8,15 +8,15 @@
 
 namespace slicefarm::ordering {
 
-/// Range of tour positions, `from` to `to` inclusive (it may pass the end of the array), that is
-/// reversed in memory.
+/// Range of tour positions that is reversed in memory, from `from` to `to` inclusive. It continues
+/// at position 0 if `to` is less than `from`.
 struct Turn {
   int32_t from;
   int32_t to;
 };
 
-/// Closed tour stored in an array. A query for a neighbour or a position is O(1), the reversal of a
-/// section is O(n), n nodes. The direction of the tour in memory has no meaning.
+/// Closed tour stored in an array of n nodes. A query for a neighbour or a position costs O(1), the
+/// reversal of a section O(n). The array may contain the tour in either direction.
 class ArrayTour {
  public:
   /// Stores the nodes of `tour` in their order.
@@ -39,8 +39,8 @@ class ArrayTour {
     return At(position > 0 ? position - 1 : size() - 1);
   }
 
-  /// Reverses either the section from node a forward to node b or the remaining section, whichever
-  /// is shorter. Both give the same closed tour. Returns the reversed positions.
+  /// Reverses the section from node a forward to node b, or all other nodes if they are fewer. Both
+  /// give the same closed tour. Returns the reversed positions.
   Turn TurnRound(int32_t a, int32_t b);
   /// Reverses the section at the positions of `turn`. A second call restores the tour.
   void TurnRound(Turn turn);

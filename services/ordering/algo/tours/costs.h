@@ -22,8 +22,8 @@ class Costs {
   /// Returns the costs given by a table. `lengths`: size * size values, row by row, symmetric.
   static Costs OfTable(int32_t size, std::vector<int32_t> lengths);
 
-  /// Adds a node at distance 0 from every node and returns its number. An open path ends at this
-  /// node.
+  /// Adds a node with distance 0 to every node and returns its number. This "nowhere" node stands
+  /// for the missing end of an open path.
   int32_t AddNowhere();
 
   int32_t size() const { return size_; }
@@ -55,7 +55,7 @@ class Costs {
   std::vector<int32_t> table_;
 };
 
-/// Returns the length of the closed tour: from the last node also back to the first.
+/// Returns the length of the closed tour, including the edge from the last node to the first.
 int64_t TourLength(const Costs& costs, const std::vector<int32_t>& tour);
 
 }  // namespace slicefarm::ordering

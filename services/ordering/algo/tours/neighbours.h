@@ -18,10 +18,10 @@ struct Neighbour {
 /// node and has no neighbours itself.
 class Neighbours {
  public:
-  /// Finds up to `count` neighbours of each node, not counting nowhere. If nodes are points, it
-  /// also finds up to `per_quadrant` neighbours in each of the four quadrants, because the nearest
-  /// points of a cluster are all in the same cluster. Cost: O(n log n) for n points, O(n^2) for a
-  /// table.
+  /// Finds up to `count` neighbours of each node, without the node of AddNowhere. If nodes are
+  /// points, also finds up to `per_quadrant` neighbours in each quadrant around the node. The
+  /// reason: the nearest points of a cluster may all be in the same cluster. Cost: O(n log n) for n
+  /// points, O(n^2) for a table.
   Neighbours(const Costs& costs, size_t count, size_t per_quadrant);
 
   /// Returns the neighbours of a node, nearest first.

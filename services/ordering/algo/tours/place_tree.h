@@ -11,9 +11,9 @@
 
 namespace slicefarm::ordering {
 
-/// k-d tree over numbered points that supports removal. Results depend only on the points and their
-/// numbers, even if distances are equal. Cost: O(n log^2 n) to build, n points; O(log n) to remove;
-/// usually O(log n) per query, even if many points coincide.
+/// k-d tree over numbered points; points can be removed and restored. Results depend only on the
+/// points and their numbers, even if distances are equal. Cost: O(n log^2 n) to build, n points;
+/// O(log n) to remove; usually O(log n) per query, even if many points coincide.
 class PlaceTree {
  public:
   static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();

@@ -10,7 +10,7 @@ namespace slicefarm::ordering {
 /// Nodes in the order of visiting. The tour returns from the last node to the first.
 using Tour = std::vector<int32_t>;
 
-/// Two nodes: an edge, or the rule that a is visited before b.
+/// Pair of nodes. As an edge, a and b are consecutive; as an order rule, a is visited before b.
 struct NodePair {
   int32_t a = 0;
   int32_t b = 0;
@@ -25,8 +25,8 @@ struct TourRules {
   /// Order rules: a is visited before b on the path from `first` to `last`. A leg that may not be
   /// reversed is a fixed edge plus the rule that its start is before its end.
   std::vector<NodePair> before;
-  /// First node of the path that `before` refers to. If `before` has an entry, {last, first} must
-  /// be a fixed edge.
+  /// First node of the path on which `before` defines the order; `last` is its last node. If
+  /// `before` is not empty, {last, first} must be a fixed edge.
   int32_t first = 0;
   int32_t last = 0;
 };
@@ -44,16 +44,16 @@ class FixedEdges {
     const auto& mates = mates_[static_cast<size_t>(a)];
     return mates[0] == b || mates[1] == b;
   }
-  /// Returns the nodes that fixed edges join to this node. Unused entries are kNone.
+  /// Returns the up to two nodes that a fixed edge joins to this node. Unused entries are kNone.
   const std::array<int32_t, 2>& Of(int32_t node) const { return mates_[static_cast<size_t>(node)]; }
 
  private:
   std::vector<std::array<int32_t, 2>> mates_;
 };
 
-/// Returns the tour with nodes moved so that it contains all fixed edges. A chain of fixed edges is
-/// inserted as a whole at the position of its first visited node. It begins with the chain end
-/// nearer to that node.
+/// Returns the tour with nodes moved so that it contains all fixed edges. A whole chain of fixed
+/// edges is moved to the position of its node that `tour` visits first. The chain begins with the
+/// end that is nearer to that node.
 Tour WithFixedEdges(const Tour& tour, const FixedEdges& fixed);
 
 /// Returns true if the tour visits each node of 0 .. size - 1 once and keeps the rules. Cost: O(n),

@@ -35,10 +35,11 @@ enum class SearchDepth : uint8_t {
 /// Local search that shortens a closed tour and keeps its rules.
 ///
 /// A move removes two or three edges and joins the sections between them in another order. The
-/// search tries only moves that place a node next to one of its near neighbours and that have a
-/// gain from the first edge on. A node without a gaining move is not tried again until one of its
-/// edges has changed. When no move gains any more, two short adjacent sections are exchanged, and
-/// the search restarts around them. An exchange that does not shorten the tour is undone.
+/// search tries only moves that put a node next to one of its near neighbours. Each partial sum of
+/// the gains of a move's edges must be positive. A node without a gaining move is not tried again
+/// until one of its edges has changed. When no move gains any more, two short adjacent sections are
+/// exchanged, and the search restarts around them. An exchange that does not shorten the tour is
+/// undone.
 ///
 /// Deterministic for a seed. Cost: O(1) to judge a move, O(n) to make one (n nodes),
 /// O(rules.before) to test whether it is permitted. Sources: S. Lin, B. W. Kernighan, "An Effective
@@ -55,12 +56,12 @@ class TourSearch {
   TourSearch(const Costs& costs, const Neighbours& neighbours, const TourRules& rules, Tour tour,
              SearchDepth depth, uint32_t seed);
 
-  /// Makes moves from the awake nodes until no move gains or the budget is spent. All nodes are
-  /// awake at the beginning.
+  /// Makes moves from the awake nodes (Wake) until no move gains or the budget is spent. After
+  /// construction, all nodes are awake.
   void Improve(WorkBudget& budget);
 
-  /// Exchanges two sections and improves the tour around them, `exchanges` times or until the
-  /// budget is spent. REQUIRES: no node is awake.
+  /// Exchanges two short sections and improves the tour around them. Repeats this `exchanges` times
+  /// or until the budget is spent. REQUIRES: no node is awake.
   void Iterate(int64_t exchanges, WorkBudget& budget);
 
   /// Adds `surcharge` to the cost of edges from now on; null removes the surcharge. The surcharge
@@ -73,10 +74,11 @@ class TourSearch {
   int64_t gained() const { return gained_; }  ///< cost saved since the beginning
 
  private:
-  /// New order and directions of the first two sections of a path; the third section stays.
+  /// New order and directions of the first two sections of a path. The third section does not
+  /// change.
   enum class Join : uint8_t { kTurnFirst, kSwapTurned, kSwapTurningFirst, kSwap, kTurnBoth };
-  /// Move on the path from `first` that visits all nodes, forward or backward in memory. Its
-  /// sections have the path indices 0 .. cut1, cut1 + 1 .. cut2, and all further ones.
+  /// Move on the path from `first` that visits all nodes, forward or backward in memory. The path's
+  /// three sections have the indices 0 .. cut1, cut1 + 1 .. cut2, and cut2 + 1 .. n - 1.
   struct Move {
     int64_t gain = 0;
     int64_t open_gain = 0;  ///< gain without the edge that closes the tour
@@ -128,14 +130,16 @@ class TourSearch {
   bool ShortEnough(const Move& move) const;
 
   bool Allowed(const Way& path, const Move& move) const;
-  /// Makes the move and returns the new path that continues from the node before `way.first`.
+  /// Makes the move. Returns the new path, on which the next move of a chain is searched: it begins
+  /// at the node before `path.first`.
   Way Make(const Way& path, const Move& move, WorkBudget& budget);
   /// Reverses the nodes from index `from` to index `to` of `path`. Returns the new path. Does
   /// nothing if from >= to.
   Way Turned(const Way& path, int32_t from, int32_t to, WorkBudget& budget);
   void Undo(size_t turns);
 
-  /// Exchanges two sections. Returns false if the exchange is not permitted.
+  /// Exchanges two adjacent sections and writes the gain, which may be negative. Returns false if
+  /// the exchange is not permitted.
   bool Exchange(WorkBudget& budget, int64_t* gain);
   int32_t Below(int32_t limit);
 

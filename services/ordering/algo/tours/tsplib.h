@@ -20,7 +20,7 @@ struct TspInstance {
 
 inline constexpr int32_t kMostPlaces = 20'000;
 inline constexpr int32_t kMostTableNodes = 5'000;  ///< a table has n * n numbers
-/// largest weight and coordinate, so that sums are exact
+/// largest absolute weight and coordinate, so that sums are exact
 inline constexpr double kGreatestWeight = 1e9;
 
 /// Reads a symmetric instance in the format of TSPLIB 95. Node k of the file becomes node k - 1.
