@@ -12,9 +12,11 @@ namespace slicefarm::ordering {
 
 /// Returns the paths of one section in the order and direction of printing. Other sections have no
 /// influence.
-///   1 Islands follow each other with little travel from plan.entry, towards plan.exit if there is
-///   one. 2 In each island the walls are first, contour by contour (wall_order.h). Then fills and
-///   gap fill follow in one common order (fill_order.h). With infill_first: fills, walls, gap fill.
+/// - Islands follow each other with little travel from plan.entry, towards plan.exit if there is
+///   one.
+/// - In each island the walls are first, contour by contour (wall_order.h). Then fills and gap fill
+///   follow in one common order (fill_order.h). With infill_first: fills, walls, gap fill.
+///
 /// The block also contains the travels between the paths (island_travels.h, outside_travels.h),
 /// including the travel from plan.entry and to plan.exit. Travels from island to island are not
 /// hidden.
