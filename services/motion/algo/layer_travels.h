@@ -13,8 +13,8 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Plans travels between layers around the bed's excluded areas (MotionOptions::room). All points
-/// are in G-code coordinates.
+/// Plans travels between layers around the bed's excluded areas. `MotionOptions::room` is the bed
+/// without these areas; if it is empty, travels are straight. All points are in G-code coordinates.
 class LayerTravels {
  public:
   /// `options` must outlive this object.
@@ -30,7 +30,7 @@ class LayerTravels {
   /// layer's travel; empty if the straight travel avoids the excluded areas.
   std::string To(const LayerSummary& layer, Point from) const;
 
-  /// Returns the position after running G-code from `from`.
+  /// Returns the position after running `gcode` from `from`. Returns `from` if no area is excluded.
   Point After(std::string_view gcode, Point from) const;
 
  private:

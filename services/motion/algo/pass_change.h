@@ -25,18 +25,20 @@ struct PassChange {
 /// Returns the pass changes of a program, in the order of printing.
 std::vector<PassChange> PassChanges(const ProgramSummary& summary);
 
-/// Returns a height at which the nozzle is clear of everything up to `top_nm`: 1 mm above, but at
-/// most max_print_height.
+/// Returns the height at which the nozzle travels above everything up to `top_nm`: 1 mm higher, but
+/// not above max_print_height.
 Coord ClearHeight(Coord top_nm, const MotionOptions& options);
 
-/// Returns `G1 Z..`, with z_offset included.
+/// Returns a line `G1 Z..` that moves to `z_nm` plus the setting z_offset.
 std::string MoveToHeight(Coord z_nm, const MotionOptions& options);
 
 /// Returns the G-code between two passes. It begins in the canonical state at the end of a pass,
-/// and ends above the entry of the next one. The next program moves down first. The nozzle rises
-/// and runs `custom`, the filled-in between_objects_gcode. Then it travels at this height to the
-/// entry, from the position in which `custom` ends. The first layer's temperatures are set without
-/// a wait, unless `custom` sets them.
+/// and ends above the entry of the next pass, which then moves down. `custom`: the filled-in
+/// between_objects_gcode.
+///
+/// The nozzle rises to ClearHeight and runs `custom`. Then it travels at this height to the entry,
+/// from the position in which `custom` ends. If the next pass begins on the bed, the first layer's
+/// temperatures are set without a wait, unless `custom` sets temperatures.
 std::string GcodeOf(const PassChange& change, std::string_view custom,
                     const MotionOptions& options);
 

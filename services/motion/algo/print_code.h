@@ -21,16 +21,17 @@ struct PrintCode {
   std::string start;
   std::string start_filament;
   std::vector<std::string> between;  ///< filled-in between_objects_gcode, one per pass change
-  /// `before_layer_gcode` and `layer_gcode` of each layer, if they depend on other layers;
-  /// otherwise empty.
+  /// `before_layer_gcode` and `layer_gcode` of each layer, two texts per layer. Empty if these
+  /// templates do not depend on other layers: LayerProgram then already contains them.
   std::vector<std::string> layers;
   std::string end;
-  std::string file_name;  ///< `output_filename_format`, filled in without further changes
+  /// filled-in `output_filename_format`; not yet made a valid file name (file_name.h)
+  std::string file_name;
 };
 
-/// Fills in the templates in the order of the print, so that global variables and sums continue
-/// from each template to the next. `time_s`: time of the print for templates. `silent_s`: time in
-/// the machine's silent mode, if it has one. Errors: as RunTemplate.
+/// Fills in the templates in the order of the print. Global variables and sums keep their values
+/// from one template to the next. `time_s`: time of the whole print. `silent_s`: time in the
+/// machine's silent mode, if it has one. Errors: as RunTemplate.
 absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
                                  std::span<const PassChange> changes, const MotionOptions& options,
                                  double time_s, std::optional<double> silent_s = {});

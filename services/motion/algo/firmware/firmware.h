@@ -16,14 +16,14 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Commands that switch the filament's coordinate (E) between absolute and relative.
+/// Relation of the mode of the filament's coordinate (E), absolute or relative, to G-code commands.
 enum class ExtruderMode {
-  kApart,       ///< M82 and M83 only
+  kApart,       ///< only M82 and M83 set the mode of E
   kWithAxes,    ///< G90 and G91 set the mode of E as well
-  kEitherWise,  ///< E is relative after G91 and after M83
+  kEitherWise,  ///< E is relative if the last of G90/G91 was G91, or the last of M82/M83 was M83
 };
 
-/// Beginnings of the comments that previewers and hosts read.
+/// Beginnings of the comment lines that previewers and hosts read.
 struct CommentWords {
   std::string_view layer_change = ";LAYER_CHANGE";
   std::string_view z = ";Z:";
@@ -32,8 +32,8 @@ struct CommentWords {
   std::string_view width = ";WIDTH:";
   std::string_view wipe_start = ";WIPE_START";
   std::string_view wipe_end = ";WIPE_END";
-  // Lines around the executable part of a program, and around the settings' own G-code; empty:
-  // none.
+  // Comment lines around the executable part of a program, and around the start and end G-code;
+  // empty: the firmware has no such line.
   std::string_view program_begin = {};
   std::string_view program_end = {};
   std::string_view start_gcode_end = {};
@@ -51,26 +51,26 @@ struct PrintFacts {
   double height_mm = 0;
   double density_g_cm3 = 0;
   double diameter_mm = 0;
-  Box first_layer;  ///< bounds of the first layer
+  Box first_layer;  ///< bounding box of the first layer's beads
 };
 
-/// Firmware of a printer: its planning of moves and its G-code dialect. Each firmware is one file:
-/// marlin.cc, klipper.cc, reprap.cc, ... Objects have no state.
+/// Firmware of a printer: the rules by which it plans moves, and its G-code dialect. Each firmware
+/// is one file: marlin.cc, klipper.cc, reprap.cc, ... Objects have no state.
 class Firmware {
  public:
   virtual ~Firmware() = default;
 
-  /// Returns the value of gcode_flavor.
+  /// Returns the firmware's name as a value of gcode_flavor.
   virtual std::string_view name() const = 0;
 
   // Motion.
 
   /// Returns a new look-ahead planner of this firmware.
   virtual std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const = 0;
-  /// Returns the acceleration that is set in the machine for moves of the kind of `move` (M204,
-  /// SET_VELOCITY_LIMIT), before the limits of its axes.
+  /// Returns the acceleration in mm/s^2 that M204 or SET_VELOCITY_LIMIT set for moves of the kind
+  /// of `move`, before the axes' limits are applied.
   virtual double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const = 0;
-  /// Returns true if the machine stops before and after moves of filament only.
+  /// Returns true if the machine stops before and after a move in which only the filament moves.
   virtual bool StopsForFilament() const { return false; }
   /// Returns the length of the chords that the firmware divides an arc into.
   virtual double ArcSegmentMm(double radius_mm, double speed_mm_s) const = 0;
@@ -81,18 +81,21 @@ class Firmware {
   virtual ExtruderMode extruder_mode() const = 0;
   /// Returns true if the firmware supports the command of the line.
   virtual bool Knows(const GcodeLine& line) const = 0;
-  /// Returns true if a word may have several numbers (`E1:0`), or a text in quotes.
+  /// Returns true if the number of a word may be a list (`E1:0`) or a text in quotes.
   virtual bool HasLists() const { return false; }
-  /// Returns true if a command of any name may be a user's macro.
+  /// Returns true if users can define commands (macros). The program check then accepts unknown
+  /// commands in custom G-code.
   virtual bool has_macros() const { return false; }
   /// Applies the limits in a command to `limits`. Other commands are ignored.
   virtual void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const = 0;
-  /// Returns true if the firmware refuses to print a bead of the section `section_mm2`.
-  /// `nozzle_mm`: diameter of the nozzle.
+  /// Returns true if the firmware refuses to print a bead with this cross-section. `nozzle_mm`:
+  /// diameter of the nozzle.
   virtual bool RefusesSection(double section_mm2, double nozzle_mm) const;
-  /// Returns the longest accepted move of filament only; 0: no limit.
+  /// Returns the longest accepted move, in mm of filament, in which only the filament moves; 0: no
+  /// limit.
   virtual double LongestExtrusionMm() const { return 0; }
-  /// Return true if arcs may be given by radius, or between relative coordinates.
+  /// Return true if the firmware accepts arcs given by their radius (ArcsByRadius), or arcs while
+  /// coordinates are relative (RelativeArcs).
   virtual bool ArcsByRadius() const { return true; }
   virtual bool RelativeArcs() const { return true; }
 
@@ -105,13 +108,15 @@ class Firmware {
   virtual bool HasTravelAcceleration() const = 0;
   /// Returns true if moves of filament only have an acceleration of their own.
   virtual bool HasRetractAcceleration() const { return true; }
-  /// Writes the acceleration of printing, of travels, or of both; a value of 0 is not written.
-  /// REQUIRES: one is not 0, and `travel_mm_s2` is 0 unless HasTravelAcceleration.
+  /// Writes the acceleration of printing, of travels, or of both. A value of 0 is not written.
+  /// REQUIRES: at least one value is not 0, and `travel_mm_s2` is 0 if HasTravelAcceleration is
+  /// false.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
   /// Writes pressure advance (linear advance), in the firmware's own unit.
   virtual void WritePressureAdvance(double value, GcodeText& out) const;
-  /// Writes the progress. `left_min`: minutes left; `layer`: from 1.
+  /// Writes the progress. `percent`: 0 to 100; `left_min`: minutes left; `layer`: number of the
+  /// layer, from 1.
   virtual void WriteProgress(int64_t percent, int64_t left_min, int64_t layer,
                              GcodeText& out) const;
   /// Writes the progress of the machine's silent mode.
@@ -127,23 +132,24 @@ class Firmware {
   virtual void WriteLayersBegin(GcodeText& /*out*/) const {}
   virtual void WriteSecondLayer(GcodeText& /*out*/) const {}
   virtual void WriteLayersEnd(GcodeText& /*out*/) const {}
-  /// Returns the firmware's name of a feature.
+  /// Returns the firmware's name of a feature, as it is written after CommentWords::feature.
   virtual std::string_view WordsOf(Feature feature) const { return FeatureType(feature); }
 
-  /// Writes the share of each material for a mixing extruder: M163 for each, and M164 to store them
-  /// as tool 0. REQUIRES: the extruder mixes (CheckMixing of common/config).
+  /// Writes the share of each material for a mixing extruder: one M163 per material, then M164 to
+  /// store the shares as tool 0. REQUIRES: the extruder mixes (CheckMixing of common/config).
   virtual void WriteMix(std::span<const double> shares, GcodeText& out) const;
 
   /// Returns the label of a copy for gcode_label_objects = firmware. `name`: one line; `index`:
   /// index of the copy.
   virtual std::string LabelOf(std::string_view name, size_t index) const = 0;
-  /// Writes the definitions of all copies.
+  /// Writes the definitions of all copies at the head of the file. `labels`: LabelOf of each copy.
   virtual void DefineCopies(std::span<const CopySummary> copies,
                             std::span<const std::string> labels, GcodeText& out) const = 0;
   /// Write the lines at the start and at the end of a copy.
   virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
   virtual void EndCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
-  /// Returns true if the label of the only copy is written once, around all layers.
+  /// Returns true if, in a job with one copy, its label is written once around all layers instead
+  /// of in each layer.
   virtual bool LabelsLast() const { return false; }
 };
 

@@ -4,8 +4,8 @@
 
 namespace slicefarm::motion {
 
-/// Firmware of machines without an extruder. Other stages write its programs, so nothing is written
-/// for it here.
+/// Firmware of machines without an extruder. The motion service never writes programs for them;
+/// other stages do.
 const Firmware& Grbl();
 
 }  // namespace slicefarm::motion

@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Machines that follow the host: Marlin's commands, slicefarm's own planner (jerk_planner.h).
+/// Machines that follow slicefarm's own motion plan (jerk_planner.h). Their commands are Marlin's.
 const Firmware& JerkLimited();
 
 }  // namespace slicefarm::motion

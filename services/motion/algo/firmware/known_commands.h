@@ -7,7 +7,8 @@
 
 namespace slicefarm::motion {
 
-/// Numbers of the commands that a firmware supports, ascending. Every firmware supports tools (T).
+/// Numbers of the G and M commands that a firmware supports, ascending. T (select a tool) is always
+/// supported.
 struct KnownCommands {
   std::span<const int> g;
   std::span<const int> m;

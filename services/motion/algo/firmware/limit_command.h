@@ -11,7 +11,8 @@
 
 namespace slicefarm::motion {
 
-/// Writes one command with the parameters above 0. Writes nothing if there are none.
+/// Builder for one command line. Parameters with a value above 0 are appended; without any
+/// parameter, no line is written.
 class LimitCommand {
  public:
   LimitCommand(std::string_view name, GcodeText& out) : name_(name), out_(out) {}
@@ -25,7 +26,7 @@ class LimitCommand {
   LimitCommand& Set(std::string_view parameter, double value);
   /// Adds a parameter that may be 0.
   LimitCommand& SetEven0(std::string_view parameter, double value);
-  /// Adds X, Y, Z and E.
+  /// Adds the parameters X, Y, Z and E with `values` times `factor`, each if it is above 0.
   LimitCommand& SetAxes(std::span<const double, 4> values, double factor = 1);
 
  private:
@@ -34,14 +35,14 @@ class LimitCommand {
   bool begun_ = false;
 };
 
-/// Reads X, Y, Z and E of a command into `values`, converted from `unit`.
+/// Reads the words X, Y, Z and E that the command has into `values`, multiplied by `unit`.
 void ReadAxes(const GcodeLine& line, double unit, std::array<double, 4>& values);
 
-/// Reads a word or a parameter into `value` if it is present and above 0.
+/// Writes `given` to `value` if it exists and is above 0.
 void ReadLimit(std::optional<double> given, double& value);
 
-/// Reads M204 of Marlin and RepRapFirmware: accelerations of printing (P), travel (T), both (S),
-/// filament (R).
+/// Reads M204 of Marlin and RepRapFirmware into `limits`. Words: P (printing), T (travel), S
+/// (both), R (retraction).
 void ReadM204(const GcodeLine& line, MachineLimits& limits);
 
 /// Writes `M204 P1000 T2000`, for printing and for travels. A value of 0 is left out.
@@ -50,10 +51,11 @@ void WriteM204(double print_mm_s2, double travel_mm_s2, GcodeText& out);
 /// Writes `M204 S1000`, for all moves.
 void WriteM204(double all_mm_s2, GcodeText& out);
 
-/// Acceleration without any setting, in mm/s^2.
+/// Acceleration in mm/s^2 if neither settings nor machine limits give one.
 inline constexpr double kDefaultAccelerationMmS2 = 1000;
 
-/// Returns the first of `value`, `otherwise` and the default that is above 0.
+/// Returns `value` if it is above 0, else `otherwise` if it is above 0, else
+/// kDefaultAccelerationMmS2.
 inline double AccelerationOr(double value, double otherwise) {
   if (value > 0) return value;
   return otherwise > 0 ? otherwise : kDefaultAccelerationMmS2;

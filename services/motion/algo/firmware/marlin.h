@@ -22,9 +22,9 @@ class MarlinFirmware : public NumberedObjects {
   void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override;
 
  protected:
-  /// Writes M204.
+  /// Writes the acceleration limits as M204.
   virtual void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const;
-  /// Writes M205 S and T.
+  /// Writes the minimum feed rates of printing (M205 S) and of travels (M205 T).
   virtual void WriteLeastRates(const MachineLimits& limits, GcodeText& out) const;
 };
 

@@ -8,18 +8,18 @@
 
 namespace slicefarm::motion {
 
-/// Longest move while materials mix, in mm. Longer moves are cut, because one mix is used for a
-/// whole move.
+/// Longest move in mm while materials mix. Longer moves are divided, because one move has one mix.
 inline constexpr double kMixedMoveMm = 1;
 
-/// Writes the mix of a mixing extruder, whenever a share changes by more than the field's step.
+/// Writes the mix of a mixing extruder each time that a material's share differs by more than
+/// MaterialField::step from the share written last.
 class MaterialMix {
  public:
   /// `firmware` and `field` must outlive this object. A null `field` turns mixing off.
   MaterialMix(const Firmware& firmware, const MaterialField* field)
       : firmware_(firmware), field_(field) {}
 
-  /// Writes the mix for beads at a position on the plate, if the mix has changed.
+  /// Writes the mix for a bead that ends at this position on the plate, if the mix has changed.
   void SetFor(const PlaceMm& place_mm, GcodeText& out);
   /// Forces the next mix to be written even if it is unchanged.
   void Forget() { told_.clear(); }

@@ -19,30 +19,33 @@
 
 namespace slicefarm::motion {
 
-/// Value of a fan that stays unchanged.
+/// Fan percentage that means: the fan is not changed.
 inline constexpr int32_t kFanAsBefore = -1;
 
-/// Values that the head of a layer has already written, and the layer's fans.
+/// Values that are set when a layer's moves begin, and fan speeds for its kinds of beads. Fans in
+/// percent.
 struct LayerState {
   int32_t height_um = -1;
   int32_t fan_percent = 0;         ///< fan of the layer; may be kFanAsBefore
   int32_t bridge_fan_percent = 0;  ///< fan for bridges and overhangs
-  /// fans for walls over air, indexed by overhang degree
+  /// fans for walls over air, indexed by overhang degree (cooling.h); nullopt: the dynamic fan is
+  /// off
   std::optional<OverhangFans> overhang_fan_percent = {};
-  /// Largest rest, in percent, of walls with bridge_fan_percent; -1: no such wall
+  /// Walls with at most this supported share, in percent, get bridge_fan_percent; -1: no wall does.
   int32_t cooled_rest = -1;
   int32_t interface_fan_percent = -1;  ///< fan for support interfaces; -1: fan_percent
   ShiftUm to_plate = {};               ///< shift from G-code coordinates to plate coordinates
 };
 
 /// Writes moves as G-code, with the comments and modes that previewers and the firmware need:
-/// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates are written
-/// only where they change; within a stretch, coordinates too. The toolpath's arcs are written as G2
-/// and G3 with the sum of their filament.
+/// `;TYPE:`, `;WIDTH:`, `;HEIGHT:`, accelerations and fan, each only where it changes. Feed rates
+/// are written only where they change. A coordinate is left out if it equals the preceding one in
+/// the same call of Write. The toolpath's arcs are written as G2 and G3 with the sum of their
+/// filament.
 class LayerWriter {
  public:
   /// `firmware` and `materials` must outlive the writer. `materials`: mix of materials at each
-  /// position; null turns mixing off. `comments`: adds a comment to each line.
+  /// position; null turns mixing off. `comments`: true to add a comment to each line.
   LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
               const MaterialField* materials = nullptr, const ExtruderWords& extruder = {},
               bool comments = false)
@@ -58,29 +61,29 @@ class LayerWriter {
   /// Writes the layer's fan.
   void WriteLayerFan(GcodeText& out);
 
-  /// Appends the moves [first, last), shifted. May be called for several stretches in sequence. The
-  /// first move of each call has both coordinates. So the text does not depend on the text before
-  /// it, and the machine may skip the copy before.
+  /// Appends the moves [first, last), shifted. May be called several times, one stretch after the
+  /// other. The first move of each call has both coordinates. So the text does not depend on the
+  /// text before it, and the machine may skip the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
 
-  /// Begin and end a block. The text of a block does not depend on the text before it, except for
-  /// accelerations that are already set. After the block, fan and height are as the head of the
-  /// layer has set them.
+  /// Begin and end a block (the paths of a copy). The text of a block does not depend on the text
+  /// before it, except for accelerations that are already set. EndBlock restores the fan and the
+  /// height with which the layer began.
   void BeginBlock(GcodeText& out);
   void EndBlock(GcodeText& out);
 
-  /// Marks the filament as ready in spite of the moves, because a change of colour has primed it.
-  /// The next restart is left out.
+  /// Tells the writer that custom G-code (a change of colour) has primed the filament. The next
+  /// restart is then left out.
   void Prime() { primed_ = true; }
 
-  /// Returns the lines that may repeat a value that is already set, because the earlier value was
-  /// unknown: LayerProgram::mode_lines.
+  /// Returns the lines that set a mode again although the machine may already have it
+  /// (LayerProgram::mode_lines). They are necessary if the text before the layer is unknown.
   std::vector<ModeLine> TakeModeLines() { return std::move(mode_lines_); }
-  /// Returns the modes after the written text. Empty values were never set.
+  /// Returns the modes after the written text. An empty value: this text has not set the mode.
   ModeValues Modes() const;
 
-  /// Forces feed rate and acceleration to be written again, after inserted G-code that may have set
-  /// them. A fan set by this G-code stays.
+  /// Forces feed rate and acceleration to be written again. Call this after inserted G-code that
+  /// may have set them. A fan that this G-code sets is not reset.
   void Forget() {
     feed_rate_.Forget();
     acceleration_ = -1;
@@ -115,7 +118,7 @@ class LayerWriter {
   MaterialMix mix_;
   ExtruderWords extruder_;
   bool comments_;
-  // Values written last; -1: none.
+  // Values written last; -1: nothing written yet.
   gcode::Modal<int32_t> feed_rate_;
   int32_t type_ = -1;
   int32_t width_um_ = -1;
@@ -128,8 +131,8 @@ class LayerWriter {
   bool pulled_ = false;
   bool primed_ = false;
   float acceleration_ = -1;
-  float travel_acceleration_ = -1;  ///< travels' own acceleration; -1: not written
-  bool approached_ = false;         ///< the first move in the plane was written
+  float travel_acceleration_ = -1;  ///< acceleration of travels alone; -1: not written
+  bool approached_ = false;         ///< true after the first move in x and y
   std::vector<ModeLine> mode_lines_;
 };
 

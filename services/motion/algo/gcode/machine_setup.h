@@ -15,7 +15,8 @@ namespace slicefarm::motion {
 /// for Marlin, SET_VELOCITY_LIMIT for Klipper. Limits of 0 are not written.
 void WriteMachineLimits(const MotionOptions& options, GcodeText& out);
 
-/// Writes `M104 S210`, or nothing for 0, which leaves the temperature unchanged.
+/// Writes `command` with the temperature, such as `M104 S210`. Writes nothing for 0, which leaves
+/// the temperature unchanged.
 void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out);
 
 /// G-code before the layers, with filled-in templates.
@@ -24,16 +25,21 @@ struct StartCode {
   std::string_view filament;  ///< `start_filament_gcode`
 };
 
-/// Writes the machine's start G-code, with heating commands before and after it. The bed is heated
-/// before the start G-code. Nozzle and chamber start heating before it and are waited for after it.
-/// Heating commands that the start G-code has itself are left out. Without emit_temperatures all of
-/// them are left out. Then the tool is selected, if there are several, and the filament's start
-/// G-code is written. Temperatures in this G-code take effect after the waits. Source: PrusaSlicer.
+/// Writes the commands before the layers:
+/// - wait until the bed is hot; start to heat nozzle and chamber
+/// - the machine's start G-code
+/// - wait until nozzle and chamber are hot
+/// - tool selection, if the machine has several tools
+/// - the filament's start G-code
+///
+/// A heating command is left out if the start G-code contains it. Without emit_temperatures, all
+/// heating commands are left out. Temperatures that the start G-code sets take effect after the
+/// waits. Source: PrusaSlicer.
 void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& out);
 
-/// Returns the limits of the layers: limits in the start G-code (M201, SET_VELOCITY_LIMIT, ...)
-/// override the settings. Accelerations that the layers set themselves stay as in the settings.
-/// Lines with templates are ignored.
+/// Returns the machine limits during the layers: limits in the start G-code (M201,
+/// SET_VELOCITY_LIMIT, ...) override the settings. Accelerations that the layers' own G-code sets
+/// do not change. Lines of the start G-code that contain a template are ignored.
 MachineLimits LimitsAfterStart(const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -22,8 +22,8 @@ namespace slicefarm::motion {
 /// otherwise `NAME (Instance 2)`. `index`: index of the copy in its job.
 std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& options);
 
-/// Returns true if there is one copy and its label is written once, around all layers, and in no
-/// layer.
+/// Returns true if the job has one copy and the firmware wants its label once, around all layers,
+/// instead of in each layer.
 bool LabelIsAroundAll(size_t copies, const MotionOptions& options);
 
 /// Write the lines before and after a copy; nothing if labels are off.

@@ -5,14 +5,14 @@
 
 namespace slicefarm::motion {
 
-/// Returns a duration in the form for file names: "2d3h4m", "1h2m", "17m", "40s". Seconds are
-/// rounded into minutes. Source: PrusaSlicer.
+/// Returns a duration in the form for file names: "2d3h4m", "1h2m", "17m", "40s". From one minute
+/// on, the duration is rounded to whole minutes. Source: PrusaSlicer.
 std::string ShortTime(double seconds);
 
 /// Returns the name of a file from the filled-in output_filename_format. The name has no folder:
 /// characters that a name cannot contain become `_`. A name without an ending gets ".gcode", or
-/// ".bgcode" if the file is binary; a wrong one of the two is replaced. The name is never empty and
-/// has at most 240 bytes.
+/// ".bgcode" if the file is binary. If the name has the wrong one of these two endings, it gets the
+/// right one. The name is never empty and has at most 240 bytes.
 std::string FileName(std::string_view filled_in, bool binary);
 
 }  // namespace slicefarm::motion

@@ -16,7 +16,8 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Pauses, changes of colour and other G-code at heights of the print, in PrusaSlicer's words.
+/// Codes at heights of the print (pauses, changes of colour, other G-code), with the comments that
+/// PrusaSlicer writes.
 class HeightTexts {
  public:
   /// Reads the codes from the options. Errors: SETTING_MALFORMED.
@@ -24,16 +25,16 @@ class HeightTexts {
 
   bool empty() const { return codes_.empty(); }
 
-  /// Returns true if the layer has a code.
+  /// Returns true if at least one code is executed in the layer.
   bool IsAt(const LayerFrame& layer) const { return !CodesIn(layer).empty(); }
 
-  /// Returns true if a code of the layer leaves the filament ready to print. M600 and similar
-  /// commands prime the filament.
+  /// Returns true if the layer has a change of colour. M600 and similar commands leave the filament
+  /// primed.
   bool PrimesAt(const LayerFrame& layer) const;
 
-  /// Returns the text of the codes with a height in the layer: above the top of the layer below,
-  /// and not above the layer's own top. `variables`: as for the layer's other templates. Errors: as
-  /// RunTemplate. Cost: O(log codes) for layers without any.
+  /// Returns the text of the layer's codes: the codes with a height above the top of the layer
+  /// below, up to and including the layer's own top. `variables`: as for the layer's other
+  /// templates. Errors: as RunTemplate. Cost: O(log codes) if the layer has no code.
   absl::StatusOr<std::string> At(const LayerFrame& layer, const macro::JobCode& code,
                                  const macro::TemplateScope& variables,
                                  macro::TemplateMemory& memory) const;
@@ -45,8 +46,8 @@ class HeightTexts {
   int32_t tool_ = 0;
 };
 
-/// Returns the code after the move up to a layer: layer_gcode, then the codes of its height, each
-/// ended by a newline. Errors: as RunTemplate.
+/// Returns the G-code after the nozzle's move up to a layer: layer_gcode, then the codes at the
+/// layer's height, each ended by a newline. Errors: as RunTemplate.
 absl::StatusOr<std::string> CodeAfterChange(const LayerFrame& layer, const macro::JobCode& code,
                                             const HeightTexts& heights,
                                             const macro::TemplateScope& variables,

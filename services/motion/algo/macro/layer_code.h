@@ -18,12 +18,13 @@ namespace slicefarm::motion {
 /// Filled-in before_layer_gcode and layer_gcode of one layer.
 struct CustomCode {
   std::string before;
-  std::string after;  ///< includes the codes of the layer's height at its end
-  /// True if FrameProgram fills in both texts later; the layer records their positions.
+  std::string after;  ///< filled-in layer_gcode, then the codes at the layer's height
+  /// True if FrameProgram fills in both texts later, because they depend on earlier layers. The
+  /// layer's program records where to insert them.
   bool waits = false;
   /// true if before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
   bool names_layer_change = false;
-  bool has_after = false;  ///< true if `after` is not empty, filled in or not
+  bool has_after = false;  ///< true if `after` will have text, now or when FrameProgram fills it in
   bool primes = false;     ///< true if `after` leaves the filament ready to print
   bool climbs = false;     ///< true if `after` moves in z
 };

@@ -14,17 +14,17 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Returns the variables of templates anywhere in a job: settings by their names in a config.ini,
-/// and the tool in use (setting_variables.h). The settings are the settings of motion, the settings
-/// in `settings_text`, and PrusaSlicer's defaults for missing ones.
+/// Returns the variables that templates may use anywhere in a job: the settings under their names
+/// in a config.ini, and the tool in use (setting_variables.h). Settings are the motion options, the
+/// settings in `settings_text`, and PrusaSlicer's defaults for all others.
 macro::TemplateVariables JobVariables(const MotionOptions& options, std::string_view settings_text);
 
 /// Returns the variables of templates in a layer:
-/// - layer_num, counted over all passes;
+/// - layer_num, index of the layer, counted over all passes;
 /// - layer_z, the height of the layer's top (mm);
 /// - max_layer_z, the greatest height printed so far (mm);
-/// - current_object_idx, the number of the pass;
-/// - total_layer_count, if the facts have it. It is the planned number, including top layers that
+/// - current_object_idx, the index of the pass;
+/// - total_layer_count, only if the facts have it. This planned number includes top layers that
 ///   turn out to be too thin for a bead.
 macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts& facts);
 

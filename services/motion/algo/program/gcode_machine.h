@@ -19,12 +19,13 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Properties of the printer on which the meaning of a program depends.
+/// Printer settings that G-code refers to but does not contain.
 struct MachineSetup {
   MachineLimits limits;
-  RetractionOptions retraction;  ///< retraction of G10 and G11, until M207
+  /// retraction by which G10 and G11 move the filament, until M207 changes it
+  RetractionOptions retraction;
   HeatingRates heating;
-  /// Diameter if E is in mm3 of filament; 0: E is in mm; until M200.
+  /// Diameter of the filament if E is a volume in mm3; 0 if E is a length in mm. M200 changes it.
   double volume_diameter_mm = 0;
   double arc_segment_mm = 0;  ///< length of the chords of arcs; 0: the firmware's own
 };
@@ -32,7 +33,7 @@ struct MachineSetup {
 /// Returns the setup from a job's settings.
 MachineSetup SetupOf(const MotionOptions& options);
 
-/// Straight move in machine coordinates: x, y, z and the total filament so far.
+/// Straight move: its two ends in machine coordinates x, y, z and the total filament so far, in mm.
 struct ProgramMove {
   std::array<double, 4> from = {};
   std::array<double, 4> to = {};
@@ -50,18 +51,19 @@ struct GcodeAction {
     kNone,
     kMoves,
     kDwell,   ///< G4: a pause
-    kRest,    ///< stop: waits for heat, homes, changes tools, ...
+    kRest,    ///< the machine stops: waits for heat, homes, changes tools, ...
     kLimits,  ///< limits may have changed
   };
   Kind kind = Kind::kNone;
-  std::span<const ProgramMove> moves = {};  ///< valid until the next line
+  /// moves of the line; the memory is valid until the next call of Read
+  std::span<const ProgramMove> moves = {};
   double dwell_s = 0;
   std::optional<Arc> arc = {};  ///< arc of G2 and G3
 };
 
-/// Runs a program line by line, as its firmware would: G0 to G4, G10 and G11, G20 and G21, G28, G90
-/// to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. All coordinates are 0 until
-/// G28 or the first move. Homing moves an axis to 0.
+/// Machine that runs a program line by line, as its firmware would. Commands: G0 to G4, G10 and
+/// G11, G20 and G21, G28, G90 to G92, M82, M83, M200, M207, M208, M220, M221, tools and limits. All
+/// coordinates are 0 until G28 or the first move. Homing moves an axis to 0.
 class GcodeMachine {
  public:
   /// `firmware` must outlive this object.
@@ -75,8 +77,8 @@ class GcodeMachine {
   /// Runs one line and returns its effect.
   GcodeAction Read(const GcodeLine& line);
 
-  /// Continues from a position, with a speed and a printing acceleration that were set outside this
-  /// program.
+  /// Sets the position, speed and printing acceleration that moves outside of the read text have
+  /// left.
   void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }
@@ -106,23 +108,24 @@ class GcodeMachine {
   RetractionOptions retraction_;
   double arc_segment_mm_;
   std::array<double, 4> at_ = {};
-  std::array<double, 4> origin_ = {};  ///< position of the program's zero
+  std::array<double, 4> origin_ = {};  ///< machine coordinates of the program's zero, as set by G92
   double unit_mm_ = 1;
   bool relative_ = false;
   bool relative_filament_ = false;
   bool retracted_ = false;  ///< retracted by G10
-  double speed_mm_s_ = 0;   ///< speed as given, without the factor of M220
+  double speed_mm_s_ = 0;   ///< last feed rate (F) in mm/s, before the factor of M220
   double speed_factor_ = 1;
   double flow_factor_ = 1;
   double filament_unit_mm_ = 1;  ///< mm of filament per unit of E; with M200 the unit is a volume
   std::vector<ProgramMove> moves_;
 };
 
-/// Returns true if a line is G10 or G11 for a retraction or restart by the firmware. Returns false
+/// Returns true if the line is a G10 or G11 that retracts or restarts the filament. Returns false
 /// for a G10 that sets values of a tool.
 bool IsFirmwareRetraction(const GcodeLine& line);
 
-/// Converts a move for planners. REQUIRES: something moves.
+/// Converts a move into the form for planners. REQUIRES: the move has a length, in space or in
+/// filament.
 KinematicMove ToKinematic(const ProgramMove& move, const Firmware& firmware,
                           const MachineLimits& limits);
 

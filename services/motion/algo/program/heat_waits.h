@@ -13,12 +13,13 @@ struct HeatingRates {
 };
 
 /// Tracks the temperatures that a program sets for nozzle and bed (M104, M109, M140, M190). Both
-/// begin at 25 C. They heat up at their rates from the time of the command, and cool down at once.
+/// heaters begin at 25 C. From the time of the command, a heater warms up at its rate. Cooling
+/// takes no time.
 class HeatWaits {
  public:
   explicit HeatWaits(const HeatingRates& rates) : nozzle_{rates.nozzle_c_s}, bed_{rates.bed_c_s} {}
 
-  /// Returns true if a line waits for heat.
+  /// Returns true if the line is a command that waits until a heater is hot.
   static bool Waits(const GcodeLine& line);
 
   /// Runs a line and returns the time that it waits, in s. The result is 0 for a line that does not

@@ -9,17 +9,18 @@ namespace slicefarm::motion {
 /// Space that the nozzle can reach.
 class MachineSpace {
  public:
-  /// `bed`: an empty bed is unlimited, and a bed that is not convex is replaced by its box.
-  /// `max_height_mm`: 0 is no limit.
+  /// `bed`: in nm; an empty bed is unlimited, and a bed that is not convex is replaced by its
+  /// bounding box. `max_height_mm`: 0 means no limit.
   MachineSpace(const Polygon& bed, double max_height_mm, double min_height_mm);
 
-  /// Returns how far a point is outside the space, in mm; at most 0 inside.
+  /// Returns the distance in mm by which a point violates the space's limits; at most 0 inside. At
+  /// a corner of the bed, it is the larger of the distances from the two sides.
   double Outside(double x_mm, double y_mm, double z_mm) const;
-  /// Returns how far a height is outside the space, in mm, at any x and y.
+  /// Returns the distance in mm by which a height is above or below the space; at most 0 inside.
   double OutsideHeight(double z_mm) const;
 
  private:
-  /// Side of the bed: a x + b y <= c inside, with (a, b) of length 1.
+  /// Line along a side of the bed: a x + b y <= c for points inside, in mm; (a, b) has length 1.
   struct Side {
     double a, b, c;
   };

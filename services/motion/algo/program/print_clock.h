@@ -17,32 +17,33 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Computes the time of a whole print from its layers' own times and the moves between the layers.
+/// Computes the time of a whole print from the layers' own times and the moves between the layers.
 ///
-/// A layer's own times assume a standstill before and after the layer. Where layers meet, the moves
-/// at their ends (LayerEdges) are planned again, together with the travel between them, and the
-/// difference is added. So the sums are equal to the look-ahead of the whole program. They are
-/// exact if the firmware stops for moves of filament. They do not depend on the assignment of
-/// layers to workers.
+/// A layer's own times assume a standstill before and after the layer. Between two layers, the
+/// clock plans the moves at their ends (LayerEdges) again, together with the travel between them.
+/// It adds the difference to the layers' times. So the sums equal a look-ahead over the whole
+/// program. They are exact if the firmware stops for moves of filament. They do not depend on the
+/// assignment of layers to workers.
 class PrintClock {
  public:
   PrintClock(const ProgramSummary& summary, const MotionOptions& options);
   PrintClock(const PrintClock&) = delete;
   PrintClock& operator=(const PrintClock&) = delete;
 
-  /// Add the text before the layers, before layer `i`, and after the layers. Call in the order of
-  /// printing.
+  /// Read the text before the layers, before layer `i`, and after the layers, and add its time.
+  /// Call in the order of printing.
   void ReadBefore(std::string_view gcode) { Read(gcode, times_.before_s); }
   void ReadAt(size_t i, std::string_view gcode) { Read(gcode, times_.layer_s[i]); }
   void ReadAfter(std::string_view gcode) { Read(gcode, times_.after_s); }
-  /// Adds the time of layer `i`, including its connection to the moves before.
+  /// Adds the time of layer `i`, corrected for the moves before it. Call in the order of printing.
   void AddLayer(size_t i);
 
   /// Returns the times of the whole print.
   PrintTimes Finish();
 
  private:
-  /// Sums to which the time of a move is added.
+  /// Sums (by kind of move, and by part of the program) to which the time of a queued move is
+  /// added.
   struct Account {
     double* kind_s;
     double* part_s;
@@ -52,11 +53,13 @@ class PrintClock {
   void ReadLine(std::string_view text, double& part_s);
   void Rest(const GcodeLine& line, double& part_s);
   void Resume();
-  /// Queues the moves of `travel`. The first element is only the start position.
+  /// Queues the moves of `travel`; its first element is only the start position. `set_mm_s2`:
+  /// acceleration of moves without one of their own.
   void Queue(std::span<const EdgeMove> travel, double set_mm_s2, double& part_s);
   void QueueHead(const LayerEdges& edges, double& part_s);
   void Queue(const EdgeMove& before, const EdgeMove& move, double set_mm_s2, double& part_s);
-  /// Plans the queued moves and adds their times, multiplied by `sign`.
+  /// Plans the queued moves up to a standstill and adds their times. `sign`: -1 subtracts the
+  /// times.
   void Stop(double sign = 1);
 
   const ProgramSummary& summary_;

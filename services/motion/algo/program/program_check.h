@@ -16,7 +16,7 @@ struct CheckSetup {
   double nozzle_mm = 0.4;
   double filament_mm = 1.75;  ///< diameter of the filament
   double z_offset_mm = 0;
-  Polygon bed;               ///< empty: not known
+  Polygon bed;               ///< printable area in nm; empty: not known
   double max_height_mm = 0;  ///< 0: not known
 };
 
@@ -31,7 +31,7 @@ struct Finding {
 /// Result of CheckProgram.
 struct ProgramReport {
   std::vector<Finding> findings;  ///< in the order of their lines, at most kMostFindings
-  int64_t found = 0;              ///< number of all errors
+  int64_t found = 0;              ///< number of all errors, even if above kMostFindings
   int64_t lines = 0;
   int64_t moves = 0;
   /// Length of filament that the slicer prints: extrusions less retractions, without custom code.
@@ -42,9 +42,9 @@ inline constexpr size_t kMostFindings = 1000;
 
 /// Reads a program strictly, as its firmware would, and reports errors:
 /// - unreadable words, moves with a word without a number, speeds not above 0;
-/// - commands that the firmware does not support (macros in custom G-code are the user's own);
+/// - commands that the firmware does not support (except macros in custom G-code);
 /// - moves beyond bed and height (custom G-code may prime up to kCustomMarginMm beside the bed);
-/// - beads of more than four times the nozzle's square;
+/// - beads with a cross-section above four times the nozzle diameter squared;
 /// - filament moves longer than the firmware accepts;
 /// - arcs with different radii at their ends, or in a form that the firmware does not accept;
 /// - printing while retracted, restarts without a retraction;
@@ -56,7 +56,8 @@ inline constexpr size_t kMostFindings = 1000;
 ProgramReport CheckProgram(std::string_view gcode, const Firmware& firmware,
                            const CheckSetup& setup);
 
-/// Distance from the bed up to which some printers' own start G-code moves outside of it.
+/// Distance from the bed within which custom G-code may move outside of it: the start G-code of
+/// some printers does.
 inline constexpr double kCustomMarginMm = 10;
 
 }  // namespace slicefarm::motion

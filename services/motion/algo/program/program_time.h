@@ -21,8 +21,9 @@ struct ProgramTime {
   double retract_s = 0;  ///< moves of filament only
   double before_s = 0;   ///< moves and dwells before the first layer's comment
   std::vector<double> layer_s;
-  std::vector<double> line_end_s;  ///< end time of each line's moves, from the program's start
-  int64_t moves = 0;               ///< number of straight moves; arcs count by their chords
+  /// time at which each line's last move ends, from the program's start; indexed by line
+  std::vector<double> line_end_s;
+  int64_t moves = 0;  ///< number of straight moves; arcs count by their chords
   // Events of unknown duration, counted as 0 s.
   int64_t homings = 0;
   int64_t heat_waits = 0;  ///< waits for heat with an unknown rate
@@ -33,8 +34,8 @@ struct ProgramTime {
 
 /// Returns the time of a whole program by the firmware's look-ahead. The machine stands still
 /// before and after the program, and also stops at G4, G28, waits and tool changes. Unreadable
-/// lines have no effect. Cost: O(bytes). Memory: the longest sequence of moves without a retraction
-/// or a stop.
+/// lines have no effect. Cost: O(bytes). Memory: O(longest sequence of moves without a retraction
+/// or a stop).
 ProgramTime TimeOfProgram(std::string_view gcode, const Firmware& firmware,
                           const MachineSetup& setup);
 

@@ -9,7 +9,7 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Returns true if some line of `gcode` is one of the commands, such as "M104".
+/// Returns true if at least one line of `gcode` has one of the commands, such as "M104".
 bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
 
 /// Returns true if the start G-code of the machine or of the filament has one of the commands.

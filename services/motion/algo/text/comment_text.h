@@ -5,12 +5,12 @@
 
 namespace slicefarm::motion {
 
-/// Returns `text` in a form for comments: on one line, so that no part of it can become a command.
-/// A line feed becomes "\n", a carriage return "\r", a backslash "\\". Other control characters
-/// (ReplaceControls) become spaces.
+/// Returns `text` as one line for a comment, so that no part of it can become a command. A line
+/// feed becomes the two characters \n, a carriage return \r, a backslash \\. Other control
+/// characters (ReplaceControls) become spaces.
 std::string OneLine(std::string_view text);
 
-/// Returns an already escaped line in a form for comments: control characters become spaces.
+/// Returns an already escaped line for a comment: control characters become spaces.
 std::string CommentLine(std::string_view line);
 
 /// Returns `text` as a JSON string with its quotes. Bytes from 0x80 on are unchanged.

@@ -14,13 +14,13 @@ inline constexpr std::string_view kWordTwice = "a word is repeated";
 ///   SET_FAN SPEED=1      command "SET_FAN", letter 0, parameters "SPEED=1"
 ///   ;TYPE:Perimeter      comment "TYPE:Perimeter"
 struct GcodeLine {
-  std::string_view command;     ///< empty: only a comment
+  std::string_view command;     ///< command such as "G1"; empty if the line has only a comment
   char letter = 0;              ///< G, M, T, ... if the command is a letter and a number, else 0
   int number = -1;              ///< number after the letter, without decimals; M862.3: 862
   std::string_view parameters;  ///< text after the command, up to the comment
   std::string_view comment;     ///< text after `;`
-  std::string_view fault;       ///< reason why words cannot be read; empty: they can
-  bool has_lists = false;       ///< a word has several numbers (`E1:0`) or a text in quotes
+  std::string_view fault;       ///< reason why the words cannot be read; empty if they can
+  bool has_lists = false;       ///< true if a word has several numbers (`E1:0`) or a text in quotes
 
   /// Returns true if the line has the command of this letter and number.
   bool Is(char l, int n) const { return letter == l && number == n; }
@@ -32,9 +32,9 @@ struct GcodeLine {
     if ((valued_ & Bit(word)) == 0) return std::nullopt;
     return values_[static_cast<size_t>(word - 'A')];
   }
-  /// Returns the text of `NAME=...` among the parameters.
+  /// Returns the text of the parameter `NAME=...`, or nothing if the command has no such parameter.
   std::optional<std::string_view> Named(std::string_view name) const;
-  /// Returns the number of `NAME=...` among the parameters.
+  /// Returns the number of the parameter `NAME=...`, or nothing if it is missing or no number.
   std::optional<double> NamedNumber(std::string_view name) const;
 
  private:
@@ -47,10 +47,10 @@ struct GcodeLine {
   uint32_t valued_ = 0;
 };
 
-/// Parses a line, in upper or lower case, with or without blanks between words, line numbers (N12)
-/// and checksums (*71). Commands with text as parameters (M117, M486 A, ...) have no words.
-/// Commands that are not a letter and a number have no words either. Numbers beyond 1e9 and
-/// repeated words are faults.
+/// Parses a line. Letters may be upper or lower case, with or without blanks between words. Line
+/// numbers (N12) and checksums (*71) are accepted. Commands with text as parameters (M117, M486 A,
+/// ...) have no words, nor have commands that are not a letter and a number. Numbers beyond 1e9 and
+/// repeated words are faults (GcodeLine::fault).
 GcodeLine ParseGcodeLine(std::string_view line);
 
 }  // namespace slicefarm::motion

@@ -12,20 +12,23 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Acceleration of each kind of move, in mm/s^2. `told` decides if the G-code sets them.
+/// Acceleration of each kind of move, in mm/s^2.
 ///
 /// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, even if
-/// features have settings. The machine limits then give the firmware's values. Some firmwares have
-/// a separate acceleration for travels. With other firmwares a travel has the acceleration of the
-/// path before it, unless travel_acceleration is set. Klipper has one acceleration for all moves,
-/// so a retraction uses the one set last. The firmware decides whether a wipe counts as a print or
-/// as a travel.
+/// features have settings. The values are then the machine limits, which the firmware uses. `told`:
+/// true if the G-code sets the accelerations.
+///
+/// Some firmwares have a separate acceleration for travels. With other firmwares a travel has the
+/// acceleration of the path before it, unless travel_acceleration is set. Klipper has one
+/// acceleration for all moves, so a retraction uses the one set last. The firmware decides whether
+/// a wipe counts as a print or as a travel.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
-  double travel = 0;        ///< 0: the acceleration set last
-  double short_travel = 0;  ///< for travels too short for a retraction; 0: as other travels
-  double retract = 0;       ///< for filament only; 0: the acceleration set last
-  bool told = false;        ///< true if the G-code sets accelerations
+  double travel = 0;  ///< 0: the acceleration set last
+  /// for travels to outer walls that are too short for a retraction; 0: as other travels
+  double short_travel = 0;
+  double retract = 0;  ///< for moves in which only the filament moves; 0: the acceleration set last
+  bool told = false;   ///< true if the G-code sets accelerations
   bool told_travel = false;
   bool one = false;  ///< true if travels and prints share one value in the machine
   bool wipe_travels = false;

@@ -9,8 +9,8 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Bridges in the air are round strands (called threads here). Their diameter is the diameter that
-/// they have at the nozzle.
+/// A bridge over air is printed as a round strand, which the code calls a thread. Its diameter
+/// follows from the nozzle's diameter and the bridge flow.
 
 /// Returns the area of a disc, in mm2.
 double DiscMm2(double diameter_mm);
@@ -20,8 +20,9 @@ double DiscMm2(double diameter_mm);
 double ThreadMm(const RegionMotion& region, double nozzle_mm,
                 Feature feature = Feature::kBridgeInfill);
 
-/// Returns the diameter if the path has the plastic of a round strand; otherwise 0. The infill
-/// stage stores strands as beads of their layer's height.
+/// Returns the strand's diameter in nm if the path is a bridge with the cross-section of a round
+/// strand; otherwise 0. The infill stage stores strands as beads of their layer's height with the
+/// strand's section.
 Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -11,7 +11,7 @@ namespace slicefarm::motion {
 /// because a link follows it.
 bool IsLoop(const Path& path);
 
-/// Returns for each path the length in mm by which small_perimeter_speed recognizes a small wall.
+/// Returns for each path the length in mm that decides whether small_perimeter_speed applies.
 /// `paths` are in the order of printing.
 /// - Loop: its own length.
 /// - Connected pieces of walls: their total length.

@@ -10,12 +10,12 @@
 
 namespace slicefarm::motion {
 
-/// Fans in percent for walls with 0, 25, 50 and 75 % of their width on the layer below.
+/// Fans in percent for walls with a supported width of 0, 25, 50 and 75 %, indexed by this degree.
 using OverhangFans = std::array<double, kOverhangDegrees>;
 
-/// Slows down the beads of a layer, all by the same factor, until the layer's program takes
-/// slowdown_below_layer_time. The time is the planner's, with accelerations. No bead becomes slower
-/// than min_print_speed, and travels keep their speed.
+/// Slows down the beads of a layer, all by the same factor, until the layer's program takes at
+/// least slowdown_below_layer_time. The time is the planner's, with accelerations. No bead is
+/// slowed below min_print_speed, and travels keep their speed.
 ///
 /// With consistent_surface the inner beads are slowed down first. Surface beads are slowed down
 /// only if the inner beads at min_print_speed are not enough. Surface beads are the two outermost
@@ -27,23 +27,23 @@ using OverhangFans = std::array<double, kOverhangDegrees>;
 std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
                                  LayerTiming& timing, std::span<Toolpath> paths);
 
-/// Returns the fan in percent for a layer that takes `layer_time_s`. The fan is off in the first
-/// layers, then grows up to full_fan_speed_layer. A shorter layer gets a higher fan, between the
-/// bounds in the settings.
+/// Returns the fan in percent for a layer that takes `layer_time_s`. A shorter layer gets a faster
+/// fan, between min_fan_speed and max_fan_speed. The fan is off in the first layers, then grows
+/// layer by layer up to full_fan_speed_layer.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
 /// Returns the fan in percent for bridges and overhangs, at least `fan_percent`.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
 
-/// Returns the largest rest, in percent, of walls with the fan for bridges, or -1 if only bridges
-/// have it.
+/// Returns the largest supported share, in percent of the width, at which a wall still gets the fan
+/// for bridges. Returns -1 if only bridges get it.
 int32_t CooledRest(const CoolingOptions& cooling);
 
-/// Returns the fan for support interfaces, or -1 if it is the layer's.
+/// Returns the fan in percent for support interfaces, or -1 if they get the layer's fan.
 int32_t InterfaceFanPercent(const CoolingOptions& cooling, int32_t layer_index);
 
-/// Returns the fans for walls over air, indexed by overhang degree, each at least `fan_percent`.
-/// Returns nullopt if the setting is off.
+/// Returns the fans for walls over air, each at least `fan_percent`. Returns nullopt if the dynamic
+/// fan is off.
 std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,
                                                int32_t fan_percent);
 

@@ -9,19 +9,20 @@
 
 namespace slicefarm::motion {
 
-/// Number of moves that are kept at each end of a layer for the time of the whole print, not
-/// counting the moves up to the layer's entry. Moves farther inside do not depend on other layers.
+/// Number of moves at each end of a layer's program that LayerEdges stores, without the moves
+/// before the layer's entry. The time of the whole print is computed from them (print_clock.h).
+/// Moves farther inside do not depend on other layers.
 inline constexpr size_t kEdgeMoves = 8;
 
-/// Follows a program from move to move, with the machine's position and acceleration.
+/// Follows a program from move to move. Stores the machine's position and acceleration.
 class MoveWalk {
  public:
   /// `acceleration_mm_s2`: acceleration at the start; 0: not known.
   MoveWalk(EdgeMove start, double acceleration_mm_s2)
       : at_(start), acceleration_mm_s2_(acceleration_mm_s2) {}
 
-  /// Makes the next move and returns it, with its acceleration if that is known. A bead does not
-  /// change z, and a lift does not change x and y.
+  /// Makes the next move and returns it. The result has the acceleration if it is known. A bead
+  /// does not change z, and a lift does not change x and y.
   const EdgeMove& Go(const Move& move, ShiftUm shift);
 
   const EdgeMove& at() const { return at_; }
@@ -40,8 +41,8 @@ std::optional<KinematicMove> ToKinematic(const EdgeMove& before, const EdgeMove&
 /// Returns true if the move is a bead.
 bool Prints(const EdgeMove& before, const EdgeMove& move);
 
-/// Returns the moves at both ends of a program. REQUIRES: the first stretch starts with the first
-/// move of its toolpath.
+/// Returns the first and last moves of a program, kEdgeMoves each. REQUIRES: the first stretch
+/// starts with the first move of its toolpath.
 LayerEdges EdgesOf(std::span<const Stretch> stretches);
 
 }  // namespace slicefarm::motion

@@ -4,7 +4,7 @@
 
 namespace slicefarm::motion {
 
-/// Returns true for beads of walls, including walls over air.
+/// Returns true for features of walls, including walls over air.
 inline bool IsWall(Feature feature) {
   return feature == Feature::kExternalPerimeter || feature == Feature::kPerimeter ||
          feature == Feature::kOverhangPerimeter;

@@ -9,8 +9,8 @@
 namespace slicefarm::motion {
 
 /// Returns the convex hull of a program's beads, in plate coordinates; empty if it prints nothing.
-/// The hull is larger than the beads' centre lines by half the widest bead at its corners.
-/// Cost: O(n log n) for n moves.
+/// The hull of the centre lines is grown by half the width of the widest bead. Cost: O(n log n) for
+/// n moves.
 Polygon FootprintOf(std::span<const Stretch> program);
 
 /// Returns the convex hull of a print's first layer, with all its copies.

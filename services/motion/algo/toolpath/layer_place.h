@@ -8,17 +8,17 @@
 
 namespace slicefarm::motion {
 
-/// Position of a pass's layer in the print. With one pass, layers are counted as the job's layers.
-/// With a pass for each copy, they are counted as the copy's.
+/// Position of a pass's layer in the print. A job with one pass counts its layers. If each copy is
+/// a pass of its own, the layers of each copy are counted.
 struct LayerPlace {
   int32_t pass = 0;
-  int32_t index = 0;   ///< index in its pass; 0 is on the bed, and the layers of a raft are counted
+  int32_t index = 0;   ///< index in its pass, from 0 on the bed; layers of a raft are counted too
   int32_t number = 0;  ///< planned number in the whole print
   Coord print_z_nm = 0;
-  Coord top_nm = 0;  ///< height of the print so far
+  Coord top_nm = 0;  ///< height of the highest layer printed so far, including this one
 };
 
-/// Returns the position of a layer. `visits`: visits of the pass, may be empty.
+/// Returns the position of a layer. `visits`: the layer's visits in the pass; may be empty.
 LayerPlace PlaceOf(const OrderedLayer& layer, std::span<const BlockVisit> visits,
                    const JobFacts& facts);
 

@@ -11,18 +11,19 @@
 
 namespace slicefarm::motion {
 
-/// Computes the time of a layer's moves, by the planner of the firmware, which must outlive this
-/// object. The travel to the first entry is left out, because its start is not known. For moves
-/// before the first bead, the acceleration is not known either; the acceleration of the first bead
-/// is used. The computation for the whole print corrects both (print_clock.h).
+/// Computes the time of a layer's moves with the firmware's planner. The firmware must outlive this
+/// object. The travel to the first entry counts as 0 s, because its start is not known. Moves
+/// before the first bead use the acceleration of the first bead, because their own is not known.
+/// The computation for the whole print corrects both (print_clock.h).
 class LayerTiming {
  public:
   LayerTiming(const Firmware& firmware, const MachineLimits& limits)
       : firmware_(firmware), planner_(firmware.MakePlanner(limits)) {}
 
-  /// Returns the time in s of each move of the stretches, in their order. The first approach and
-  /// moves without a distance have 0. The time of an arc, in the firmware's chords, is at its last
-  /// move. Valid until the next call. Cost: O(moves and chords).
+  /// Returns the time in s of each move of the stretches, in their order. The travel to the first
+  /// entry and moves without a distance have 0. The last move of an arc has the time of the whole
+  /// arc, which is computed from the firmware's chords; the arc's other moves have 0. Valid until
+  /// the next call. Cost: O(moves and chords).
   std::span<const double> Times(std::span<const Stretch> stretches);
 
  private:

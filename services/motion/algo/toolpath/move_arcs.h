@@ -4,9 +4,9 @@
 
 namespace slicefarm::motion {
 
-/// Finds the beads that are printed as arcs (arc_fit.h): sequences of moves of one width, height,
-/// speed and feature. Sets `path.arcs`. Call this after all other changes of the moves. A later
-/// change of speeds must give all moves of an arc the same speed. Cost: as FitArcs.
+/// Finds the beads that are printed as arcs (arc_fit.h): sequences of moves with the same width,
+/// height, speed and feature. Sets `path.arcs`. Call this after all other changes of the moves. If
+/// speeds change later, all moves of an arc must get the same speed. Cost: as FitArcs.
 void FindArcs(Toolpath& path);
 
 }  // namespace slicefarm::motion

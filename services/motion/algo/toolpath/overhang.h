@@ -14,22 +14,22 @@
 
 namespace slicefarm::motion {
 
-/// Outlines of the layer below a layer's beads.
+/// Area covered by the layer below, for queries about the beads of a layer.
 class LayerBelow {
  public:
-  /// `outlines`: disjoint polygons. Cost: O(edges + squares).
+  /// `outlines`: disjoint polygons of the layer below. Cost: O(edges + squares of a grid).
   explicit LayerBelow(const MultiPolygon& outlines);
 
-  /// Returns the share of a bead's width that is supported by the outlines, at a point of its
-  /// centre line. The share is 1 at half a width inside the outlines, 0.5 on them, and 0 at half a
-  /// width outside. Cost: O(edges beside the point).
+  /// Returns the share of a bead's width that the layer below supports, at a point of the bead's
+  /// centre line. The share is 1 if the point is half a width inside the outlines, 0.5 on an
+  /// outline, and 0 at half a width outside. Cost: O(edges near the point).
   double RestOf(Point point, Coord width_nm) const;
 
   /// Returns true if the point is within the outlines. Cost: O(edges beside the point).
   bool Covers(Point point) const;
 
-  /// Returns the positions where a line crosses the outlines, as ascending shares of its length.
-  /// Cost: O(edges beside the line).
+  /// Returns the crossings of the line with the outlines, ascending. Each crossing is given as a
+  /// share of the line's length, from 0 at `from` to 1 at `to`. Cost: O(edges near the line).
   std::vector<double> EdgesOn(Point from, Point to) const;
 
  private:
@@ -42,7 +42,7 @@ class LayerBelow {
   std::vector<bool> middle_inside_;  ///< true for squares with their middle within the outlines
 };
 
-/// Piece of a segment with one supported share (`rest`).
+/// Piece of a segment with one supported share (`rest`, in percent). It ends at `to`.
 struct RestingPiece {
   size_t segment = 0;
   Point to;
@@ -57,15 +57,16 @@ enum class RestSteps {
 
 /// Divides the segments of a wall into pieces of at most about 1 mm.
 ///
-/// Consecutive pieces with supported shares that differ by at most 5 % of the width get one common
-/// share, the middle of their range. So the speed of an evenly overhanging wall does not flicker
-/// where the chords of a curve are above the chords of another one. A share of 0 or of 1 is never
-/// averaged. Cost: one query of the layer below at each end of a piece.
+/// Consecutive pieces get one common share if their supported shares differ by at most 5 % of the
+/// width. It is the middle of their range. Without this, the speed of an evenly overhanging wall
+/// would flicker, because the chords of its curve are not exactly above the chords of the curve
+/// below. A share of 0 or of 1 is never averaged. Cost: one query of the layer below at each end of
+/// a piece.
 std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
                                      std::span<const PathSegment> segments);
 
-/// Interpolates a value for the supported share `rest`, in percent. `told`: values at 0, 25, 50 and
-/// 75 %. `full`: value at 100 %.
+/// Interpolates a value for the supported share `rest`, in percent. `told`: values for the shares
+/// 0, 25, 50 and 75 %. `full`: value for 100 %.
 double ByRest(const std::array<double, kOverhangDegrees>& told, double full, uint8_t rest);
 
 }  // namespace slicefarm::motion

@@ -7,7 +7,7 @@
 
 namespace slicefarm::motion {
 
-/// Straight bead of a path. It begins where the one before ends.
+/// Straight bead of a path. It begins at the end of the preceding segment.
 struct PathSegment {
   Point from, to;
   Coord width_nm = 0;

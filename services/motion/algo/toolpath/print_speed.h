@@ -9,10 +9,10 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Speeds of paths in mm/s, by their region's settings: the feature's speed, the speed of small
-/// walls, the speed of the first layer on the bed or on a raft, and the increase of speeds over the
-/// first layers. Speeds for which the settings have no value are limited by max_print_speed. All
-/// are limited by max_volumetric_speed. `section_mm2`: section of the bead, flow included.
+/// Speeds of paths in mm/s, by the settings of their region: the speed of the feature, of small
+/// walls, and of the first layer on the bed or on a raft. Over the first slow_down_layers, speeds
+/// grow from the first layer's speed. A feature without a speed setting gets max_print_speed.
+/// max_volumetric_speed limits all speeds. `section_mm2`: section of the bead, flow included.
 class PrintSpeeds {
  public:
   /// `layer`: index of the layer, for slow_down_layers.
@@ -40,14 +40,14 @@ class PrintSpeeds {
   int32_t layer_;
 };
 
-/// Return the speeds of travels and of z moves, in mm/s. `first_layer`: selects the travel speed of
-/// the first layer.
+/// Return the speeds of travels and of z moves, in mm/s. `first_layer`: true for travels in the
+/// first layer, which may have a speed of their own.
 double TravelSpeed(const MotionOptions& options, bool first_layer = false);
 double TravelSpeedZ(const MotionOptions& options);
 
-/// Returns a speed as a feed rate of the G-code: whole mm/min, at least 1.
+/// Returns a speed in mm/s as a feed rate of the G-code: whole mm/min, at least 1.
 int32_t FeedRate(double speed_mm_s);
-/// Returns a feed rate as a speed in mm/s.
+/// Returns a feed rate (mm/min) as a speed in mm/s.
 inline double SpeedOf(int32_t feed_rate) { return feed_rate / 60.0; }
 
 }  // namespace slicefarm::motion

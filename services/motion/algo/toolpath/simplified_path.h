@@ -11,8 +11,8 @@ struct SimplifyOptions {
   Coord tolerance_nm = 0;    ///< largest distance from the path; 0: the path is not simplified
   Coord bead_height_nm = 0;  ///< bead height of the path
   bool keep_arcs = false;    ///< keeps all points of pieces that an arc may replace (arc_fit.h)
-  /// Largest difference between a bead's width and the path's, as a share. Used if it is more than
-  /// the usual tolerance.
+  /// Largest relative difference between a bead's width and the path's width. Used if it allows
+  /// more than the usual tolerance.
   double width_share = 0;
   /// True if other beads surround the path, so that the steps between short beads are invisible.
   bool inside = false;
@@ -21,15 +21,16 @@ struct SimplifyOptions {
 /// Result of Simplified.
 struct SimplifiedPath {
   Path path;
-  double flow = 1;  ///< flow factor that keeps the plastic of the original path
-  /// True for each edge that an arc may replace together with its neighbours. A closed path has the
-  /// edge back to the start too.
+  /// factor for the path's flow that keeps the amount of plastic of the original path
+  double flow = 1;
+  /// True for each edge that may be part of an arc; indexed by edge. A closed path also has the
+  /// edge from the last point to the first.
   std::vector<bool> on_arc;
 };
 
 /// Returns the path with as few straight beads as possible, each of one width. Beads begin and end
-/// at points of the path or, where it is curved, beside them on the outside. So beads run on both
-/// sides of a curve, and are longer by a factor of 1.4.
+/// at points of the path. On a curve they may also end slightly outside of it. So the beads deviate
+/// to both sides of the curve, and are 1.4 times as long as chords between its points.
 ///
 /// The result in whole micrometres meets these conditions at every point:
 /// - The beads are within the tolerance of the path's beads, and the path's beads are within the

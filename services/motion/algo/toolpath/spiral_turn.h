@@ -7,23 +7,23 @@
 
 namespace slicefarm::motion {
 
-/// Straight piece of a turn of a spiral.
+/// Straight piece of a turn: one loop of a spiral around the part (spiral vase).
 struct TurnPiece {
   Point to;
-  /// Height of the nozzle in its layer at the end of the piece; 1 is the layer's top.
+  /// Height of the nozzle at the end of the piece, as a share of the layer's height; 1 is the top.
   double rise = 1;
   double flow = 1;  ///< flow relative to a full bead
 };
 
-/// Returns a loop from its start, once around, along which the nozzle rises evenly. A turn that is
-/// blended with the turn below begins at the turn's `from`. Each of its points is between the turn
-/// below and the loop, at the share of the loop's length up to this point. Points at which the two
-/// are not near each other are not moved.
+/// Returns one turn: a loop from its start, once around, along which the nozzle rises evenly. If
+/// the turn is blended with the turn below, it begins at `turn.from`. A point at the share s of the
+/// loop's length is then moved: it is at the share s of the line from the nearest point of the turn
+/// below to the loop. Points more than 4 widths from the turn below are not moved.
 ///
 /// In the first turn, the flow is the amount that fits below the nozzle, in pieces of at most a
-/// millimetre. After the last turn the same loop follows once more at a constant height. Its flow
-/// is the amount that is missing in a first turn. `below`: outline of the layer below. REQUIRES:
-/// path is closed and of one width.
+/// millimetre. If `turn` is the last one, the same loop follows once more at a constant height. Its
+/// flow is the amount that is missing in a first turn. `below`: outline of the layer below.
+/// REQUIRES: path is closed and has one width.
 std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const MultiPolygon& below);
 
 }  // namespace slicefarm::motion

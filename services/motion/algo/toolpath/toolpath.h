@@ -43,7 +43,7 @@ inline bool MovesInPlane(MoveKind kind) {
   return kind == MoveKind::kPrint || kind == MoveKind::kTravel || kind == MoveKind::kWipe;
 }
 
-/// Move as in the G-code: already rounded to its digits, so that plan and text agree.
+/// Move with the rounded values of the G-code, so that the planned times agree with the text.
 struct Move {
   // End of the move.
   int32_t x_um = 0;
@@ -55,13 +55,13 @@ struct Move {
   int32_t height_um = 0;         ///< height of a bead
   float acceleration_mm_s2 = 0;  ///< acceleration; 0: the acceleration that earlier beads set
   MoveKind kind = MoveKind::kTravel;
-  Feature feature = Feature::kPerimeter;  ///< feature of kPrint
-  /// share of the bead's width on the layer below, in percent; 0: in the air
+  Feature feature = Feature::kPerimeter;  ///< feature of the bead; only for kPrint
+  /// share of the bead's width that the layer below supports, in percent; 0: in the air
   uint8_t rest = kFullRest;
   bool of_surface = false;  ///< true for a bead of the two outermost walls
   bool on_arc = false;      ///< true for a bead that an arc may replace
-  /// True for a kRetract or kRestart that is unnecessary if the layer below already ends in this
-  /// state.
+  /// True for a kRetract or kRestart that is written only if the filament is not yet in this state
+  /// at the end of the layer below.
   bool if_needed = false;
 
   friend bool operator==(const Move&, const Move&) = default;
@@ -78,25 +78,26 @@ struct MoveArc {
   friend bool operator==(const MoveArc&, const MoveArc&) = default;
 };
 
-/// Moves of a layer. They begin at any position, retracted or not, at the height of the layer
-/// before.
+/// Moves of a layer or of a block. They begin at any x and y, with or without a retraction, at the
+/// height `start_z_um`.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   std::vector<Move> moves;
   std::vector<MoveArc> arcs;  ///< arcs in the order of the moves
-  /// Index of the travel to the entry. Its length depends on the layer before and is not known.
+  /// Index of the travel to the entry, or kNone. Its length is not known, because it depends on the
+  /// layer before.
   size_t approach = kNone;
-  int32_t start_z_um = 0;  ///< height of the layer before
+  int32_t start_z_um = 0;  ///< height of the nozzle before the moves: the top of the layer below
 };
 
-/// Offset that is added to the positions of moves.
+/// Offset in um that is added to the positions of moves.
 struct ShiftUm {
   int32_t x = 0;
   int32_t y = 0;
 };
 
-/// Moves [first, last) of a toolpath with a shift. A program is a list of stretches.
+/// Part of a program: moves [first, last) of a toolpath, shifted. A program is a list of stretches.
 struct Stretch {
   const Toolpath* path = nullptr;
   size_t first = 0;

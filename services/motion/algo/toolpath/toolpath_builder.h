@@ -22,8 +22,8 @@ namespace slicefarm::motion {
 /// Converts paths to moves, one path after the other: travels with retraction and lift, and beads
 /// with their filament.
 ///
-/// Paths are simplified within `resolution_nm` first (simplified_path.h). The paths of all stages
-/// are simplified here and nowhere else.
+/// The builder first simplifies each path within `resolution_nm` (simplified_path.h). No other
+/// stage simplifies paths.
 ///
 /// The filament of a bead is its section (SectionMm2) times the extrusion multiplier. A path of
 /// varying width is divided into segments of one width (divided_path.h). Rounding remainders are
@@ -34,8 +34,8 @@ namespace slicefarm::motion {
 /// layer has no scarfs. A retraction wipes (wipe.h), except after a scarf, which becomes thinner by
 /// itself. Travels start at the end of the wipe.
 ///
-/// At the boundary to the layer below, the filament may be retracted or ready. The first retraction
-/// or restart is needed only in one of these cases, and is marked (Move::if_needed).
+/// At the boundary to the layer below, the filament may be retracted or ready. The layer's first
+/// retraction or restart is needed only in one of these two cases, and is marked (Move::if_needed).
 class ToolpathBuilder {
  public:
   /// `options`, `below` and `carried` must outlive the builder. `below`: layer below, which slows
@@ -53,22 +53,25 @@ class ToolpathBuilder {
     as_left_ = true;
   }
 
-  /// Adds a path. `travel`: travel to it; for the first path it is used only after BeginAsLeft.
-  /// `contour_mm`: result of ContourLengthsMm; without it, the path's own length.
+  /// Adds a path. `travel`: travel to this path; for the first path it is used only after
+  /// BeginAsLeft. `contour_mm`: the path's element of ContourLengthsMm; if it is missing, the
+  /// path's own length is used.
   void Add(const Path& path, const Travel& travel = {}, std::optional<double> contour_mm = {});
 
-  /// Adds the only bead of a layer: a loop along which the nozzle rises from the bottom of the
-  /// layer to its top. If the turn is blended with the turn below, in the outline `below`, its
-  /// points gradually move from the turn below to the loop. In the first turn of a spiral the flow
-  /// grows from 0. Above the last turn, a level turn with decreasing flow follows, so the total
-  /// flow equals that of as many full loops. `path` starts where the turn does.
+  /// Adds the only bead of a layer of a spiral: a loop along which the nozzle rises from the bottom
+  /// of the layer to its top. If the turn is blended with the turn below, its points gradually move
+  /// from the turn below to the loop (TurnOf). In the first turn of a spiral the flow grows from 0.
+  /// The last turn is followed by a level turn with decreasing flow, so the total flow equals that
+  /// of as many full loops. `below`: outline of the layer below. REQUIRES: `path` starts at
+  /// `turn.start`.
   void AddTurn(const Path& path, const SpiralTurn& turn, const MultiPolygon& below);
 
   /// Returns the added moves, after a retraction. Call once.
   Toolpath Finish();
 
-  /// Returns the added moves if the layer above continues without a break. The filament is
-  /// retracted if the travel in `leave` requires it. Without a travel it is ready to print.
+  /// Returns the added moves of a layer that the layer above continues without a break. `leave`:
+  /// travel to the layer above. The filament ends retracted if this travel requires it. Without a
+  /// travel it ends ready to print. Call once.
   Toolpath FinishAt(const std::optional<Leave>& leave);
 
   bool retracted() const { return retracted_; }
@@ -78,7 +81,7 @@ class ToolpathBuilder {
   const ProgramStats& stats() const { return stats_; }
 
  private:
-  /// Common values of segments of one width.
+  /// Values that the segments of one width have in common.
   struct Bead {
     Coord width_nm = 0;
     double filament_per_mm = 0;  ///< in 1e-5 mm
@@ -124,11 +127,11 @@ class ToolpathBuilder {
   Accelerations accelerations_;
   double filament_area_mm2_;
   Coord bead_height_nm_;
-  int32_t bottom_um_;  ///< bottom of the beads
+  int32_t bottom_um_;  ///< z of the bottom of the beads, z_offset included
   const LayerBelow* below_;
   const LayerBelow* carried_;
   int32_t z_um_;
-  int32_t lift_um_;         ///< height by which travels rise
+  int32_t lift_um_;         ///< height by which travels rise; 0 if they do not
   int32_t start_lift_um_;   ///< rise of the travel to the first path
   bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
   Wipe wipe_;

@@ -10,7 +10,7 @@
 
 namespace slicefarm::motion {
 
-/// Point of a travel, and the rise of the nozzle there.
+/// Point of a travel, and the height of the nozzle above the layer at this point.
 struct RampPlace {
   PlaceUm place;
   int32_t up_um = 0;
@@ -18,21 +18,21 @@ struct RampPlace {
   friend bool operator==(const RampPlace&, const RampPlace&) = default;
 };
 
-/// Returns the largest rise of the nozzle over a travel, in mm: with travel_ramping_lift
-/// travel_max_lift, otherwise retract_lift.
+/// Returns the largest rise of the nozzle over a travel, in mm: travel_max_lift if
+/// travel_ramping_lift is on, otherwise retract_lift.
 double LiftOf(const RetractionOptions& retraction);
 
 /// Returns true if the nozzle rises along the travel and not straight up.
 bool RisesAlongTheWay(const RetractionOptions& retraction);
 
-/// Returns the points of a travel from `from`, along which the nozzle rises by travel_slope up to
-/// travel_max_lift. A short travel does not reach this height.
+/// Returns the points of a travel from `from`, along which the nozzle rises with the angle
+/// travel_slope up to travel_max_lift. On a short travel the nozzle does not reach this height.
 ///
 /// With travel_lift_before_obstacle the nozzle is at full height before the travel crosses an
-/// outline of `below`. As in PrusaSlicer, the first crossing out of the island below `from` does
-/// not count. `below` may be null. The last point is the end of the travel. REQUIRES:
-/// RisesAlongTheWay; `travel` is not empty. Source: measured, PrusaSlicer 2.9. PrusaSlicer also
-/// rounds the end of the ramp for Marlin.
+/// outline of `below`, the layer below (null: none). As in PrusaSlicer, the crossing by which the
+/// travel leaves the island below `from` does not count. The last point is the end of the travel.
+/// REQUIRES: RisesAlongTheWay; `travel` is not empty. Source: measured, PrusaSlicer 2.9.
+/// PrusaSlicer also rounds the end of the ramp for Marlin.
 std::vector<RampPlace> RampedTravel(PlaceUm from, std::span<const PlaceUm> travel,
                                     const RetractionOptions& retraction, const LayerBelow* below);
 

@@ -17,14 +17,14 @@ struct Wipe {
   double length_mm = 0;  ///< length of the movement; 0: no wipe
 };
 
-/// Returns the wipe: at wipe_speed, with the length wipe_distance; without this setting, with the
-/// length that the retraction speed needs, as in PrusaSlicer.
+/// Returns the wipe of the settings: its speed is wipe_speed, its length wipe_distance. If
+/// wipe_distance is 0, the wipe lasts as long as the retraction at its speed, as in PrusaSlicer.
 Wipe WipeOf(const MotionOptions& options);
 
-/// Returns the points of the wipe after the end of the path. A loop is followed once more, which
-/// smears the material at its seam. Any other path is followed back. The wipe ends after
-/// `length_mm`, or with the path. Steps are at least 0.2 mm: corners of shorter edges are skipped,
-/// and a shorter last step is left out.
+/// Returns the points of the wipe after the end of the path. Along a loop, the nozzle continues
+/// over the loop's beginning, which smears the material at the seam. Along any other path, it goes
+/// back. The wipe ends after `length_mm`, or with the path. Steps are at least 0.2 mm: corners of
+/// shorter edges are skipped, and a shorter last step is left out.
 std::vector<PlaceUm> WipePath(const Path& path, double length_mm);
 
 }  // namespace slicefarm::motion
