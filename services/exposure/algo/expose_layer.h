@@ -20,9 +20,9 @@ namespace slicefarm::exposure {
 /// section, once for all copies of its object. Also returns the order in which the copies are
 /// scanned.
 ///
-/// `objects`: the layer and ExposureOptions::Halo() layers of each object above and below, as
-/// WithHalo returns them. `regions`: indexed by row of the job's tables. `copies`: the copies of
-/// the whole job; copies of objects without a section in this layer are skipped.
+/// `objects`: for each object, the layer itself and ExposureOptions::Halo() layers above and below
+/// it, as WithHalo returns them. `regions`: indexed by row of the job's tables. `copies`: the
+/// copies of the whole job; copies of objects without a section in this layer are skipped.
 ///
 /// The result depends only on these inputs, so that the division of a job into ranges does not
 /// matter. Errors: Cancelled, checked a few times per section; REQUEST_MALFORMED (CheckRegions,

@@ -19,16 +19,16 @@ namespace slicefarm::exposure {
 /// One region of a section, and its surroundings.
 struct RegionInput {
   const MultiPolygon& outlines;
-  const MultiPolygon& section;  ///< outlines of all regions together
+  const MultiPolygon& section;  ///< outlines of all regions of the section together
   SkinNeighbours neighbours;
-  int32_t layer = 0;  ///< layer of the job; it sets the rotation of the hatch
+  int32_t layer = 0;  ///< index of the layer in the job; it sets the rotation of the hatch
   int32_t object = 0;
   int32_t settings = 0;
   Point shift = {};  ///< shift of a copy of the object, for positions in errors
 };
 
 /// Returns the groups of one region in the order of scanning, beginning near `from`: contours,
-/// their inside, skins, thin walls. `counts`: the cuts into convex pieces are added. Errors:
+/// hatch or rings, skins, thin walls. Adds the cuts into convex pieces to `counts`. Errors:
 /// Cancelled; REQUEST_TOO_LARGE (Hatch); REQUEST_MALFORMED (Decompose); INTERNAL with layer and
 /// position for a vector outside of the compensated outline (scan/outline_check.h).
 absl::StatusOr<std::vector<ExposureGroup>> ExposeRegion(const RegionInput& region,

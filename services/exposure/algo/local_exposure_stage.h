@@ -7,10 +7,10 @@
 
 namespace slicefarm::exposure {
 
-/// Returns the exposure stage that runs in this process. It scans each layer (expose_layer.h) and
-/// writes it (writers/writers.h); see README.md. Stateless. A layer's result depends only on the
-/// layers that its skins reach, so that the division of a job into ranges does not matter. Errors:
-/// see ExposeLayer.
+/// Returns the exposure stage that runs in this process. The stage scans each layer
+/// (expose_layer.h) and writes it (writers/writers.h); see README.md. Stateless. A layer's result
+/// depends only on the layers that its skins reach, so that the division of a job into ranges does
+/// not matter. Errors: see ExposeLayer.
 std::unique_ptr<ExposureStage> MakeLocalExposure();
 
 }  // namespace slicefarm::exposure

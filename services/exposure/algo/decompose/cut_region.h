@@ -8,8 +8,8 @@
 namespace slicefarm::exposure {
 
 /// Connected region. Its interior is to the left of all rings, and the first ring is the outer one.
-/// If a bridge (cut) connects a hole to another ring, both are one ring that passes the bridge
-/// twice.
+/// If a cut connects a hole to another ring, both become one ring that follows the cut twice, once
+/// in each direction. This cut is called the hole's bridge.
 struct CutRegion {
   std::vector<Polygon> rings;
 
@@ -17,7 +17,7 @@ struct CutRegion {
   size_t PointCount() const;
 };
 
-/// Index of a corner of a region: the ring and the point in the ring.
+/// Index of a corner of a region: the ring's index, and the point's index in the ring.
 struct CornerIndex {
   size_t ring = 0;
   size_t point = 0;

@@ -12,7 +12,7 @@ struct EdgePoint {
 
 /// Returns a point between a and b, near the middle of the range from `low` to `high`, which are
 /// fractions of the edge. The fraction of the point is strictly inside this range. The point is
-/// exactly on the edge wherever integers allow.
+/// exactly on the edge if the range contains a point with integer coordinates.
 ///
 /// Among the exact points, the one with the simplest fraction in halves and fifths is chosen. The
 /// coordinate differences of both parts of the edge then still have common factors, so that the

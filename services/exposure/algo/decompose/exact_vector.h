@@ -8,8 +8,8 @@
 
 namespace slicefarm::exposure {
 
-/// Largest absolute coordinate of polygons for decomposition. Up to this value, differences between
-/// differences of coordinates are exact in double.
+/// Largest absolute coordinate of polygons for decomposition. Within this limit, doubles store the
+/// difference of two edge vectors exactly.
 inline constexpr Coord kExactCoord = Coord{1} << 51;
 
 /// Returns +1 if b is to the left of a, -1 if it is to the right, 0 if both are on one line. Exact

@@ -17,11 +17,12 @@ constexpr double kCosine30 = 0.86602540378443865;
 
 /// End of a cut from a reflex corner.
 struct Link {
-  CornerIndex end;                  ///< the corner, or the start of the divided edge
-  std::optional<Point> extra = {};  ///< the point on the divided edge
+  CornerIndex end;  ///< the end corner; if the cut ends inside an edge, the start of this edge
+  /// the end point inside an edge, if the cut does not end at a corner
+  std::optional<Point> extra = {};
   double cosine = 0;  ///< cosine of the smallest angle between the cut and an edge, at either end
-  /// Cosine of the smallest angle at the end alone; only if the rule of 30 degrees has chosen the
-  /// end.
+  /// Cosine of the smallest angle between the cut and an edge at its end corner. Only set if the
+  /// rule of 30 degrees has chosen this corner.
   std::optional<double> ruled_cosine = {};
 };
 
@@ -32,30 +33,31 @@ struct Link {
 ///   1. reflex corners that have P in their own region A, because one cut serves both corners;
 ///   2. other reflex corners;
 ///   3. convex corners at which the cut makes no angle below 30 degrees.
-/// Within a rank, corners on the extension of an edge at P are first, the nearest of them first of
-/// all: the ring then has one bend less at P. Then corners follow by weight |cos a - cos b|,
-/// smallest first. Here a and b are the cut's angles with the edges, and the weight is summed over
-/// both ends. A cut to a reflex corner with an angle below 1 degree is not used, because it would
-/// cut slivers off a wall that is straight except for rounding. If there is no corner, the cut
-/// follows the bisector of A to the boundary.
 ///
-/// All decisions about the side of a line are exact. A cut never passes another corner. Cost: O(n),
-/// n points of the region, and O(edges in A) for each tested candidate. The memory is reused in
-/// each call.
+/// Within a rank, corners on the extension of an edge at P are first, the nearest of these corners
+/// first of all. With such a cut, the ring has one bend less at P. Then corners follow by
+/// weight |cos a - cos b|, smallest first. Here a and b are the cut's angles with the edges, and
+/// the weight is summed over both ends. A cut to a reflex corner with an angle below 1 degree is
+/// not used: it would cut slivers off a wall that is straight except for rounding. If there is no
+/// corner, the cut follows the bisector of A to the boundary.
+///
+/// All decisions about the side of a line are exact. A cut never passes through a corner. Cost:
+/// O(n), n points of the region, and O(edges in A) for each tested candidate. The memory is reused
+/// in each call.
 class LinkChoice {
  public:
   /// Returns the best end of the cut from corner `from`. Returns nullopt if the corner sees no
   /// possible end, which cannot happen if the region's rings do not cross.
   ///
-  /// variant: 0 for the best end. 1 and 2 choose the next ends of the same rank that make no angle
-  /// below 30 degrees. If the best cut has no end corner, or a convex corner as the only candidate,
-  /// 1 and 2 choose cuts beside the bisector.
+  /// variant: 0 for the best end. 1 and 2 choose the next best ends of the same rank that make no
+  /// angle below 30 degrees. If the best cut ends at no corner, 1 and 2 choose a cut beside the
+  /// bisector. They do the same if a convex corner is the only candidate.
   std::optional<Link> Choose(const CutRegion& region, CornerIndex from, int32_t variant = 0);
 
  private:
   struct Edge {
     Vector2 from = Vector2::Zero(), to = Vector2::Zero();  ///< ends relative to P
-    int origin_side = 0;                                   ///< side of the edge on which P is
+    int origin_side = 0;  ///< side of the edge's line on which P is: +1 left, -1 right
     CornerIndex index;
   };
   struct Candidate {
@@ -82,7 +84,8 @@ class LinkChoice {
 
   Point origin_;                                          ///< the corner P
   Vector2 in_ = Vector2::Zero(), out_ = Vector2::Zero();  ///< edges of P, towards P and away from P
-  /// Edges that may reach into A; edges that blocked a line recently are near the front.
+  /// Edges that may intersect A. Edges that hid a candidate recently are near the front, so that
+  /// the next test finds them early.
   std::vector<Edge> edges_;
   std::vector<Candidate> candidates_;
 };

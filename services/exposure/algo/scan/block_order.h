@@ -17,7 +17,7 @@ struct ScanBlock {
   bool odd = false;         ///< true for blocks of the second colour of the chequerboard
 };
 
-/// A block in the order of scanning, and its direction.
+/// A block and its direction, as an element of the scanning order.
 struct BlockTurn {
   size_t block = 0;
   bool reversed = false;

@@ -13,9 +13,10 @@
 
 namespace slicefarm::exposure {
 
-/// Boundary of a region in the squares of a grid, to test if lines keep a distance from the
-/// boundary. Most lines are decided by the square in their middle, which stores the distance to the
-/// nearest square with boundary. All other lines are followed from square to square.
+/// Boundary of a region, stored in the squares of a grid. It tests if lines keep a distance from
+/// the boundary. Each square stores the distance to the nearest square that contains boundary. For
+/// most lines, the square at the line's middle decides the test. All other lines are followed from
+/// square to square.
 ///
 /// Distances are exact except for rounding of doubles, below a thousandth of a nanometre.
 class BorderGrid {
@@ -29,8 +30,8 @@ class BorderGrid {
   /// boundary. REQUIRES: distance_nm <= reach_nm. Cost: O(1) far from the boundary.
   bool Keeps(Point a, Point b, double distance_nm) const;
 
-  /// Returns the same as Keeps if it is already known that a is inside. Only the first segment of a
-  /// line needs Keeps, the next ones can use KeepsOn.
+  /// Returns the same as Keeps, but faster. REQUIRES: a is inside the region. Along a polyline,
+  /// call Keeps for the first segment and KeepsOn for the next ones.
   bool KeepsOn(Point a, Point b, double distance_nm) const;
 
   /// Returns true if no point of the segment ab is outside of the region by more than `beyond_nm`.
@@ -43,7 +44,7 @@ class BorderGrid {
   bool IsNear(Point p, double distance_nm) const;
 
   /// Returns the longest part of the segment ab that is in the region and at least `distance_nm`
-  /// from its boundary, or nullopt if there is none.
+  /// from its boundary. Returns nullopt if there is no such part.
   std::optional<std::pair<Point, Point>> LongestRun(Point a, Point b, double distance_nm) const;
 
  private:
@@ -56,7 +57,7 @@ class BorderGrid {
     /// Returns the distance of p to the left of the edge's line.
     double LeftOf(Vector2 p) const { return Dot(inward, p) - offset; }
     /// Returns true if p and q are both at least `distance` before the edge's start, or both at
-    /// least as far behind its end. This fast test decides most cases.
+    /// least `distance` behind its end. This fast test decides most cases.
     bool AreBeside(Vector2 p, Vector2 q, double distance) const {
       return std::max(Cross(p - a, inward), Cross(q - a, inward)) <= -distance ||
              std::min(Cross(p - b, inward), Cross(q - b, inward)) >= distance;
@@ -82,14 +83,14 @@ class BorderGrid {
     return {static_cast<double>(p.x - box_.min.x), static_cast<double>(p.y - box_.min.y)};
   }
   bool IsFarFromBorder(Point a, Point b) const;
-  /// Returns true if a segment keeps `distance_nm` from the boundary. `inside`: set to true if the
-  /// search shows that the segment is inside.
+  /// Returns true if the segment ab keeps `distance_nm` from the boundary, on either side of it.
+  /// `inside`: set to true if the search shows that the segment is inside.
   bool KeepsAlong(Vector2 a, Vector2 b, double distance_nm, bool& inside) const;
   bool IsInside(Vector2 p) const;
   bool IsNearEdge(Vector2 p, double distance_nm) const;
   bool RunsAlongEdge(Vector2 a, Vector2 b, double distance_nm) const;
-  /// Returns true if the segment ab without `ends_nm` at both ends is inside. Returns false if the
-  /// edges beside the segment do not decide this.
+  /// Returns true if the segment ab without its first and last `ends_nm` is inside. Returns false
+  /// if the edges beside the segment do not decide this.
   bool IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const;
   /// Returns true if all parts of the segment ab that are at least `distance_nm` from the boundary
   /// are inside.
@@ -112,8 +113,8 @@ class BorderGrid {
   int32_t columns_ = 0, rows_ = 0;
   std::vector<int32_t> begin_;  ///< index in items_ of the first item of each square
   std::vector<int32_t> items_;  ///< edges within reach of each square
-  /// Distance of each square, in squares, to the nearest one that has boundary or is outside. 0:
-  /// the square itself has boundary or is outside.
+  /// Distance of each square, in squares, to the nearest square that contains boundary or is
+  /// outside. 0: the square itself contains boundary or is outside.
   std::vector<uint8_t> room_;
 };
 

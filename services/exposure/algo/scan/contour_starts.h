@@ -8,8 +8,8 @@
 namespace slicefarm::exposure {
 
 /// Returns a contour as a closed line (its first point is repeated at the end). `start` decides
-/// where it begins:
-///   kScattered  at the fraction `share` of its length, in [0, 1);
+/// where the line begins:
+///   kScattered  at the fraction `share` of the contour's length, in [0, 1);
 ///   kNearest    at the corner nearest to `at`;
 ///   kRear       at the corner with the largest y, and of these the one with the largest x.
 /// If several corners are tied, the first one is chosen. The contour's shape does not change except

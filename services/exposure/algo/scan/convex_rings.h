@@ -13,9 +13,9 @@
 
 namespace slicefarm::exposure {
 
-/// Insets of a convex polygon by moving its edges. An edge that disappears is also missing in
-/// deeper insets, so that distances must not decrease from call to call. Cost: O(n) per call, n
-/// edges.
+/// Insets of a convex polygon. Each inset moves the edges inwards. An edge that disappears in an
+/// inset is removed for good. Therefore the distances must not decrease from call to call. Cost:
+/// O(n) per call, n edges.
 class ConvexInsets {
  public:
   /// Prepares the insets of `piece`, with coordinates in 1 / `scale` nm. REQUIRES: convex,
@@ -25,8 +25,8 @@ class ConvexInsets {
   /// Returns the inset by `distance_nm`, counter-clockwise, or an empty ring if nothing is left.
   ConvexRing At(double distance_nm);
 
-  /// Returns the distance of the deepest inset that is not empty, plus at most a micrometre.
-  /// REQUIRES: At is not called afterwards. Cost: O(n log(depth)), n edges.
+  /// Returns the distance of the deepest inset that is not empty, with an error of at most +1 um.
+  /// Do not call At afterwards. Cost: O(n log(depth)), n edges.
   double Depth();
 
  private:
@@ -47,9 +47,9 @@ struct Spine {
 /// Returns the spine halfway between the longest side and the corner farthest from it. REQUIRES: at
 /// least three corners.
 Spine SpineOf(const ConvexRing& ring);
-/// Returns the line along which a spot of diameter `spot_nm` melts the polygon. If the polygon
-/// tapers, the line is nearer to the longest side, where it is longer, as far as the spot still
-/// reaches the farthest corner.
+/// Returns the line along which a spot of diameter `spot_nm` melts the polygon. In a polygon that
+/// tapers, the line is nearer to the longest side than the middle, because it is longer there. The
+/// spot still reaches the corner farthest from this side.
 Spine SpineOf(const ConvexRing& ring, double spot_nm);
 
 /// Parameters of the rings that fill a piece.
@@ -60,24 +60,25 @@ struct RingFill {
   double least_spine = 0.05;
   bool corners = false;  ///< true if rings reach into corners (corner_spurs.h)
   SpurFill spurs = {};
-  /// Choice of the rings that melt some area twice; it differs in each layer (layer_shift.h).
-  /// nullopt: all rings reach into corners, and the innermost ring overlaps itself or the line in
-  /// the middle.
+  /// Rings that melt some area twice; the choice differs in each layer (layer_shift.h). nullopt:
+  /// all rings reach into corners, and the innermost ring overlaps itself or the line in the
+  /// middle.
   std::optional<RingTurn> turn = std::nullopt;
-  /// Boundary of the region that was cut into pieces. Its reach is at least SpurReach and
+  /// Boundary of the region that was cut into pieces. Its grid's reach is at least SpurReach and
   /// spine_gap_nm. Null: the piece is the whole region.
   const BorderGrid* border = nullptr;
-  double spine_gap_nm = 0;  ///< distance from the boundary to a spine without a ring around it
+  /// distance that a spine keeps from the boundary if no ring surrounds it
+  double spine_gap_nm = 0;
 };
 
-/// Smallest depth of a piece, in pitches, for its inner rings to be shifted.
+/// Smallest depth of a piece, in pitches, at which RingFill::turn shifts its inner rings.
 inline constexpr double kTurnedRings = 4;
 
 /// Returns the rings of a convex piece from its boundary inwards, at the distances first_nm + k *
-/// pitch_nm. Then returns the spine of the unmelted area in the middle (two points), if there is
-/// one. With `fill.turn`, the inner rings are shifted outwards by less than a pitch, if the piece
-/// is at least kTurnedRings deep. Coordinates of `piece` are in 1 / `scale` nm; the result is
-/// rounded to nm.
+/// pitch_nm. The last element is the spine of the unmelted area in the middle (two points), if
+/// there is one. With `fill.turn`, the inner rings of a piece at least kTurnedRings deep are
+/// shifted outwards by less than a pitch. Coordinates of `piece` are in 1 / `scale` nm; the result
+/// is rounded to nm.
 std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill);
 
 }  // namespace slicefarm::exposure

@@ -8,7 +8,8 @@ struct ExposureStyle;
 
 namespace slicefarm::exposure {
 
-/// Returns the time in seconds for which the laser is on per mm, in the middle of a long line.
+/// Returns the time in seconds for which the laser is on per mm of a vector, without effects of its
+/// ends.
 inline double LaserOnSecondsPerMm(const ExposureStyle& style) {
   if (style.point_distance_nm <= 0) return 1 / style.speed_mm_s;
   return style.point_time_us * 1e-6 / ToMm(static_cast<double>(style.point_distance_nm));

@@ -11,9 +11,8 @@ struct ExposureOptions;
 namespace slicefarm::exposure {
 
 /// Returns the distance from the outline to the boundary of the area that rings or hatch fill.
-/// - Rings: the outermost ring is contour_distance from the innermost contour. Rings keep half a
-///   hatch distance from the boundary of their area, less half of the overlap of rings beside a
-///   cut.
+/// - Rings: the outermost ring is contour_distance from the innermost contour. It is half a hatch
+///   distance, less half of ring_overlap, inside the boundary of the area.
 /// - Hatch: lines may be as near to the innermost contour as hatch_offset less HatchTrim. With
 ///   `border_lines` (layer_shift.h), hatch begins at the innermost border line.
 Coord InsideInset(const ExposureOptions& options, int32_t border_lines = 0);
@@ -23,25 +22,27 @@ Coord InsideInset(const ExposureOptions& options, int32_t border_lines = 0);
 std::vector<Coord> BorderInsets(const ExposureOptions& options, int32_t border_lines);
 
 /// Returns the length by which hatch lines are shortened at the boundary of their area. A line that
-/// meets the contour then ends hatch_offset from it. If the area were smaller instead, a line
-/// parallel to the contour would also have to keep this distance, and could leave up to a hatch
-/// distance unmelted.
+/// meets the contour at right angles then ends hatch_offset from it. The alternative would be a
+/// smaller area. Then a line parallel to the contour would have to keep the same distance, and
+/// could leave a strip of up to a hatch distance unmelted.
 Coord HatchTrim(const ExposureOptions& options);
 
 /// Returns the depth that defines narrow parts: a part is narrow if no point of it is this far from
-/// the outline. Hatch or rings do not fill narrow parts. In narrow parts, contours leave unmelted
-/// only the area that middle lines melt (thin_walls.h), or nothing. 0: there are no narrow parts.
+/// the outline. Hatch or rings do not fill narrow parts. There, middle lines (thin_walls.h) melt
+/// the area that contours leave unmelted. 0: there are no narrow parts.
 Coord NarrowDepth(const ExposureOptions& options, int32_t border_lines = 0);
 
-/// Two distances from the outline, inwards in the layer. A part with its innermost point between
-/// the two distances does not get the next line, so its middle stays unmelted.
+/// Two distances inwards from the outline, for one line that follows the outline (contour, border
+/// line or ring). If a part's innermost point is between the two distances, the part is too thin
+/// for this line. Its middle then stays unmelted.
 struct LineLevel {
   Coord melted_nm = 0;  ///< distance up to which the area is melted already
   Coord line_nm = 0;    ///< distance of the next line
 };
 /// Returns the levels from the outline inwards: the first contour, each further contour, then the
-/// hatch's border lines or the outermost ring. Hatch leaves nothing unmelted beside the last border
-/// line. Only levels at which something may remain unmelted are returned.
+/// hatch's border lines or the outermost ring. There is no level inside the last border line,
+/// because hatch leaves nothing unmelted beside it. Levels at which nothing can remain unmelted are
+/// left out.
 std::vector<LineLevel> LineLevels(const ExposureOptions& options, int32_t border_lines = 0);
 
 }  // namespace slicefarm::exposure

@@ -13,7 +13,8 @@ namespace slicefarm::exposure {
 
 /// Hatch lines in blocks. Each block is scanned without interruption.
 struct LineBlocks {
-  std::vector<Point> points;  ///< two points per line, in order and direction, block after block
+  /// two points per line; lines in the order and direction of scanning, block after block
+  std::vector<Point> points;
   /// Index of each block's first point in `points`; one more entry than blocks.
   std::vector<size_t> begin;
   /// True for blocks of the second colour of the chequerboard, indexed by block.

@@ -9,16 +9,16 @@
 
 namespace slicefarm::exposure {
 
-/// Vector at a position that is not permitted.
+/// Vector that is nearer to the outline than permitted.
 struct StrayVector {
   ExposureKind kind = ExposureKind::kHatch;
   Point from, to;
 };
 
-/// Finds the first vector of a region at a position that is not permitted, or returns nullopt. This
-/// final check does not use the code that creates the vectors. Thin walls must be inside the
-/// outline; all other vectors must also keep beam_compensation from it. The whole of each vector is
-/// compared with the edges of the outline itself.
+/// Returns the first vector of a region that is at a forbidden position, or nullopt. Thin walls
+/// must be inside the outline; all other vectors must also keep beam_compensation from it. This
+/// final check does not use the code that creates the vectors. It compares the whole of each vector
+/// with the edges of the outline itself.
 ///
 /// Vectors may be nearer by kStrayNm, because outlines are simplified before they are cut into
 /// pieces. Cost: O(edges), and one or two grid queries per vector; a few per cent of the cost of

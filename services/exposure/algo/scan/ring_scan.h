@@ -11,11 +11,12 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Scans a region by rings. Cuts the region into convex pieces and fills each piece with rings: the
-/// first is half a hatch distance (less half of ring_overlap_nm) from the boundary, each further
-/// ring a hatch distance further inside. An unmelted area in the middle is scanned along its spine.
-/// kRings scans from the middle outwards, kRingsInward from the boundary inwards. Linked rings of a
-/// piece form one line, with a link from each ring to the nearest corner of the next.
+/// Scans a region by rings. Cuts the region into convex pieces and fills each piece with rings. The
+/// first ring is half a hatch distance, less half of ring_overlap_nm, from the piece's boundary.
+/// Each further ring is a hatch distance further inside. An unmelted area in the middle is scanned
+/// along its spine. kRings scans from the middle outwards, kRingsInward from the boundary inwards.
+/// With linked rings, the rings of a piece form one line, with a link from each ring to the nearest
+/// corner of the next.
 ///
 /// Appends lines to `group`, in an order that begins near `from`, and adds the cuts to `counts`.
 /// With turn_rings, the cuts and the starts of rings depend on `layer` (layer_shift.h). REQUIRES:

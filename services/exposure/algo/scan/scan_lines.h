@@ -9,7 +9,7 @@
 
 namespace slicefarm::exposure {
 
-/// Parallel lines at v = (line + phase) * pitch for all integers `line`.
+/// Parallel lines with the equation v = (line + phase) * pitch, one for each integer `line`.
 struct LineGrid {
   double pitch_nm = 0;
   double phase = 0;  ///< in [0, 1)
@@ -17,7 +17,7 @@ struct LineGrid {
   double V(int32_t line) const { return (line + phase) * pitch_nm; }
 };
 
-/// Part of a line between two crossings of a region's boundary.
+/// Part of a line inside a region: between two consecutive crossings of the region's boundary.
 struct ScanPiece {
   int32_t line = 0;
   double u0 = 0;  ///< start of the piece; smaller than u1
@@ -34,11 +34,11 @@ inline constexpr int64_t kMaxScanPieces = 50'000'000;
 absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
                                                     const LineAxes& frame, const LineGrid& grid);
 
-/// Region to be hatched, and the distance between the ends of its lines and its boundary.
+/// Region to be hatched, and rules for the ends of its lines.
 struct HatchRegion {
   MultiPolygon area;
-  /// Larger area that `area` is a part of; empty: `area` itself. Lines are shortened only at the
-  /// boundary of this larger area.
+  /// Larger area that contains `area`; empty: `area` itself. Lines are shortened only where they
+  /// end at the boundary of this larger area.
   MultiPolygon whole = {};
   /// Part of `area` without lines.
   MultiPolygon narrow = {};

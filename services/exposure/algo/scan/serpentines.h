@@ -10,7 +10,7 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Returns lines through the whole region as blocks. Within a block, each line continues to the
+/// Returns lines through the whole region as blocks. Within a block, each line is followed by the
 /// nearest line beside it on the next row. A block ends if there is no line beside its last one.
 absl::StatusOr<LineBlocks> SerpentineBlocks(const HatchRegion& region, double angle_deg,
                                             const ExposureOptions& options);

@@ -6,25 +6,26 @@
 
 namespace slicefarm::exposure {
 
-/// Areas of a section. The core has the part above and below it. The upskin has no part above it,
-/// the downskin no part below it.
+/// Areas of a section, each with its own exposure. The core has material above and below it. The
+/// upskin has no material above it, the downskin none below it.
 struct SkinAreas {
   MultiPolygon core;
   MultiPolygon upskin;
   MultiPolygon downskin;  ///< has priority over upskin where both apply
 };
 
-/// Outlines of the layers next to a section. A nullptr is a missing layer: the whole section is
-/// skin.
+/// Outlines of the layers above and below a section. If one of them is nullptr or empty, the layer
+/// is missing, and the whole section is skin on this side.
 struct SkinNeighbours {
   std::span<const MultiPolygon* const> above;
   std::span<const MultiPolygon* const> below;
 };
 
-/// Divides the inside of a section with `outline` into core and skins. An area not covered by all
-/// layers above is upskin; one not covered by all layers below is downskin. Skins extend by
-/// `overlap_nm` into the core. `insides`: the area of the section that each kind may fill. These
-/// areas differ only for rings: the kind's hatch distance sets the position of the outermost ring.
+/// Divides a section with `outline` into core and skins. An area that is not covered by all layers
+/// above is upskin; an area not covered by all layers below is downskin. Skins extend by
+/// `overlap_nm` into the core. `insides`: for each kind, the area that its hatch or rings may fill.
+/// The three areas differ only for rings, because the outermost ring's position depends on the
+/// kind's hatch distance.
 SkinAreas PartSkins(const SkinAreas& insides, const MultiPolygon& outline,
                     const SkinNeighbours& neighbours, Coord overlap_nm);
 

@@ -12,20 +12,21 @@ struct ExposureOutput;
 
 namespace slicefarm::exposure {
 
-/// The user's own G-code around a layer's move in Z.
+/// The user's own G-code before and after the move in Z at the start of a layer.
 struct LayerCode {
   std::string before, after;
 };
 
-/// All of a job's own G-code, with filled templates. Each text is empty or ends with a line break.
+/// All custom G-code of a job, with filled-in templates. Each text is empty or ends with a line
+/// break.
 struct CustomLaserCode {
   std::string start;
   std::vector<LayerCode> layers;
   std::string end;
 };
 
-/// Fills the output's templates in the order of the file, so that a global variable of one template
-/// is valid in later ones. Errors: any error of ParseTemplate and RunTemplate.
+/// Fills in the output's templates in the order of the file. A global variable that one template
+/// sets is valid in later templates. Errors: any error of ParseTemplate and RunTemplate.
 absl::StatusOr<CustomLaserCode> FillIn(const ExposureOutput& output,
                                        const ExposureSummary& summary);
 

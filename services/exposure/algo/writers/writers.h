@@ -25,15 +25,15 @@ struct FileFacts {
   std::string_view start_code = {}, end_code = {};  ///< texts of CustomLaserCode
 };
 
-/// Returns true if the format has layer heads: the user's G-code is then in the file, also between
-/// layers.
+/// Returns true if the format has layer heads, which contain the user's G-code at the start of each
+/// layer.
 bool HasLayerHeads(OutputFormat format);
 
 /// Returns the header of a file. A file is its header, its layers and its footer, one after the
-/// other. If the format has layer heads, each layer follows its head. Layers are written
-/// independently of each other, in any order: each starts and ends with the laser off. A DXF has
-/// one layer, and the text of all other layers is empty. Each format has its own file in this
-/// folder.
+/// other. If the format has layer heads, each layer follows its head. Layers can be written
+/// independently, in any order, because the laser is off at the start and end of each layer. A DXF
+/// contains the layer output.layer; the text of all other layers is empty. Each format has its own
+/// source file in this folder.
 std::string FileHeader(const FileFacts& facts);
 /// Returns the head of a layer. REQUIRES: the format has layer heads.
 std::string LayerHead(const LayerFrame& layer, const LayerCode& code);
