@@ -9,27 +9,27 @@
 
 namespace slicefarm::milling {
 
-/// Lowest position of a cutter over a mesh.
+/// Lowest position of a cutter over a mesh at which the cutter does not gouge, and its contact.
 struct Drop {
-  double z_mm = 0;  ///< height of the cutter's tip: the smallest one at which it does not gouge
+  double z_mm = 0;  ///< height of the cutter's tip
   Eigen::Vector3d contact_mm{0, 0, 0};
 };
 
-/// Lowers a cutter onto a mesh: the counterpart of the push cutter. A position with the tip at
-/// height z is gouged if and only if the cutter that is lowered there stops above z.
+/// Lowers a cutter onto a mesh. It is consistent with the push cutter (push/fiber_push.h): with the
+/// tip at height z, a position is gouged if and only if the lowered cutter stops above z.
 ///
-/// Over a triangle, z minus the height of the cutter's profile at the distance from its axis is a
-/// concave function. Its maximum is where the triangle's slope touches the profile, or at one of a
-/// few points on a side. These points are known in closed form, or by a bracketed root for a bull
-/// nose. The mesh and the cutter must outlive this object.
+/// Over a triangle, consider the triangle's height minus the height of the cutter's profile, at
+/// each point below the cutter. This function is concave. Its maximum is where the triangle's slope
+/// touches the profile, or at one of a few points on a side. These points are known in closed form,
+/// or by a bracketed root for a bull nose. The mesh and the cutter must outlive this object.
 class DropCutter {
  public:
   DropCutter(const TriangleMesh& mesh, const Cutter& cutter)
       : mesh_(mesh), cutter_(cutter), triangles_(mesh) {}
 
   /// Returns the lowest position at `place_mm`. Returns nullopt if no part of the mesh is under the
-  /// cutter; contact with the side of its shaft does not count. Cost: 0.3 us for each triangle
-  /// under the cutter that is not below the result.
+  /// cutter; contact with the side of its shaft does not count. Cost: 0.3 us for each triangle that
+  /// is under the cutter and not below the result.
   std::optional<Drop> At(const Eigen::Vector2d& place_mm) const;
 
  private:

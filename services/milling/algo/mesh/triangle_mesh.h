@@ -14,19 +14,20 @@ struct TriangleMesh {
   std::vector<std::array<uint32_t, 3>> triangles;  ///< indices into `points_mm`, all valid
 };
 
-/// Edges of a mesh, each edge once. The two ends of an edge are sorted by their coordinates. So
-/// results computed from them do not depend on the order of triangles and corners.
+/// Edges of a mesh, each edge once. The two ends of an edge are sorted by their coordinates, so
+/// that results do not depend on the order of triangles and corners.
 struct MeshEdges {
   std::vector<std::array<uint32_t, 2>> ends;
-  /// Three edges per triangle: from corner 0 to 1, 1 to 2, 2 to 0.
+  /// Indices of the three edges of each triangle: from corner 0 to 1, 1 to 2, 2 to 0; indexed by
+  /// triangle.
   std::vector<std::array<uint32_t, 3>> of_triangle;
 };
 
 /// Returns the edges of a mesh. Cost: O(n log n) for n triangles.
 MeshEdges EdgesOf(const TriangleMesh& mesh);
 
-/// Returns true if `a` is before `b` in an order by coordinates, which does not depend on the order
-/// in a file.
+/// Returns true if `a` is before `b` in the order of their coordinates, which is independent of the
+/// order in a file.
 inline bool ByCoordinates(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
 }

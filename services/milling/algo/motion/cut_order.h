@@ -8,7 +8,7 @@
 
 namespace slicefarm::milling {
 
-/// Area of a level, given by two indices.
+/// Index of an area: the level, and the area in the level.
 struct AreaPlace {
   uint32_t level = 0;
   uint32_t area = 0;
@@ -16,10 +16,10 @@ struct AreaPlace {
   friend bool operator==(const AreaPlace&, const AreaPlace&) = default;
 };
 
-/// Returns the order in which areas are cut. An area is cut after all areas of the level above that
-/// it overlaps. If several areas are possible, the order goes as deep as possible, so that a pocket
-/// is finished before the next one. REQUIRES: levels descend. Cost: O(n m) for two areas of n and m
-/// points that have overlapping boxes but do not overlap; less otherwise.
+/// Returns the order in which areas are cut. All areas of the level above that an area overlaps are
+/// cut before it. If several areas are possible next, the order continues downwards, so that a
+/// pocket is finished before the next one. REQUIRES: levels descend. Cost: O(n m) for two areas of
+/// n and m points that have overlapping boxes but do not overlap; less otherwise.
 std::vector<AreaPlace> CutOrder(std::span<const MilledStep> levels);
 
 }  // namespace slicefarm::milling

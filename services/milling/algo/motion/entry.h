@@ -22,18 +22,19 @@ struct LeadArcs {
   bool clockwise = false;
 };
 
-/// Returns arcs onto and off a finishing pass, on the side without the part. Returns nullopt if
-/// they would leave the area.
+/// Returns the lead-in and lead-out arcs of a finishing pass, on the side without the part. Returns
+/// nullopt if the arcs would leave the area or radius_mm is 0.
 std::optional<LeadArcs> LeadArcsOf(const ClosedPath& pass, const PolygonWithHoles& area,
                                    double radius_mm, CutDirection direction);
 
-/// Lowers the tip from above a pass's first point to z, in whole and half loops of a helix beside
-/// the pass. Returns false if the area has no space for the circle.
+/// Lowers the tip from its position above a pass's first point to z, in whole loops of a helix on
+/// the left side of the pass. Each half loop is one arc. Returns false if the helix would leave the
+/// area.
 bool HelixDown(const ClosedPath& pass, const PolygonWithHoles& area, double z_mm,
                const MillingOptions& options, MoveBuilder& moves);
 
-/// Lowers the tip from a pass's first point to z along the pass, around it as often as necessary.
-/// Returns the pass, beginning at the tip's final position.
+/// Lowers the tip from a pass's first point to z in a ramp along the pass, in several rounds if
+/// necessary. Returns the pass, beginning at the tip's final position.
 ClosedPath RampDown(const ClosedPath& pass, double z_mm, const MillingOptions& options,
                     MoveBuilder& moves);
 

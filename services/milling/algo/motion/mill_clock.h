@@ -8,20 +8,21 @@
 
 namespace slicefarm::milling {
 
-/// Time and speed of a machine's move.
+/// Duration and speed of a move.
 struct MoveTime {
   double seconds = 0;
   double fastest_mm_s = 0;  ///< largest speed during the move
 };
 
 /// Returns the times of a program's moves, by the jerk-limited look-ahead of common/kinematics.
-/// Corners are cut by the tolerance, as LinuxCNC does it. The machine stops between rapid moves and
-/// feed moves. The first move starts at an unknown position, so its time is 0. After cancellation,
-/// the times of later moves are 0, so callers must check the token. Cost: O(chords).
+/// Corners are rounded within the tolerance, as LinuxCNC does it. The machine stops between rapid
+/// moves and feed moves. The first move starts at an unknown position, so its time is 0. After
+/// cancellation, the times of later moves are 0, so callers must check the token. Cost: O(chords).
 std::vector<MoveTime> TimesOf(std::span<const MillMove> moves, const MillingOptions& options,
                               const CancelToken& cancel = {});
 
-/// Lowers the feeds of moves to the speeds that the machine reaches, in steps of a twentieth.
+/// Lowers the feed of each move that the machine cannot reach: to the speed that it reaches,
+/// rounded up to a twentieth of the programmed feed.
 void LowerFeeds(const MillingOptions& options, std::span<MillMove> moves,
                 const CancelToken& cancel = {});
 

@@ -14,11 +14,11 @@ namespace slicefarm::milling {
 struct MillProgram {
   std::vector<MillMove> moves;
   double safe_z_mm = 0;
-  int ways = 0;  ///< number of loops and runs that were cut
+  int ways = 0;  ///< number of passes and rest-area runs that are cut
   double removed_mm3 = 0;
 };
 
-/// Combines the passes of all steps: first roughing, then finishing, then rest areas. Roughing and
+/// Combines the passes of all steps in this order: roughing, finishing, rest areas. Roughing and
 /// finishing go from the top down, pocket by pocket. REQUIRES: `steps` are all steps of the job, in
 /// the job's order. Errors: Cancelled. Cost: see StockMap::Cut.
 absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,

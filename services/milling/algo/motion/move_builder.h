@@ -9,28 +9,29 @@
 
 namespace slicefarm::milling {
 
-/// Builder of the moves of one tool. It also tracks the remaining stock. The tool begins at an
-/// unknown position at the safe height.
+/// Builder of the moves of one tool. It removes the cut stock from a StockMap. The tool begins at
+/// the safe height, at an unknown x and y.
 class MoveBuilder {
  public:
-  /// After cancellation, a stock mesh is not read completely, so callers must check the token.
+  /// After cancellation, the stock map is incomplete, so callers must check the token.
   explicit MoveBuilder(const MillingJob& job, const CancelToken& cancel = {});
 
   /// Sets the phase of the following moves.
   void SetPhase(MillPhase phase) { phase_ = phase; }
 
   /// Adds rapid moves to a position: up over all stock on the path, horizontally, and down to the
-  /// clearance above z. If the stock at the position is higher, the tool stops above the stock.
+  /// clearance above z. If the stock at the position is higher than z, the tool stops above the
+  /// stock.
   void RapidTo(const Eigen::Vector2d& place_mm, double z_mm);
   /// Adds a move up to the safe height.
   void Retract();
-  /// Adds a straight move at a feed; nothing if the tip is there already.
+  /// Adds a straight move at a feed. Adds nothing if the tip already is at `to_mm`.
   void LineTo(const Eigen::Vector3d& to_mm, double feed_mm_min);
   /// Adds an arc or a helix.
   void ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& centre_mm, bool clockwise,
              double feed_mm_min);
-  /// Follows a line at the height of the tip, with arcs where they fit and as few straight moves as
-  /// the tolerance allows.
+  /// Adds feed moves along a line at the tip's present height. Uses arcs where they fit, and as few
+  /// straight moves as the tolerance allows.
   void FeedAlong(std::span<const Eigen::Vector2d> line_mm, double feed_mm_min);
 
   /// Returns the position of the tip.

@@ -8,8 +8,8 @@
 
 namespace slicefarm::milling {
 
-/// Cuts the passes of levels' areas, one area after the other. REQUIRES: an area is cut after all
-/// areas above it.
+/// Cuts the passes of levels' areas, one area after the other. REQUIRES: all areas of higher levels
+/// that an area overlaps are cut before it (cut_order.h).
 ///
 /// A pass that meets no stock is left out. A pass begins at its nearest point to the tip. The tip
 /// moves straight to this point if the line stays in the area, otherwise by rapid moves above the

@@ -13,8 +13,9 @@ namespace slicefarm::milling {
 /// Remaining stock, as a map of heights at the centres of square pixels.
 class StockMap {
  public:
-  /// Cost: a drop of a needle for each pixel, if the stock is not a box. After cancellation, the
-  /// remaining pixels have the height of the box, so callers must check the token.
+  /// Cost: O(pixels); if the stock is a mesh, each pixel costs a drop of a needle onto it. After
+  /// cancellation, the remaining pixels have the height of the box, so callers must check the
+  /// token.
   StockMap(const MillingJob& job, double pixel_mm, const CancelToken& cancel = {});
 
   /// Removes the stock that the cutter meets on a straight move of its tip. A sloping move is
@@ -24,20 +25,20 @@ class StockMap {
   void Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm);
 
   /// Returns the lowest height of the tip at which the cutter, widened by `wider_mm` on all sides,
-  /// meets nothing. Returns the floor if there is nothing.
+  /// touches no stock. Returns the floor (MillingJob::floor_mm) if no stock is below the cutter.
   double RestHeight(const Eigen::Vector2d& place_mm, double wider_mm) const;
 
-  /// Returns true if the cutter with this tip position, widened by `wider_mm`, is in stock by more
-  /// than 0.1 um.
+  /// Returns true if the cutter with this tip position, widened by `wider_mm`, penetrates stock by
+  /// more than 0.1 um.
   bool Meets(const Eigen::Vector3d& tip_mm, double wider_mm) const;
 
-  /// Returns the largest RestHeight over a straight move. No obstacle wider than the pixels is
+  /// Returns the largest RestHeight over a straight move. Obstacles narrower than a pixel may be
   /// missed.
   double RestHeightOver(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& to_mm) const;
 
   /// Returns the total volume removed by Cut.
   double removed_mm3() const { return removed_mm3_; }
-  /// Returns the side length of a pixel.
+  /// Returns the side length of a pixel, in mm.
   double pixel_mm() const { return pixel_mm_; }
 
  private:

@@ -7,8 +7,8 @@
 
 namespace slicefarm::milling {
 
-/// Differences between controllers before and after the moves. The moves do not depend on the
-/// controller.
+/// Controller-specific text before and after the moves of a program. The text of the moves is the
+/// same for all controllers.
 class GcodeDialect {
  public:
   virtual ~GcodeDialect() = default;

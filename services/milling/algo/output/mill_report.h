@@ -7,9 +7,9 @@
 
 namespace slicefarm::milling {
 
-/// Computes the totals of a program and checks it against the part. The check is exact: it uses the
-/// drop cutter with the cutter reduced by the tolerance on all sides. Errors: Cancelled. Cost: a
-/// drop for each position, on all threads.
+/// Computes the totals of a program and checks if it gouges the part. The check is exact: at each
+/// position it lowers a cutter that is smaller by the tolerance on all sides (DropCutter). Errors:
+/// Cancelled. Cost: a drop for each position, on all threads.
 absl::StatusOr<MillReport> ReportOf(const MillingJob& job, const MillProgram& program,
                                     const CancelToken& cancel = {}, int threads = 1);
 

@@ -8,13 +8,13 @@
 
 namespace slicefarm::milling {
 
-/// Returns a program as G-code: mm with three decimals, modal words only where they change, arcs by
-/// their centres. Each phase begins with a comment.
+/// Returns a program as G-code: mm with three decimals, modal words only where they change, arcs
+/// with the centre (I, J). Each phase begins with a comment.
 std::string ProgramText(const MillProgram& program, const MillingOptions& options,
                         const GcodeDialect& dialect);
 
-/// Returns the program with comment lines around it: tool and stock before it, and the lines of
-/// `settings_text` after its end.
+/// Returns the program's G-code with comments around it: lines about tool and stock before it, and
+/// the lines of `settings_text` after its end.
 std::string WholeProgram(const MillingJob& job, const MillProgram& program,
                          const GcodeDialect& dialect, std::string_view settings_text);
 

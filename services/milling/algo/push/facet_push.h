@@ -8,8 +8,8 @@
 
 namespace slicefarm::milling {
 
-/// Contact of the cutter with the inside of a triangle. There is at most one, on the lower side of
-/// the triangle.
+/// Contact of the cutter with the inside of a triangle. A triangle has at most one, on the side to
+/// which it falls.
 struct FacetContact {
   /// 1: the contact is the high end of the interval; -1: the low end; 0: no contact
   int8_t side = 0;
@@ -30,10 +30,10 @@ struct FacetNormal {
 /// Returns the normal of a triangle.
 FacetNormal NormalOf(const std::array<FiberPoint, 3>& corners);
 
-/// Returns the contact with the inside of a triangle. A sloping plane is touched at one height
-/// above the tip (Cutter::TouchHeight). The contact is on the line in which the triangle is cut at
-/// this height. The cutter's axis is beside this line, in the direction in which the triangle
-/// falls. Level and vertical triangles are touched only by their edges. Cost: 15 ns.
+/// Returns the contact with the inside of a triangle. A plane of a given slope touches the cutter
+/// at one height above the tip (Cutter::TouchHeight). At this height the triangle has a level line,
+/// and the contact is on this line. The cutter's axis is beside it, in the direction in which the
+/// triangle falls. Level and vertical triangles are touched only by their edges. Cost: 15 ns.
 FacetContact PushFacet(const Cutter& cutter, const std::array<FiberPoint, 3>& corners,
                        const FacetNormal& normal);
 

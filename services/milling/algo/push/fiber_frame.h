@@ -46,12 +46,12 @@ class FiberFrame {
     return PushEdge(cutter, At(ends[0], fiber), At(ends[1], fiber));
   }
 
-  /// Returns the interval of a whole triangle from the results of PushSide for its sides. There is
-  /// none if low >= high. The cutter and the triangle are convex, so there is one interval, from
-  /// the lowest to the highest contact.
+  /// Returns the interval in which the cutter gouges a triangle, computed from the results of
+  /// PushSide for its three sides and from its inside. The interval is empty if low >= high. There
+  /// is only one interval, because the cutter and the triangle are convex.
   Interval Hull(const Cutter& cutter, uint32_t triangle, const Fiber& fiber,
                 const std::array<Reach, 3>& sides) const;
-  /// Returns the interval of a whole triangle.
+  /// Returns the interval in which the cutter gouges a triangle. It is empty if low >= high.
   Interval PushTriangle(const Cutter& cutter, uint32_t triangle, const Fiber& fiber) const;
 
   /// Returns the point of the mesh that the cutter touches at an end of an interval, in x, y, z.
@@ -68,7 +68,8 @@ class FiberFrame {
   /// Corners per triangle, sorted by their coordinates, so that results do not depend on the file's
   /// order.
   std::vector<std::array<uint32_t, 3>> corners_;
-  std::vector<FiberPoint> points_;    ///< points of the mesh; the height is z
+  /// points of the mesh in fiber coordinates; the height is the mesh's z, not relative to a tip
+  std::vector<FiberPoint> points_;
   std::vector<FacetNormal> normals_;  ///< normals of the triangles
 };
 

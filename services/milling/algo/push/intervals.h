@@ -6,8 +6,8 @@
 
 namespace slicefarm::milling {
 
-/// Element of the mesh that the cutter touches: parts 0 to 2 are the sides of the triangle, part 3
-/// is its inside.
+/// Element of the mesh that the cutter touches: a triangle, and a part of it. Parts 0 to 2 are the
+/// triangle's sides, part 3 is its inside.
 struct Source {
   uint32_t triangle = 0;
   uint32_t part = 0;
@@ -29,9 +29,10 @@ class IntervalSet {
  public:
   /// Removes all intervals.
   void Clear() { items_.clear(); }
-  /// Adds an interval and unites it with intervals that overlap it or are at most kMerged away. If
-  /// two intervals have the same end, the source of the one added first is kept. Cost: O(log n) to
-  /// find, O(n) to move the following intervals, for n intervals. REQUIRES: low < high.
+  /// Adds an interval and merges it with intervals that overlap it or are at most kMerged away. If
+  /// two intervals have the same end, the merged interval has the source of the interval added
+  /// first. Cost: O(log n) to find, O(n) to move the following intervals, for n intervals.
+  /// REQUIRES: low < high.
   void Add(const Interval& interval);
   /// Returns true if one of the intervals contains [low, high]. Cost: O(log n).
   bool Covers(double low, double high) const {

@@ -7,13 +7,13 @@
 
 namespace slicefarm::milling {
 
-/// Grid of triangles by their position seen from above.
+/// Grid of triangles, sorted by their x and y.
 class TriangleGrid {
  public:
   explicit TriangleGrid(const TriangleMesh& mesh);
 
-  /// Calls visit(triangle) for all triangles that may have a point in the box; some are visited
-  /// more than once.
+  /// Calls visit(triangle) at least once for each triangle that may have a point above or below the
+  /// box.
   template <typename Visit>
   void ForEachIn(const Eigen::Vector2d& low, const Eigen::Vector2d& high, Visit visit) const {
     const Cell a = CellOf(low), b = CellOf(high);

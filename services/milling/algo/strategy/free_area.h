@@ -18,10 +18,11 @@ struct FreeArea {
   MultiPolygon free;
 };
 
-/// Returns the free areas of levels, in the order of `levels_mm`. A free area is the waterlines of
-/// the stock for a cylinder widened by the clearance, minus the waterlines of the part for the
-/// cutter grown by the allowance. A position that is free on a level is free on all levels above.
-/// Each result depends only on its own level. Errors: any error of Waterlines.
+/// Returns the free areas of levels, in the order of `levels_mm`. A free area is computed from two
+/// waterlines: the waterline of the stock for a cylinder wider than the cutter by the clearance,
+/// minus the waterline of the part for the cutter grown by the allowance. A position that is free
+/// on a level is free on all levels above. Each result depends only on its own level. Errors: any
+/// error of Waterlines.
 absl::StatusOr<std::vector<FreeArea>> FreeAreas(const MillingJob& job, double allowance_mm,
                                                 std::span<const double> levels_mm,
                                                 const CancelToken& cancel, int threads = 1);

@@ -25,8 +25,8 @@ struct MillingJob {
   std::vector<MillStep> steps;  ///< steps: levels from the top down, rows by ascending y
 };
 
-/// Returns the box in which rest areas are searched. It contains all positions at which the lowered
-/// cutter may touch the part.
+/// Returns the bounding box of all tip positions at which the lowered cutter may touch the part,
+/// seen from above. Rest areas are searched in it.
 Eigen::AlignedBox2d RestBox(const MillingJob& job);
 
 /// Checks a part, its stock and the options, and determines the levels and rows.
@@ -48,7 +48,7 @@ Eigen::AlignedBox2d RestBox(const MillingJob& job);
 absl::StatusOr<MillingJob> PrepareMilling(TriangleMesh part, std::optional<TriangleMesh> stock,
                                           const MillingOptions& options);
 
-/// Returns the approximate relative cost of each step; above 0.
+/// Returns the approximate cost of each step relative to the other steps; above 0.
 std::vector<int32_t> StepWeights(const MillingJob& job);
 
 }  // namespace slicefarm::milling

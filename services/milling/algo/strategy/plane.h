@@ -6,11 +6,11 @@
 
 namespace slicefarm::milling {
 
-/// Converts a position of this library, in mm, to a point of common/geometry, in nm.
+/// Converts x and y in mm, as used by the milling service, to a Point in nm.
 inline Point PointOf(const Eigen::Vector2d& place_mm) {
   return {FromMm(place_mm.x()), FromMm(place_mm.y())};
 }
-/// Converts a point of common/geometry, in nm, to a position of this library, in mm.
+/// Converts a Point in nm to x and y in mm, as used by the milling service.
 inline Eigen::Vector2d PlaceOf(Point p) {
   return {ToMm(static_cast<double>(p.x)), ToMm(static_cast<double>(p.y))};
 }

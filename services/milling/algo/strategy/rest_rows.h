@@ -12,9 +12,9 @@ namespace slicefarm::milling {
 
 /// Returns the runs for parallel finishing of rest areas (the flat parts of the surface), per row.
 /// A run consists of the samples where the surface of tip positions (DropCutter) is flatter than
-/// the angle, and one more sample at each end. Points are inserted between two samples until the
-/// tip is within a tenth of the tolerance of its lowest position. A row depends only on its own y.
-/// Errors: Cancelled. Cost: three drops per sample.
+/// rest_angle_deg, and one more sample at each end. Points are inserted between two samples until
+/// the tip's path deviates from the surface by at most a tenth of the tolerance. A row depends only
+/// on its own y. Errors: Cancelled. Cost: three drops per sample.
 absl::StatusOr<std::vector<std::vector<RestRun>>> RestRows(const MillingJob& job,
                                                            std::span<const double> rows_mm,
                                                            const CancelToken& cancel,

@@ -6,7 +6,7 @@
 
 namespace slicefarm::milling {
 
-/// Data for pushing a cutter along any fiber of a level.
+/// Input for pushing a cutter along any fiber of a level.
 struct LevelPush {
   const FiberFrame& x;  ///< frame for fibers along x (rows)
   const FiberFrame& y;  ///< frame for fibers along y (columns)
@@ -22,15 +22,14 @@ struct Refinement {
   double least_step_mm = 0.01;
 };
 
-/// Refines a loop where it bends: adds crossings with fibers between the fibers of the grid. Two
-/// neighbouring points farther apart than twice the least step get a candidate between them. Of the
-/// two fibers through the middle of their chord, the candidate is on the one that crosses the chord
-/// at the larger angle. The candidate is added if it deviates from the chord by more than the
-/// tolerance, and both halves are then refined.
+/// Refines a loop where it bends: inserts crossings with fibers between the fibers of the grid. Two
+/// neighbouring points farther apart than twice the least step get a candidate between them. The
+/// candidate is on a fiber through the middle of their chord: on the x fiber or the y fiber, the
+/// one that crosses the chord at the larger angle. The candidate is added if it deviates from the
+/// chord by more than the tolerance. Then both halves are refined.
 ///
-/// A bend to both sides that crosses the chord in its middle is not detected. The result is
-/// incomplete if `cancel` is set. Cost: a PushLocally for each added point and for each pair of
-/// neighbours.
+/// An S-shaped bend that crosses its chord in the middle is not detected. The result is incomplete
+/// if `cancel` is set. Cost: a PushLocally for each added point and for each pair of neighbours.
 WovenLoop Refined(const WovenLoop& loop, const LevelPush& level, const Refinement& how,
                   const CancelToken& cancel = {});
 

@@ -16,7 +16,7 @@ struct Weave {
   const FiberIntervals& columns;
 };
 
-/// Crossing of a contour with a fiber: the end of an interval.
+/// Crossing of a contour with a fiber: one end of an interval of this fiber.
 struct Crossing {
   double x = 0;
   double y = 0;
@@ -30,20 +30,20 @@ struct Crossing {
 /// ones clockwise.
 using WovenLoop = std::vector<Crossing>;
 
-/// Function that returns true if a position is gouged.
+/// Function that returns true if a tip position, in mm, is gouged.
 using GougedAt = std::function<bool(double x, double y)>;
 
 /// Returns the contours of the gouged area.
 ///
-/// The rows alone decide which nodes of the grid are gouged. Every end of an interval is a
-/// crossing, even if two of them are between the same two nodes. In each cell, the crossings on its
-/// sides are linked in pairs. If there are four or more, the pairs are chosen by testing whether
-/// the middle of the free parts is gouged. So every crossing has one predecessor and one successor,
-/// and loops always close.
+/// A node is the point where a row and a column of the grid cross. The rows alone decide which
+/// nodes are gouged. Every end of an interval is a crossing, even if two of them are between the
+/// same two nodes. In each cell, the crossings on its sides are linked in pairs. If there are four
+/// or more, the pairs are chosen by testing whether the middle of the free parts is gouged. So
+/// every crossing has one predecessor and one successor, and loops always close.
 ///
-/// If rows and columns differ about a node because of rounding, the crossing is put on the node.
-/// Details completely between two fibers, or on only one fiber, are not detected. REQUIRES: no node
-/// on the rim of the grid is gouged. Cost: O(n log n) for n crossings.
+/// If the row and the column through a node disagree because of rounding, the crossing is put on
+/// the node. Details completely between two fibers, or on only one fiber, are not detected.
+/// REQUIRES: no node on the rim of the grid is gouged. Cost: O(n log n) for n crossings.
 std::vector<WovenLoop> WeaveLoops(const Weave& weave, const GougedAt& gouged_at);
 
 }  // namespace slicefarm::milling
