@@ -8,8 +8,8 @@
 
 namespace slicefarm::milling {
 
-/// Contact of the cutter with the inside of a triangle. A triangle has at most one, on the side to
-/// which it falls.
+/// Contact of the cutter with the inside of a triangle. A triangle has at most one. The
+/// cutter is then on the side to which the triangle falls.
 struct FacetContact {
   /// 1: the contact is the high end of the interval; -1: the low end; 0: no contact
   int8_t side = 0;
