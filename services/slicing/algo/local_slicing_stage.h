@@ -8,8 +8,8 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the slicing stage that runs in this program and reads its meshes by `source`. README.md
-/// lists its steps.
+/// Returns the slicing stage that runs in this process. `source` reads its meshes. README.md lists
+/// the steps.
 ///
 /// Errors: any error of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT if
 /// no layer has an outline; Cancelled.

@@ -6,7 +6,7 @@
 
 namespace slicefarm::slicing {
 
-/// File descriptor that is closed with its owner.
+/// Owner of a file descriptor. The destructor closes it.
 class Fd {
  public:
   Fd() = default;

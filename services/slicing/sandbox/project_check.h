@@ -9,9 +9,9 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the reason why a project cannot be the result of reading a file; empty if there is none.
-/// The function checks counts and texts against limits.h, numbers, enumerators, and indices into
-/// the project itself.
+/// Returns the first reason why a project cannot come from a correct reader; empty if there is
+/// none. The function checks counts and texts against limits.h. It also checks numbers,
+/// enumerators, and indices into the project itself.
 ///
 /// `triangles`: number of triangles of each mesh of the file, used to check the parts' ranges;
 /// nullopt if the meshes were not read.

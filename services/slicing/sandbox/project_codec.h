@@ -9,11 +9,11 @@
 
 namespace slicefarm::slicing {
 
-/// Returns a project as bytes, for exchange between two programs of one build.
+/// Returns a project as bytes, for exchange between two programs of the same build.
 std::string EncodeProject(const Project& project);
 
-/// Decodes untrusted bytes. Never allocates more memory than the size of `bytes` justifies. Errors:
-/// InvalidArgument with the fault. For excessive or inconsistent contents, see FaultOf.
+/// Decodes untrusted bytes. Allocates memory only in proportion to the size of `bytes`. Errors:
+/// InvalidArgument with the fault. Call FaultOf to find excessive or inconsistent contents.
 absl::StatusOr<Project> DecodeProject(std::string_view bytes);
 
 }  // namespace slicefarm::slicing

@@ -14,10 +14,10 @@ struct ReaderLimits {
   friend bool operator==(const ReaderLimits&, const ReaderLimits&) = default;
 };
 
-/// Returns limits that are generous for any file within limits.h. The most hostile OBJ takes 20
-/// bytes of memory per byte of the file while it is read; the slowest format takes 10 ns per byte.
-/// The text of a 3MF may be limits::kMaxCompressionRatio times as long as the file, but it is
-/// rarely more than 20 times as long.
+/// Returns limits that suffice for any file within limits.h. The most hostile OBJ needs 20 bytes of
+/// memory per byte of the file while it is read; the slowest format needs 10 ns per byte. The text
+/// of a 3MF may be limits::kMaxCompressionRatio times as long as the file, but it is rarely more
+/// than 20 times as long.
 ReaderLimits ReaderLimitsFor(std::string_view file);
 
 }  // namespace slicefarm::slicing

@@ -11,9 +11,9 @@
 
 namespace slicefarm::slicing {
 
-/// Exit status of a process and its CPU time.
+/// Result of a process that has ended: exit status and CPU time.
 struct ProcessEnd {
-  int wait_status = 0;  ///< status from wait(2)
+  int wait_status = 0;  ///< status as wait(2) returns it
   double cpu_s = 0;
 };
 
@@ -26,23 +26,24 @@ struct ProcessEnd {
 /// the process is still needed.
 class ReaderProcess {
  public:
-  /// Starts `program` (a path). Safe in a process with many threads. Errors: Unavailable if the
-  /// system cannot start the program now.
+  /// Starts `program` (a path) with `request` as its stdin. Safe in a process with many threads.
+  /// Errors: Unavailable if the system cannot start the program now.
   static absl::StatusOr<ReaderProcess> Start(const std::string& program, const Fd& request);
   ReaderProcess(ReaderProcess&& other) noexcept;
   ~ReaderProcess();
 
-  /// Fills `bytes` from the process's stdout; returns false if there were fewer bytes. Errors:
-  /// Cancelled.
+  /// Fills `bytes` from the process's stdout. Returns false if its output ended before `bytes` was
+  /// full. Errors: Cancelled.
   absl::StatusOr<bool> Receive(std::span<char> bytes, const CancelToken& cancel);
 
-  /// Waits until the process has ended by itself. Errors: Cancelled; the process is then killed.
+  /// Waits until the process ends by itself. If the call is cancelled, kills the process and
+  /// returns Cancelled.
   absl::StatusOr<ProcessEnd> AwaitEnd(const CancelToken& cancel);
 
  private:
   ReaderProcess(pid_t pid, Fd answer) : pid_(pid), answer_(std::move(answer)) {}
 
-  pid_t pid_;  ///< process id; 0: already reaped
+  pid_t pid_;  ///< process id; 0: the process has been reaped
   Fd answer_;
 };
 

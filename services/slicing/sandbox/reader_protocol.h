@@ -17,9 +17,9 @@
 namespace slicefarm::slicing {
 
 /// Head of a request. The protocol between the service and a reader process: the reader's stdin is
-/// a request file with this head, then the bytes of the mesh. The reader's answer on stdout is a
-/// head, then the contents that the head announces. Both programs are of one build and on one
-/// machine, so structs are sent as they are.
+/// a request file, which contains this head and the bytes of the mesh. The reader's answer on
+/// stdout is a head, then the contents that the head announces. Both programs are of one build and
+/// on one machine, so structs are sent as bytes of memory.
 struct RequestHead {
   Confinement confinement = Confinement::kStrict;
   MeshFormat format = MeshFormat::kUnknown;
@@ -56,17 +56,17 @@ struct MeshHead {
   uint64_t triangles = 0;
 };
 
-/// Exit code of a reader that got no more memory.
+/// Exit code of a reader for which the system had no more memory.
 inline constexpr int kNoMemoryExit = 3;
 
-/// Returns an error as text for an answer.
+/// Returns an error (reason, message and metadata) as text for an answer.
 std::string EncodeError(const absl::Status& error);
 
 // The following functions trust no answer: a hostile mesh file may have taken control of the
 // reader.
 
-/// Properties of a request that limit the answer, because the announced numbers decide how much
-/// memory the service allocates.
+/// Properties of a request from which the service derives upper limits of the answer. It allocates
+/// memory by the numbers in the answer's head, so these numbers must have limits.
 struct Request {
   /// Largest number of text bytes that the file can represent; for an archive, its largest expanded
   /// size.
@@ -81,7 +81,8 @@ Request RequestOf(std::string_view file, ReadDepth depth);
 /// correct reader would send.
 absl::Status CheckHead(const AnswerHead& head, const Request& request);
 
-/// Limits the total of all meshes of an answer. Errors: MESH_READER_CRASHED.
+/// Check of the heads of an answer's meshes: their totals must not exceed the totals in AnswerHead.
+/// Errors: MESH_READER_CRASHED.
 class MeshHeads {
  public:
   explicit MeshHeads(const Request& request);
@@ -102,8 +103,8 @@ absl::Status DecodeError(std::string_view encoded);
 /// Errors: MESH_READER_CRASHED. Cost: one pass.
 absl::Status CheckMesh(const RawMesh& mesh, double coordinate_limit);
 
-/// Returns the project of an answer after checking it against the meshes, which must be read before
-/// (if they were requested). Errors: MESH_READER_CRASHED.
+/// Returns the decoded project of an answer. Checks it against the meshes, which must be read
+/// before if they were requested. Errors: MESH_READER_CRASHED.
 absl::StatusOr<Project> CheckedProject(std::string_view encoded, std::span<const RawMesh> meshes,
                                        ReadDepth depth);
 

@@ -9,7 +9,7 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the request as a file in memory that cannot be changed any more. Errors: Unavailable if
+/// Returns the request as an in-memory file that is sealed against changes. Errors: Unavailable if
 /// the system provides no memory; Cancelled.
 absl::StatusOr<Fd> MakeRequestFile(const RequestHead& head, std::string_view bytes,
                                    const CancelToken& cancel);

@@ -16,8 +16,8 @@ struct SandboxOptions {
   std::string program;  ///< path of slicefarm-mesh-reader
   std::function<ReaderLimits(std::string_view file)> limits = ReaderLimitsFor;
   /// Memory budget of all readers together. Each reader waits until its memory limit fits into the
-  /// budget; a limit is never more than the whole budget. Null: no common budget; each reader has
-  /// the memory of `limits`.
+  /// rest of the budget; a limit is never more than the whole budget. Null: no common budget; each
+  /// reader may use the memory of `limits`.
   ByteBudget* memory = nullptr;
 };
 
@@ -38,7 +38,7 @@ class SandboxedMeshSource : public MeshSource {
  public:
   explicit SandboxedMeshSource(SandboxOptions options) : options_(std::move(options)) {}
 
-  /// Checks that this machine can read a mesh in this mode, by reading one. Errors:
+  /// Checks by reading a small mesh that readers work on this machine in this mode. Errors:
   /// FailedPrecondition, or any error of Read.
   absl::Status Probe() const;
 

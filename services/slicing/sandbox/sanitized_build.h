@@ -2,9 +2,10 @@
 
 namespace slicefarm::slicing {
 
-/// True if this build is instrumented by the address or the thread sanitizer. The runtimes of the
-/// sanitizers reserve terabytes of address space, make additional system calls, take options from
-/// the environment and report on stderr. All of this is otherwise denied to a mesh reader.
+/// True if this build is instrumented by the address or the thread sanitizer. The sanitizers'
+/// runtimes reserve terabytes of address space, make additional system calls, read options from the
+/// environment and report on stderr. Without a sanitizer, the confinement of a mesh reader
+/// (confinement.h) denies all of this.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kSanitizedBuild = true;
 #elif defined(__has_feature)

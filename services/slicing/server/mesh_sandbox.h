@@ -11,9 +11,9 @@
 
 namespace slicefarm::slicing {
 
-/// Process in which the service reads meshes.
+/// Isolation of the code that reads meshes.
 enum class MeshSandbox {
-  kOff,     ///< the service's own process
+  kOff,     ///< meshes are read in the service's own process
   kLimits,  ///< a separate process per mesh, with resource limits
   kStrict,  ///< like kLimits, with system calls denied too
 };
@@ -21,13 +21,12 @@ enum class MeshSandbox {
 /// Returns the values of --mesh-sandbox: off, limits, strict.
 std::vector<std::string> MeshSandboxNames();
 
-/// Returns the sandbox with a name. `name`: one of MeshSandboxNames.
+/// Returns the sandbox of a name. REQUIRES: `name` is one of MeshSandboxNames.
 MeshSandbox MeshSandboxOf(std::string_view name);
 
-/// Returns the source of meshes for `sandbox` after testing it on this machine.
-/// slicefarm-mesh-reader must be in the same folder as this program. `memory` is shared by all
-/// readers and must outlive the source. Errors: FailedPrecondition, Unavailable and similar, with
-/// advice.
+/// Tests that `sandbox` works on this machine, then returns its mesh source. slicefarm-mesh-reader
+/// must be in the same folder as this program. All readers share `memory`, which must outlive the
+/// source. Errors: FailedPrecondition or Unavailable, with advice in the message.
 absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox,
                                                                  ByteBudget& memory);
 

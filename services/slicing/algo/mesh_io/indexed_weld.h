@@ -9,8 +9,8 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the same triangles with equal positions merged and unused ones removed. Positions are in
-/// the order of their first use. REQUIRES: valid indices.
+/// Returns the same triangles with equal positions merged and unused positions removed. The order
+/// of positions is the order of their first use. REQUIRES: valid indices.
 inline RawMesh Welded(const RawMesh& mesh) {
   constexpr uint32_t kNew = UINT32_MAX;
   Welder<Vector3> welder(std::min(mesh.positions.size(), 3 * mesh.triangles.size()));

@@ -23,7 +23,7 @@ class MeshBuilder {
     mesh_.triangles.reserve(expected_triangles);
   }
 
-  /// Returns the fault of the coordinates of `p`, or kNone.
+  /// Returns the reason why a coordinate of `p` is not valid, or kNone.
   CoordinateFault Check(const Vector3& p) const {
     if (std::abs(p.x()) <= limit_ && std::abs(p.y()) <= limit_ && std::abs(p.z()) <= limit_)
       return CoordinateFault::kNone;

@@ -7,9 +7,9 @@
 
 namespace slicefarm::slicing {
 
-/// Amount of a file's contents to read.
+/// Part of a mesh file that a reader returns.
 enum class ReadDepth : uint8_t {
-  kStructure,  ///< the project only; no mesh is kept
+  kStructure,  ///< the project only, without meshes
   kMeshes,     ///< the project and all meshes
   kNumbered,   ///< the project and all meshes; OBJ vertices keep their numbers and are not welded
 };

@@ -11,8 +11,8 @@ namespace slicefarm::slicing {
 /// Returns true if the first statement of `bytes` is an OBJ statement.
 bool LooksLikeObj(std::string_view bytes);
 
-/// Reads a Wavefront OBJ file: the statements `v` and `f`. Other statements are skipped, and files
-/// that they name are never opened.
+/// Reads a Wavefront OBJ file: the statements `v` and `f`. Other statements are skipped, and other
+/// files that they name are never opened.
 ///
 /// A face of n corners becomes a fan of n - 2 triangles around its first corner. Positive indices
 /// count from 1. Negative indices count back from the last vertex so far. An index may refer to a

@@ -40,8 +40,8 @@ struct PlyHeader {
   int64_t lines = 0;  ///< number of lines of the header
 };
 
-/// Reads the header of a PLY file. The counts are only the claims of the header: they are not
-/// checked against the data. Errors: MESH_MALFORMED with the line; MESH_TRUNCATED without
+/// Reads the header of a PLY file. The function does not check the element
+/// counts against the data. Errors: MESH_MALFORMED with the line; MESH_TRUNCATED without
 /// `end_header`.
 absl::StatusOr<PlyHeader> ReadPlyHeader(std::string_view bytes);
 

@@ -65,7 +65,7 @@ class PlyBinary {
     return std::nullopt;
   }
 
-  /// Returns false: every bit pattern is a number.
+  /// Always returns false, because every bit pattern is a number.
   bool malformed() const { return false; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace slicefarm::slicing {
 
-/// Keyed hash of three words. Without its keys, collisions cannot be computed in advance, so no
+/// Keyed hash of three 64-bit words. An attacker cannot compute collisions without the keys, so no
 /// file can be crafted to overload a hash table.
 class PointHash {
  public:
@@ -14,8 +14,8 @@ class PointHash {
 
   explicit PointHash(const Keys& keys) : keys_(keys) {}
 
-  /// Returns the hash function of this program. Its keys are random and do not change while the
-  /// program runs.
+  /// Returns the hash function of this process. Its keys are random and constant while the process
+  /// runs.
   static const PointHash& OfProcess() {
     static const PointHash hash{RandomKeys()};
     return hash;

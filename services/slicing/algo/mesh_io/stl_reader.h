@@ -12,7 +12,8 @@ namespace slicefarm::slicing {
 /// corners defines the outside. Source: 3D Systems, StereoLithography Interface Specification,
 /// 1989. Arguments and errors: see ReadMesh.
 
-/// Returns true if the length of `bytes` is 84 + 50 n, where n is the count at offset 80.
+/// Returns true if `bytes` have the length of a binary STL file: 84 + 50 n, where n is the number
+/// of triangles stored at offset 80.
 bool IsBinaryStl(std::string_view bytes);
 
 /// Returns true if `bytes` start like an ASCII STL file.

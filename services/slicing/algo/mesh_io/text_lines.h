@@ -54,7 +54,8 @@ class LineReader {
   size_t max_line_bytes_;
   bool joins_;
   size_t at_ = 0;
-  /// Positions of the first LF and CR at or after the line's start, once searched.
+  /// Positions of the first LF and of the first CR at or after the line's start; searched only when
+  /// they are needed.
   size_t next_lf_ = 0, next_cr_ = 0;
   int64_t number_ = 0;
   int64_t next_number_ = 1;

@@ -10,7 +10,7 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the format that `bytes` look like.
+/// Detects the format of `bytes`.
 ///
 /// - Binary STL if the length matches the count of triangles, regardless of the header.
 /// - ASCII STL if the text starts with `solid` and has a facet or an end.
@@ -39,10 +39,10 @@ absl::StatusOr<RawMesh> ReadMesh(std::string_view bytes, MeshFormat format, doub
 /// Reads a file of any supported format. A format with one mesh gives a project of one object
 /// without a position. Each mesh is welded separately.
 ///
-/// `depth`: with kStructure, the same bytes are read and the same errors returned, but no meshes.
-/// Errors: any error of ReadMesh; for a 3MF, metadata `part` names the file in the archive, and
-/// `line` the line in that file. Cost: as ReadMesh; a 3MF needs memory for one piece of text in
-/// addition.
+/// `depth`: with kStructure, the function reads the same bytes and returns the same errors, but
+/// returns no meshes. Errors: any error of ReadMesh; for a 3MF, metadata `part` names the file in
+/// the archive, and `line` the line in that file. Cost: as ReadMesh; a 3MF needs memory for one
+/// piece of text in addition.
 absl::StatusOr<MeshFileContents> ReadMeshFile(std::string_view bytes, MeshFormat format,
                                               double coordinate_limit, ReadDepth depth,
                                               const CancelToken& cancel);

@@ -10,22 +10,21 @@
 
 namespace slicefarm::slicing {
 
-/// Source that converts the bytes of an untrusted file to triangles that the stage may rely on. The
-/// implementation decides which operating system process reads the bytes; the triangles are the
-/// same.
+/// Converts the bytes of an untrusted file to checked triangles. Implementations differ in the
+/// operating system process that reads the bytes; the triangles are the same.
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
 
-  /// Reads as ReadMeshFile does and returns its errors; implementations may add errors of their
-  /// own. Takes the bytes by value and frees them as early as possible. Safe to call from several
+  /// Reads as ReadMeshFile does and returns its errors. Implementations may return more errors.
+  /// Takes the bytes by value and frees them as early as possible. Safe to call from several
   /// threads.
   virtual absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,
                                                 double coordinate_limit, ReadDepth depth,
                                                 const CancelToken& cancel) const = 0;
 };
 
-/// Returns a source that calls ReadMeshFile in this program, for files that the user of the program
+/// Returns a source that calls ReadMeshFile in this process, for files that the program's user
 /// trusts.
 std::unique_ptr<MeshSource> MakeDirectMeshSource();
 

@@ -9,14 +9,14 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the middle of the bed's box; the origin for a bed without points.
+/// Returns the middle of the bed's bounding box; the origin for a bed without points.
 Point BedCenter(const Polygon& bed);
 
-/// Space that an object needs.
+/// Footprint and height of an object, for the check against the build volume.
 struct Bulk {
   const Polygon& footprint;      ///< convex hull seen from above
-  Coord top_nm = 0;              ///< top, above the bed
-  Coord xy_compensation_nm = 0;  ///< distance by which the object's outlines grow
+  Coord top_nm = 0;              ///< height of the object's top above the bed
+  Coord xy_compensation_nm = 0;  ///< distance by which slicing moves the object's outlines outwards
 };
 
 /// Returns true if a convex footprint, moved by `shift` and grown by `grow_nm`, overlaps one of the

@@ -23,19 +23,21 @@ struct ObjectToPlace {
   std::span<const CopyInput> copies;
 };
 
-/// Returns `"name"`, or `object N, which has no name`, counted from 1.
+/// Returns `"name"`, or `object N (without a name)` if the name is empty. `object`: index from 0;
+/// N is counted from 1.
 std::string ObjectWords(std::string_view name, size_t object);
 
-/// Returns the options for arranging a job's copies on any number of beds. The copies are
-/// part_distance_nm and clearance_radius_nm apart, and the bed is reduced by the growth of the
-/// outlines.
+/// Returns the options for arranging a job's copies on any number of beds. The distance of copies
+/// is the larger one of part_distance_nm and clearance_radius_nm. The bed is reduced by the
+/// growth of the outlines.
 ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options);
 
-/// Returns the position of the middle of each copy's box, per object, in whole micrometres.
+/// Returns the position of the middle of each copy's box, in whole micrometres, indexed by object
+/// and copy.
 ///
-/// Copies with a given position get this position, regardless of other copies. A copy without one
-/// is placed in the middle of the bed if it is the only copy and no excluded area is there.
-/// Otherwise the copies without a position are arranged around the copies with one.
+/// Copies with a given position get this position, regardless of other copies. A single copy
+/// without a position is placed in the middle of the bed if no excluded area is there. Otherwise
+/// the copies without a position are arranged around the copies with one.
 ///
 /// Errors: OUT_OF_BUILD_VOLUME if not all copies fit on the bed, with the names of the objects left
 /// over and the numbers of their copies; any error of Arrange. A single copy is not checked.

@@ -17,18 +17,19 @@ namespace slicefarm::slicing {
 /// Returns a REQUEST_MALFORMED error with this message.
 absl::Status Malformed(std::string_view message);
 
-/// Meshes of files. Each file's meshes are freed after their last use.
+/// Meshes of a job's files. It reads a file when a part of it is first requested, and frees the
+/// file's meshes after the last one is taken.
 class PartMeshes {
  public:
-  /// `objects`: the objects with the parts that will be requested from Take, each part once.
-  /// `source` and `cancel` must outlive this object.
+  /// `objects`: the objects of the job. Take must be called once for each of their parts. `source`
+  /// and `cancel` must outlive this object.
   PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
              const MeshSource& source, const CancelToken& cancel,
              ReadDepth depth = ReadDepth::kMeshes);
 
   /// Returns the mesh of a part. Errors: any error of `source`; REQUEST_MALFORMED for a missing
-  /// mesh and for a project that is used as a single mesh; MESH_TOO_LARGE if all meshes returned so
-  /// far have more triangles than a job may have.
+  /// mesh, or if a project is used as a single mesh; MESH_TOO_LARGE if all meshes returned so far
+  /// have more triangles than a job may have.
   absl::StatusOr<RawMesh> Take(const MeshRef& ref);
 
  private:
@@ -43,17 +44,18 @@ class PartMeshes {
   const ReadDepth depth_;
 };
 
-/// Triangles of a part in nm. If rounding merges corners, it also has the edge counts of the file.
+/// Mesh of a part in nm. If rounding to nm merges corners, it also has the edge counts of the
+/// file's mesh before rounding.
 struct PlacedPart {
   IndexedMesh mesh;
   std::optional<EdgeCounts> edges_of_file;
   int64_t vertices_of_file = 0;
 };
 
-/// Object in nm around its own origin, before its copies have positions.
+/// Object in nm around its own origin, without the positions of its copies.
 struct PlacedObject {
   std::vector<PlacedPart> parts;
-  Vertex to_origin;   ///< translation added to all vertices
+  Vertex to_origin;   ///< translation that moved all vertices to the object's origin
   Coord top_nm = 0;   ///< top of the solid parts
   Polygon footprint;  ///< convex hull of the solid parts
 };

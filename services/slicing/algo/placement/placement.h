@@ -21,14 +21,14 @@ absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& t
 /// Adds `by` to all vertices.
 void MoveBy(IndexedMesh& mesh, const Vertex& by);
 
-/// Returns the translation that moves a box to its position for cutting: its middle to x = y = 0
+/// Returns the translation that moves a box to the object's origin: its middle to x = y = 0
 /// (rounded down to nm), its bottom to z = -sunk_nm.
 Vertex ToOrigin(const Extent& extent, Coord sunk_nm);
 
-/// Returns OUT_OF_RANGE unless a box moved by ToOrigin fits 32-bit nanometres.
+/// Returns OUT_OF_RANGE unless the coordinates of a box moved by ToOrigin fit 32-bit nanometres.
 absl::Status CheckReach(const Extent& extent);
 
-/// Transforms a mesh and moves it to the origin, for a mesh that is a whole object.
+/// Transforms the mesh of a whole object and moves it to the object's origin (ToOrigin).
 absl::StatusOr<IndexedMesh> PlaceMesh(const RawMesh& raw,
                                       const Transform& transform = Transform::Identity());
 

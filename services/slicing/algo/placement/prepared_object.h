@@ -13,15 +13,15 @@
 
 namespace slicefarm::slicing {
 
-/// Part of an object, ready for cutting.
+/// Part of an object, ready for slicing.
 struct PreparedPart {
   ConnectedMesh connected;
   PartInput input;  ///< role of the part, and its region settings
   MeshReport report;
 
-  /// Returns true if every edge has two faces. Then no cracks in the sections need to be closed.
-  /// Parts that touch along edges are not manifold, so a small gap between them is closed like a
-  /// crack.
+  /// Returns true if every edge has exactly two faces. Then there are no cracks that slicing has to
+  /// close. Parts that touch along an edge are not manifold, so slicing closes a narrow gap between
+  /// them like a crack.
   bool IsManifold() const { return connected.closed && report.non_manifold_edges == 0; }
 
   /// Returns true if the part enforces or blocks seams.
@@ -32,7 +32,8 @@ struct PreparedPart {
   bool IsForSupports() const {
     return input.role == PartRole::kSupportEnforcer || input.role == PartRole::kSupportBlocker;
   }
-  /// Returns true if the part is an open surface with painted marks; it encloses nothing.
+  /// Returns true if the part is an open surface with painted marks. An open surface encloses no
+  /// volume.
   bool IsMarkedSurface() const { return (IsForSeams() || IsForSupports()) && !connected.closed; }
 };
 
@@ -47,11 +48,12 @@ struct PreparedObject {
   Polygon footprint;                           ///< convex hull of the solid parts
   Transform to_plate = Transform::Identity();  ///< transform as in the input
   std::vector<Point> shifts;                   ///< one per copy on the bed, in whole micrometres
-  int64_t copies_off_bed = 0;                  ///< number of copies left out
+  int64_t copies_off_bed = 0;  ///< number of copies left out because they are beside the bed
 };
 
-/// Reads the files by `source`, then places, checks and connects the parts of each object. A file's
-/// bytes are freed as soon as they are read, its triangles after the last part that uses them.
+/// Reads the files with `source`, then places, checks and connects the parts of each object. A
+/// file's bytes are freed as soon as they are read, its triangles after the last part that uses
+/// them.
 ///
 /// Errors: any error of PlaceParts and Connect. With several objects, errors have the object's
 /// number (from 0, also as `object` in the metadata) and its name in the message. REQUEST_MALFORMED

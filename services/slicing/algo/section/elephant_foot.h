@@ -10,12 +10,13 @@ namespace slicefarm::slicing {
 ///
 /// The width at a point of an outline is the diameter of the largest disc inside the material that
 /// touches this point and the opposite side. A side is opposite if the two tangents make an angle
-/// below 45 degrees. Between 45 and 60 degrees it counts less and less. The sides of a corner above
-/// 60 degrees are not a thin section: they shrink even if the corner is small. The shrinkage is
-/// round at reflex corners.
+/// below 45 degrees. Between 45 and 60 degrees it counts partly, less with a larger angle. The
+/// sides of a corner above 60 degrees are not a thin section: they shrink even if the corner is
+/// small. Around reflex corners, the shrunk outline is an arc.
 ///
-/// Along an outline, the shrinkage rises by at most half of the distance. So it is complete again
-/// at 2 compensations beyond a thin section. It may have a step at convex corners above 60 degrees.
+/// Along an outline, the shrinkage rises by at most half of the distance. So at a distance of 2
+/// compensations from a thin section, the outline shrinks fully. The shrinkage may jump at convex
+/// corners above 60 degrees.
 ///
 /// Guarantees:
 ///

@@ -4,8 +4,8 @@
 
 namespace slicefarm::slicing {
 
-/// Reduces a section to the area inside its largest outer ring: the single loop that a spiral
-/// follows. Regions are clipped to this area. The holes of the section are filled and given to the
+/// Reduces a section to the area inside its largest outer ring: the single loop of a spiral (spiral
+/// vase). Regions are clipped to this area. The holes of the section are filled and added to the
 /// first region. Cost: O(n) if the section is one island of one region without holes.
 void KeepLargestContour(ObjectSection& section);
 

@@ -21,27 +21,27 @@ struct LayerPlane {
 struct LayerHeights {
   Coord first_nm = 200'000;
   Coord others_nm = 200'000;
-  /// ranges with a height of their own; if several match, the first is used
+  /// ranges with a height of their own; if several contain a layer, the first is used
   std::vector<RangeInput> ranges;
   /// Height profile; if not empty, it defines all heights except the first.
   std::vector<LayerHeightAt> profile = {};
-  Coord profile_above_nm = 0;  ///< height above a layer's bottom at which the profile is evaluated
+  Coord profile_above_nm = 0;  ///< the profile is evaluated at this height above a layer's bottom
 };
 
 /// Returns the layers of an object of height `top_nm` with its bottom at z = 0. The first layer has
 /// its own height, all others have the height of their range. A layer belongs to the range that
-/// contains its bottom. A range that begins less than 35 um above the layer's bottom also counts as
-/// containing it.
+/// contains its bottom, or that begins less than 35 um above its bottom.
 ///
 /// Each layer is cut in its middle (rounded down to nm), but below the top. The last layer is the
-/// last one with its middle not above the top. So the print is less than half a layer lower, or at
-/// most half a layer higher, than the object (the rules of PrusaSlicer).
+/// highest layer with a middle at or below the top. So the print is less than half a layer lower,
+/// or at most half a layer higher, than the object (the rules of PrusaSlicer).
 ///
 /// Errors: SETTING_OUT_OF_RANGE for heights not above 0; MESH_TOO_LARGE with `limit` and `got` for
 /// too many layers; NOTHING_TO_PRINT if even the first layer's middle is above the top.
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights);
 
-/// Returns layers with the tops `tops_nm`, which must ascend from above 0. Errors: MESH_TOO_LARGE.
+/// Returns layers with the tops `tops_nm`, each cut in its middle. The tops must ascend, from above
+/// 0. Errors: MESH_TOO_LARGE.
 absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm);
 
 }  // namespace slicefarm::slicing

@@ -20,20 +20,21 @@ struct OutlineEdge {
   bool reflex_from = false;  ///< true if the material's angle at `from` is above 180 degrees
   bool reflex_to = false;
   int32_t next = 0;  ///< index of the next edge in the ring
-  /// middle direction of all normals of the edge, including the normals at its reflex ends
+  /// middle, as an angle, of the range of the edge's normals; the range includes normals at reflex
+  /// ends
   double middle_rad = 0;
-  double half_rad = 0;  ///< largest angle between a normal of the edge and the middle direction
+  double half_rad = 0;  ///< half of this range: largest angle between a normal and the middle
 };
 
-/// Two sides of the material count as opposite if the angle between them is small. Cosine of the
-/// angle below which they begin to count, and of the angle below which they count fully.
+/// Limits for the angle between two sides of the material, as cosines. Below the first angle they
+/// begin to count as opposite; below the second they count fully.
 struct OppositeAngles {
   double begin_cos = 0;
   double full_cos = 0;
 };
-/// Angles of 60 degrees (begin to count) and 45 degrees (count fully).
+/// Begin to count below 60 degrees, count fully below 45 degrees.
 inline constexpr OppositeAngles kBelow60Degrees{0.5, 0.7071067811865476};
-/// Angles of 90 degrees (begin to count) and 75 degrees (count fully).
+/// Begin to count below 90 degrees, count fully below 75 degrees.
 inline constexpr OppositeAngles kBelow90Degrees{0, 0.25881904510252074};
 
 /// Width of an island at points of its outlines, up to a limit.
@@ -45,12 +46,12 @@ class LocalWidth {
   /// Returns the edges ring by ring, in the order of the rings, without edges of zero length.
   const std::vector<OutlineEdge>& edges() const { return edges_; }
 
-  /// Returns the largest width that is measured.
+  /// Returns the limit: larger widths are reported as this value.
   Coord limit_nm() const { return limit_nm_; }
 
-  /// Returns the indices of the edges that may limit the width somewhere between two points of an
-  /// edge. The points are at most the limit apart. The indices ascend. Cost: O(log n + number of
-  /// edges found).
+  /// Returns the ascending indices of the edges that may limit the width between two points of
+  /// `edge`. REQUIRES: the points are at most the limit apart. Cost: O(log n + number of edges
+  /// found).
   std::vector<int32_t> Opposite(const OutlineEdge& edge, Point from, Point to) const;
 
   /// Returns the width at a point of `edge`, at most the limit: the diameter of the largest disc
@@ -66,7 +67,8 @@ class LocalWidth {
   Coord limit_nm_;
   OppositeAngles angles_;
   std::vector<OutlineEdge> edges_;
-  std::vector<std::pair<Cell, int32_t>> cells_;  ///< cell and index of an edge in it, sorted
+  /// pairs of a grid cell and the index of an edge in it, sorted
+  std::vector<std::pair<Cell, int32_t>> cells_;
 };
 
 }  // namespace slicefarm::slicing

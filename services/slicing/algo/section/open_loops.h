@@ -7,14 +7,15 @@
 
 namespace slicefarm::slicing {
 
-/// Counts of closed and dropped chains of a section, for the mesh report.
+/// Numbers of closed and dropped chains of a section, and the largest closed gap, for the mesh
+/// report.
 struct GapCounts {
-  int64_t closed = 0;   ///< number of chains that were closed to loops
-  int64_t dropped = 0;  ///< number of chains that stayed open
+  int64_t closed = 0;   ///< number of chains that became part of a loop
+  int64_t dropped = 0;  ///< number of chains that could not be closed
   double largest_gap_nm = 0;
   double dropped_length_nm = 0;
 
-  /// Adds the counts; keeps the larger gap.
+  /// Adds the numbers of `other`; keeps the larger of the two gaps.
   void Add(const GapCounts& other);
 };
 
@@ -24,12 +25,12 @@ struct ClosedChains {
   GapCounts counts;
 };
 
-/// Joins chains end to end into loops, over gaps of at most `max_gap_nm`.
+/// Joins chains (open lines of a section) end to end into loops, over gaps of at most `max_gap_nm`.
 ///
 /// Ends at the same point are joined first, then ends within 4 nm, within 16 nm, and so on up to
 /// the largest gap. Each round first joins ends that keep the chains' direction, nearest first.
 /// Then it joins ends that reverse one chain. A line is closed onto itself only if the gap is below
-/// 0.3 of its length, so that scraps do not become islands. In a loop with chains of both
+/// 0.3 of its length, so that scraps do not become islands. If a loop contains chains of both
 /// directions, the longer part decides on which side the material is. Chains that stay open are
 /// dropped and counted.
 ///

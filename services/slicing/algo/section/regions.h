@@ -12,13 +12,13 @@ namespace slicefarm::slicing {
 /// result has disjoint islands in canonical form, with counter-clockwise outer rings, clockwise
 /// holes, and only true corners as points.
 ///
-/// Loops are simplified one by one. If they then neither touch nor cross (the normal case), they
-/// are only nested; otherwise Union separates them. Cost: the cost of SimplifyRing and
-/// NestSimpleLoops, or of a union.
+/// Loops are simplified one by one. If the simplified loops neither touch nor cross (the normal
+/// case), NestSimpleLoops assigns holes to islands; otherwise Union separates the loops. Cost:
+/// SimplifyRing of each loop, and NestSimpleLoops or Union.
 MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord resolution_nm);
 
-/// Returns the area inside the outer rings of a region, with the islands in its holes. Cost: O(n)
-/// if the region has no holes.
+/// Returns a region with all holes filled. Islands inside of holes become part of the filled area.
+/// Cost: O(n) if the region has no holes.
 MultiPolygon WithoutHoles(const MultiPolygon& region);
 
 /// Changes of a region, in the order of application.
@@ -26,9 +26,11 @@ struct RegionEdits {
   Coord closing_radius_nm = 0;  ///< cracks up to twice this wide are closed
   /// Distance by which all outlines move outwards, also into holes; may be negative.
   Coord grow_nm = 0;
-  Coord foot_nm = 0;  ///< distance by which the region then shrinks, limited by `foot_min_width_nm`
+  /// distance by which the region then shrinks (elephant foot); thin sections shrink less
+  Coord foot_nm = 0;
   Coord foot_min_width_nm = 0;
-  Coord widen_holes_nm = 0;  ///< growth of holes; may be negative
+  /// distance by which the outlines of holes move outwards; may be negative
+  Coord widen_holes_nm = 0;
 
   friend bool operator==(const RegionEdits&, const RegionEdits&) = default;
 };

@@ -12,16 +12,16 @@ namespace slicefarm::slicing {
 /// is found even in a very small painted area. PrusaSlicer uses 0.35 mm.
 Coord SeamReach(const RegionEdits& edits);
 
-/// Returns the distance by which a painted surface for supports acts beyond itself. It leaves no
-/// crack between neighbouring faces and reaches outlines that `edits` moved.
+/// Returns the distance by which the area of a painted surface for supports is grown. The grown
+/// area has no cracks between neighbouring faces, and reaches outlines that `edits` moved.
 Coord SupportReach(const RegionEdits& edits);
 
 /// Returns the region of a body, grown by `reach_nm`. Cost: the cost of FastOffset.
 MultiPolygon AroundBody(const MultiPolygon& region, Coord reach_nm);
 
-/// Returns the area within `reach_nm` of the lines in `cut`, the section of an open surface (such
-/// as a painted one). It consists of rectangles around the segments that extend beyond the ends of
-/// the segments. Horizontal faces are never cut.
+/// Returns the area within `reach_nm` of the lines in `cut`, which is the section of an open
+/// surface (such as a painted one). The area consists of a rectangle around each segment, which
+/// extends beyond the segment's ends. Horizontal faces have no section, so they contribute nothing.
 ///
 /// `resolution_nm`: tolerance for simplifying the lines. The result is empty if `cancel` is set.
 /// Cost: UnionOfMany of one rectangle per segment.

@@ -13,7 +13,7 @@ namespace slicefarm::slicing {
 struct PartSection {
   PartRole role = PartRole::kSolid;
   int32_t settings = 0;  ///< index of the part's region settings, for solid parts
-  /// for modifiers: new settings index for each old one
+  /// only for modifiers: map from the settings index of a region to its index inside the modifier
   const std::map<int32_t, int32_t>* changes = nullptr;
   MultiPolygon outlines;
 };
@@ -27,11 +27,11 @@ struct PartitionedSection {
 
 /// Combines the sections of an object's parts. If solid parts overlap, the settings of the later
 /// part are used. Negative parts are subtracted from all solid parts. Modifiers then change the
-/// region settings inside of them, one after the other. Marks for seams and supports are kept
-/// separately. `edits` move the outlines of the whole, and the regions with them.
+/// region settings inside of them, one after the other. Sections of marks for seams and supports
+/// are returned as marks. `edits` move the outlines of the whole, and the regions with them.
 ///
 /// Invariant: the regions together fill the edited whole without overlap, except for rounding. For
-/// a single solid part there is no cost.
+/// a single solid part, the function moves the section without a boolean operation.
 PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& edits,
                              Coord resolution_nm);
 

@@ -17,15 +17,16 @@ struct Slab {
   Coord high_nm = 0;
 };
 
-/// Parts of a surface between two heights (slabs), seen from above. They are needed because a
-/// painted face may be level, so that no plane cuts it.
+/// Parts of a surface in ranges of heights (slabs), seen from above. A painted face may be level,
+/// so that no plane cuts it; a slab still contains it.
 class SurfaceSlabs {
  public:
   /// Selection of faces: all faces, or only level ones.
   enum class Faces : uint8_t { kAll, kLevelAlone };
 
-  /// `slabs`: both the low heights and the high heights ascend. `mesh` must outlive this object.
-  /// Cost: O(faces + number of pairs of a face and a slab that contains a part of it).
+  /// `slabs`: sorted, so that both the low heights and the high heights ascend; slabs may overlap.
+  /// `mesh` must outlive this object. Cost: O(faces + number of pairs of a face and a slab that
+  /// contains a part of it).
   SurfaceSlabs(const IndexedMesh& mesh, std::vector<Slab> slabs, Faces faces);
 
   /// Returns the part of the surface in the slab as seen from above, grown by `reach_nm`. Vertical
@@ -38,7 +39,8 @@ class SurfaceSlabs {
 
   const IndexedMesh* mesh_;
   std::vector<Slab> slabs_;
-  std::vector<std::vector<uint32_t>> faces_;  ///< faces per slab
+  /// indices of the faces in each slab, indexed by slab
+  std::vector<std::vector<uint32_t>> faces_;
 };
 
 }  // namespace slicefarm::slicing

@@ -12,14 +12,15 @@ namespace slicefarm::slicing {
 
 /// Section of a mesh in one plane, with the material on the left of the lines.
 struct Section {
-  std::vector<Polygon> loops;    ///< closed lines
-  std::vector<Polyline> chains;  ///< open lines, which begin and end at open edges of the surface
+  std::vector<Polygon> loops;  ///< closed lines
+  /// open lines, which begin and end where the surface has a boundary
+  std::vector<Polyline> chains;
 };
 
-/// Memory that a thread reuses from layer to layer.
+/// Memory of one thread, which Sweep::Cut uses again for each layer.
 struct SweepScratch {
   std::vector<uint32_t>
-      /// segment of each face; valid for the faces of the current layer only, so never cleared
+      /// index of each face's segment; only the entries of the current layer's faces are valid
       segment_of_face;
   std::vector<Point> ends;      ///< end point of each segment
   std::vector<uint32_t> exits;  ///< half-edge on the other side of the rising edge, per segment
@@ -30,23 +31,22 @@ struct SweepScratch {
 /// Cuts a mesh by many horizontal planes.
 ///
 /// One rule defines all cases: a vertex is above a plane if and only if z_vertex >= z_plane. A face
-/// is in a layer if it has a vertex above and one not above, so zmin < z <= zmax. Then exactly two
-/// of its edges cross the plane, and each neighbour over these edges is in the layer too. So
-/// horizontal faces are in no layer, and vertices on the plane need no special case.
+/// is in a layer if it has a vertex above the plane and one not above it, so zmin < z <= zmax. Then
+/// exactly two of its edges cross the plane, and each neighbour over these edges is in the layer
+/// too. So horizontal faces are in no layer, and vertices on the plane need no special case.
 ///
 /// Each vertex stores the number of planes that it is above. Faces are sorted into layers by
 /// counting. In a layer, a face gives one segment. The segment ends where the rising edge crosses
-/// the plane, and the next segment belongs to the face on the other side of this edge. Nothing is
-/// ever looked up by position. A crossing is interpolated from the lower to the upper end of its
-/// edge in integers, rounded to the nearest nm. So it depends on these two points and the plane
-/// alone.
+/// the plane, and the next segment belongs to the face on the other side of this edge. No search by
+/// position is needed. A crossing is interpolated from the lower to the upper end of its edge in
+/// integers, rounded to the nearest nm. So it depends on these two points and the plane alone.
 ///
 /// Units: nm. The planes ascend. The mesh is within 32 bits and must outlive the sweep. Cost:
 /// O(faces + segments), 4 bytes per segment.
 class Sweep {
  public:
-  /// Sorts the faces into layers. `other_points`: number of segments of other parts of the job that
-  /// were prepared before. Errors: MESH_TOO_LARGE if a layer, or all layers together, have more
+  /// Sorts the faces into layers. `other_points`: number of segments of the parts of the job that
+  /// were prepared earlier. Errors: MESH_TOO_LARGE if a layer, or all layers together, have more
   /// segments than limits.h allows.
   static absl::StatusOr<Sweep> Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm,
                                        int64_t other_points = 0);
@@ -64,8 +64,8 @@ class Sweep {
   }
 
  private:
-  /// Vertex, and its level: the number of planes at or below it. The vertex is above plane k if and
-  /// only if k < level.
+  /// Vertex, and its level: the number of planes at or below the vertex. The vertex is above plane
+  /// k if and only if k < level.
   struct LeveledVertex {
     int32_t x = 0;
     int32_t y = 0;

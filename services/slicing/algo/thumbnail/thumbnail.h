@@ -14,7 +14,7 @@ namespace slicefarm::slicing {
 struct SceneMesh {
   const IndexedMesh* mesh = nullptr;
   std::span<const Point> centers;
-  /// true if closed and correctly oriented: faces that point away need not be drawn
+  /// true if the mesh is closed and correctly oriented; faces that point away are then not drawn
   bool solid = false;
 };
 
@@ -24,8 +24,8 @@ struct SceneMesh {
 ///
 /// Every pixel is the mean of several samples of a depth buffer. Among faces at the same depth the
 /// brightest one is shown, so the order of the triangles does not matter. The same input gives the
-/// same bytes on every machine: no sine, no threads. A mesh is drawn once and stamped at its other
-/// positions, rounded to a whole sample.
+/// same bytes on every machine: no sine, no threads. A mesh is rendered once. The image is copied
+/// to its other positions, rounded to whole samples.
 ///
 /// Errors: SETTING_OUT_OF_RANGE for a size outside [1, 2048]; Cancelled. Cost: O(triangles +
 /// samples of all copies).

@@ -25,17 +25,18 @@ inline uint32_t TargetOf(std::span<const Triangle> triangles, uint32_t half_edge
   return triangles[half_edge / 3][(half_edge % 3 + 1) % 3];
 }
 
-/// Table of the half-edges on the same edge.
+/// Table of half-edges that belong to the same edge of a mesh.
 struct EdgeTable {
-  /// Other half-edge of an edge with exactly two faces; kNoTwin at open edges and fans.
+  /// Twin of each half-edge: the other half-edge of its edge, if the edge has exactly two faces.
+  /// kNoTwin at open edges and at fans; PairFans pairs fans later.
   std::vector<uint32_t> twins;
-  /// Half-edges of edges with more than two faces, edge after edge. Fan i is [fan_starts[i],
-  /// fan_starts[i + 1]).
+  /// Half-edges of fans (edges with more than two faces), fan after fan. Fan i has the range
+  /// [fan_starts[i], fan_starts[i + 1]).
   std::vector<uint32_t> fans;
   std::vector<uint32_t> fan_starts = {0};
   int64_t open_edges = 0;
-  /// Edges with two faces that both run along it in the same direction, so one of the faces is
-  /// flipped.
+  /// Number of edges with two faces that traverse the edge in the same direction: one of the faces
+  /// is flipped.
   int64_t conflicts = 0;
 
   /// Returns the number of fans.

@@ -9,11 +9,12 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Mesh of an object made of components, and its transform into that object.
+/// Mesh of an object (its own, or that of a component on any level), and the transform into that
+/// object.
 struct FlatPart {
   ObjectKey mesh_object;
   Transform to_object = Transform::Identity();
-  /// Top-level component of the object that contains the mesh; the id of the object itself if the
+  /// Id of the object's direct component that contains the mesh. Id of the object itself if the
   /// mesh is its own.
   ResourceId component = 0;
 };
@@ -31,9 +32,9 @@ class ComponentTree {
   /// limits::kMaxParts; any error of CheckTransform for the combined transforms.
   absl::StatusOr<std::vector<FlatPart>> Flatten(const ObjectKey& key) const;
 
-  /// Returns the object for which `key` is an alias. An alias has one single component, which is
-  /// not moved and is in the same file; aliases of aliases are followed. Returns `key` if it is no
-  /// alias.
+  /// Returns the object that `key` is an alias of, or `key` itself if it is no alias. An alias is
+  /// an object with one single component, which is not moved and is in the same file. If the
+  /// component is an alias too, it is followed.
   ObjectKey Original(ObjectKey key) const;
 
  private:

@@ -13,7 +13,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Flags for paint on triangles that is neither for seams nor for supports.
+/// Flags for kinds of paint on triangles; paint of seams and supports has no flag.
 enum Paint : uint8_t {
   kPaintedColours = 1,
   kPaintedFuzzySkin = 2,
@@ -25,7 +25,7 @@ struct MeshReading {
   double coordinate_limit_mm = 0;
   int64_t vertices = 0;
   int64_t triangles = 0;  ///< number of triangles, painted pieces included
-  int64_t resources = 0;  ///< number of objects, uses of objects as components, and painted areas
+  int64_t resources = 0;  ///< number of objects, of components, and of painted areas
 };
 
 /// Collector of one mesh and its paint from `vertex` and `triangle` elements.
@@ -57,7 +57,7 @@ class MeshCollector {
   RawMesh Take() &&;
 
  private:
-  /// Seam marks or support marks that are being collected.
+  /// Marks for seams, or marks for supports, while the mesh is read.
   struct Marks {
     explicit Marks(double limit_mm) : enforcers(0, limit_mm), blockers(0, limit_mm) {}
 

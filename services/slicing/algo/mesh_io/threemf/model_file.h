@@ -11,7 +11,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Use of an object of this or another model file, with its transform.
+/// Reference to an object of this or another model file, with the transform of the object.
 struct ObjectUse {
   std::string path;  ///< path of the model file; empty: the file that contains this use
   ResourceId object = 0;
@@ -19,7 +19,7 @@ struct ObjectUse {
   int64_t line = 0;
 };
 
-/// Use of an object that is to be printed.
+/// Element `item`: reference to an object that is to be printed.
 struct BuildItem : ObjectUse {
   bool printable = true;
 };
@@ -39,7 +39,7 @@ struct ObjectResource {
   int64_t line = 0;
 };
 
-/// One file of the archive that defines objects.
+/// Model file of the archive: the objects that it defines.
 struct ModelFile {
   std::string part;
   double unit_mm = 1;

@@ -12,9 +12,9 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Handler of the elements of a model file: the core specification, and the paths to other model
-/// files of the production extension. All other elements are skipped, unless the file requires an
-/// extension that is not known here.
+/// Handler of the elements of a model file. It supports the core specification, and the paths to
+/// other model files of the production extension. It skips all other elements, unless the file
+/// requires an extension that the handler does not support.
 ///
 /// Source: 3MF Consortium, Core Specification 1.3, Production Extension 1.1.
 class ModelHandler : public XmlHandler {
@@ -27,9 +27,9 @@ class ModelHandler : public XmlHandler {
   absl::Status End(std::string_view name) override;
   absl::Status Text(std::string_view text) override;
 
-  /// Returns true directly after a start tag after which millions of elements with one name
-  /// (Repeated) may follow. The caller may then pass these elements to Element instead of to the
-  /// XML parser.
+  /// Returns true directly after the start tag `vertices` or `triangles`, which millions of
+  /// elements with the name Repeated() may follow. The caller may pass these elements to Element
+  /// instead of to the XML parser.
   bool RunBegins() const { return run_begins_; }
   /// Returns the name of the elements that may be passed to Element, with its prefix: `vertex` or
   /// `triangle`.
@@ -42,7 +42,7 @@ class ModelHandler : public XmlHandler {
   absl::StatusOr<ModelFile> Take() &&;
 
  private:
-  /// Kind of the enclosing element.
+  /// Element in which the parser is.
   enum class At : uint8_t {
     kDocument,
     kModel,

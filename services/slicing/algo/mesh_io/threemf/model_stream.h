@@ -11,8 +11,9 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Reads a model file while it is expanded. An XML parser reads its structure; a scanner reads the
-/// sequences of vertices and triangles. The result does not depend on where the pieces of text end.
+/// Reads a model file while it is decompressed, piece by piece. An XML parser reads its structure;
+/// a scanner reads the sequences of vertices and triangles. The result does not depend on the
+/// boundaries of the pieces.
 ///
 /// `meshes` receives the meshes, in the order of the file. Errors: any error of Archive, XmlParser
 /// and ModelHandler; Cancelled. Cost: one pass; memory for the meshes and one piece of text.

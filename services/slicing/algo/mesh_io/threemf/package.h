@@ -21,8 +21,8 @@ struct ObjectKey {
   friend auto operator<=>(const ObjectKey&, const ObjectKey&) = default;
 };
 
-/// Model files of an archive. The first file lists the objects to build. The remaining files are in
-/// the order in which they are first named.
+/// Model files of an archive. The first file contains the list of build items. The order of the
+/// remaining files is the order in which paths to them first appear.
 struct Package {
   std::vector<ModelFile> files;
   std::vector<RawMesh> meshes;  ///< meshes of the objects, then meshes of the areas painted on them
@@ -31,10 +31,10 @@ struct Package {
   const ObjectResource& At(const ObjectKey& key) const {
     return files[key.file].objects[key.object];
   }
-  /// Returns true if a setting that identifies an object only by its number means this object. This
-  /// is so if the object is in the first file, or if its number is not used in the first file. The
-  /// second case is for the first projects of Bambu Studio, which build objects of other files
-  /// directly.
+  /// Slicer settings identify an object only by its id, without the file. Returns true if the id of
+  /// such a setting means this object. The object is then in the first file, or its id is not used
+  /// in the first file. The second case is for the first projects of Bambu Studio, which build
+  /// objects of other files directly.
   bool IsNamedByNumber(const ObjectKey& key) const {
     return key.file == 0 || !files.front().by_id.contains(At(key).id);
   }

@@ -11,15 +11,15 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Sources from which the parts of one object are made.
+/// Package and settings from which the parts of objects are made.
 struct PartsSource {
   const Package& package;
   const ComponentTree& tree;
   const ModelSettings& settings;
 };
 
-/// Returns the parts of an object. These are its meshes, or ranges of its mesh's triangles if
-/// PrusaSlicer wrote volumes. Painted seams and supports are added as enforcers and blockers.
+/// Returns the parts of an object: its meshes, or, if PrusaSlicer wrote volumes, ranges of its
+/// mesh's triangles. Painted seams and supports are added as enforcers and blockers.
 ///
 /// `name`: the object's name, for notes on settings without effect. Errors: any error of
 /// ComponentTree::Flatten; MESH_MALFORMED for ranges that are beyond the mesh or overlap.

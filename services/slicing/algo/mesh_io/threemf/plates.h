@@ -9,15 +9,16 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Project instances of the build items of each model object, in the order of the items.
+/// Project instances of each model object, one per build item of the object, in the order of the
+/// items.
 using ItemsOfObject = std::map<ResourceId, std::vector<ProjectPlate::Member>>;
 
-/// Gives the project its plates. Bambu Studio and OrcaSlicer arrange them in one common space: in
-/// rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the right and then towards the front. The
-/// offset of a plate is subtracted from its instances.
+/// Adds its plates to the project. Bambu Studio and OrcaSlicer arrange plates in one common
+/// coordinate system: in rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the right and then
+/// towards the front. The offset of a plate is subtracted from its instances.
 ///
-/// If the bed is unknown, instances of the second and later plates are not placed. Instances on no
-/// plate or on two plates are noted.
+/// If the bed's size is unknown, instances of the second and later plates get no position. A note
+/// is added for instances on no plate or on two plates.
 void AddPlates(const std::vector<PlateSettings>& plates, const ItemsOfObject& items,
                Project& project, Notes& notes);
 

@@ -25,7 +25,7 @@ struct FixedFootprint {
 
 /// Options for arranging parts.
 struct ArrangeOptions {
-  Polygon bed;  ///< bed, convex; fewer than three points: a square of 2 m
+  Polygon bed;  ///< convex bed; fewer than three points mean a square of 2 m
   /// Distance between parts, >= 0; PrusaSlicer's min_object_distance.
   Coord distance_nm = 6 * kNmPerMm;
   std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
@@ -44,7 +44,7 @@ struct ItemPlace {
 
 /// Result of arranging.
 struct Arrangement {
-  /// Position of each item; nullopt for items left over.
+  /// Position of each item, indexed by item; nullopt for the items in `left_over`.
   std::vector<std::optional<ItemPlace>> places;
   int plates = 0;                 ///< plates 0..n-1 are in use
   std::vector<size_t> left_over;  ///< indices of the items without a position

@@ -12,8 +12,8 @@ namespace slicefarm::slicing {
 /// Grid step of the positions where a part can be placed (translations of its footprint), 1 um.
 inline constexpr Coord kPlaceStep = 1'000;
 
-/// Positions at which a part can be placed on one plate: the candidates that matter for packing,
-/// updated while other parts are added.
+/// Positions at which a part can be placed on one plate. Only the candidates that matter for
+/// packing are stored. They are updated when other parts are added.
 ///
 /// A part with hull H may be moved by t if H + t is in the bed and t is strictly inside no
 /// obstacle. Obstacles are no-fit polygons: Minkowski sums of the placed parts with the mirrored
@@ -38,7 +38,7 @@ class FreePlaces {
   /// many polygons is cheaper than many calls.
   void AddObstacles(std::vector<Polygon> obstacles);
 
-  /// Returns all positions found, in no particular order.
+  /// Returns the stored candidates, in no particular order.
   const std::vector<Point>& Places() const { return places_; }
 
   /// Returns true if the part may be moved by `t`. Exact. Cost: O(b + k) for b corners of the bed
@@ -47,8 +47,8 @@ class FreePlaces {
 
  private:
   struct Limit {
-    Point from, along;  ///< edge of the bed
-    Point corner;       ///< corner of the hull that leaves the bed first over this edge
+    Point from, along;  ///< start of a bed edge, and the vector along it
+    Point corner;       ///< corner of the hull that would first leave the bed over this edge
   };
   struct Obstacle {
     Polygon ring;
@@ -74,10 +74,12 @@ class FreePlaces {
 
   Point target_;
   std::vector<Limit> limits_;
-  std::vector<Vector2> bed_ring_;  ///< outline of the translations that stay in the bed, clockwise
-  Box bed_box_;                    ///< box around `bed_ring_`
+  /// boundary of the translations that keep the hull in the bed, clockwise
+  std::vector<Vector2> bed_ring_;
+  Box bed_box_;  ///< box around `bed_ring_`
   std::vector<Obstacle> obstacles_;
-  std::vector<std::vector<uint32_t>> cells_;  ///< obstacles over each cell of bed_box_
+  /// indices of the obstacles that meet each cell; kCells x kCells cells cover bed_box_
+  std::vector<std::vector<uint32_t>> cells_;
   std::vector<Point> places_;
 };
 

@@ -11,9 +11,8 @@ namespace slicefarm::slicing {
 /// middle, with `distance_nm` between their boxes.
 ///
 /// The result is the most nearly square block for all parts; its last row may be incomplete. If no
-/// such block fits, as on a full or round bed, the result is the positions of the grid nearest to
-/// the middle. The result has fewer than `count` translations if the grid has no more free
-/// positions.
+/// such block fits, as on a full or round bed, the result is the grid positions nearest to the
+/// middle. The result has fewer than `count` translations if the grid has no more free positions.
 ///
 /// Units: nm; translations are multiples of kPlaceStep (free_places.h). `kept_off`: convex
 /// polygons; no translation may be strictly inside of them. REQUIRES: bed and hull are convex

@@ -11,14 +11,15 @@
 
 namespace slicefarm::slicing {
 
-/// Footprint in one of its allowed rotations.
+/// Footprint in one of its allowed rotations, prepared for packing.
 struct ShapeVariant {
   double rotation_deg = 0;
   Polygon hull;
   Box box;
-  std::vector<Polygon> parts;     ///< convex pieces
+  std::vector<Polygon> parts;     ///< convex pieces of the footprint
   std::vector<Polygon> mirrored;  ///< pieces mirrored at the origin and grown by the distance
-  std::vector<Polygon> kept_off;  ///< translations that put a piece into an excluded area; convex
+  /// convex regions of translations that would put a piece into an excluded area
+  std::vector<Polygon> kept_off;
 };
 /// Makes a variant of a footprint. `excluded`: convex pieces of the bed's excluded areas. REQUIRES:
 /// the footprint is not empty.
@@ -26,7 +27,7 @@ ShapeVariant MakeVariant(const Polygon& footprint, double rotation_deg, Coord di
                          std::span<const Polygon> excluded = {});
 
 /// Returns the translations that put one of the convex `parts` into an excluded area: one polygon
-/// for each pair of part and area.
+/// for each pair of a part and an area.
 std::vector<Polygon> KeptOff(std::span<const Polygon> parts, std::span<const Polygon> excluded);
 
 /// Variants of one footprint, the preferred rotation first.
@@ -43,7 +44,7 @@ struct PackingTask {
   Polygon bed;                         ///< bed, convex, counter-clockwise
   std::vector<Polygon> excluded = {};  ///< convex areas of the bed where nothing may be placed
   std::vector<Shape> shapes;
-  /// index of the shape of each item, in the order in which items are placed
+  /// index in `shapes` of each item, in the order in which items are placed
   std::vector<size_t> sequence;
   std::vector<StandingPart> standing;  ///< fixed parts on plates 0, 1, ...
   int max_plates = 0;                  ///< largest number of plates; 0: no limit
@@ -57,8 +58,9 @@ struct PackedItem {
 };
 /// Result of Pack.
 struct Packing {
-  std::vector<std::optional<PackedItem>> items;  ///< position of each item of the sequence
-  int plates = 0;                                ///< number of plates with an item or a fixed part
+  /// position of each item, in the order of PackingTask::sequence; nullopt: it fits on no plate
+  std::vector<std::optional<PackedItem>> items;
+  int plates = 0;  ///< number of plates with an item or a fixed part
 };
 
 /// Preferred position of an item on a plate.

@@ -12,13 +12,13 @@ namespace slicefarm::slicing {
 
 /// Options for suggesting orientations.
 struct OrientationOptions {
-  /// Overhang angle in [0, 90]. Faces that point down need support if their angle to the horizontal
-  /// is smaller than this (by 0.1 or more).
+  /// Overhang angle in degrees, in [0, 90]. A face that points down needs support if its angle to
+  /// the horizontal is smaller by 0.1 degrees or more.
   double overhang_deg = 45;
   size_t suggestions = 3;  ///< largest number of suggestions besides the current orientation
 };
 
-/// Orientation for printing an object, with its measures and score.
+/// Orientation for printing an object, with its areas and score.
 struct PrintOrientation {
   /// rotation from the given mesh to this orientation
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -36,12 +36,13 @@ struct OrientationSuggestion {
   std::vector<PrintOrientation> best;  ///< stable orientations, best first; may be empty
 };
 
-/// Suggests orientations in which the object lies on a large face and needs little support.
+/// Suggests orientations in which the object rests on a large face and needs little support.
 ///
 /// Candidates are the planes of the convex hull's faces and of the mesh's largest faces. Planes
-/// within 1 degree of each other count as one, and at most 40 are taken, by area. The current
-/// orientation is a candidate too. Each plane is turned down by the smallest rotation. With S the
-/// area of the hull,
+/// within 1 degree of each other count as one. At most 40 planes are used, the ones of the largest
+/// area. The current orientation is a candidate too. For each candidate, the object is rotated by
+/// the smallest angle that makes the plane point down. With S the area of the convex hull's
+/// surface,
 ///   score = (overhang - contact / 4) / S + height / (4 sqrt(S)),  plus 1 if not stable.
 ///
 /// So 1 mm2 less overhang is worth 4 mm2 more contact. Of two orientations without overhang, the

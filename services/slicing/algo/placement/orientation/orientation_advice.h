@@ -11,12 +11,14 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the advice to turn an object if it would print better in another orientation
-/// (orientation.h). Returns nullopt if the current orientation is good, no orientation is stable,
-/// or to_plate mirrors or shears the object, which angles cannot express.
+/// Returns the advice to rotate an object if another orientation would print better
+/// (orientation.h). Returns nullopt in these cases:
+/// - The current orientation is good.
+/// - No orientation is stable.
+/// - to_plate mirrors or shears the object, which rotation angles cannot describe.
 ///
 /// `parts`: the object's solid parts in their current orientation. `to_plate`: scale and rotation
-/// of the object that gave this orientation; the advised rotation replaces this rotation. Errors:
+/// of the object that gave this orientation; the advised rotation replaces its rotation. Errors:
 /// any error of SuggestOrientation.
 absl::StatusOr<std::optional<OrientationAdvice>> AdviseOrientation(
     std::span<const IndexedMesh* const> parts, const Transform& to_plate,

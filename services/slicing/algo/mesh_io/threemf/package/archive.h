@@ -23,14 +23,16 @@ struct ArchiveEntry {
   uint64_t index = 0;
 };
 
-/// Returns InvalidArgument with the faulty part of the archive, in the text and as metadata `part`.
+/// Returns InvalidArgument with `part`, the name of the faulty file in the archive, in the text and
+/// in the metadata. `truncated`: MESH_TRUNCATED instead of MESH_MALFORMED.
 absl::Status PartError(std::string_view part, std::string_view reason_text, bool truncated = false);
 
 /// Stream of the expanded bytes of one entry.
 class EntryStream {
  public:
-  /// Fills `into` as far as bytes are available. Returns 0 at the end, if the checksum is right.
-  /// Errors: MESH_MALFORMED and MESH_TRUNCATED if the data do not match the directory.
+  /// Fills `into` as far as bytes are available, and returns their number. At the end of the entry
+  /// it checks the checksum and returns 0. Errors: MESH_MALFORMED and MESH_TRUNCATED if the data do
+  /// not match the directory.
   absl::StatusOr<size_t> Read(std::span<char> into);
 
  private:
@@ -46,8 +48,8 @@ class EntryStream {
   int64_t left_;
 };
 
-/// ZIP archive in memory, read with libzip. The sizes in its directory are not trusted: expanded
-/// bytes are counted.
+/// ZIP archive in memory, read with libzip. It does not trust the sizes in the archive's directory,
+/// but counts the decompressed bytes.
 ///
 /// Names are looked up regardless of the case of ASCII letters, as OPC requires. Source: PKWARE
 /// APPNOTE 6.3; ECMA-376 part 2 (Open Packaging Conventions).

@@ -30,8 +30,8 @@ std::optional<std::string_view> Find(XmlAttributes attributes, std::string_view 
 /// finds `p:path`.
 std::optional<std::string_view> FindPrefixed(XmlAttributes attributes, std::string_view name);
 
-/// Receiver of the elements of a document. Its errors need no location, because the parser adds the
-/// location.
+/// Receiver of the elements of a document. Errors of its functions need no location, because the
+/// parser adds it.
 class XmlHandler {
  public:
   virtual ~XmlHandler() = default;
@@ -64,16 +64,16 @@ class XmlParser {
   /// Parses the next piece of text. `last`: the document ends with it.
   absl::Status Feed(std::string_view text, bool last);
 
-  /// Adds lines that were not passed to the parser, so that the line numbers of the next pieces are
+  /// Counts lines that the caller has read without the parser, so that later line numbers are
   /// right.
   void SkipLines(int64_t lines) { skipped_lines_ += lines; }
 
-  /// Returns true if all text so far is parsed completely: no tag, comment or similar is open.
+  /// Returns true if the parser is between two tags: no tag, comment or similar is incomplete.
   bool AtBoundary() const;
 
   /// Returns the number of the line being read.
   int64_t line() const;
-  /// Returns `error` with the location that is being read.
+  /// Returns `error` with the location (document and line) that the parser has reached.
   absl::Status Placed(const absl::Status& error) const;
 
  private:

@@ -15,7 +15,7 @@ namespace slicefarm::slicing::threemf {
 /// nanometres.
 inline constexpr int64_t kMaxPaintLevels = 64;
 
-/// Paint of a piece of a triangle. States of other kinds of paint are read as kNone.
+/// State of a piece of a triangle. Paint other than enforcers and blockers is read as kNone.
 enum class PaintState : uint8_t { kNone, kEnforcer, kBlocker };
 
 /// Corners of a triangle, in mm.
@@ -27,9 +27,9 @@ struct PaintedPiece {
   PaintState state = PaintState::kNone;
 };
 
-/// Returns the pieces into which the paint divides `triangle`, unpainted ones included. Together
-/// they cover the triangle. Their number depends on `code` alone. Pieces of triangles that share an
-/// edge have the same points on this edge.
+/// Returns the pieces into which the paint divides `triangle`, unpainted pieces included. Together
+/// they cover the triangle. Their number depends on `code` alone. If two triangles share an edge,
+/// the pieces on both sides have the same points on this edge.
 ///
 /// `code` has the slicers' format: hexadecimal digits, from the last to the first. The low two bits
 /// of a digit are the number of halved edges.

@@ -7,12 +7,13 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Area of a mesh painted with one state: pieces of its triangles, which form a separate surface.
+/// Area of a mesh painted with one state, as a separate surface. It consists of pieces of the
+/// mesh's triangles.
 struct PaintedArea {
   int64_t triangles = 0;
-  /// triangles of the area; empty if meshes are not kept, and after they are moved to a package
+  /// triangles of the area; empty if meshes are not requested, or after the move to Package::meshes
   RawMesh mesh;
-  int32_t number = -1;  ///< index of the mesh in its package; -1: not in a package yet, or no mesh
+  int32_t number = -1;  ///< index in Package::meshes; -1: not moved there yet, or no mesh
 };
 
 /// Areas where a feature is enforced, and areas where it is blocked.
@@ -20,7 +21,7 @@ struct MarkPaint {
   PaintedArea enforcers, blockers;
 };
 
-/// Paint that affects planning.
+/// Painted marks that affect planning: seams and supports.
 struct MeshPaint {
   MarkPaint seams, supports;
 

@@ -11,12 +11,14 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Codes at heights of the print, by the number of the plate. PrusaSlicer's plates are its beds.
+/// Codes at heights of the print. The key is the number of the plate, from 1. A bed of PrusaSlicer
+/// is a plate here.
 using PlateHeightCodes = std::map<int64_t, std::vector<HeightCode>>;
 
 /// Reads Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml or Metadata/custom_gcode_per_layer.xml.
-/// Both have the same codes, in lists per bed or per plate. Tool changes are left out. Errors: any
-/// error of XmlParser; MESH_MALFORMED for heights and types that are not numbers; MESH_TOO_LARGE.
+/// Both files contain the same codes, the first in lists per bed, the second in lists per plate.
+/// Tool changes are left out. Errors: any error of XmlParser; MESH_MALFORMED for heights and types
+/// that are not numbers; MESH_TOO_LARGE.
 absl::StatusOr<PlateHeightCodes> ReadHeightCodes(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

@@ -28,9 +28,9 @@ struct Metadata {
 /// PrusaSlicer. Errors: any error of the readers in this folder.
 absl::StatusOr<Metadata> ReadMetadata(const Archive& archive);
 
-/// Returns the contents of the archive that have no effect here but would change the print, in
-/// terms familiar to users of slicers. Pictures of the parts and the position of a wipe tower are
-/// not listed. Errors: any error of Archive.
+/// Returns a description of each file in the archive that would change the print in its slicer but
+/// has no effect here. The descriptions use terms familiar to users of slicers. Pictures of the
+/// parts and the position of a wipe tower are not listed. Errors: any error of Archive.
 absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archive);
 
 }  // namespace slicefarm::slicing::threemf

@@ -9,9 +9,9 @@ namespace slicefarm::slicing::threemf {
 /// surrounding blanks, cut to limits::kMaxNameBytes at the end of a character.
 std::string CleanName(std::string_view text);
 
-/// Returns a text of OrcaSlicer in the format of a config.ini: UTF-8, with `\n` and `\r` for line
-/// ends. Existing escapes in the text keep the meaning that OrcaSlicer gives them: two vendors
-/// write their G-code on one line.
+/// Returns a text from a project of OrcaSlicer in the format of a config.ini: UTF-8, with `\n` and
+/// `\r` for line ends. Escapes that the text already contains do not change, because OrcaSlicer
+/// evaluates them too: two vendors write their G-code on one line.
 std::string EscapedText(std::string_view text);
 
 }  // namespace slicefarm::slicing::threemf

@@ -18,14 +18,14 @@ struct PartSettings {
   PartRole role = PartRole::kSolid;
   int64_t first_triangle = 0;  ///< range of triangles with `last_triangle`, in files of PrusaSlicer
   int64_t last_triangle = -1;
-  ResourceId component = 0;  ///< component, in files of Bambu Studio and OrcaSlicer
+  ResourceId component = 0;  ///< component id, in files of Bambu Studio and OrcaSlicer
   std::vector<Setting> settings;
   int64_t line = 0;
 };
 
 /// Slicer settings of an object.
 struct ObjectSettings {
-  ResourceId object = 0;  ///< id in the model file that lists the objects to build
+  ResourceId object = 0;  ///< id of the object in the model file with the build items
   std::string name;
   std::vector<PartSettings> parts;
   std::vector<Setting> settings;
@@ -35,7 +35,7 @@ struct ObjectSettings {
 struct PlateSettings {
   struct Member {
     ResourceId object = 0;
-    int64_t instance = 0;  ///< number among the build items of the object
+    int64_t instance = 0;  ///< index of the instance among the build items of its object
   };
   int64_t number = 0;  ///< number of the plate, from 1
   std::string name;
@@ -58,8 +58,8 @@ struct ModelSettings {
 /// Reads Metadata/Slic3r_PE_model.config or Metadata/model_settings.config. They have the same
 /// format except for the names of a few elements.
 ///
-/// Triangles in PrusaSlicer's files are in object coordinates already. The matrix of a volume is
-/// therefore not applied; it only documents the origin of the triangles. Errors: any error of
+/// In PrusaSlicer's files, triangles are already in object coordinates. Therefore the matrix of a
+/// volume is not applied; it only documents the origin of the triangles. Errors: any error of
 /// XmlParser; MESH_MALFORMED for invalid numbers; MESH_TOO_LARGE.
 absl::StatusOr<ModelSettings> ReadModelSettings(std::string_view text, const std::string& part);
 

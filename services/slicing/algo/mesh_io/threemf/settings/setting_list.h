@@ -8,7 +8,8 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Returns true if the key names scripts that a slicer would start. Such settings are never read.
+/// Returns true if the value of this setting names scripts that a slicer would run. The readers
+/// drop such settings.
 bool NamesScripts(std::string_view key);
 
 /// Adds a setting of a file; `value` is text in config.ini format. Errors (without a location):
