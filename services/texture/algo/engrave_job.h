@@ -7,7 +7,7 @@
 
 namespace slicefarm::texture {
 
-/// Data that all layers of a job share: steps 8 to 10 of
+/// Data that all layers of a job share. They are the result of steps 8 to 10 of
 /// docs/algorithms/texture.md.
 struct EngraveJob {
   EngravePlan plan;

@@ -6,8 +6,8 @@
 
 namespace slicefarm::texture {
 
-/// Maps a surface (steps 0 to 7 of the README): topology, seam and flat map. Errors: any error of
-/// TopologyOf and Flatten; MESH_TOO_LARGE above limits::kMaxSurfaceTriangles.
+/// Maps a surface into the plane (steps 0 to 7 of the README): topology, seam and flat map. Errors:
+/// any error of TopologyOf and Flatten; MESH_TOO_LARGE above limits::kMaxSurfaceTriangles.
 absl::StatusOr<MappedSurface> MapSurface(const SurfaceInput& surface,
                                          const CancelToken& cancel = {});
 

@@ -8,10 +8,10 @@
 
 namespace slicefarm::texture {
 
-/// Returns the bytes of a file that is made in one piece: the surface with the texture applied, or
-/// a picture. REQUIRES: IsWhole(job.format). Errors: any error of DisplacedMesh and of LayerPaths;
-/// Internal if a picture cannot be made; Cancelled. Cost: if the file shows lines, the cost of all
-/// layers.
+/// Returns the bytes of a file that is not made layer by layer: the surface with the texture
+/// applied, or a picture. REQUIRES: IsWhole(job.format). Errors: any error of DisplacedMesh and of
+/// LayerPaths; Internal if a picture cannot be made; Cancelled. Cost: if the file shows lines, the
+/// cost of all layers.
 absl::StatusOr<std::string> WholeFile(const EngraveJob& job, const CancelToken& cancel = {});
 
 }  // namespace slicefarm::texture

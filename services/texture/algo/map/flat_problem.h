@@ -17,9 +17,9 @@ using MapPoints = std::vector<Eigen::Vector2d>;
 /// Indices of the points at a triangle's corners.
 using Corners = std::array<int32_t, 3>;
 
-/// Function to minimize: symmetric Dirichlet energies of the surface's triangles and of the shell
-/// around their map (shell.h), plus the barrier of the shell's frame (frame.h). The points of the
-/// map come first, then the points of the shell.
+/// Function to minimize for a flat map. It is the sum of two parts: the symmetric Dirichlet
+/// energies of the surface's triangles and of the shell around their map (shell.h), and the barrier
+/// of the shell's frame (frame.h). The points of the map come first, then the points of the shell.
 class FlatProblem {
  public:
   FlatProblem(const SurfaceMesh& mesh, const BoundaryLoop& outer, const Shell& shell,
@@ -27,7 +27,8 @@ class FlatProblem {
 
   /// Returns the triangles of the surface, then of the shell.
   const std::vector<Corners>& triangles() const { return triangles_; }
-  /// Returns the reference shapes from which the energies are measured.
+  /// Returns the shapes from which the energies are measured: the true shapes of the triangles, or
+  /// shapes nearer to the map (ApproachReferences).
   const std::vector<RestTriangle>& references() const { return references_; }
   const std::vector<int32_t>& frame() const { return frame_; }
   /// Returns the barrier of the frame.
@@ -39,27 +40,28 @@ class FlatProblem {
   double WeightOf(size_t triangle) const {
     return triangle < surface_count_ ? rests_[triangle].area : shell_weight_;
   }
-  /// Returns the weight of one pair of an edge and a point in the frame's barrier.
+  /// Returns the weight of the barrier's energy between one edge and one point.
   double BarrierWeight() const;
-  /// Sets the weight of the whole shell. `share`: this weight as a share of the surface's area.
+  /// Sets the total weight of the shell's triangles to `share` times the surface's area.
   void WeighShell(double share);
 
-  /// Returns the mean energy of the surface, weighted by area and divided by 4, measured from its
-  /// true shape.
+  /// Returns the mean energy of the surface's triangles, weighted by area and divided by 4,
+  /// measured from their true shapes; 1 without distortion.
   double MeanEnergy(const MapPoints& points) const;
-  /// Returns the energy of all triangles and the barrier, measured from the references; infinite if
-  /// a triangle flips or the frame crosses itself.
+  /// Returns the weighted energy of all triangles plus the barrier, measured from the references.
+  /// Infinite if a triangle flips or the frame crosses itself.
   double TotalEnergy(const MapPoints& points) const;
 
-  /// Sets references so near to the map that no triangle has a high energy. Returns true if they
-  /// are the true shapes. Source: Liu, Ye, Ni, Fu, "Progressive Parameterizations", ACM TOG 37
-  /// (2018). In contrast to the paper, each triangle is treated separately, and stretches are cut
-  /// instead of raised to a power.
+  /// Sets references so near to the map that no triangle has a high energy. Returns true if all
+  /// references are the true shapes. Source: Liu, Ye, Ni, Fu, "Progressive Parameterizations", ACM
+  /// TOG 37 (2018). In contrast to the paper, each triangle is treated separately, and stretches
+  /// are limited instead of raised to a power.
   bool ApproachReferences(const MapPoints& points);
   /// Sets the true shapes as references.
   void TakeTrueReferences() { references_ = rests_; }
 
-  /// Returns the length of the step along `direction` at which the first triangle becomes flat.
+  /// Returns the largest factor of `direction` up to which no triangle becomes flat; infinity if
+  /// none ever does.
   double StepBound(const MapPoints& points, const MapPoints& direction) const;
 
   /// Returns true if no triangle flips and the frame does not cross itself, in exact arithmetic.

@@ -12,13 +12,13 @@ namespace slicefarm::texture {
 /// Options for Flatten.
 struct FlattenOptions {
   int max_iterations = 500;
-  /// Smallest relative decrease of the energy per iteration; the iteration ends below it.
+  /// The iteration ends when the energy decreases by less than this share in one iteration.
   double least_drop = 1e-5;
 };
 
 /// Flat map of a surface.
 struct FlatMap {
-  /// Position of each vertex; vertices of no triangle are at the origin.
+  /// Position of each vertex, in mm; a vertex that no triangle uses is at the origin.
   std::vector<Eigen::Vector2d> points_mm;
   /// Symmetric Dirichlet energy, weighted by area, divided by 4: 1 for an isometry.
   double mean_energy = 0;
@@ -26,8 +26,8 @@ struct FlatMap {
 };
 
 /// Computes a one-to-one map of a disk with holes into the plane, without changing its scale. No
-/// triangle flips and no parts overlap. The symmetric Dirichlet energy is minimized by Newton's
-/// method, beginning with Tutte's embedding. The boundary is free.
+/// triangle flips, and no two parts of the map overlap. Newton's method minimizes the symmetric
+/// Dirichlet energy, beginning with Tutte's embedding. The boundary is free.
 ///
 /// The result is the same in each run, bit by bit. Errors: any error of BoundaryOfDisk; INTERNAL;
 /// Cancelled. Cost: about 20 sparse factorizations with two unknowns per vertex.

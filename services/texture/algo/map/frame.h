@@ -9,15 +9,16 @@
 
 namespace slicefarm::texture {
 
-/// Barrier that prevents a frame from crossing itself: a point close to an edge is pushed away. A
-/// frame is a closed ring of points that move.
+/// Barrier that prevents a frame from crossing itself: its energy pushes points away from close
+/// edges. A frame is a closed ring of points that move (the outer boundary of the shell, shell.h).
 ///
 /// For an edge ab and a point p the measure is d = |pa| + |pb| - |ab|, which is smooth, and
 /// positive if p is not on the edge. A pair adds the energy (1 - s/d)^2 if d < s, where s is a
 /// quarter of the mean edge length. Source: Su, Ye, Liu, Fu 2020, section 4.2.
 class FrameBarrier {
  public:
-  /// Edge from `a` to `b` and a point that is not on it, as indices in the frame.
+  /// Edge from `a` to `b`, and a point that is none of its ends. All three are indices in the
+  /// frame.
   struct Pair {
     int32_t a = 0;
     int32_t b = 0;

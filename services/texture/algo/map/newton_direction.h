@@ -10,16 +10,16 @@
 
 namespace slicefarm::texture {
 
-/// Computes descent directions for a FlatProblem, with one sparse system. The pattern of the system
-/// is analysed once.
+/// Computes descent directions for a FlatProblem, each by one sparse system. The positions of the
+/// system's entries are analysed once.
 class NewtonDirection {
  public:
   /// Model of the energy.
   enum class Model {
     kProxy,   ///< ProxyOf, for maps far from the true shapes
     kNewton,  ///< ModelOf
-    /// ModelOf, and a part of the previous direction. Used near the end, where the Hessian of
-    /// ModelOf alone is slow, because its negative eigenvalues are replaced by 0.
+    /// ModelOf, plus a part of the previous direction. Used near the minimum. ModelOf alone
+    /// converges slowly there, because negative eigenvalues of its Hessian are replaced by 0.
     kConjugate,
   };
 
@@ -28,7 +28,7 @@ class NewtonDirection {
   /// Descent direction.
   struct Way {
     MapPoints direction;
-    double slope = 0;  ///< slope of the energy along the direction, below 0
+    double slope = 0;  ///< derivative of the energy along the direction; below 0
   };
 
   /// Returns a descent direction at `points`. Errors: INTERNAL. Cost: a sparse factorization.
@@ -41,7 +41,7 @@ class NewtonDirection {
   Eigen::VectorXd Conjugate(const Eigen::VectorXd& newton, Model model);
 
   SparseCholesky system_;
-  /// Indices of each triangle's lower block in values().
+  /// Indices in SparseCholesky::values() of the lower half of each triangle's 6 x 6 Hessian.
   std::vector<std::array<int32_t, 21>> entries_;
   std::vector<int32_t> diagonal_;
   Eigen::VectorXd gradient_;

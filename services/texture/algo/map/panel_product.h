@@ -8,21 +8,21 @@
 
 namespace slicefarm::texture {
 
-/// Dense block in a matrix that is stored column by column.
+/// Dense block in a matrix that is stored column by column: a view.
 struct Panel {
   const double* numbers = nullptr;
-  ptrdiff_t stride = 0;  ///< distance from one column to the next
+  ptrdiff_t stride = 0;  ///< number of doubles from one column to the next
   int32_t rows = 0;
   int32_t columns = 0;
 };
 
-/// Computes the products of a panel's rows with its own first rows: the main operation of a
-/// Cholesky factorization. Each sum is computed in the order of the columns, so its last bit
-/// depends on nothing else.
+/// Computes the scalar products of a panel's rows with its own first rows: the main operation of a
+/// Cholesky factorization. Each sum adds the columns in their order, so its last bit depends on
+/// nothing else.
 class PanelProduct {
  public:
-  /// Calls store(i, k, sum) for the rows i and k of the panel with k < tops and k <= i. `sum` is
-  /// the scalar product of the two rows. `store` may also be called for some k > i. Cost: about 3
+  /// Calls store(i, k, sum) for all rows i and k of the panel with k < tops and k <= i. `sum` is
+  /// the scalar product of rows i and k. `store` may also be called for some k > i. Cost: about 3
   /// multiply-adds per cycle for a large panel.
   template <typename Store>
   void Multiply(const Panel& panel, int32_t tops, const Store& store) {
@@ -56,8 +56,7 @@ class PanelProduct {
     strip_.resize(static_cast<size_t>(kStrip) * panel.columns);
     packed->resize(static_cast<size_t>(strips) * kStrip * panel.columns);
     for (int32_t i = 0; i < rows; i += kStrip) {
-      // The last strip also contains the rows below, like any strip of the whole panel at this
-      // position.
+      // The last strip also contains the rows below it, as every other strip does.
       PackStrip(panel, i, std::min(i + kStrip, panel.rows),
                 packed->data() + ptrdiff_t{i} * panel.columns);
     }

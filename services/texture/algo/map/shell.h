@@ -12,11 +12,12 @@
 
 namespace slicefarm::texture {
 
-/// Triangles around a flat map: between its boundary and a frame, and in its holes. The map does
-/// not cross itself as long as no shell triangle flips and the frame does not cross itself. The
-/// shell is built once and deforms with the map.
+/// Triangles around a flat map: between the map's boundary and a frame (frame.h), and in the map's
+/// holes. The map does not overlap itself as long as no shell triangle flips and the frame does not
+/// cross itself. The shell is built once and deforms with the map.
 struct Shell {
-  std::vector<Eigen::Vector2d> points;            ///< numbered after the points of the map
+  /// points of the shell; their indices follow the indices of the map's points
+  std::vector<Eigen::Vector2d> points;
   std::vector<std::array<int32_t, 3>> triangles;  ///< counter-clockwise
   std::vector<int32_t> frame;                     ///< outermost points, counter-clockwise
 };

@@ -12,9 +12,9 @@
 
 namespace slicefarm::texture {
 
-/// Symmetric positive definite system with a fixed pattern and changing numbers. The system is
-/// ordered and analysed once and may be factored often. The results are always the same, bit by
-/// bit.
+/// Symmetric positive definite system. The positions of its entries are fixed, its numbers may
+/// change. The positions are ordered and analysed once; then the system may be factored often. The
+/// results are always the same, bit by bit.
 ///
 /// Sources: the order is METIS's nested dissection of blocks. The supernodal analysis is CHOLMOD's
 /// (Chen, Davis, Hager, Rajamanickam 2008). SupernodalFactor computes the numbers.
@@ -23,16 +23,16 @@ class SparseCholesky {
   /// Row and column of a block.
   using Place = std::pair<int32_t, int32_t>;
 
-  /// Builds a system of `count` blocks of `block` rows and columns. `places`: rows and columns of
-  /// all blocks that may ever contain a number other than 0, of either triangle, in any order;
-  /// repetitions are allowed. The diagonal is added.
+  /// Builds a system of `count` x `count` blocks; a block has `block` rows and columns. `places`:
+  /// rows and columns of all blocks that may ever contain a number other than 0, of either
+  /// triangle, in any order; repetitions are allowed. Diagonal blocks are added.
   SparseCholesky(int32_t count, std::span<const Place> places, int32_t block = 1);
 
   /// Returns the index of an entry in values(). REQUIRES: the entry's block is in `places` of the
   /// constructor. Cost: O(log n) for n entries of the column.
   int32_t IndexOf(int32_t row, int32_t column) const;
 
-  /// Returns the numbers of the lower triangle.
+  /// Returns the entries of the lower triangle, to be set before Factor.
   std::span<double> values() { return values_; }
 
   /// Factors the system. Errors: INTERNAL if the numbers are not positive definite.
@@ -41,7 +41,7 @@ class SparseCholesky {
   Eigen::VectorXd Solve(const Eigen::VectorXd& right) const;
 
  private:
-  // Lower triangle, column by column, with ascending rows.
+  // Pattern and numbers of the lower triangle, column by column, with ascending rows.
   std::vector<int32_t> columns_;  ///< start of each column in rows_
   std::vector<int32_t> rows_;
   std::vector<double> values_;

@@ -21,8 +21,8 @@ struct SupernodalShape {
   std::vector<int32_t> rows;
 };
 
-/// Sparse Cholesky factor: one dense panel per supernode. Each panel is computed from the earlier
-/// ones with entries in its columns.
+/// Sparse Cholesky factor: one dense panel per supernode. A panel is computed from all earlier
+/// panels that have entries in its columns.
 ///
 /// One thread and a fixed order of sums give the same bits on every machine, independent of its
 /// BLAS. Source: Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor
@@ -31,14 +31,14 @@ class SupernodalFactor {
  public:
   explicit SupernodalFactor(SupernodalShape shape);
 
-  /// Returns the index of an entry in the `numbers` for Factor. REQUIRES: row >= column, and the
-  /// shape contains the entry. Cost: O(log n) for n rows of the supernode.
+  /// Returns the index in `numbers` (the argument of Factor) of an entry. REQUIRES: row >= column,
+  /// and the shape contains the entry. Cost: O(log n) for n rows of the supernode.
   int64_t PlaceOf(int32_t row, int32_t column) const;
   /// Returns the number of entries of the factor.
   int64_t place_count() const { return first_number_.back(); }
 
-  /// Computes the factor of the matrix that has `numbers` at their indices and 0 elsewhere. Returns
-  /// false if it is not positive definite; then there is no factor.
+  /// Computes the factor of a matrix. `numbers`: its entries, at the indices of PlaceOf; 0
+  /// elsewhere. Returns false if the matrix is not positive definite; then there is no factor.
   bool Factor(std::vector<double> numbers);
   /// Returns the memory of the previous factor's numbers, for reuse.
   std::vector<double> TakeNumbers() { return std::move(numbers_); }
@@ -55,8 +55,8 @@ class SupernodalFactor {
     return std::span(shape_.rows)
         .subspan(shape_.first_row[node], shape_.first_row[node + 1] - shape_.first_row[node]);
   }
-  /// Puts a finished supernode into the queue of the next panel that needs it. Its rows before
-  /// `row` have been used already.
+  /// Adds a finished supernode to the queue of the next panel that needs it. The supernode's rows
+  /// before `row` are already used.
   void Queue(int32_t node, int32_t row);
   void SubtractFrom(int32_t node, int32_t earlier);
   bool FactorPanel(int32_t node);
@@ -64,7 +64,7 @@ class SupernodalFactor {
   void SolveUp(int32_t node, double* x, std::vector<double>* known) const;
 
   SupernodalShape shape_;
-  /// Index of the first number of each supernode; the last entry is the number of all numbers.
+  /// Index of each supernode's first number in numbers_; the last entry is the size of numbers_.
   std::vector<int64_t> first_number_;
   std::vector<int32_t> node_of_;  ///< supernode of each column
   std::vector<double> numbers_;
@@ -74,9 +74,10 @@ class SupernodalFactor {
   /// panel.
   std::vector<int32_t> waiting_;
   std::vector<int32_t> next_;      ///< next supernode in the same queue, per supernode
-  std::vector<int32_t> used_;      ///< number of rows used, per supernode
-  std::vector<int32_t> place_of_;  ///< index in the current panel of each row of the matrix
-  std::vector<int32_t> places_;    ///< index in the current panel of each row of the earlier panel
+  std::vector<int32_t> used_;      ///< number of rows already used, per supernode
+  std::vector<int32_t> place_of_;  ///< index of each matrix row in the current panel
+  /// index in the current panel of each row of the panel that is being subtracted
+  std::vector<int32_t> places_;
 };
 
 }  // namespace slicefarm::texture

@@ -14,8 +14,8 @@ struct DisplacedOptions {
 
 /// Returns the surface with the texture applied, for manufacturing by other methods. Triangles are
 /// divided, and their points are moved by the texture's height along interpolated vertex normals.
-/// Within the margin, outside of the mask and at a boundary, the surface stays unchanged. A surface
-/// that was closed is closed again: the texture is interrupted at its seam.
+/// Points within the margin, outside of the mask and at a boundary are not moved. A closed surface
+/// that was cut open for the map is closed again: at the cut, points are not moved.
 ///
 /// Errors: REQUEST_TOO_LARGE above limits::kMaxTriangles. Cost: O(number of resulting triangles).
 absl::StatusOr<SurfaceMesh> DisplacedMesh(const EngravePlan& plan, const DisplacedOptions& options);

@@ -20,11 +20,12 @@ struct ProgramOptions {
   /// S word of the program: power of a beam, or turns per minute of a spindle
   double power = 1000;
   double feed_mm_min = 1200;    ///< feed of the tip over the part
-  double link_mm_min = 6000;    ///< feed of the tip between lines
+  double link_mm_min = 6000;    ///< feed of the tip on links between lines
   double turn_deg_min = 7200;   ///< largest speed of a rotary axis
   double tolerance_mm = 0.005;  ///< largest deviation of the tip from its path while axes turn
-  double steepest_deg = 60;     ///< steepest surface for a machine without rotary axes
-  /// Height above the highest point, before the first and after the last move.
+  /// largest angle of the surface to the horizontal for a machine without rotary axes
+  double steepest_deg = 60;
+  /// Height of the tip above the part's highest point before the first and after the last move.
   double safe_mm = 20;
   double filament_mm = 1.75;  ///< diameter of the filament
   double layer_mm = 0.05;     ///< height of a layer that an extruder deposits
@@ -35,11 +36,12 @@ double SafeHeight(const EngravePlan& plan, const ProgramOptions& options);
 
 /// Writes a program in RS-274 (LinuxCNC and most controllers with five axes), layer by layer. With
 /// rotary axes, each move has its own time (G93), so that the tip keeps its speed over the part
-/// even if axes turn. Moves are divided until the tip stays on its path.
+/// even if axes turn. Moves are divided until the tip deviates from its path by at most the
+/// tolerance.
 ///
-/// Angles continue from the previous ones; at positions where any C is possible, C does not turn. A
-/// layer begins and ends at the safe height, with the angles closest to 0, so its text depends on
-/// no other layer.
+/// Angles of C may exceed a full turn: each is the solution closest to the previous angle. Where
+/// any C is possible, C does not turn. A layer begins and ends at the safe height, with the angles
+/// closest to 0, so its text depends on no other layer.
 class EngraveProgram {
  public:
   EngraveProgram(const ProgramOptions& options, double safe_z_mm)
@@ -47,8 +49,8 @@ class EngraveProgram {
 
   /// Returns the first lines of the program: units, modes, and the tool at the safe height.
   std::string Start();
-  /// Returns a layer's moves. Errors, with the position: OUT_OF_RANGE if an axis would exceed its
-  /// limit, or the surface is too steep for a machine without rotary axes.
+  /// Returns the moves of a layer. Errors, with the position: OUT_OF_RANGE if an axis would exceed
+  /// its limit, or if the surface is too steep for a machine without rotary axes.
   absl::StatusOr<std::string> Layer(const LayerPath& path);
   /// Returns the end of the program.
   std::string End();

@@ -11,14 +11,14 @@ namespace slicefarm::texture {
 
 using slicefarm::AxisLayout;
 
-/// Axes of a machine. Angles are in degrees. Positive angles are counter-clockwise as seen from the
-/// positive end of the rotation axis.
+/// Arrangement of a machine's rotary axes. Angles are in degrees. Positive angles are
+/// counter-clockwise as seen from the positive end of the rotation axis.
 struct AxisOptions {
   AxisLayout layout = AxisLayout::kTableBc;
-  /// Point where a table's rotary axes intersect, in the part's coordinates.
+  /// Intersection of a table's rotary axes, in the part's coordinates.
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
   double pivot_mm = 100;  ///< distance from the intersection of a head's axes to the tip
-  /// largest angle in both directions: of B for layouts with C, otherwise of A and of B
+  /// largest tilt angle in both directions: of B in a layout with C, otherwise of A and of B
   double tilt_deg = 110;
 };
 
@@ -28,7 +28,7 @@ struct AxisPlace {
   Eigen::Vector2d angles_deg = Eigen::Vector2d::Zero();
 };
 
-/// Converts between the tool on the part and a machine's axes.
+/// Converts between positions of the tool on the part and axis values of a machine.
 class RotaryAxes {
  public:
   explicit RotaryAxes(const AxisOptions& options) : options_(options) {}
@@ -37,16 +37,16 @@ class RotaryAxes {
   const char* Letters() const;
 
   /// Returns the angles at which the tool points against `normal`. Two solutions are possible, and
-  /// whole turns may be added to C. The function returns the solution within the limits that is
-  /// closest to `before`. If any C is possible, C does not turn. Returns nullopt if no solution is
-  /// within the limits.
+  /// whole turns may be added to C. Returns the solution within the limits that is closest to
+  /// `before`. If any C is possible, C does not turn. Returns nullopt if no solution is within the
+  /// limits.
   std::optional<Eigen::Vector2d> AnglesFor(const Eigen::Vector3d& normal,
                                            const Eigen::Vector2d& before) const;
 
-  /// Returns X, Y and Z of the machine at which the tip is at `place_mm` on the part, with the
-  /// angles `angles_deg`.
+  /// Returns the machine's X, Y and Z that put the tip at `place_mm` on the part, if the axes have
+  /// the angles `angles_deg`.
   Eigen::Vector3d XyzFor(const Eigen::Vector3d& place_mm, const Eigen::Vector2d& angles_deg) const;
-  /// Returns the position of the tip on the part.
+  /// Returns the position of the tip in the part's coordinates.
   Eigen::Vector3d TipAt(const AxisPlace& at) const;
 
  private:

@@ -25,12 +25,14 @@ struct SurfacePictureOptions {
   Eigen::Vector3d towards_viewer = {0.45, -0.65, 0.61};
 };
 
-/// Draws a shaded surface from a distant viewpoint, with lines on it; far triangles are drawn
-/// first. Returns a PNG. Errors: Internal if the picture cannot be made. Cost: O(n log n).
+/// Draws a shaded surface with lines on it, without perspective. Triangles are drawn from far to
+/// near. Returns a PNG. Errors: Internal if the picture cannot be made. Cost: O(n log n) for n
+/// triangles and lines.
 absl::StatusOr<std::string> DrawSurface(const SurfaceMesh& mesh, std::span<const PictureLine> lines,
                                         const SurfacePictureOptions& options);
 
-/// Draws a map's triangles, coloured by `values` from 1 (dark) to `most` (light). Returns a PNG.
+/// Draws the triangles of a flat map. `values`: one value per triangle, which selects its colour
+/// from 1 (dark) to `most` (light). Returns a PNG.
 absl::StatusOr<std::string> DrawMap(const SurfaceMesh& mesh,
                                     std::span<const Eigen::Vector2d> map_mm,
                                     std::span<const double> values, double most, int size_px);

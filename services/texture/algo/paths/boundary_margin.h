@@ -19,8 +19,8 @@ class BoundaryMargin {
 
   /// Returns true if a point is at least the margin away from the boundary.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Appends to `shares` the relative positions on the line from `a` to `b` where the line may
-  /// enter or leave the area, in any order.
+  /// Appends to `shares` candidates for the points where the line from `a` to `b` enters or leaves
+  /// the area. A candidate is a relative position on the line, from 0 to 1. The order is arbitrary.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:
@@ -37,7 +37,7 @@ class BoundaryMargin {
   double cell_mm_ = 1;
   std::array<int32_t, 2> counts_ = {1, 1};
   std::vector<Side> sides_;
-  /// Start of each cell's sides in listed_: the sides within the margin of the cell.
+  /// Index in listed_ of each cell's first side. A cell lists the sides within the margin of it.
   std::vector<int32_t> starts_;
   std::vector<int32_t> listed_;
 };

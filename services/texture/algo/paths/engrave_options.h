@@ -20,27 +20,32 @@ struct LineStyle {
 struct EngraveOptions {
   PlacementOptions placement = {};
   double layer_height_mm = 0.05;
-  /// Styles of the layers, from the first layer; after the last style they are repeated from the
-  /// start.
+  /// Styles of the layers, beginning with the first layer. Layer i has the style i modulo their
+  /// number.
   std::vector<LineStyle> lines = {{}};
   bool equidistant = false;  ///< true: lines bend so that their distance on the surface is even
-  bool engraved = false;     ///< true: the texture is worked into the surface; false: onto it
-  bool outside = false;      ///< true: the area outside of the texture is worked, from its top down
-  double margin_mm = 0;      ///< distance of lines from the boundary
+  /// true: the texture is removed from the surface; false: it is added onto the surface
+  bool engraved = false;
+  /// true: the area outside of the texture's section is worked, in layers from the texture's top
+  /// down
+  bool outside = false;
+  double margin_mm = 0;  ///< distance of lines from the boundary of the map; 0: lines may reach it
   NormalKind normals = NormalKind::kFaces;
-  /// true: connects neighbouring lines if the path between them is in the area
+  /// true: connects neighbouring lines if the path between them is in the worked area
   bool connect = true;
   double clearance_mm =
       0;  ///< height of links above surface and texture; 0: links are at the layer's height
-  double least_run_mm = 0;  ///< minimum length; shorter parts of lines are left out
+  /// minimum length of a worked part of a line; shorter parts are left out
+  double least_run_mm = 0;
 };
 
-/// Returns the heights at which a texture is cut, ascending. They are the middles of equal layers.
-/// There are as few layers as possible without exceeding the requested height.
+/// Returns the heights above the texture's base at which it is cut, ascending. They are the middles
+/// of equal layers. The layers are as few as possible with a height of at most `layer_height_mm`.
 std::vector<double> LayerHeights(double texture_mm, double layer_height_mm);
 
-/// Returns the offset from the surface at which a layer is worked; negative: below the surface.
-/// `texture_mm`: height of the texture; `height_mm`: height of the layer in the texture.
+/// Returns the offset of a layer from the surface, along the surface's normal; negative: below the
+/// surface. `texture_mm`: height of the texture; `height_mm`: height of the layer above the
+/// texture's base.
 double OffsetOf(const EngraveOptions& options, double texture_mm, double height_mm);
 
 }  // namespace slicefarm::texture

@@ -20,7 +20,7 @@ namespace slicefarm::texture {
 struct EngravePlan {
   SurfaceMap map;
   Texture texture;
-  /// Mask over the bounding box of the map; areas where it is higher than half are worked.
+  /// Mask over the bounding box of the map. Only the area where it is higher than half is worked.
   std::optional<Texture> mask;
   EngraveOptions options;
   Placement placement;
@@ -28,7 +28,7 @@ struct EngravePlan {
 
   /// Returns the number of layers.
   int32_t layer_count() const { return static_cast<int32_t>(heights_mm.size()); }
-  /// Returns the number of the i-th layer in the order of work.
+  /// Returns the layer (counted from the texture's base) that is worked at position i of the order.
   int32_t LayerAt(int32_t i) const { return options.outside ? layer_count() - 1 - i : i; }
 };
 

@@ -11,16 +11,17 @@
 
 namespace slicefarm::texture {
 
-/// Point on an edge between two vertices of the opened mesh; the vertex with the lower index is
-/// first.
+/// Point on an edge between two vertices of the opened mesh (cut_open.h). `low` is the vertex with
+/// the lower index.
 struct EdgePlace {
   int32_t low = 0;
   int32_t high = 0;
-  double share = 0;  ///< relative position from low to high
+  double share = 0;  ///< relative position of the point, from 0 at `low` to 1 at `high`
 };
 
-/// Line through triangles, from edge to edge: places.size() == triangles.size() + 1. A closed line
-/// ends at its first point.
+/// Line over the surface. It crosses `triangles` one after the other and passes from each to the
+/// next at one of `places`. places.size() == triangles.size() + 1. A closed line ends at its first
+/// point.
 struct LevelLine {
   std::vector<EdgePlace> places;
   std::vector<int32_t> triangles;
@@ -31,9 +32,9 @@ struct LevelLine {
   }
 };
 
-/// All lines of one level: the points where a field that is linear on triangles has a given value.
-/// The field increases to the left of a line. Vertices at the level count as above it, so a line
-/// always continues from triangle to triangle.
+/// All lines of one level. The lines are the points where a field has a given value; the field is
+/// linear on each triangle. It increases to the left of a line. Vertices at the level count as
+/// above it, so a line always continues from triangle to triangle.
 struct LevelSet {
   std::vector<LevelLine> lines;
 };
@@ -46,7 +47,7 @@ absl::StatusOr<std::vector<LevelSet>> LevelLines(const SurfaceMap& map,
                                                  std::span<const double> levels,
                                                  const CancelToken& cancel = {});
 
-/// Returns a point on an edge as a point of a triangle with this edge.
+/// Returns a point on an edge in the coordinates of a triangle. REQUIRES: `triangle` has this edge.
 SurfacePoint PointOf(const SurfaceMap& map, const EdgePlace& place, int32_t triangle);
 
 }  // namespace slicefarm::texture

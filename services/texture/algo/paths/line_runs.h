@@ -10,9 +10,9 @@ namespace slicefarm::texture {
 /// Worked part of a line: its start, points on edges, and its end.
 using Run = std::vector<SurfacePoint>;
 
-/// Returns the parts of a line in the area, in the line's order, without parts shorter than
-/// `least_mm` in the map. Of each piece between two cuts or edges, the middle is tested. Cost:
-/// O(triangles that the line passes + cuts).
+/// Returns the parts of a line inside the area, in the line's order, without parts shorter than
+/// `least_mm` in the map. The line is divided at edges of triangles and at the area's cuts; the
+/// middle of each piece decides if it is inside. Cost: O(triangles that the line passes + cuts).
 std::vector<Run> RunsOf(const SurfaceMap& map, const LevelLine& line, const WorkArea& area,
                         double least_mm);
 

@@ -13,8 +13,8 @@
 
 namespace slicefarm::texture {
 
-/// Point on a surface: weights of a triangle's corners that add up to 1. On an edge, the weight of
-/// the opposite corner is exactly 0.
+/// Point on a surface: a triangle, and barycentric weights of its corners. On an edge, the weight
+/// of the opposite corner is exactly 0.
 struct SurfacePoint {
   int32_t triangle = 0;
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();
@@ -35,10 +35,10 @@ class SurfaceMap {
   /// Returns the neighbour across the side of a triangle from corner k to the next corner; -1 if
   /// there is none.
   int32_t Neighbour(int32_t triangle, int k) const { return neighbours_[triangle][k]; }
-  /// Returns the loops of vertices around the map and its holes, with the map on the left; the
-  /// outer loop is first.
+  /// Returns the boundary loops of the map as vertices, the outer loop first, then the holes. The
+  /// map is on their left.
   std::span<const std::vector<int32_t>> loops() const { return loops_; }
-  /// Side of a triangle on the boundary, beginning at its corner.
+  /// Side of a triangle on the boundary. `corner`: index of the corner at which the side begins.
   struct BoundarySide {
     int32_t triangle = -1;
     int corner = 0;
@@ -50,7 +50,7 @@ class SurfaceMap {
     int32_t loop = -1;
     int32_t index = 0;
   };
-  /// Returns the position of a vertex in its loop; loop -1 for a vertex that is not on the
+  /// Returns the position of a vertex in its loop. `loop` is -1 if the vertex is not on the
   /// boundary.
   LoopPlace InLoop(int32_t vertex) const { return in_loop_[vertex]; }
 
@@ -81,7 +81,7 @@ class SurfaceMap {
   std::vector<LoopPlace> in_loop_;       ///< position of each vertex in its loop
   std::vector<Eigen::Vector3d> face_normals_;
   std::vector<Eigen::Vector3d> vertex_normals_;  ///< normals of the opened mesh's vertices
-  /// normal of the side from corner k, per triangle and k
+  /// normals of each triangle's three sides; side k begins at corner k
   std::vector<std::array<Eigen::Vector3d, 3>> edge_normals_;
   Eigen::Vector2d low_mm_;
   Eigen::Vector2d high_mm_;

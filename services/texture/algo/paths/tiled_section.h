@@ -9,7 +9,7 @@
 
 namespace slicefarm::texture {
 
-/// Section of a texture over the map: repeated, turned and scaled by its placement.
+/// Section of a texture over the map: repeated, rotated and scaled by its placement.
 class TiledSection {
  public:
   /// Keeps a reference to `section`.
@@ -19,8 +19,9 @@ class TiledSection {
   /// Returns true if a position of the map is solid.
   bool Contains(const Eigen::Vector2d& map_mm) const;
 
-  /// Appends to `shares` the relative positions on a line in the map where the line may enter or
-  /// leave the solid, in any order: crossings with outlines and with the sides of tiles.
+  /// Appends to `shares` candidates for the points where the line from `a` to `b` enters or leaves
+  /// the solid: crossings with outlines and with the sides of tiles. A candidate is a relative
+  /// position on the line, from 0 to 1. The order is arbitrary.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace slicefarm::texture {
 
-/// Area of the map where a layer is worked: inside or outside of the texture's section, inside of
-/// masks, and away from the boundary.
+/// Area of the map where a layer is worked: inside (or, by option, outside) of the texture's
+/// section, inside of the mask, and away from the boundary.
 struct WorkArea {
   TiledSection section;
   bool outside = false;
@@ -19,8 +19,8 @@ struct WorkArea {
 
   /// Returns true if a position is in the area.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Appends to `shares` the relative positions on the line from `a` to `b` where the line may
-  /// enter or leave the area, in any order.
+  /// Appends to `shares` candidates for the points where the line from `a` to `b` enters or leaves
+  /// the area. A candidate is a relative position on the line, from 0 to 1. The order is arbitrary.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
   /// Returns true if a whole straight line is in the area.
   bool ContainsAll(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;

@@ -16,8 +16,8 @@ struct OutlineSide {
   Eigen::Vector2d to;
 };
 
-/// Solid area of a texture's tile at one height. Its outlines are sides in any order, with an index
-/// by position.
+/// Solid area of a texture's tile at one height. Its outlines are stored as sides, in any order, in
+/// a grid for queries by position.
 class Section {
  public:
   Section(std::vector<OutlineSide> sides, const Eigen::Vector2d& tile_mm);
@@ -30,9 +30,10 @@ class Section {
   /// Returns true if a position of the tile is solid, by the winding number of the outlines.
   bool Contains(const Eigen::Vector2d& place_mm) const;
 
-  /// Appends to `shares` the relative positions on the line from `a` to `b`, both in the tile. They
-  /// are the positions where the line crosses outlines, and the ends of sides along which the line
-  /// runs. The positions are in any order and may occur twice. Cost: O(1 + sides near the line).
+  /// Appends to `shares` the relative positions, from 0 to 1, on the line from `a` to `b`, both in
+  /// the tile. They are the positions where the line crosses outlines. For a side along the line
+  /// they are both ends of the side. The order is arbitrary, and positions may occur twice. Cost:
+  /// O(1 + sides near the line).
   void Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                  std::vector<double>* shares) const;
 
@@ -43,12 +44,13 @@ class Section {
   std::vector<OutlineSide> sides_;
   Eigen::Vector2d cell_mm_;
   std::array<int32_t, 2> counts_ = {1, 1};
-  std::vector<int32_t> starts_;  ///< start of each cell's sides in listed_
+  std::vector<int32_t> starts_;  ///< Index in listed_ of each cell's first side.
   std::vector<int32_t> listed_;
 };
 
-/// Returns the sections at heights, in their order; all heights must be above 0. Points exactly at
-/// a height count as above it. Cost: O(t + s) for t triangles and s sides of the results.
+/// Returns one section for each of `heights_mm`, in their order. REQUIRES: all heights are above 0.
+/// Points exactly at a height count as above it. Cost: O(t + s) for t triangles and s sides of the
+/// results.
 std::vector<Section> SectionsOf(const Texture& texture, std::span<const double> heights_mm);
 
 }  // namespace slicefarm::texture

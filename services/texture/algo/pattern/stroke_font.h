@@ -6,7 +6,8 @@
 
 namespace slicefarm::texture {
 
-/// Stroke of a letter: points connected by straight lines, in a box 4 wide and 6 high.
+/// Stroke of a letter: points connected by straight lines. A letter is in a box 4 wide and 6 high,
+/// without a unit.
 using Stroke = std::vector<Eigen::Vector2d>;
 
 inline constexpr double kGlyphWidth = 4;

@@ -57,7 +57,8 @@ struct TextureSpec {
   TextureKind kind = TextureKind::kBumps;
   double height_mm = 0.5;
   double pitch_mm = 4;
-  /// Raised share of the pitch, or the width of a stroke as a share of the letter.
+  /// Width of the raised part as a share of the pitch; for letters, width of a stroke as a share of
+  /// the letter.
   double size = 0.8;
   double slope = 0.1;     ///< share of the pitch over which a flank rises
   double cross = 0;       ///< height of the second sine, as a share of the texture's height

@@ -8,9 +8,10 @@
 
 namespace slicefarm::texture {
 
-/// Returns the sets of corners that are connected around their vertices across all edges except the
-/// edges of the seam: a fan of triangles is one set. Corner k of triangle t has the index 3t + k.
-/// `seam` is sorted. Cost: O(n log n) for n triangles.
+/// Divides the triangle corners at each vertex into connected sets. Two corners are connected if
+/// their triangles share an edge at the vertex that is not in the seam. So a fan of triangles is
+/// one set. Corner k of triangle t has the index 3t + k. `seam` is sorted. Cost: O(n log n) for n
+/// triangles.
 DisjointSets CornerFans(const SurfaceMesh& mesh, std::span<const SeamEdge> seam);
 
 }  // namespace slicefarm::texture

@@ -9,15 +9,15 @@
 
 namespace slicefarm::texture {
 
-/// Surface after cutting.
+/// Surface after cutting along a seam. Vertices on the seam exist more than once.
 struct OpenedSurface {
   SurfaceMesh mesh;                ///< triangles in their original order
-  std::vector<int32_t> vertex_of;  ///< vertex before the cut, per vertex of `mesh`
+  std::vector<int32_t> vertex_of;  ///< index of each vertex of `mesh` in the surface before the cut
 };
 
-/// Cuts a surface along edges. A vertex becomes one vertex for each sector that the cuts leave
-/// around it; the first sector keeps the vertex's index. `seam` is sorted. Cost: O(n log n) for n
-/// triangles.
+/// Cuts a surface along the edges `seam`, which are sorted. The cuts divide the triangles around a
+/// vertex into sectors. The first sector keeps the vertex's index; each further sector gets a copy
+/// of the vertex. Cost: O(n log n) for n triangles.
 OpenedSurface CutOpen(const SurfaceMesh& mesh, std::span<const SeamEdge> seam);
 
 }  // namespace slicefarm::texture

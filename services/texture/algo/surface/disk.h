@@ -8,7 +8,8 @@
 
 namespace slicefarm::texture {
 
-/// Vertices around the surface or around a hole in it, with the surface on the left.
+/// Boundary loop as vertices: around the surface or around a hole in it, with the surface on the
+/// left.
 using BoundaryLoop = std::vector<int32_t>;
 
 /// Topology of a surface.

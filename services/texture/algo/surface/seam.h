@@ -12,8 +12,8 @@ namespace slicefarm::texture {
 /// Edge given by its two vertices, the lower index first.
 using SeamEdge = std::array<int32_t, 2>;
 
-/// Returns the edges along which to cut a surface so that it becomes a disk; its holes stay. The
-/// edges are sorted. A disk needs no cut.
+/// Returns the edges along which to cut a surface so that it becomes a disk; holes of the surface
+/// stay holes. The edges are sorted. A disk needs no cut.
 ///
 /// Each handle is cut along the two shortest loops through one vertex, the best of a few
 /// candidates. A closed surface without handles is cut along shortest paths between its
