@@ -9,18 +9,19 @@
 
 namespace slicefarm::lab {
 
-/// Bead width and layout of walls.
+/// Options for the beads of walls.
 struct BeadMakerOptions {
   double width_mm = 0.5;
   double min_feature_mm = 0.3;
-  double transition_angle = 45;  ///< in degrees
+  double transition_angle = 45;  ///< bead strategy's transition angle, in degrees
   int walls = 0;  ///< number of walls on each side of a part; 0: enough to fill the part
 };
 
 /// Figures summed over several outlines.
 struct BeadTotals {
   int outlines = 0;
-  int fallbacks = 0;  ///< number of islands without a skeleton
+  /// number of islands for which no skeleton could be computed (BeadMaker::Constant)
+  int fallbacks = 0;
   double seconds = 0;
   double diagram_s = 0;
 };
@@ -36,8 +37,8 @@ class BeadMaker {
 
  private:
   beading::VariableWalls MakeIsland(const PolygonWithHoles& island, BeadTotals& totals) const;
-  /// Returns beads of an island without a skeleton: constant insets, and lines along the gaps
-  /// between them.
+  /// Returns the beads of an island for which no skeleton could be computed: insets of constant
+  /// width, and lines along the gaps between them.
   beading::VariableWalls Constant(const PolygonWithHoles& island) const;
 
   Coord width_nm_ = 0;

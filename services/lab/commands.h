@@ -8,8 +8,8 @@ class App;
 
 namespace slicefarm::lab {
 
-/// Each function of this file adds a subcommand. `app` and `context` must outlive the parsing and
-/// the run of the command.
+/// Each function of this file adds a subcommand to `app`. `app` and `context` must outlive the
+/// parsing and the run of the command.
 void AddBeads(CLI::App& app, cli::CommandContext& context);  ///< defined in beads_command.cc
 void AddFill(CLI::App& app, cli::CommandContext& context);   ///< defined in fill_command.cc
 void AddDecompose(CLI::App& app,

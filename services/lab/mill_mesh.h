@@ -7,8 +7,8 @@
 
 namespace slicefarm::lab {
 
-/// Reads a model for milling. The numbers in the file are taken as mm. Errors: errors of the file's
-/// format.
+/// Reads a model for milling. The numbers in the file are taken as mm. Errors: any error of the
+/// reader of the file's format.
 absl::StatusOr<milling::TriangleMesh> ReadTriangles(const std::string& path);
 
 }  // namespace slicefarm::lab

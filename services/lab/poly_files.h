@@ -8,8 +8,8 @@
 
 namespace slicefarm::lab {
 
-/// Polygons of a file. Coordinates have the file's values: the unit is 10^-decimals of the file's
-/// unit.
+/// Polygons of a file. Coordinates are integers in units of 10^-decimals of the file's unit, so
+/// that they have the file's values exactly.
 struct PolyFile {
   MultiPolygon islands;
   int decimals = 0;

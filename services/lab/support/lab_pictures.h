@@ -8,8 +8,8 @@
 
 namespace slicefarm::lab {
 
-/// Returns a PNG of one support layer. In grey: the layer of the part with the largest common
-/// height range. Errors: Internal if the picture cannot be made.
+/// Returns a PNG of one support layer. The part's layer with the largest common height range is
+/// drawn in grey. Errors: Internal if the picture cannot be made.
 absl::StatusOr<std::string> DrawSupportLayer(const planning::SupportProblem& problem,
                                              const planning::SupportPlan& plan, size_t layer);
 

@@ -8,8 +8,8 @@
 
 namespace slicefarm::lab {
 
-/// Slices a model that is placed on a wide bed, with the middle of its bounding box at the origin.
-/// Errors: errors of reading and slicing the model.
+/// Slices a model on a wide bed, with the middle of its bounding box at the origin. Errors: any
+/// error of reading or slicing the model.
 absl::StatusOr<SlicedJob> SliceModel(const std::string& path, Coord layer_height_nm, int threads);
 
 }  // namespace slicefarm::lab
