@@ -49,7 +49,7 @@ void GrowTree(int32_t first, int32_t size, const Length& length, const Join& joi
 }
 
 /// Lengths with penalties. Fixed edges are shortened so much that every tree contains them. Every
-/// tour has all fixed edges, so that the correction adds this amount again.
+/// tour has all fixed edges too, so Correction adds the same amount to the bound.
 class Penalized {
  public:
   Penalized(const Costs& costs, std::span<const NodePair> fixed)

@@ -8,10 +8,10 @@ namespace slicefarm::ordering {
 namespace {
 
 constexpr int64_t kNoPath = std::numeric_limits<int64_t>::max();
-/// number of directed legs: 2k is leg k as it is, 2k + 1 is leg k reversed
+/// number of directed legs: index 2k is leg k, 2k + 1 is leg k reversed
 constexpr size_t kWays = 2 * kFewLegs;
 
-/// Least cost of having printed a set of legs that ends with a given directed leg.
+/// Smallest cost of printing a set of legs, if the directed leg of this state is printed last.
 struct State {
   int64_t cost = kNoPath;
   size_t before = kWays;  ///< previous directed leg; kWays if there is none

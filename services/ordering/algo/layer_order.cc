@@ -49,7 +49,8 @@ absl::Status CheckPaths(const FilledLayer& layer, const LayerPlan& plan, size_t 
                    {{"layer", std::to_string(layer.frame.index)}});
 }
 
-/// Returns the plan of the stack, or a plan with values of its object's part.
+/// Returns the plan of the stack. If the stack has none, returns a plan with the entry and curled
+/// areas of its object's part.
 SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
   if (const SectionPlan* own = FindPlan(stack.id, plan.sections); own != nullptr) return *own;
   const SectionPlan* part = FindPlan(stack.object, plan.sections);
@@ -61,8 +62,8 @@ SectionPlan PlanOf(const Stack& stack, const LayerPlan& plan) {
   return none;
 }
 
-/// Returns the sort key of the printing order: first the plate, then by object. The order of copies
-/// is not part of it.
+/// Returns the sort key of blocks: first the plate's stacks, then by object, kind and stack id.
+/// Copies are ordered later.
 std::tuple<int32_t, StackKind, int32_t> OrderOf(const Stack& stack) {
   return {stack.object, stack.kind, stack.id};
 }
@@ -151,8 +152,9 @@ bool IsTurn(const LayerPlan& plan) {
                              [](const SectionPlan& section) { return section.spiral.has_value(); });
 }
 
-/// Returns the point where a section starts. The stacks of one object continue from each other, and
-/// so do the stacks of the plate. The first stack of a single copy starts at the nozzle's position.
+/// Returns the point where a section starts. The second and further stacks of an object start at
+/// the end of the stack before; so do the stacks of the plate. The first stack of a single copy
+/// starts at the nozzle's position.
 Point EntryOf(const Stack& stack, const OrderedLayer& layer, const LayerPlan& plan,
               std::span<const Copy> copies) {
   const Point from = layer.blocks.empty() ? plan.entry : EndOf(layer.blocks.back().paths.back());

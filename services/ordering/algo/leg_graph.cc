@@ -6,7 +6,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Returns the ends of the legs, then the ends of the journey.
+/// Returns the positions of nodes: the ends of the legs, then the ends of the journey.
 std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const Leg> legs) {
   std::vector<Vector2> places;
   places.reserve(2 * legs.size() + 3);

@@ -18,8 +18,8 @@ constexpr double kNearEnoughNm = 100'000;
 /// Distance from the seam, in nm, within which any vertex is accepted, because a shorter move is
 /// not useful.
 constexpr double kSameNm = 50'000;
-/// Largest difference in nm between distances that count as equal. Example: the corners of the arc
-/// in which a loop passes an outline corner with the seam.
+/// Two distances count as equal if they differ by at most this, in nm. Example: the corners of the
+/// arc with which a loop rounds the outline corner at the seam.
 constexpr double kAsNearNm = 20'000;
 /// Length in nm of the arms before and after a corner, between which the turn is measured.
 constexpr double kArmNm = 300'000;

@@ -10,7 +10,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Shortest loop that a link may shorten, in multiples of the length that the link takes from it.
+/// Shortest loop that a link may shorten, in multiples of the length by which it is shortened.
 constexpr double kLeastLoop = 10;
 
 bool IsLinked(Feature feature) {

@@ -20,7 +20,8 @@ void Route::Enter(const RouteEdges& edges) {
   is_linkable_ = false;
 }
 
-/// Returns true if the plastic of a link could only come from an inner loop that must stay whole.
+/// Returns true if a link could only take its plastic from an inner loop, which the rules keep
+/// whole.
 bool Route::IsKeptWhole(const Path& next) const {
   const auto is_inner = [](const Path& path) { return path.feature == Feature::kPerimeter; };
   return edges_.whole_loops &&

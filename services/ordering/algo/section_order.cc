@@ -31,14 +31,15 @@ void ForEachPath(FilledIsland& island, const Visitor& visit) {
   }
 }
 
-/// An island in the route through the section.
+/// An island and its position in the route through the section.
 struct Stop {
   FilledIsland* island;
   Point place;  ///< point that represents the island in the search for an order
   Point least;
 };
 
-/// Largest distance in nm between the seams of two layers at which the layers can meet.
+/// Largest distance in nm between the seams of two layers at which the nozzle changes from one to
+/// the other.
 constexpr double kSeamStepNm = 1.0 * kNmPerMm;
 
 bool HasSeamAt(Point place, const FilledIsland& island, std::span<const Point> seams) {
@@ -99,8 +100,8 @@ WallOrder OrderOf(const FilledIsland& island, const OrderingOptions& options) {
   return options.walls[static_cast<size_t>(island.walls.front().settings)];
 }
 
-/// Moves the ironing out of `blocks`. Ironing passes over printed beads, so that it is printed
-/// last.
+/// Removes the ironing from `blocks` and returns it. Ironing passes over printed beads, so it is
+/// printed last.
 std::vector<FillBlock> TakeIroning(std::vector<FillBlock>& blocks) {
   std::vector<FillBlock> ironing;
   const auto is_rest = [](const FillBlock& block) {
@@ -147,8 +148,8 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
 
 namespace {
 
-/// Returns the only path of a turn of a spiral, beginning at the spiral's start. Returns nothing if
-/// the section is not such a turn.
+/// Returns the only path of a turn (loop) of a spiral, beginning at the spiral's start. Returns
+/// nothing if the section is no turn of a spiral.
 std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan, bool clockwise) {
   if (!plan.spiral || section.islands.size() != 1) return std::nullopt;
   FilledIsland& island = section.islands.front();

@@ -21,7 +21,7 @@ constexpr int64_t kExchangesPerLeg = 2;
 constexpr size_t kNeighbours = 8;
 constexpr uint32_t kSeed = 20;
 
-/// Legs with all predecessors visited.
+/// Legs that may be visited next, because all their predecessors have been visited.
 class Readiness {
  public:
   Readiness(std::span<const Precedence> precedence, size_t legs)
@@ -31,7 +31,7 @@ class Readiness {
 
   bool IsReady(uint32_t leg) const { return waits_for_[leg] == 0; }
 
-  /// Returns the legs that become ready when `leg` is done.
+  /// Marks `leg` as visited. Returns the legs that thereby become ready.
   std::vector<uint32_t> Release(uint32_t leg) {
     std::vector<uint32_t> ready;
     for (const Precedence& pair : precedence_) {
@@ -131,7 +131,7 @@ std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
     return length(a, b) + (journey.barrier->Parts(a, b) ? kCrossingNm : 0);
   };
   std::vector<Visit> best = BestOrder(journey, legs, length);
-  // An order without crossings is also the best one when crossings cost extra.
+  // Without crossings, the best order by length is also the best order with surcharges.
   return journey.barrier == nullptr || !Crosses(journey, legs, best)
              ? best
              : BestOrder(journey, legs, charged);

@@ -14,7 +14,7 @@ struct Member {
   Path* path;
   Box box;
   size_t group;
-  uint32_t index;  ///< index of the wall in its group
+  uint32_t index;  ///< index in its group (WallGroup::walls)
 };
 
 double DistanceToBox(Point p, const Box& box) {

@@ -49,14 +49,14 @@ std::vector<Precedence> PrecedenceOf(const WallGroup& group, InsetOrder order) {
     rules.push_back(outer_first ? Precedence{outer, inner} : Precedence{inner, outer});
   }
   if (order != InsetOrder::kInnerOuterInner) return rules;
-  // The second wall is the last one: the walls inside of it are printed before the outermost wall.
+  // The second wall is printed last: all walls inside of it are printed before the outermost wall.
   for (const auto [outer, second] : group.pairs)
     for (const auto [middle, third] : group.pairs)
       if (middle == second && group.walls[outer]->inset == 0) rules.push_back({third, outer});
   return rules;
 }
 
-/// Contours of an island, each with the start of its loops.
+/// Contours of an island that are not printed yet, each with the start of its loops.
 class Contours {
  public:
   Contours(std::span<Path* const> walls, const WallRules& rules, Point nozzle)
@@ -73,7 +73,7 @@ class Contours {
 
   bool empty() const { return groups_.empty(); }
 
-  /// Prints the outer contour, the outermost wall first, and removes it from the list.
+  /// Prints the outer contour, the outermost wall first, and removes it from the contours.
   void TakeOuter(Route& route, WorkBudget& budget) {
     const size_t outer = OuterGroup(groups_);
     Print(outer, InsetOrder::kOuterFirst, {}, route, budget);

@@ -7,8 +7,8 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Keeps each leg of the path `from`, `corners`, `to` within the room. All points are moved by
-/// `shift`.
+/// Adds corners to the path `from`, `corners`, `to`, so that it stays within the room after a move
+/// by `shift`.
 void Lead(const PathsWithin& routes, Point from, Point to, Point shift,
           std::vector<Point>& corners) {
   std::vector<Point> led;
@@ -25,7 +25,7 @@ void Lead(const PathsWithin& routes, Point from, Point to, Point shift,
   corners = std::move(led);
 }
 
-/// Keeps the travels between the paths of a visit's block within the room.
+/// Keeps the travels between the paths of a block within the room. `shift`: shift of the copy.
 void LeadBlock(const PathsWithin& routes, Point shift, PathBlock& block) {
   if (block.spiral) return;
   for (size_t i = 1; i < block.paths.size(); ++i) {

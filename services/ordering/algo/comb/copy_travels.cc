@@ -12,7 +12,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Distance in nm by which a detour may leave the bounding box of its two ends.
+/// Distance in nm by which a detour may extend beyond the bounding box of its two ends.
 constexpr Coord kRoomNm = 20 * kNmPerMm;
 
 struct Obstacle {

@@ -30,7 +30,8 @@ std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to
 
 namespace {
 
-/// Length in nm at either end of a travel that is not tested: a travel starts and ends at a wall.
+/// Length in nm at either end of a travel that is not tested, because a travel may start or end at
+/// a wall.
 constexpr double kEndsNm = 300'000;
 
 Point At(Point from, double dx, double dy) {

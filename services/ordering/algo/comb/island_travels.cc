@@ -12,7 +12,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Returns the beads of top surfaces, numbered in the order of printing.
+/// Returns the beads of top surfaces. Their rank (EdgeStrips) is the index of the path.
 EdgeStrips TopsOf(std::span<const Path> paths) {
   EdgeStrips edges;
   for (size_t i = 0; i < paths.size(); ++i)
@@ -31,8 +31,8 @@ bool IsSeen(Feature feature) {
 /// its end takes as much time as 15 mm of travel, and leaves a mark.
 constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
 
-/// Longest hidden travel to a visible bead, in nm. After a longer one the bead would begin with a
-/// gap.
+/// Longest hidden travel to a visible bead, in nm. After a longer travel the bead would begin with
+/// a gap.
 constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 
 /// Largest distance in nm between the seam of a wall and the starts of the wall's loops.
@@ -61,9 +61,9 @@ class IslandTravels {
     return from == to ? Travel{} : Between(from, to, i, budget);
   }
 
-  /// Returns the travel to the first path from the point where the layer below has left the nozzle.
-  /// The travel passes the point where this layer itself would have left the nozzle, so that it
-  /// does not depend on the layer below. Because the walls of the layer below are unknown, the
+  /// Returns the travel to the first path from the end of the layer below. The travel passes the
+  /// point where this layer itself would have changed the layer, so the travel after this point
+  /// does not depend on the layer below. The walls of the layer below are unknown; therefore the
   /// travel is hidden only at the seam.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
@@ -132,9 +132,9 @@ class IslandTravels {
 
   static bool IsAt(Point seam, Point start) { return Distance(start, seam) <= kAtSeamNm; }
 
-  /// Returns the start of the first inner wall that starts at this seam, where layers meet. The
-  /// other layer's inner wall starts nearly at the same point. Therefore no outer wall is between
-  /// the two, whether the other layer's outer wall is further inside or outside.
+  /// Returns the start of the first inner wall that starts at this seam, where the nozzle changes
+  /// the layer. The other layer's inner wall starts nearly at the same point. Therefore no outer
+  /// wall is between the two, whether the other layer's outer wall is further inside or outside.
   std::optional<Point> InnerStartAt(Point seam) const {
     const auto first = std::ranges::find_if(paths_, [&](const Path& path) {
       return path.feature == Feature::kPerimeter && IsAt(seam, StartOf(path));

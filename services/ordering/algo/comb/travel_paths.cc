@@ -15,18 +15,18 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Distance of the lanes from the edge, in clearances. Simplifying the lanes reduces this distance
-/// by at most the tolerance. The distance exceeds 1 because an outer wall is up to a third further
-/// inside where a part becomes too thin for one more bead.
+/// Distance of the lanes from the region's boundary, in clearances. The simplification of the lanes
+/// reduces this distance by at most the tolerance. The distance exceeds 1 because an outer wall is
+/// up to a third further inside where a part becomes too thin for one more bead.
 constexpr double kLane = 1.5;
 constexpr double kLaneTolerance = 0.15;
-/// Distance from the lanes out to the border, in nm. A travel along a lane therefore does not touch
-/// the border.
+/// Distance between the lanes and `border_`, which is outside of them, in nm. So a travel along a
+/// lane does not touch `border_`.
 constexpr Coord kHair = 5'000;
-/// Longest step, in clearances, from a point that is too close to the edge to the nearest lane.
+/// Longest step to the nearest lane, in clearances, from a point that is too close to the boundary.
 constexpr double kPathIndoors = 4;
 /// Length at either end of a straight travel, in clearances, within which the travel may be close
-/// to the edge.
+/// to the boundary.
 constexpr double kStart = 3;
 
 Coord Times(double factor, Coord length) {
@@ -213,7 +213,8 @@ class TravelPaths::Search {
   double longest_;
   WorkBudget& budget_;
   uint32_t goal_;
-  std::vector<uint32_t> came_;  ///< predecessor of each place, indexed by place
+  /// predecessor of each node and of the goal; kOpen: not reached yet
+  std::vector<uint32_t> came_;
   std::priority_queue<Step> steps_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int32_t kNone = FixedEdges::kNone;
 
-/// Pieces of a tour that are joined step by step.
+/// Chains of nodes that are joined step by step into a tour.
 class Pieces {
  public:
   explicit Pieces(int32_t size)
@@ -18,7 +18,7 @@ class Pieces {
 
   bool IsEnd(int32_t node) const { return links_[static_cast<size_t>(node)][1] == kNone; }
 
-  /// Joins two nodes unless this makes a branch or a ring.
+  /// Joins two nodes, unless one of them would have three edges or the edges would close a ring.
   void Join(int32_t a, int32_t b) {
     if (!IsEnd(a) || !IsEnd(b)) return;
     if (!pieces_.Join(a, b)) return;
@@ -26,7 +26,7 @@ class Pieces {
     Link(b, a);
   }
 
-  /// Returns the nodes of a piece, from the given end to the other end.
+  /// Returns the nodes of a chain, from the given end to the other end.
   Tour From(int32_t end) const {
     Tour piece = {end};
     int32_t before = kNone;
@@ -68,8 +68,8 @@ std::vector<Edge> EdgesOf(const Costs& costs, const Neighbours& neighbours) {
   return edges;
 }
 
-/// Returns the pieces joined one after the other. The first piece is the one with the nowhere node,
-/// if there is one.
+/// Returns the chains joined one after the other, each followed by the one with the nearest end.
+/// The first chain is the one with the nowhere node (Costs::AddNowhere), if there is one.
 Tour Chained(const Costs& costs, const Pieces& pieces) {
   std::vector<int32_t> ends;
   for (int32_t node = 0; node < costs.size(); ++node) {

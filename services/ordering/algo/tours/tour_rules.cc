@@ -5,8 +5,8 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Returns the nodes of a chain that starts at `node` and leads away from `from`. It ends at the
-/// chain's end, or before `node` if the chain is a ring.
+/// Returns the nodes of a chain of fixed edges that starts at `node` and leads away from `from`.
+/// The result ends at the chain's end, or before `node` if the chain is a ring.
 Tour ChainFrom(int32_t node, int32_t from, const FixedEdges& fixed) {
   Tour chain = {node};
   for (int32_t at = node;;) {
@@ -19,7 +19,8 @@ Tour ChainFrom(int32_t node, int32_t from, const FixedEdges& fixed) {
   }
 }
 
-/// Returns the whole chain of the node. It begins with the end that is fewer edges away.
+/// Returns the whole chain of fixed edges with this node. It begins with the end that is fewer
+/// edges away.
 Tour ChainOf(int32_t node, const FixedEdges& fixed) {
   const auto& [one, other] = fixed.Of(node);
   if (one == FixedEdges::kNone && other == FixedEdges::kNone) return {node};

@@ -9,10 +9,10 @@ namespace {
 constexpr int32_t kLongestShift = 3;
 /// Number of nodes that are moved in memory in the time of judging one move.
 constexpr int32_t kNodesPerMove = 16;
-/// Least number of nodes for exchanges. In smaller tours, the moves alone find the best tour.
+/// Smallest number of nodes for exchanges. In smaller tours, the moves alone find the best tour.
 constexpr int32_t kFewestForExchange = 8;
 constexpr int32_t kLongestExchange = 50;
-/// Largest number of links in a chain.
+/// Largest number of moves in a chain.
 constexpr int kLongestChain = 6;
 
 }  // namespace
@@ -122,7 +122,8 @@ TourSearch::Found TourSearch::Search(const Way& path, int64_t gain, WorkBudget& 
   return found;
 }
 
-// Reverses the section up to `cut`, so that the path begins with the section's last node.
+// Searches moves that reverse the section up to `cut`, so that the path begins with the section's
+// last node.
 void TourSearch::SearchTurned(const Way& path, int32_t cut, int64_t gain, Found& found,
                               WorkBudget& budget) const {
   const int32_t head = At(path, cut);
@@ -149,8 +150,8 @@ void TourSearch::SearchTurned(const Way& path, int32_t cut, int64_t gain, Found&
   }
 }
 
-// Closes the section up to `cut` to a ring. Opens the ring next to a node that is near the rest of
-// the path.
+// Searches moves that join the ends of the section up to `cut` into a ring. They open the ring next
+// to a node that is near the remaining path, and insert it there.
 void TourSearch::SearchSplit(const Way& path, int32_t cut, int64_t gain, Found& found,
                              WorkBudget& budget) const {
   const int32_t end = At(path, cut);
@@ -238,7 +239,8 @@ TourSearch::Way TourSearch::Turned(const Way& path, int32_t from, int32_t to, Wo
   const Turn turn = path.forward ? tour_.TurnRound(a, b) : tour_.TurnRound(b, a);
   turns_.push_back(turn);
   budget.moves -= ArrayTour::Length(turn, tour_.size()) / kNodesPerMove;
-  // If the rest was reversed instead, the direction in memory is the opposite one.
+  // TurnRound may have reversed all other nodes; the path's direction in memory is then the
+  // opposite.
   const int32_t first = from == 0 ? b : path.first;
   return PathFrom(first, tour_.Next(last) == first);
 }
@@ -273,7 +275,7 @@ int32_t TourSearch::Below(int32_t limit) {
   return static_cast<int32_t>((uint64_t{random_()} * static_cast<uint64_t>(limit)) >> 32);
 }
 
-// If an edge is fixed, the next edge is cut instead.
+// If an edge to be cut is fixed, the edge after it is cut instead.
 bool TourSearch::Exchange(WorkBudget& budget, int64_t* gain) {
   const int32_t size = tour_.size();
   const int32_t longest = std::min(kLongestExchange, size / 2 - 1);

@@ -198,7 +198,7 @@ absl::StatusOr<Costs> GeographicCosts(const Specification& specification) {
 /// Column ranges of each row of a weight table, in one of TSPLIB's formats.
 class TableWalk {
  public:
-  /// Returns nothing if the format is unknown.
+  /// Returns the walk for a format, or nothing if the format is unknown.
   static std::optional<TableWalk> Of(std::string_view format, size_t size) {
     if (format == "FULL_MATRIX") return TableWalk(size, true, true, 0);
     if (format == "UPPER_ROW") return TableWalk(size, true, false, 1);
@@ -207,7 +207,7 @@ class TableWalk {
     if (format == "LOWER_DIAG_ROW") return TableWalk(size, false, true, 0);
     return std::nullopt;
   }
-  /// Returns the first column of a row. The row's columns are First .. Last - 1.
+  /// Returns the first column of a row. The row's columns are First(row) .. Last(row) - 1.
   size_t First(size_t row) const { return upper_ && !lower_ ? row + skipped_ : 0; }
   size_t Last(size_t row) const { return upper_ ? size_ : row + 1 - skipped_; }
   size_t Count() const {
