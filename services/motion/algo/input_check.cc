@@ -17,8 +17,8 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr Coord kMaxBeadNm = 100 * kNmPerMm;
-/// Largest length. Lengths become 32-bit micrometres, and 32-bit 1e-5 mm of filament, two of them
-/// in one move.
+/// Largest accepted length. In a move, lengths are 32-bit micrometres and 32-bit counts of 1e-5 mm
+/// of filament; the sum of two lengths must fit.
 constexpr double kMaxLengthMm = 1e4;
 constexpr double kMaxSetting = 1e9;
 
@@ -78,8 +78,9 @@ bool AreInOrder(const OrderedLayer& layer) {
   return true;
 }
 
-/// A block is built once for all its visits, so it cannot be first in some passes and not first in
-/// others. The only block of a layer is the first one of all passes.
+/// Returns true if begins_ready and ends_ready are possible. A block is built once for all its
+/// visits, so it cannot be first in some passes and not first in others. The only block of a layer
+/// is the first one of all passes.
 bool CanBeReady(const OrderedLayer& layer) {
   if (!layer.begins_ready && !layer.ends_ready) return true;
   const bool only_block = layer.blocks.size() == 1 && layer.blocks.front().spiral;

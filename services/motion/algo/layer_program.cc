@@ -89,15 +89,15 @@ const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
   return layer.blocks[static_cast<size_t>(visit.block)];
 }
 
-/// Returns true if only supports are visited, or nothing.
+/// Returns true if the visits print no part: there are only supports, or no visits.
 bool PrintsNoPart(std::span<const BlockVisit> visits, const OrderedLayer& layer) {
   return std::ranges::all_of(visits, [&](const BlockVisit& visit) {
     return BlockOf(visit, layer).stack.kind == StackKind::kSupport;
   });
 }
 
-/// Return true if a block is the first or the last one of a layer that meets the layer below or
-/// above with the filament ready.
+/// Return true if the block is the layer's first one and the layer begins with the filament ready.
+/// EndsReady tests the layer's last block and the layer's end instead.
 bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
   return layer.begins_ready && !layer.visits.empty() &&
          &block == &BlockOf(layer.visits.front(), layer);
@@ -131,7 +131,7 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     }
     Toolpath path = EndsReady(block, layer) ? builder.FinishAt(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
-    // A mix is used for a whole move, so arcs are not built with mixing.
+    // With a material mix, each move has one mix, so no moves are joined into arcs.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
       FindArcs(path);
     built.push_back({std::move(path), builder.stats(), builder.retracted()});
@@ -145,7 +145,7 @@ Point StartOf(const PathBlock& block) {
   return StartOf(block.paths.front());
 }
 
-/// Return the plate coordinates of the begin and of the end of a visit.
+/// Return the plate coordinates of the start and of the end of a visit.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
   const PathBlock& block = BlockOf(visit, layer);
   const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
@@ -237,7 +237,7 @@ class PassProgram {
     return paths_[place_of_.at(visit.block)];
   }
 
-  /// Returns the shift from coordinates around a point of the plate to machine coordinates.
+  /// Converts a point of the plate to the machine's coordinates, as a shift.
   ShiftUm OnMachine(Point at) const {
     const Point shift = at - options_.tool().offset;
     return {ToUm(shift.x), ToUm(shift.y)};
@@ -248,8 +248,8 @@ class PassProgram {
     return travels_[static_cast<size_t>(&visit - &visits_.front())];
   }
 
-  /// Returns the moves to the corners of the travel from the visit before, on the plate. They have
-  /// the properties of the approach.
+  /// Returns the moves to the corners of the travel from the previous visit, in plate coordinates.
+  /// They have the properties of the approach.
   Toolpath TravelTo(const BlockVisit& visit) const {
     Toolpath travel;
     if (&visit == &visits_.front()) return travel;
@@ -263,8 +263,8 @@ class PassProgram {
     return travel;
   }
 
-  /// Returns the written stretches in their order. Copies after the first are already at their
-  /// height, unless travels rise.
+  /// Returns the written stretches in their order. Copies after the first one need no move in z at
+  /// their start, unless travels rise.
   std::vector<Stretch> Stretches() const {
     std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {
@@ -297,14 +297,16 @@ class PassProgram {
     writer.EndBlock(out);
     if (!labelled || !ends) return;
     EndCopy(facts.copies[copy], copy, options_, out);
-    // A firmware that skips the copy may skip its lines.
+    // If the firmware skips a copy, it may also skip the lines that set modes. They are written
+    // again.
     if (options_.labels != ObjectLabels::kNone) writer.Forget();
   }
 
   const OrderedLayer& layer_;
   const std::span<const BlockVisit> visits_;
   const MotionOptions& options_;
-  std::map<int32_t, size_t> place_of_;  ///< index in paths_, by block of the layer
+  /// key: index of a block in the layer; value: index in paths_
+  std::map<int32_t, size_t> place_of_;
   std::vector<Toolpath> paths_;
   std::vector<Toolpath> travels_;  ///< travel to each visit
   ProgramStats stats_;
@@ -313,8 +315,8 @@ class PassProgram {
   double silent_time_s_ = 0;
 };
 
-/// Returns the moves of a layer that prints nothing. It retracts if the layer below has not,
-/// because the layer above may begin far away.
+/// Returns the moves of a layer that prints nothing. If the layer below ends without a retraction,
+/// the filament is retracted here, because the layer above may begin far away.
 BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
   ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
   if (layer.begins_ready) builder.BeginAsLeft();
@@ -322,7 +324,7 @@ BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
   return {std::move(path), builder.stats(), builder.retracted()};
 }
 
-/// Returns the visits of each pass, in order; one pass without visits if there are none.
+/// Returns the visits of each pass, in order. Without visits, returns one pass without visits.
 std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> visits) {
   std::vector<std::span<const BlockVisit>> passes;
   size_t first = 0;
@@ -335,8 +337,8 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
   return passes;
 }
 
-/// Returns the fans and the height of a layer. `index`: index of the layer in its pass. A layer
-/// without parts, above the first one, leaves the fan unchanged.
+/// Returns the fans and the height of a layer. `index`: index of the layer in its pass. In a layer
+/// above the first one that prints no part, the fan does not change.
 LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits, int32_t index,
                    double time_s, const MotionOptions& options) {
   const CoolingOptions& cooling = options.tool().cooling;
@@ -398,7 +400,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   }
   program.gcode = out.Take();
   program.mode_lines = writer.TakeModeLines();
-  // A firmware that skips a copy may skip lines in its layers.
+  // The firmware may skip a copy and the lines in it; then it has not executed all lines.
   const bool all_are_done = options.labels == ObjectLabels::kNone || facts.copies.size() < 2;
   if (all_are_done && gcode::LeavesModes(code->before) && gcode::LeavesModes(code->after))
     program.modes_at_end = writer.Modes();

@@ -100,7 +100,7 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
           .first_layer = Bounds(FirstLayerHull(summary))};
 }
 
-/// Returns the lines that readers of files expect at the beginning.
+/// Returns the comments at the beginning of the file that hosts and previewers read.
 std::string Head(const ProgramSummary& summary, const MotionOptions& options, double time_s) {
   GcodeText out;
   FirmwareOf(options.flavor).WriteHead(FactsOf(summary, options, time_s), out);
@@ -231,8 +231,8 @@ PrintTimes TimesOf(const ProgramSummary& summary, const FrameText& text,
   return clock.Finish();
 }
 
-/// Returns G-code without the commands that set limits of axes. These are limits of the normal
-/// mode.
+/// Returns G-code without the commands that set limits of axes, because the silent mode has other
+/// limits.
 std::string WithoutAxisLimits(std::string_view gcode) {
   GcodeText out;
   for (const std::string_view line : Split(gcode, "\n"))
@@ -274,8 +274,8 @@ double TravelMm(const ProgramSummary& summary, const MotionOptions& options) {
 
 absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
                                              const MotionOptions& options) {
-  // Templates may use the print's time, but their own moves are part of it. In the first round they
-  // get the time of the layers only.
+  // Templates may use the time of the whole print, but the moves in their own text are part of it.
+  // So there are two rounds: in the first one, templates get the time of the layers only.
   const auto code = macro::ParseJobCode(options);
   if (!code.ok()) return code.status();
   ClockedTimes times;

@@ -37,8 +37,8 @@ constexpr std::array<std::string_view, kFeatureCount> kFeatures = {"Outer wall",
                                                                    "Internal solid infill",
                                                                    "Internal Bridge"};
 
-/// Number of objects that can be skipped. Each one is a bit of a mask, which is written as base64
-/// of its bytes, the lowest byte first.
+/// Largest number of objects that the printer can skip. Each object is a bit of a mask. The mask's
+/// bytes are written as base64, the lowest byte first.
 constexpr size_t kMostLabels = 64;
 
 std::string MaskOf(size_t index) {
@@ -90,7 +90,7 @@ class BambuFirmware : public MarlinFirmware {
         << "\n; total layer number: ";
     out.Integer(facts.layers) << "\n; total filament length [mm] : ";
     out.Real(facts.filament_mm, 2) << "\n; total filament volume [cm^3] : ";
-    // The value is in mm3 in spite of the key's unit, as in Bambu Studio.
+    // Bambu Studio writes mm3 too, although the key says cm^3.
     out.Real(facts.volume_mm3, 2) << "\n; total filament weight [g] : ";
     out.Real(facts.mass_g, 2) << "\n; filament_density: ";
     out.Real(facts.density_g_cm3, 2) << "\n; filament_diameter: ";
@@ -113,7 +113,7 @@ class BambuFirmware : public MarlinFirmware {
     out << '\n';
   }
   bool LabelsLast() const override { return false; }
-  /// Copies beyond the size of the mask cannot be skipped.
+  /// A copy with an index beyond the mask gets no label, so the printer cannot skip it.
   void BeginCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
     if (index >= kMostLabels) return;
     out << "; start printing object, unique label id: ";

@@ -17,7 +17,7 @@ constexpr int kKlipperM[] = {18,  20,  21,  23,  24,  25,  26,  27,  73,  82,
                              115, 117, 118, 119, 140, 190, 204, 220, 221, 400};
 constexpr KnownCommands kKlipperCommands{kKlipperG, kKlipperM};
 
-/// Commands that slicers and start G-code use. Other commands of Klipper would count as macros.
+/// Klipper's named commands that slicers and start G-code use. Any other name counts as a macro.
 constexpr std::string_view kNamed[] = {"ACTIVATE_EXTRUDER",
                                        "BED_MESH_CALIBRATE",
                                        "BED_MESH_CLEAR",

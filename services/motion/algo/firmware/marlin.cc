@@ -31,8 +31,8 @@ constexpr KnownCommands kMarlinCommands{kMarlinG, kMarlinM};
 
 constexpr double kMarlinArcSegmentMm = 1;
 
-/// Travels use the acceleration of printing, which is the only one that is set. M204 is the one of
-/// Prusa-Firmware: beside S, T is the acceleration of retractions.
+/// Travels use the acceleration of printing, because the firmware has only one for both. M204 has
+/// the parameters of Prusa-Firmware: S sets the acceleration of moves, T that of retractions.
 class LegacyFirmware : public MarlinFirmware {
  public:
   std::string_view name() const override { return "marlin"; }

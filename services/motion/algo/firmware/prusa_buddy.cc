@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Returns the characters of a model's name that may be between quotes.
+/// Returns the model's name without characters that may not be between quotes.
 std::string Quotable(std::string_view model) {
   std::string plain = CommentLine(model);
   std::erase_if(plain, [](char c) { return c == '"' || c == ';' || c == '\\'; });
@@ -28,7 +28,7 @@ class BuddyFirmware : public MarlinFirmware {
     out.Real(value, 5) << '\n';
   }
 
-  /// Checks in the start G-code replace these checks.
+  /// Checks that the start G-code contains are not written again.
   void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
                    GcodeText& out) const override {
     if (!StartCommands(options, {"M862"})) {

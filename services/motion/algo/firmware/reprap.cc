@@ -28,8 +28,8 @@ constexpr int kRepRapM[] = {
 constexpr KnownCommands kRepRapCommands{kRepRapG, kRepRapM};
 
 constexpr double kPerMinute = 1.0 / 60;
-// Limits for the chords of an arc: the largest distance from the arc, and the largest number per
-// second.
+// Limits for the chords of an arc: the largest deviation from the arc, and the largest number of
+// chords per second.
 constexpr double kArcDeviationMm = 0.005;
 constexpr double kArcSegmentsPerSecond = 200;
 constexpr double kShortestArcSegmentMm = 0.02;

@@ -14,10 +14,10 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Smallest change of the width that is written, on beads of at least kSeenLengthUm. On shorter
-/// beads the change must be larger in proportion. A preview shows no difference below this. For
-/// comparison, PrusaSlicer's beads of varying width change in steps of 0.05 mm. The filament is
-/// always exact.
+/// A width comment is written if the width changes by at least this, on beads of at least
+/// kSeenLengthUm. On shorter beads the change must be larger in proportion. A preview shows no
+/// difference below this. For comparison, PrusaSlicer's beads of varying width change in steps of
+/// 0.05 mm. The amount of filament is always exact.
 constexpr int32_t kWidthStepUm = 50;
 constexpr double kSeenLengthUm = 400;
 
@@ -119,7 +119,7 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   WriteEnd(move, comments_ ? CommentOn(path, arc.first) : "", out);
 }
 
-/// Writes only coordinates that change, because an unchanged coordinate is an eighth of a line.
+/// Writes the coordinates that have changed. This saves text: a coordinate is an eighth of a line.
 void LayerWriter::WritePlace(PlaceUm to, GcodeText& out) {
   const bool stays = at_ == to;
   if (!at_ || stays || at_->x != to.x) (out << " X").Micrometers(to.x);
@@ -149,7 +149,7 @@ void LayerWriter::EndBlock(GcodeText& out) {
 
 bool LayerWriter::HasBridgeFan(const Move& move) const {
   if (IsBridge(move.feature) || move.feature == Feature::kOverhangPerimeter) return true;
-  // A limit of a full rest selects the outer walls, and no other bead.
+  // If the limit is a fully supported bead, the outer walls get this fan, and no other bead.
   if (state_.cooled_rest >= kFullRest) return move.feature == Feature::kExternalPerimeter;
   return move.rest <= state_.cooled_rest;
 }
@@ -182,8 +182,8 @@ void LayerWriter::CountAnew(const Move& move, GcodeText& out) {
   pulled_ = pulls;
 }
 
-/// Returns true if no move is written. The firmware makes it itself (G10, G11), or a change of
-/// colour has already primed the filament.
+/// Writes a retraction or restart that needs no move: the firmware makes it itself (G10, G11), or a
+/// change of colour has already primed the filament. Returns false if the move has to be written.
 bool LayerWriter::WriteByFirmware(const Move& move, GcodeText& out) {
   const bool restarts = move.kind == MoveKind::kRestart;
   if (restarts && std::exchange(primed_, false)) return true;
@@ -225,7 +225,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   mode_lines_.back().value = PlaceText(*at_);
 }
 
-/// Writes a line that may be left out later, so the text around it does not depend on it.
+/// Writes a line that may be removed later, so the text before and after it does not depend on it.
 void LayerWriter::WriteIfNeeded(const Toolpath& path, size_t index, GcodeText& out) {
   const size_t begin = out.text().size();
   WriteMove(path, index, {}, out);

@@ -69,8 +69,8 @@ std::string Quoted(const std::string& text) {
   return quoted + '"';
 }
 
-/// Keys that hosts search for, with their values if the settings do not have them: one tool, and
-/// none of these features.
+/// Keys that hosts search for, with the values that are written if the settings lack them. The
+/// values mean: one tool, and none of these features.
 constexpr std::pair<std::string_view, std::string_view> kUnlessGiven[] = {
     {"brim_width", "0"},        {"chamber_temperature", "0"},
     {"filament_abrasive", "0"}, {"ironing", "0"},
@@ -106,8 +106,8 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
   return settings;
 }
 
-/// Writes the settings ordered by key. So a file keeps this order if its settings are read back
-/// from it.
+/// Writes the settings, sorted by key. A file made from the settings of another file therefore has
+/// the same order.
 void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, GcodeText& out) {
   std::map<std::string, std::string, std::less<>> settings;
   for (const auto& [key, value] : macro::SettingLines(summary.settings_text))

@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Tolerance of heights. In files heights are sums of layer heights, each of them rounded.
+/// Tolerance of heights. Heights in files are sums of layer heights, each of which is rounded.
 constexpr Coord kSameHeightNm = 100;
 
 absl::StatusOr<std::string> TextOfCode(const HeightCode& code, const macro::JobCode& templates,

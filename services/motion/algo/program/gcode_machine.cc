@@ -18,7 +18,8 @@ constexpr double kFirstSpeedMmS = 25;
 constexpr double kNothingMm = 1e-9;
 constexpr double kSecondsPerMinute = 60;
 
-/// Returns true if G10 sets tools of RepRapFirmware. A retraction has at most Marlin's S.
+/// Returns true if a G10 sets values of a tool (RepRapFirmware). A G10 that retracts has no word
+/// except Marlin's S.
 bool HasOtherWords(const GcodeLine& line) {
   return line.Has('P') || line.Has('L') || line.Has('R') || line.Has('X') || line.Has('Y') ||
          line.Has('Z');
@@ -103,7 +104,7 @@ GcodeAction GcodeMachine::ReadM(const GcodeLine& line) {
     case 702:
       return Rest();
     case 200:
-      // D is the diameter of filament given by volume; 0 returns to lengths.
+      // D is the diameter of the filament, and E is then a volume; D0: E is a length again.
       if (const auto d = line['D']) ScaleFilament(flow_factor_, FilamentUnitMm(*d));
       return {};
     case 207:
@@ -216,7 +217,7 @@ GcodeAction GcodeMachine::Retract(bool back) {
     to[kZ] += lift;
     if (lift > 0) Push(to, limits_.max_feedrate_mm_s[kZ]);
   }
-  // In the program's coordinates, filament and height are unchanged.
+  // Only the machine retracts: the program's own E and Z do not change.
   const double moved = moves_.empty() ? 0 : to[kE] - moves_.front().from[kE];
   origin_[kE] += moved;
   origin_[kZ] += back ? -lift : lift;
@@ -252,7 +253,7 @@ MachineSetup SetupOf(const MotionOptions& options) {
           options.writing.volumetric_e ? options.tool().filament_diameter_mm : 0};
 }
 
-/// Changes the scale. The filament's coordinate in the program stays the same.
+/// Changes the scale of E. The value of E in the program does not change.
 void GcodeMachine::ScaleFilament(double flow, double unit_mm) {
   const double told = (at_[kE] - origin_[kE]) / FilamentFactor();
   flow_factor_ = flow;

@@ -12,7 +12,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Returns the acceleration that a layer's own times assume before its first bead.
+/// Returns the acceleration that the layer's own times use for moves before its first bead.
 double AssumedBy(const LayerEdges& edges) {
   for (size_t i = 1; i < edges.head.size(); ++i)
     if (Prints(edges.head[i - 1], edges.head[i])) return edges.head[i].acceleration_mm_s2;
@@ -104,7 +104,7 @@ void PrintClock::AddLayer(size_t i) {
   double& part_s = times_.layer_s[i];
   QueueHead(edges, part_s);
   Stop();
-  // Subtracts the times of the edges, which the layer has counted as if it were alone.
+  // Subtracts the times of the moves at both ends, which the layer has planned from a standstill.
   const std::span<const EdgeMove> head = edges.head;
   const auto approach = static_cast<size_t>(edges.approach);
   Queue(head.first(approach), AssumedBy(edges), part_s);

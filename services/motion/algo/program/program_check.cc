@@ -16,13 +16,13 @@ namespace {
 
 /// Resolution of coordinates, 0.001 mm.
 constexpr double kPlaceMm = 0.001;
-/// Largest section of a bead, as a multiple of the nozzle's square.
+/// Largest section of a bead, as a multiple of the squared nozzle diameter.
 constexpr double kMostSections = 4;
 /// Tolerance of the radii at an arc's ends. They depend on four numbers with a resolution of 0.001
 /// mm.
 constexpr double kRadiusMm = 0.005;
-/// Tolerances of sums of filament: two decimals of the sum, and the rounding to 1e-5 mm of all
-/// moves.
+/// Tolerances of sums of filament: one for the two decimals of the comment, one for the rounding of
+/// each move to 1e-5 mm.
 constexpr double kSumMm = 0.006;
 constexpr double kSumOfRoundingMm = 3e-5;
 constexpr std::string_view kMoveWords = "XYZEFSHRPABCUVWIJK";
@@ -162,7 +162,7 @@ class Checker {
     const double z = move.to[kZ] - move.from[kZ];
     const double section = move.Filament() * filament_mm2_ / std::sqrt(x * x + y * y + z * z);
     const double most = kMostSections * setup_.nozzle_mm * setup_.nozzle_mm;
-    // Firmwares accept very small amounts.
+    // Firmwares accept any section if the amount of plastic is very small.
     if (section <= most || move.Filament() * filament_mm2_ <= setup_.nozzle_mm * most) return;
     if (custom && !firmware_.RefusesSection(section, setup_.nozzle_mm)) return;
     Find(absl::StrFormat("a line with a section of %.3f mm2, at most %.3f", section, most));

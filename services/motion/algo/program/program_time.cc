@@ -49,7 +49,7 @@ class Clock {
   }
 
  private:
-  /// Sums that include a queued move's time.
+  /// Sums to which the time of a queued move is added.
   struct Account {
     double* kind_s;
     int layer;

@@ -9,7 +9,8 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Largest number of chords. It exceeds any printed arc and bounds the memory for hostile files.
+/// Largest number of chords of an arc. No printed arc needs so many; the limit bounds the memory
+/// for hostile files.
 constexpr double kMostChords = 2e4;
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Longest step from wall to wall, in widths (ordering's links).
+/// Longest step from wall to wall, in widths. It must exceed the longest link of
+/// ordering/algo/near_links.h.
 constexpr double kMostLinkWidths = 2.7;
 
 bool IsPieceOfWall(const Path& path) {
@@ -21,7 +22,7 @@ bool IsWallPath(const Path& path) {
   return path.feature == Feature::kExternalPerimeter || path.feature == Feature::kPerimeter;
 }
 
-/// Returns the end of the run of connected pieces of walls that begins at `first`.
+/// Returns the index after the last of the connected pieces of walls that begin at `first`.
 size_t EndOfRun(std::span<const Path> paths, size_t first) {
   size_t end = first + 1;
   while (end < paths.size() && IsPieceOfWall(paths[end]) && GoesOn(paths[end - 1], paths[end]))

@@ -18,11 +18,12 @@ constexpr int kMaxTrials = 12;
 /// Largest difference of a layer's time from the wanted time, as a share.
 constexpr double kTolerance = 0.002;
 
-/// Group of beads to slow down. With consistent_surface, kInner is all beads except the two
-/// outermost walls and the beads just before them; kSurface is the rest. Without it kAll is used.
+/// Group of beads to slow down. With consistent_surface there are two groups: kSurface is the two
+/// outermost walls and the beads just before them, kInner is all other beads. Without
+/// consistent_surface, kAll is used.
 enum class Beads : uint8_t { kAll, kInner, kSurface };
 
-/// Full speeds by move of one toolpath.
+/// Feed rates at full speed, indexed by the moves of one toolpath.
 struct FullSpeeds {
   std::vector<int32_t> feed_rates;
   std::vector<bool> inner;  ///< true for beads of Beads::kInner
@@ -65,7 +66,8 @@ bool IsAmong(Beads beads, const FullSpeeds& full, size_t move) {
   return beads == Beads::kAll || full.inner[move] == (beads == Beads::kInner);
 }
 
-/// Sets the feed rates of the selected beads to `share` of the full ones.
+/// Sets the feed rates of the selected beads to `share` of the full feed rates, but at least to
+/// `least`. A bead with a full feed rate below `least` keeps it.
 void SetSpeeds(const FullSpeeds& full, Beads beads, double share, int32_t least, Toolpath& path) {
   for (size_t i = 0; i < full.feed_rates.size(); ++i) {
     Move& move = path.moves[i];
@@ -91,10 +93,11 @@ int32_t FastestBead(const Layer& full, Beads beads, std::span<const Toolpath> pa
   return fastest;
 }
 
-/// Returns the fan in the first layers: off at first, then a share that grows layer by layer.
+/// Returns the fan in percent for one of the first layers: 0 at first, then a share of `percent`
+/// that grows layer by layer.
 int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percent) {
   const int32_t full = cooling.full_fan_speed_layer;
-  // A growing fan is off in the first layer.
+  // If the fan grows over the first layers, it is off in the very first one.
   const int32_t off = std::max(cooling.disable_fan_first_layers, full > 0 ? 1 : 0);
   if (layer_index < off) return 0;
   if (layer_index + 1 >= full) return percent;
@@ -102,7 +105,7 @@ int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percen
   return static_cast<int32_t>(std::lround(percent * share));
 }
 
-/// Returns the fan from the layer's time alone.
+/// Returns the fan in percent that the layer's time requires, regardless of the first layers.
 int32_t FullFan(const CoolingOptions& cooling, double layer_time_s) {
   const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
   if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;
@@ -134,10 +137,11 @@ class Slowing {
         least_(FeedRate(cooling.min_print_speed_mm_s)),
         wanted_s_(cooling.slowdown_below_layer_time_s) {}
 
-  /// Slows the beads down until the layer takes the wanted time, or they have reached the least
-  /// speed. `time_s`: the layer's time at full speed. Returns the moves' times.
-  /// The time falls as the share grows, and is nearly linear in 1 / share. So the secant method is
-  /// used, with bounds for safety.
+  /// Slows the beads down until the layer takes the wanted time, or they have reached the smallest
+  /// speed. `time_s`: the layer's time at full speed. Returns the time of each move.
+  ///
+  /// The layer's time decreases when the share grows, and is nearly linear in 1 / share. So the
+  /// secant method is used, with bounds for safety.
   std::span<const double> Slow(Beads beads, double time_s) {
     std::span<const double> times;
     double low = 0;
@@ -158,8 +162,9 @@ class Slowing {
   }
 
  private:
-  /// Returns the next share by the secant in 1 / share through full speed and the last trial. The
-  /// secant is needed because a part of the layer's time does not depend on the share.
+  /// Returns the next share to try. It is on the secant of the time over 1 / share, through full
+  /// speed and the last trial. A simple proportion is not enough, because a part of the layer's
+  /// time does not depend on the share.
   double NextShare(double full_s, double share, double time_s) const {
     const double slope = (time_s - full_s) / (1 / share - 1);
     return slope > 0 ? slope / (wanted_s_ - full_s + slope) : share / 2;

@@ -11,11 +11,13 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Shortest edge. Each edge is a command.
+/// Length of the shortest edge, in nm. Each edge is a line of G-code, so shorter ones cost too
+/// much.
 constexpr double kLeastEdgeNm = 12'500;
 /// Largest ratio of the sections of two consecutive edges.
 constexpr double kMostStep = 1.27;
-/// Largest ratio of the widths of discs: beads narrower than high.
+/// Largest ratio of the widths of two consecutive edges if beads are narrower than high. Such a
+/// bead's section is a disc.
 constexpr double kMostDiscStep = 1.127;
 
 struct WidePoint {
@@ -50,7 +52,7 @@ class Divider {
   }
 
  private:
-  /// Adds points up to `to`, as few as keep the ratio of sections small enough.
+  /// Adds points up to `to`: the smallest number with which the ratio of sections is small enough.
   void GoEvenly(const WidePoint& to) {
     const WidePoint from = at_;
     const auto height = static_cast<double>(bead_height_nm_ - from.width_nm);
@@ -70,8 +72,8 @@ class Divider {
     Put(to);
   }
 
-  /// Returns the division points of an edge, as shares of its length from its narrower end. The
-  /// width of a disc, and the section of any other bead, grow linearly along the edge. So each
+  /// Returns the division points of an edge, as shares of its length from its narrower end. Along
+  /// the edge, the section grows linearly; of a bead narrower than high, the width does. So each
   /// piece is longer than the one before by the ratio.
   std::vector<double> SharesOf(const WidePoint& a, const WidePoint& b) const {
     const auto [narrower, wider] = std::minmax({a.width_nm, b.width_nm});

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFlowPieceMm = 1;
 
-/// Piece of a bead. Flows are squared, in (mm^3/s)^2.
+/// Piece of a bead. q2 values are squared flows, in (mm^3/s)^2.
 struct Piece {
   size_t move = 0;
   double volume_mm3 = 0;

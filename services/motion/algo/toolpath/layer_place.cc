@@ -12,8 +12,8 @@ LayerPlace PlaceOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   if (place.pass >= std::ssize(facts.passes)) return place;
   const PassFacts& pass = facts.passes[static_cast<size_t>(place.pass)];
   place.top_nm = std::max(place.top_nm, pass.top_before_nm);
-  // Only layers of the part are counted. A layer of supports between them is numbered as if it were
-  // a layer of the part.
+  // Only layers of the part are counted. A layer with supports only, between two layers of the
+  // part, gets the number of a layer of the part.
   const auto part = std::ranges::find_if(visits, [&](const BlockVisit& visit) {
     return layer.blocks[static_cast<size_t>(visit.block)].stack.IsPart();
   });

@@ -6,7 +6,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Shortest loop with a gap, in gaps. Most of a shorter loop would be gap.
+/// Shortest loop that gets a gap, in gaps. A shorter loop would consist mostly of its gap.
 constexpr double kLeastGaps = 4;
 
 }  // namespace

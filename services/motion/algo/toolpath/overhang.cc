@@ -11,12 +11,12 @@ namespace {
 
 constexpr Coord kSquareNm = kNmPerMm / 2;
 constexpr double kRestingPieceMm = 1;
-/// Share of the width up to which two pieces count as equally supported.
+/// Largest difference of supported shares at which two pieces count as equally supported.
 constexpr double kAlike = 0.05;
-/// Steps per width. A piece counts as air if less than half a step rests on average at its two
-/// ends.
+/// Shares at the ends of a piece are rounded to steps of 1 / kAirSteps. The piece counts as air if
+/// their sum is less than 2 steps, otherwise as supported.
 constexpr double kAirSteps = 20;
-/// Offset from whole nanometres, in nm, that is not a simple fraction.
+/// Offset in nm that is added to whole nanometres. No corner of an outline has such a coordinate.
 constexpr double kAside = 0.3183;
 
 /// Returns the squared distance from a point to an edge, nm^2.
@@ -29,8 +29,8 @@ double SquaredDistance(Point p, Point from, Point to) {
   return dx * dx + dy * dy;
 }
 
-/// Returns the position where the edge crosses a height, or nothing. Only one of its two ends
-/// counts as part of it.
+/// Returns the x where the edge crosses the height y, or nothing. Only one of the edge's two ends
+/// counts as part of the edge.
 std::optional<double> XAt(double y, Point from, Point to) {
   const auto from_y = static_cast<double>(from.y), to_y = static_cast<double>(to.y);
   if ((from_y > y) == (to_y > y)) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<double> XAt(double y, Point from, Point to) {
          (y - from_y) / (to_y - from_y) * static_cast<double>(to.x - from.x);
 }
 
-/// Returns the same as XAt with x and y exchanged.
+/// Returns the y where the edge crosses the line at x, or nothing. Like XAt with exchanged axes.
 std::optional<double> YAt(double x, Point from, Point to) {
   return XAt(x, {from.y, from.x}, {to.y, to.x});
 }
@@ -160,7 +160,7 @@ class Look {
     if (point != at_ || width_nm != width_nm_) {
       at_ = point;
       width_nm_ = width_nm;
-      // A point within the outlines rests by at least half, even near their edge.
+      // A point within the outlines is supported by at least half, even near the outlines.
       const bool is_enough = steps_ == RestSteps::kAirAlone && below_.Covers(point);
       rest_ = is_enough ? 1 : below_.RestOf(point, width_nm);
     }
@@ -175,7 +175,7 @@ class Look {
   double rest_ = 0;
 };
 
-/// Range of the pieces so far that count as equally supported.
+/// Range of the supported shares of consecutive pieces that count as equally supported.
 struct Alike {
   double least = 0, most = 0;
 
@@ -193,7 +193,8 @@ struct Alike {
   static bool IsEnd(double rest) { return rest == 0 || rest == 1; }
 };
 
-/// Returns the rest of a piece from the rest at its ends. Values close to 0 or 1 become 0 or 1.
+/// Returns the supported share of a piece from the shares at its ends. Values close to 0 or 1
+/// become 0 or 1.
 double RestBetween(double from, double to, RestSteps steps) {
   if (steps == RestSteps::kAirAlone)
     return std::lround(from * kAirSteps) + std::lround(to * kAirSteps) < 2 ? 0 : 1;

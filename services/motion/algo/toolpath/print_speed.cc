@@ -12,7 +12,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Speed without settings and machine limits.
+/// Speed in mm/s if neither settings nor machine limits give one.
 constexpr double kDefaultSpeedMmS = 60;
 constexpr double kMaxFeedRate = 1e6;
 
@@ -39,7 +39,7 @@ double PrintSpeeds::Of(const Path& path, double length_mm) const {
 }
 
 /// Returns the speed in a layer below slow_down_layers: it rises evenly from the first layer's
-/// speed. The first layer's speed of infill is that of all beads except walls.
+/// speed. For all beads except walls, the first layer's speed is that of its infill.
 double PrintSpeeds::InFirstLayers(Feature feature, double speed) const {
   if (ground_ != Ground::kLayers || layer_ >= options_.slow_down_layers) return speed;
   const double first =

@@ -14,7 +14,7 @@ namespace {
 constexpr double kArmNm = 500'000;
 constexpr double kSmoothCosine = 0.866;
 
-/// Points of a loop from its start to its start again, and widths of the same shape.
+/// Points of a loop from its start around to its start again, and the width at each point.
 struct OpenedLine {
   std::vector<Point> points;
   std::vector<Coord> widths_nm;
@@ -49,7 +49,8 @@ bool StartsAtCorner(const Path& path) {
 }
 
 /// Cuts the first `length_nm` of a line into pieces: at its points and so that no piece is longer
-/// than `longest_nm`. Calls visit(to, width, middle, end). The last two are lengths along the line.
+/// than `longest_nm`. Calls visit(to, width, middle, end) for each piece. `middle` and `end` are
+/// positions in the piece, as lengths along the line.
 template <typename Visit>
 void CutIntoPieces(const OpenedLine& line, double length_nm, double longest_nm,
                    const Visit& visit) {
@@ -76,7 +77,7 @@ void CutIntoPieces(const OpenedLine& line, double length_nm, double longest_nm,
   }
 }
 
-/// Appends the rest of a line after its first `length_nm`, as pieces of a full bead.
+/// Appends the line without its first `length_nm`, as pieces of a full bead.
 void AppendRest(const OpenedLine& line, double length_nm, std::vector<ScarfPiece>& pieces) {
   double from = 0;
   for (size_t i = 0; i + 1 < line.points.size(); ++i) {

@@ -20,15 +20,16 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr size_t kMostNodes = 256;
-/// Number of nodes before the farthest one that still lead on. Beads of real walls replace fewer
-/// nodes than this.
+/// Number of nodes, before the farthest node that n beads can reach, from which further beads are
+/// tried. On real walls, fewer nodes than this would suffice.
 constexpr size_t kLastNodes = 16;
 constexpr double kLeastShare = 0.95;
 /// Tolerance of lengths, because they are measured before points are rounded.
 constexpr double kLengthSlackUm = 2;
-/// Largest distance between a place and its rounded place in whole um.
+/// Largest distance between a position and the same position rounded to whole um.
 constexpr double kWholeUm = 0.75;
-/// Cosine of 30 degrees. A corner turns by more than this and stays at its place.
+/// Cosine of 30 degrees. A point at which the path bends by more than this is a corner and is not
+/// moved.
 constexpr double kCornerCosine = 0.866;
 constexpr double kNmPerUm = 1000;
 /// Largest difference between the widths of short beads and the path's, as a share.
@@ -41,18 +42,19 @@ double Rounded(double um) {
   return static_cast<double>(static_cast<int64_t>(um < 0 ? um - 0.5 : um + 0.5));
 }
 
-/// Place on the path, rounded as in the text. Widths, length and area describe the path from the
-/// node before.
+/// Point of the path, rounded as in the G-code. Widths, length and area describe the path from the
+/// previous node.
 struct Node {
   Point point;                      ///< point of the path
-  Vector2 place = Vector2::Zero();  ///< in whole um
+  Vector2 place = Vector2::Zero();  ///< rounded position, in whole um
   Coord narrowest_nm = 0, widest_nm = 0;
   double along = 0;  ///< length from the start, in um
   double area = 0;   ///< width times length, from the start
-  /// Alternative end of a bead, outside the curve. Beads that run on both sides of a curve are
-  /// longer. Equal to `place` at corners, at ends, and where longer beads are impossible.
+  /// Alternative end of a bead, outside the curve. With it, beads deviate to both sides of a curve,
+  /// so they can be longer. Equal to `place` at corners, at ends, and where longer beads are
+  /// impossible.
   Vector2 outside = Vector2::Zero();
-  bool stays = true;  ///< true if no bead passes this node
+  bool stays = true;  ///< true if no bead may pass this node, so that a bead ends here
 
   Coord MeanWidthNm() const { return (narrowest_nm + widest_nm) / 2; }
 };
@@ -84,8 +86,8 @@ std::vector<Node> NodesOf(const Path& path) {
   return nodes;
 }
 
-/// Marks the nodes that no bead passes. Such a node and its two neighbours do not fit into a strip
-/// of twice the tolerance. Most nodes of solid infill are of this kind.
+/// Marks the nodes that no bead may pass. Such a node and its two neighbours do not fit into a
+/// strip of twice the tolerance. Most nodes of solid infill are of this kind.
 void FindStays(double tolerance_um, std::vector<Node>& nodes) {
   for (size_t i = 1; i + 1 < nodes.size(); ++i) {
     const Vector2 in = nodes[i].place - nodes[i - 1].place;
@@ -114,13 +116,13 @@ void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
   }
 }
 
-/// Set of directions of rays from a point that pass all given discs. It uses cross products instead
-/// of divisions, because each node tests as many discs as a bead may replace nodes. Divisions would
-/// take most of the time.
+/// Set of directions of rays from a point that meet all given discs. It uses cross products instead
+/// of divisions, which would take most of the time: each node tests as many discs as a bead may
+/// replace nodes.
 class Cone {
  public:
-  /// Removes the directions that miss the disc around `centre`. Coordinates are relative to the
-  /// point, which is outside the disc.
+  /// Removes the directions that miss the disc around `centre`. `centre` is relative to the point,
+  /// which is outside the disc.
   void Narrow(Vector2 centre, double radius) {
     if (!told_) axis_ = centre;
     told_ = true;
@@ -154,8 +156,8 @@ class Cone {
     }
   };
 
-  /// Returns the slope of a direction; infinite from a right angle on. So a cone to the rear leaves
-  /// no directions.
+  /// Returns the slope of a direction against the axis; infinite for angles of 90 degrees and more.
+  /// So a cone to the rear leaves no directions.
   Slope SlopeOf(Vector2 direction) const {
     const double ahead = Dot(axis_, direction), aside = Cross(axis_, direction);
     if (ahead > 0) return {aside, ahead};
@@ -184,14 +186,14 @@ struct Tolerance {
   }
 };
 
-/// Beads that may replace the path from one node on, extended node by node.
+/// Bead that may replace the path from one node on. The replaced path is extended node by node.
 class Reach {
  public:
   /// `begin`: start of the beads.
   Reach(const Node& from, Vector2 begin, const Tolerance& tolerance)
       : from_(from), begin_(begin), tolerance_(tolerance) {}
 
-  /// Extends the beads to the next node.
+  /// Extends the replaced path to the next node.
   void Take(const Node& to) {
     even_ = widest_ == 0;  // a single edge is always a valid bead
     narrowest_ = std::min(narrowest_, to.narrowest_nm);
@@ -210,7 +212,8 @@ class Reach {
   }
 
   /// Returns the sum of squared deviations of the passed nodes from a bead that ends at `end`.
-  /// `end` is at or beside the last node. Returns nothing if the bead may not replace the nodes.
+  /// `end` is at the last node or its `outside`. Returns nothing if the bead may not replace the
+  /// nodes.
   std::optional<double> DeviationTo(Vector2 end) const {
     const Vector2 travel = end - begin_;
     const double squared = Dot(travel, travel);
@@ -222,7 +225,8 @@ class Reach {
            squared;
   }
 
-  /// Requires beads to pass the last node within the tolerance. Returns false if no bead can.
+  /// Requires that the bead passes `place`, the last node, within the tolerance. Returns false if
+  /// no bead can.
   bool Pass(Vector2 place) {
     const Vector2 travel = place - begin_;
     const double squared = Dot(travel, travel);
@@ -246,12 +250,12 @@ class Reach {
   Coord widest_ = 0;
   double length_ = 0;  ///< length of the replaced path
   bool even_ = false;  ///< true if one width may replace all widths
-  /// Largest squared distance of a passed node; beads must not end before it.
+  /// Largest squared distance of a passed node from the start; a bead must not end before it.
   double farthest_ = 0;
-  double xx_ = 0, xy_ = 0, yy_ = 0;  ///< moments of the passed nodes around the beginning
+  double xx_ = 0, xy_ = 0, yy_ = 0;  ///< second moments of the passed nodes around the bead's start
 };
 
-/// End of a bead: at a node or outside it.
+/// End of a bead: at a node, or at the node's `outside`.
 struct Stop {
   size_t node = 0;
   bool outside = false;
@@ -260,7 +264,7 @@ struct Stop {
 
 Vector2 EndAt(const Node& node, bool outside) { return outside ? node.outside : node.place; }
 
-/// Best known sequence of beads to a stop.
+/// Best known sequence of beads that ends at a stop.
 struct Way {
   size_t beads = std::numeric_limits<size_t>::max();
   double deviation = 0;  ///< sum of squared deviations of all nodes
@@ -272,9 +276,9 @@ struct Way {
 };
 
 /// Finds the fewest beads from the first to the last of some nodes, by the best sequence to each
-/// stop. Of the nodes with the same number of beads only the farthest ones are extended, which
-/// bounds the cost. With two of them the results differ by 0.1 % of all moves; with 17 there is no
-/// difference.
+/// stop. Of the nodes that are reached with the same number of beads, only the farthest kLastNodes
+/// are extended, which bounds the cost. With two of them the results differ by 0.1 % of all moves;
+/// with 17 there is no difference.
 class FewestBeads {
  public:
   FewestBeads(std::span<const Node> nodes, const Tolerance& tolerance)
@@ -329,9 +333,9 @@ class FewestBeads {
 
   const std::span<const Node> nodes_;
   const Tolerance tolerance_;
-  /// Best sequence to each node, and to the place outside it.
+  /// Best sequence to each node, and to the node's `outside`.
   std::vector<std::array<Way, 2>> travels_;
-  std::vector<size_t> farthest_;  ///< farthest node by number of beads
+  std::vector<size_t> farthest_;  ///< farthest node that is reached, indexed by number of beads
 };
 
 /// Nodes [first, last] that one arc may replace.
@@ -340,7 +344,7 @@ struct NodeArc {
   size_t last = 0;
 };
 
-/// Returns the arcs of beads with equal widths, in um.
+/// Returns the node ranges that arcs of equal width may replace. `nodes`: positions in um.
 std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   std::vector<NodeArc> arcs;
   for (size_t first = 0; first + 1 < nodes.size();) {
@@ -363,7 +367,7 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   return arcs;
 }
 
-/// Returns the ends of the beads: as few as possible between arcs.
+/// Returns the ends of the beads: pieces of the arcs, and as few beads as possible between arcs.
 std::vector<Stop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
                           const Tolerance& tolerance) {
   std::vector<Stop> stops;

@@ -17,7 +17,7 @@ constexpr double kRampPieceNm = 1e6;
 /// distance the blended bead would rest on nothing.
 constexpr double kNearWidths = 4;
 
-/// Places of a loop by their length along it.
+/// Points of a loop, with their positions along it as shares of its length.
 class Loop {
  public:
   explicit Loop(const Path& path) : path_(path), length_nm_(PathLength(path)) {}

@@ -28,7 +28,8 @@ namespace {
 constexpr int64_t kMostFilament = 1'000'000'000;
 
 /// Largest relative difference between the path's width and widths of solid infill and gap fill,
-/// which are inside the part. Above it, more than ten flow changes per metre would exceed 30 %.
+/// which are inside the part. With a larger value, the flow would change by more than 30 % more
+/// than ten times per metre.
 constexpr double kFillWidthShare = 0.085;
 
 int32_t Units(double filament_mm) {
@@ -91,7 +92,8 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel,
   const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
   const bool scarfed = !first_layer_ && HasScarf(path, scarf);
   const bool arcs = options_.arc_fitting != ArcFitting::kDisabled;
-  // A scarf cuts a loop again, and arcs are found in the result.
+  // A scarf divides the loop again. Therefore the loop is not simplified here if arcs are searched
+  // in the result.
   const SimplifyOptions simplify = {.tolerance_nm = scarfed && arcs ? 0 : options_.resolution_nm,
                                     .bead_height_nm = bead_height_nm_,
                                     .keep_arcs = arcs,
@@ -221,7 +223,8 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
   return speeds_.OverAir(path, speed_mm_s, rest);
 }
 
-/// Returns the needed resolution of the rest below, or nothing if the layer below has no effect.
+/// Returns the needed resolution of the supported share, or nothing if the layer below has no
+/// effect on the path.
 std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
@@ -232,7 +235,7 @@ std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
   return RestSteps::kAirAlone;
 }
 
-/// Prints a wall in pieces with different rest on the layer below.
+/// Prints a wall in pieces with different supported shares.
 void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps,
                                    double speed_mm_s) {
   const Path& path = simple.path;
@@ -255,7 +258,8 @@ void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps
   at_.rest = kFullRest;
 }
 
-/// Prints a piece of a wall over air: as a thread, except over supports, where a thread would weld.
+/// Prints a piece of a wall over air as a round strand. Directly above supports it is printed as a
+/// bead, because a strand would weld to them.
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
   if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
@@ -266,7 +270,8 @@ void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord
   }
 }
 
-/// Prints a piece of a wall like a bridge. `thread`: allows a thread if the settings want threads.
+/// Prints a piece of a wall with the settings of a bridge. `thread`: true to print a round strand,
+/// if the settings want strands.
 void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord width_nm,
                                   double speed_mm_s, bool thread) {
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
@@ -325,7 +330,8 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
   at_.filament = static_cast<int32_t>(std::clamp<int64_t>(std::lround(owed_), 1, kMostFilament));
   owed_ -= at_.filament;
   filament_ += at_.filament;
-  // Rounding makes short pieces thicker than their bead, by up to a few percent.
+  // Rounding to whole micrometres shortens pieces, so their real section is larger than their
+  // bead's, by up to a few percent.
   const double volume_mm3 = at_.filament * filament_area_mm2_ / kFilamentUnitsPerMm;
   at_.feed_rate = speeds_.WithinFlow(bead.feed_rate, volume_mm3 / length_mm);
   at_.width_um = ToUm(thread_nm_ > 0 ? thread_nm_ : bead.width_nm);
@@ -389,7 +395,7 @@ void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
   }
 }
 
-/// Returns the length of a travel from the nozzle's position.
+/// Returns the length in mm of a travel that begins at the nozzle's position.
 double ToolpathBuilder::MovesMm(std::span<const PlaceUm> way) const {
   double move_mm = 0;
   PlaceUm last{at_.x_um, at_.y_um};
@@ -428,7 +434,7 @@ void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   path_.moves.push_back(at_);
 }
 
-/// Returns the use of a bead without its time.
+/// Returns the length and volume of a bead as statistics, without its time.
 FeatureUse ToolpathBuilder::UseOf(double length_mm, int64_t filament) const {
   const double filament_mm = static_cast<double>(filament) / kFilamentUnitsPerMm;
   return {0, length_mm, filament_mm, filament_mm * filament_area_mm2_};

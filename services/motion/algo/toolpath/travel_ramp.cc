@@ -16,8 +16,8 @@ double LengthUm(PlaceUm from, PlaceUm to) { return Hypot(to.x - from.x, to.y - f
 
 Point ToPoint(PlaceUm place) { return {FromUm(place.x), FromUm(place.y)}; }
 
-/// Returns the distance along the travel to the first edge that requires the full lift, in
-/// micrometres.
+/// Returns the distance in micrometres along the travel to the first crossing of an outline at
+/// which the nozzle must be at full height.
 double ObstacleUm(PlaceUm from, std::span<const PlaceUm> travel, const LayerBelow& below) {
   std::vector<double> meets;
   double gone = 0;

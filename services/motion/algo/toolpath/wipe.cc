@@ -17,9 +17,10 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr double kLeastStepNm = 200'000;
-/// Share of the full wipe length above which a wipe retracts everything. Steps make wipes shorter.
+/// Share of the full wipe length. A wipe above it counts as complete and retracts everything: steps
+/// make wipes slightly shorter.
 constexpr double kWholeWipe = 0.9;
-/// Least speed of a wipe at the speed of the bead before it.
+/// Smallest speed of a wipe that has the speed of the bead before it.
 constexpr double kLeastWipeMmS = 10;
 
 /// Returns the points after the end of the path.
@@ -77,8 +78,9 @@ void ToolpathBuilder::PullBack(int32_t units) {
   path_.moves.back().if_needed = std::exchange(as_left_, false);
 }
 
-/// Returns the units to retract before the wipe. A wipe of a given length may be too short for the
-/// rest at the speed of retractions.
+/// Returns the units (1e-5 mm) to retract before the wipe. If wipe_distance is set, the wipe may be
+/// too short to retract the remaining units at the retraction speed; then more units are retracted
+/// before it.
 int32_t ToolpathBuilder::UnitsBeforeWipe() const {
   if (wipe_path_.empty()) return retract_units_;
   const RetractionOptions& retraction = options_.tool().retraction;
@@ -94,8 +96,8 @@ double ToolpathBuilder::WipeSpeed() const {
   return std::max(kLeastWipeMmS, SpeedOf(print_feed_rate_));
 }
 
-/// Retracts `units` during the wipe, or the corresponding share on a path much shorter than the
-/// wipe. Returns the retracted units.
+/// Retracts `units` (1e-5 mm) during the wipe. If the path is much shorter than the wipe, retracts
+/// only the corresponding share. Returns the retracted units.
 int32_t ToolpathBuilder::WipeBack(int32_t units) {
   const double reach_mm = MovesMm(wipe_path_);
   const bool whole =
