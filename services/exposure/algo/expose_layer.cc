@@ -26,7 +26,7 @@ Neighbours NeighboursOf(const ObjectSection& section, const ExposureOptions& opt
   Neighbours neighbours;
   for (int32_t i = 1; i <= options.upskin_layers; ++i)
     neighbours.above.push_back(outlines.Find(section.stack.id, section.layer + i));
-  // The plate is below the object's lowest layer.
+  // Layers below the object's lowest layer do not exist: the plate is there.
   for (int32_t i = 1; i <= std::min(options.downskin_layers, section.layer); ++i)
     neighbours.below.push_back(outlines.Find(section.stack.id, section.layer - i));
   return neighbours;
@@ -63,7 +63,8 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
   return absl::OkStatus();
 }
 
-/// Returns start, end and middle of each object's scan, around the object's own origin.
+/// Returns a block for each object: start, end and middle of the object's scan in this layer,
+/// relative to the object's origin.
 std::map<int32_t, ScanBlock> ObjectBlocks(const std::vector<ExposureGroup>& groups) {
   std::map<int32_t, ScanBlock> blocks;
   std::map<int32_t, Box> boxes;
@@ -88,7 +89,7 @@ std::vector<BlockTurn> Ordered(const std::vector<ScanBlock>& blocks,
   return OrderBlocks(blocks, JumpOrder::kNearest, {});
 }
 
-/// Returns the copies of the objects with groups in this layer, in order.
+/// Returns the visits of all copies of objects with groups in this layer, in the order of scanning.
 std::vector<ExposureVisit> Visits(const std::vector<ExposureGroup>& groups,
                                   std::span<const Copy> copies,
                                   std::span<const ExposureOptions> regions) {

@@ -68,8 +68,8 @@ class RegionScan {
     groups_.push_back(std::move(group));
   }
 
-  /// Adds closed lines, nearest first or against the gas flow. `share`: the start of each line
-  /// along its length, if starts are scattered.
+  /// Adds the rings of an area as closed lines, in an order that is nearest first or against the
+  /// gas flow. `share`: start of each line as a fraction of its length, if starts are scattered.
   void AddRings(const MultiPolygon& area, double share, ExposureGroup& group) {
     std::vector<Polyline> rings;
     std::vector<ScanBlock> blocks;
@@ -110,8 +110,8 @@ class RegionScan {
     return absl::OkStatus();
   }
 
-  /// Finds the skins and the number of hatch lines along the contour. There are no such lines if
-  /// there are skins, because one line would pass several of them.
+  /// Finds the skins and the number of border lines (layer_shift.h). A layer with skins has no
+  /// border lines, because one line would pass through several skins.
   void FindSkins() {
     area_ = FastOffset(region_.outlines, -InsideInset(options_));
     if (!region_.neighbours.above.empty() || !region_.neighbours.below.empty())
@@ -125,7 +125,7 @@ class RegionScan {
       area_ = FastOffset(region_.outlines, -InsideInset(options_, border_lines_));
   }
 
-  /// Returns the options with the kind's own hatch distance.
+  /// Returns the region's options with the hatch distance of this kind.
   ExposureOptions OptionsOf(ExposureKind kind) const {
     ExposureOptions options = options_;
     options.hatch_distance_nm = options_.HatchDistanceNm(kind);
@@ -157,7 +157,7 @@ class RegionScan {
     return status;
   }
 
-  /// Adds an area of one kind. The region also names the whole area that it is part of.
+  /// Adds hatch or rings in an area of one kind (core or a skin).
   absl::Status AddArea(HatchRegion region, ExposureKind kind) {
     if (absl::Status status = cancel_.Check(); !status.ok()) return status;
     ExposureGroup group = NewGroup(kind);
@@ -189,10 +189,10 @@ class RegionScan {
   Point at_;
   const CancelToken& cancel_;
   CutCounts& counts_;
-  MultiPolygon area_;  ///< area of rings or hatch
+  MultiPolygon area_;  ///< area that rings or hatch fill
   SkinAreas skins_;    ///< empty if all of the area is core
   int32_t border_lines_ = 0;
-  MultiPolygon narrow_;  ///< parts where the lines along the outline melt the whole inside
+  MultiPolygon narrow_;  ///< narrow parts: lines along the outline already melt their whole inside
   std::vector<ExposureGroup> groups_;
 };
 

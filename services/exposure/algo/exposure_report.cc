@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMicro = 1e-6;
 
-/// Sum of lines and of the jumps between them, in order.
+/// Sums the lengths and times of lines, and of the jumps between them.
 class Counter {
  public:
   explicit Counter(ExposureReport& report) : report_(report) {}

@@ -19,7 +19,8 @@ namespace {
 using Traits = CGAL::Partition_traits_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using CgalPolygon = Traits::Polygon_2;
 
-constexpr double kAreaTolerance = 1e-12;  ///< relative, because areas are rounded to doubles
+/// largest relative error of the pieces' total area, because areas are rounded to doubles
+constexpr double kAreaTolerance = 1e-12;
 
 bool IsConvex(const Polygon& ring) {
   for (size_t i = 0, n = ring.size(); i < n; ++i)
@@ -37,8 +38,9 @@ bool AreRight(const std::vector<Polygon>& pieces, const Polygon& whole) {
   return std::abs(area - expected) <= kAreaTolerance * expected;
 }
 
-/// Returns the convex parts of the polygon's y-monotone parts. A y-monotone part crosses each
-/// horizontal line at most once but need not be convex, so that each part is cut again.
+/// Divides a polygon into y-monotone parts, and returns the convex pieces of these parts. A
+/// y-monotone part meets each horizontal line in one segment at most but need not be convex, so
+/// each part is cut again.
 std::list<CgalPolygon> ConvexPartsOfMonotoneOnes(const CgalPolygon& whole) {
   const Traits traits;
   std::list<CgalPolygon> monotone, parts;

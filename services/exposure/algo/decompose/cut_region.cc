@@ -13,15 +13,15 @@ bool IsReflex(const Polygon& ring, size_t i) {
   return CrossSign(ToVector(ring[i] - Before(ring, i)), ToVector(After(ring, i) - ring[i])) < 0;
 }
 
-/// Removes the point if the ring is straight there.
+/// Removes point i if the ring does not bend at it.
 void DropIfStraight(Polygon& ring, size_t i) {
   if (ring.size() > 3 &&
       CrossSign(ToVector(ring[i] - Before(ring, i)), ToVector(After(ring, i) - ring[i])) == 0)
     ring.erase(ring.begin() + static_cast<ptrdiff_t>(i));
 }
 
-/// Returns the ring's points from `first` to `last`, both included. The range may pass the ring's
-/// end.
+/// Returns the ring's points from `first` to `last`, both included. If `last` is less than `first`,
+/// the range continues at the ring's first point.
 Polygon Stretch(const Polygon& ring, size_t first, size_t last) {
   Polygon points;
   points.reserve(ring.size() + 2);
@@ -51,8 +51,8 @@ bool LiesInside(const Polygon& ring, const Polygon& outer) {
   return true;
 }
 
-/// Returns the ring that follows ring a from point i, crosses to point j of ring b, follows ring b,
-/// and returns.
+/// Returns the ring that follows ring a from point i around to point i, crosses to point j of ring
+/// b, follows ring b, and returns to point i.
 Polygon Joined(const Polygon& a, size_t i, const Polygon& b, size_t j) {
   Polygon ring;
   ring.reserve(a.size() + b.size() + 2);
@@ -109,7 +109,7 @@ std::vector<CutRegion> CutAlong(CutRegion region, CornerIndex a, CornerIndex b) 
     regions[0].rings.push_back(std::move(first));
     regions[1].rings.push_back(std::move(second));
   } else {
-    // The cut closes a bay of a hole: the bay becomes a region, the rest remains a hole.
+    // The cut closes a bay of a hole: the bay becomes a region, and the other ring remains a hole.
     if (SignedArea(first) < 0) std::swap(first, second);
     regions[0].rings.push_back(std::move(first));
     regions[1].rings.push_back(std::move(others[0]));

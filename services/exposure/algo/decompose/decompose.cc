@@ -23,7 +23,8 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr double kKeptArea = 2e-10;     ///< share of the area that merging of corners may change
+/// largest share of the area that the removal of corners may change
+constexpr double kKeptArea = 2e-10;
 constexpr Coord kMaxScale = 1'000'000;  ///< more than 1,000,000 steps per nanometre are not useful
 
 Coord Extent(const MultiPolygon& islands) {
@@ -65,8 +66,8 @@ absl::Status CannotCut(Point p, Coord scale) {
       {{"x_nm", std::to_string(p.x / scale)}, {"y_nm", std::to_string(p.y / scale)}});
 }
 
-/// Returns a corner for a ring that passes a point twice: the next reflex corner between the two
-/// visits, from which a cut separates them. Returns nullopt if no point is passed twice.
+/// Looks for a point that the outer ring passes twice. Returns the next reflex corner between the
+/// two visits; a cut from this corner separates them. Returns nullopt if no point is passed twice.
 std::optional<CornerIndex> InsideRepeat(const CutRegion& region) {
   const Polygon& ring = region.rings[0];
   std::vector<size_t> order(ring.size());
@@ -164,12 +165,14 @@ class Cutter {
   const CancelToken& cancel_;
   ConvexPieces& result_;
   DecomposeMethod method_ = DecomposeMethod::kBian;  ///< method of the current pass
-  std::vector<CutRegion> left_;                      ///< regions left for Bian's method
+  /// regions that the requested method could not cut; Bian's method cuts them
+  std::vector<CutRegion> left_;
   LinkChoice choice_;
   double greatest_cosine_ = -1;
 };
 
-/// Rotates the rings so that other corners are first, by about the golden share of each ring.
+/// Rotates the points of each ring, so that the search for cuts begins at other corners. The shift
+/// is `variant` times about the golden share (0.618) of the ring.
 void TurnRings(MultiPolygon& islands, int32_t variant) {
   const auto turn = [variant](Polygon& ring) {
     const auto size = static_cast<int64_t>(ring.size());

@@ -15,8 +15,7 @@ namespace {
 EdgePoint Rounded(Point a, Point b, double share) {
   const Point at{a.x + std::llround(share * static_cast<double>(b.x - a.x)),
                  a.y + std::llround(share * static_cast<double>(b.y - a.y))};
-  // The step moves one unit to the left, along the axis that is more nearly perpendicular to the
-  // edge.
+  // The point is moved by one unit to the left of the edge, along x for a steep edge, else along y.
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   const Point left = steep ? Point{b.y > a.y ? -1 : 1, 0} : Point{0, b.x > a.x ? 1 : -1};
   for (const Point p : {at, at + left}) {

@@ -11,24 +11,24 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Cosine of the least angle between a cut and an edge at reflex corners. A smaller angle cuts
-/// slivers off walls that are straight except for rounding. The paper has no limit between reflex
-/// corners.
+/// Cosine of the smallest angle between a cut and an edge if the cut ends at a reflex corner. A
+/// smaller angle cuts slivers off walls that are straight except for rounding. The paper has no
+/// limit for reflex corners.
 constexpr double kCosine1 = 0.99984769515639127;
 /// Ranks of candidates, best first. The last rank is used only if no other candidate is left.
 enum Rank { kBothReflex, kReflex, kConvex, kSharp };
-/// Directions of a cut without an end corner, as shares of A from its first side to its other side.
-/// They are tried in this order, the bisector first.
+/// Directions of a cut that ends at no corner, as shares of A's angle. They are tried in this
+/// order, the bisector first.
 constexpr std::array kShares = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875, 0.0625, 0.9375};
 constexpr int32_t kVariants = 3;
-/// Extra weight up to which a cut counts as nearly as good as the best cut.
+/// Largest difference of weights at which a cut counts as nearly as good as the best cut.
 constexpr double kNearlyAsGood = 0.3;
-/// Distance from the tried direction, as a share of A, within which a cut may end at a simpler
-/// point.
+/// Largest deviation from the tried direction, as a share of A's angle. Within it, the cut ends at
+/// the point with the simplest coordinates.
 constexpr double kShareTolerance = 0.04;
 
 /// Returns true if the ray from a corner towards `to` starts inside the region. `in` and `out`: the
-/// corner's edges.
+/// corner's edges, towards it and away from it.
 bool InCone(Vector2 in, Vector2 out, Vector2 to) {
   const bool left_of_in = CrossSign(in, to) > 0;
   const bool left_of_out = CrossSign(out, to) > 0;
@@ -129,8 +129,8 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
   double nearest = 0;
   for (const Edge& edge : edges_) {
     const double from = Cross(path, edge.from), to = Cross(path, edge.to);
-    // The interior is to the left of an edge, so that only edges that pass from right to left are
-    // visible.
+    // The interior is to the left of an edge. So P sees only edges that cross the ray from right to
+    // left.
     if (!(from <= 0 && to > 0) || edge.origin_side <= 0) continue;
     const double t = from / (from - to);
     const double distance = Dot(path, edge.from + t * (edge.to - edge.from));
@@ -167,7 +167,7 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
 }
 
 std::optional<Link> LinkChoice::BisectorLink(const CutRegion& region, int32_t variant) {
-  // The first three directions are the bisector and one on either side of it.
+  // The first three elements of kShares are the bisector, and a direction on either side of it.
   const auto first = static_cast<size_t>(variant);
   if (const std::optional<Link> link = LinkAlong(region, kShares[first])) return link;
   for (const double share : kShares)
@@ -182,8 +182,8 @@ Link LinkChoice::LinkTo(const Candidate& candidate) const {
 }
 
 /// Returns a cut near the bisector if the best candidate is convex and no other corner is equally
-/// good. Reflex candidates are always better than the bisector, because their cut removes another
-/// reflex corner.
+/// good; otherwise the cut to the best candidate. A cut to a reflex corner is always better than
+/// the bisector, because it removes another reflex corner.
 Link LinkChoice::InsteadOf(const Candidate& best, const CutRegion& region, int32_t variant) {
   if (best.rank == kConvex)
     if (const std::optional<Link> link = BisectorLink(region, variant);

@@ -20,7 +20,7 @@ namespace {
 
 struct Edge {
   Point a, b;
-  std::vector<Point> touches = {};  ///< corners on the edge
+  std::vector<Point> touches = {};  ///< corners of other edges that are on this edge
 
   Coord Left() const { return std::min(a.x, b.x); }
   Coord Right() const { return std::max(a.x, b.x); }
@@ -39,7 +39,7 @@ bool DoEdgesCross(const Edge& e, const Edge& f) {
          Orientation(f.a, f.b, e.a) * Orientation(f.a, f.b, e.b) < 0;
 }
 
-/// Finds the corners on each edge. Returns an error if edges cross.
+/// Sets `touches` of each edge. Returns an error if edges cross.
 absl::Status FindTouches(std::vector<Edge>& edges) {
   std::sort(edges.begin(), edges.end(),
             [](const Edge& e, const Edge& f) { return e.Left() < f.Left(); });
@@ -59,7 +59,7 @@ absl::Status FindTouches(std::vector<Edge>& edges) {
   return absl::OkStatus();
 }
 
-/// Directed edge without corners on it.
+/// Directed edge between two corners, without a corner between them.
 struct Way {
   Point from, to;
   bool used = false;
@@ -69,8 +69,8 @@ struct Way {
   }
 };
 
-/// Divides edges where corners touch them, and removes pairs of opposite edges. Returns them
-/// sorted.
+/// Divides edges where corners touch them, and removes pairs of opposite edges. Returns the
+/// remaining edges, sorted.
 absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
   std::vector<Way> paths;
   for (Edge& edge : edges) {
@@ -106,8 +106,8 @@ bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
   return half_a != half_b ? half_a < half_b : CrossSign(a, b) < 0;
 }
 
-/// Follows the edges from corner to corner to rings. At each corner the first edge clockwise is
-/// next, so that no other edge is between it and the edge that arrives.
+/// Joins the edges into rings. At each corner, the ring continues with the first edge clockwise
+/// from the edge on which it arrives, so that it crosses no other ring.
 absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> paths) {
   const auto leaving = [&](Point p) {
     const auto first = std::lower_bound(paths.begin(), paths.end(), Way{p, {INT64_MIN, INT64_MIN}});

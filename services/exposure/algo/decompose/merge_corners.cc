@@ -53,7 +53,7 @@ class Merger {
 
   const MultiPolygon& islands_;
   const MergeLimits& limits_;
-  double area_ = 0;  ///< area changed so far
+  double area_ = 0;  ///< sum of the removed and added areas so far
 };
 
 }  // namespace

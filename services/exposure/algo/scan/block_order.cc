@@ -12,7 +12,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Point where a block can begin.
+/// Point at which the scan of a block can begin: its start, or its end if it is reversible.
 struct Entry {
   Point at;
   size_t block = 0;
@@ -35,8 +35,8 @@ class EntryGrid {
       cells_[Index(Column(entry.at), Row(entry.at))].push_back(entry);
   }
 
-  /// Returns the nearest entry of a block for which `is_left` is true. Removes the entries of
-  /// finished blocks that it meets.
+  /// Returns the nearest entry of a block for which `is_left` is true. Removes entries of finished
+  /// blocks from the visited cells.
   template <typename IsLeft>
   std::optional<Entry> Nearest(Point from, IsLeft is_left) {
     const int64_t column = Column(from), row = Row(from);
@@ -91,7 +91,7 @@ class EntryGrid {
   std::vector<std::vector<Entry>> cells_;
 };
 
-/// Appends the blocks for which `wanted` is true, nearest first.
+/// Appends the blocks for which `wanted` is true to the order, nearest first.
 template <typename Wanted>
 void AppendNearest(const std::vector<ScanBlock>& blocks, Wanted wanted, Point from,
                    std::vector<BlockTurn>& turns) {

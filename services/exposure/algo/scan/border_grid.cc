@@ -7,10 +7,11 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr int kLeastBits = 16;  ///< 2^16 nm = 65 um
+/// smallest square_bits_: a square is at least 2^16 nm = 65 um wide
+constexpr int kLeastBits = 16;
 constexpr double kSquaresPerEdge = 4;
 constexpr double kLeastSquares = 1024;
-/// Largest shift by rounding, in nm.
+/// Largest error of a position by rounding, in nm.
 constexpr double kRounding = 1;
 
 double SquaredDistance(Vector2 p, Vector2 a, Vector2 b) {
@@ -148,7 +149,7 @@ void BorderGrid::ForEachSquare(const Edge& edge, double reach_nm, Visit visit) c
   const Vector2 high = edge.a.y() < edge.b.y() ? edge.b : edge.a;
   const int32_t bottom = At({0, low.y() - reach}).row, top = At({0, high.y() + reach}).row;
   for (int32_t row = bottom; row <= top; ++row) {
-    // Part of the edge within reach of the row.
+    // Part of the edge, from t0 to t1, that is within reach of the row.
     double t0 = 0, t1 = 1;
     if (high.y() > low.y()) {
       t0 = std::clamp((row * square_ - reach - low.y()) / (high.y() - low.y()), 0.0, 1.0);
@@ -196,8 +197,8 @@ void BorderGrid::FindRoom() {
       room_[i] = begin_[i] == begin_[i + 1] ? odd : 0;
     }
   }
-  // Counts the squares of the inside around each square, from neighbour to neighbour, once forward
-  // and once backward over the grid.
+  // Computes each square's distance to the nearest square with boundary or outside, from the
+  // distances of its neighbours. One pass forward and one pass backward over the grid are enough.
   const auto relax = [&](int32_t column, int32_t row, int32_t step) {
     uint8_t& room = room_[IndexOf({column, row})];
     if (room == 0) return;
@@ -282,8 +283,8 @@ bool BorderGrid::IsInsideButEnds(Vector2 a, Vector2 b, double ends_nm) const {
          IsInside({(from.x() + to.x()) / 2, (from.y() + to.y()) / 2});
 }
 
-/// Tests the parts of the segment far from the border. Such a part does not cross the border: it is
-/// inside if its middle is inside.
+/// Tests the parts of the segment that are far from the boundary. Such a part does not cross the
+/// boundary, so it is inside if its middle is inside.
 bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) const {
   if (RunsAlongEdge(a, b, distance_nm) || IsInsideButEnds(a, b, distance_nm)) return true;
   const Vector2 path = b - a;
@@ -307,7 +308,7 @@ bool BorderGrid::IsInsideWhereFar(Vector2 a, Vector2 b, double distance_nm) cons
 }
 
 /// Calls visit(square) for the squares that a segment passes, until visit returns false. Skips
-/// squares far from the border. Returns true if visit never returned false.
+/// squares far from the boundary. Returns true if visit never returned false.
 template <typename Visit>
 bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
   const Vector2 path = b - a;

@@ -22,7 +22,7 @@ struct CellLine {
   auto Key() const { return std::tuple(row, column, line, u0); }
 };
 
-/// Row of cells, each with half of the overlap on either side.
+/// Row of cells of equal width. Each cell extends by half of the overlap on either side.
 struct CellRow {
   double width = 0;
   double half_overlap = 0;
@@ -39,12 +39,13 @@ struct CellRow {
   int32_t Index(double at) const { return static_cast<int32_t>(std::floor(at / width)); }
 };
 
-/// Cuts a piece at the cells' borders. Only cells for which wanted(cell) is true are used.
+/// Cuts a piece of a line at the cells' borders. Calls emit(cell, u0, u1) for each part in a cell
+/// for which wanted(cell) is true.
 template <typename Wanted, typename Emit>
 void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Wanted wanted,
                 Emit emit) {
   for (int32_t cell = cells.First(piece.u0); cell <= cells.Last(piece.u1); ++cell) {
-    // A piece that only reaches into the overlap belongs to the neighbour cell.
+    // A piece that is only in the overlap of a cell is left to the neighbour cell.
     if (!wanted(cell) || !cells.Meets(cell, piece.u0, piece.u1)) continue;
     const double u0 = std::max(piece.u0, cells.Low(cell)),
                  u1 = std::min(piece.u1, cells.High(cell));
@@ -54,7 +55,8 @@ void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Want
 
 bool IsOdd(int64_t i) { return (i & 1) != 0; }
 
-/// Lines of one direction in their frame, for the odd or the even cells.
+/// Hatch lines of one direction, for the odd or the even cells. Coordinates are in a frame with u
+/// along the lines.
 struct Family {
   LineAxes frame;
   LineGrid grid;
@@ -94,8 +96,9 @@ absl::Status FillIslands(const HatchRegion& region, const ExposureOptions& optio
     for (int32_t row = islands.First(v); row <= islands.Last(v); ++row) {
       CutAtCells(
           piece, islands, least,
-          // The frame of the odd family is turned by a right angle. Column c of the even family is
-          // row -c - 1 there, so that the parity of the sum is the opposite one.
+          // The frame of the odd family is rotated by 90 degrees. Column c of the even family has
+          // the row number -c - 1 in this frame. So odd cells of the plane have an even sum of row
+          // and column here, and the same test selects them.
           [&](int32_t column) { return !IsOdd(int64_t{row} + column); },
           [&](int32_t column, double u0, double u1) {
             family.lines.push_back({row, column, piece.line, u0, u1});
@@ -105,7 +108,8 @@ absl::Status FillIslands(const HatchRegion& region, const ExposureOptions& optio
   return absl::OkStatus();
 }
 
-/// Appends a family's cells as blocks. The directions of lines alternate in each block.
+/// Appends each cell of a family as a block. `alternate`: consecutive lines of a block have
+/// opposite directions.
 void AppendBlocks(Family& family, bool alternate, LineBlocks& blocks) {
   std::sort(family.lines.begin(), family.lines.end(),
             [](const CellLine& a, const CellLine& b) { return a.Key() < b.Key(); });

@@ -12,12 +12,12 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Least length of the middle line, as a share of the lower line, for the spine to be the middle
-/// line.
+/// The spine is the middle line if this line has at least this share of the lower line's length.
 constexpr double kAsLong = 0.95;
-/// Sine of the angle below which two lines count as parallel and have no corner.
+/// Sine of the smallest angle between two lines that meet in a corner; below it they count as
+/// parallel.
 constexpr double kParallel = 1e-12;
-/// Width left in the middle, as a share of the pitch, that is too narrow for a line.
+/// Largest width of the unmelted middle, as a share of the pitch, that is too narrow for a line.
 constexpr double kFits = 0.02;
 constexpr double kDepthNm = 1'000;
 
@@ -32,8 +32,8 @@ Polyline ClosedLine(const ConvexRing& ring) {
   return line;
 }
 
-/// Returns ring `k` of a piece with spurs, if it is the ring's turn. `gap`: the border of the area
-/// that the ring outside of it leaves open; not used for the outermost ring.
+/// Returns ring `k` of a piece, with spurs if RingFill::turn selects this ring. `gap`: outer
+/// boundary of the area that ring k - 1 leaves unmelted; not used for the outermost ring.
 ConvexRing Spurred(const ConvexRing& ring, int64_t k, const ConvexRing& gap, const RingFill& fill) {
   const bool has_turn = !fill.turn || (k + fill.turn->corner) % kCornerTurns == 0;
   if (!fill.corners || !has_turn) return ring;
@@ -57,8 +57,8 @@ ConvexInsets::ConvexInsets(const Polygon& piece, double scale) {
 }
 
 ConvexRing ConvexInsets::At(double distance) {
-  // Intersects half planes in the order of their directions. The deque holds the lines that still
-  // have a side of the intersection.
+  // Intersects half planes in the order of their directions. `lines` from index `front` on are the
+  // lines that contribute a side to the intersection so far.
   struct Line {
     Vector2 at = Vector2::Zero(), way = Vector2::Zero();
     size_t edge = 0;
@@ -124,8 +124,8 @@ double ConvexInsets::Depth() {
     around += Norm(b - a);
   }
   if (!(around > 0)) return 0;
-  // Half of the greatest depth possible for this area and length is the lower bound: a circle of
-  // this radius fits into any convex polygon.
+  // Bounds of the depth: the depth is at most 2 * area / perimeter. A circle with half this radius
+  // fits into any convex polygon, so this is the lower bound.
   double low = twice_area / around / 2, high = 2 * low;
   while (high - low > kDepthNm) {
     const double middle = (low + high) / 2;
@@ -136,7 +136,7 @@ double ConvexInsets::Depth() {
 
 namespace {
 
-/// Line of the longest side, and the polygon's extent perpendicular to it.
+/// Longest side of a polygon, and the polygon's extent perpendicular to it.
 struct Base {
   Vector2 at = Vector2::Zero(), way = Vector2::Zero();
   double width = std::numeric_limits<double>::infinity();
@@ -157,7 +157,7 @@ Base BaseOf(const ConvexRing& ring) {
   return base;
 }
 
-/// Returns the line at `height` above the base, from border to border.
+/// Returns the line parallel to the base at the distance `height`, from boundary to boundary.
 Spine Chord(const ConvexRing& ring, const Base& base, double height) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -196,9 +196,9 @@ Spine SpineOf(const ConvexRing& ring) {
 Spine SpineOf(const ConvexRing& ring, double spot_nm) {
   const Base base = BaseOf(ring);
   const Spine middle = Chord(ring, base, base.width / 2);
-  // Lowest height at which the spot still reaches the top. It is at most half a spot, so that the
-  // spot also reaches the base. It is at least 5 % of the width, because rounding could leave
-  // nothing of a line on the base.
+  // Smallest distance from the base at which the spot still reaches the farthest corner. It is at
+  // most half a spot, so that the spot also reaches the base. It is at least 5 % of the width,
+  // because a line on the base could vanish by rounding.
   const double least = 0.05 * base.width;
   const double height = std::clamp(base.width - spot_nm / 2, least, std::max(least, spot_nm / 2));
   const Spine low = Chord(ring, base, height);
@@ -207,17 +207,18 @@ Spine SpineOf(const ConvexRing& ring, double spot_nm) {
 
 namespace {
 
-/// Shift of the inner rings towards the border: the first shifted ring, and the distance.
+/// Shift of the inner rings towards the boundary: the index of the first shifted ring, and the
+/// distance.
 struct Nearer {
   int64_t from = 0;
   double by_nm = 0;
-  /// First ring without spurs. The spurs of inner rings would be at the same position as the links
-  /// in the middle.
+  /// Index of the first ring without spurs. Spurs of inner rings would be at the same position as
+  /// the links in the middle.
   int64_t plain_from = std::numeric_limits<int64_t>::max();
 };
 
-/// Returns the shift after which the innermost ring's sides are a pitch apart and nothing is left
-/// in the middle.
+/// Returns the shift after which opposite sides of the innermost ring are a pitch apart, so that
+/// nothing in the middle stays unmelted.
 Nearer NearerOf(const Polygon& piece, double scale, const RingFill& fill) {
   if (!fill.turn) return {};
   const double depth = ConvexInsets(piece, scale).Depth() - fill.first_nm;
@@ -233,7 +234,7 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   std::vector<Polyline> rings;
   const Nearer nearer = NearerOf(piece, scale, fill);
   ConvexInsets insets(piece, scale);
-  // Depth up to which the rings melt. Deeper areas are not melted yet.
+  // Distance from the boundary up to which the rings so far have melted the piece.
   double reached = fill.first_nm - fill.pitch_nm / 2;
   ConvexRing gap;  // border of the area melted so far, around the next ring
   for (int64_t k = 0;; ++k) {
@@ -249,15 +250,15 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
     reached = distance + fill.pitch_nm / 2;
     if (line.size() < 4) break;
     rings.push_back(std::move(line));
-    // The first shifted ring may be on the area that this ring has melted: no gap is open between
-    // them.
+    // The first shifted ring may overlap the area that ring k has melted. Then there is no gap
+    // between them.
     gap = fill.corners && k + 1 != nearer.from ? insets.At(reached) : ConvexRing{};
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;
   const Spine spine = SpineOf(rest, fill.pitch_nm);
   if (spine.width_nm < fill.least_spine * fill.pitch_nm) return rings;
-  // A spine without a ring around it could be too near to the border.
+  // If no ring surrounds the spine, the spine could be too near to the boundary.
   const auto line = rings.empty() ? Cleared(spine, fill)
                                   : std::pair(RoundedPoint(spine.from), RoundedPoint(spine.to));
   if (line && line->first != line->second) rings.push_back({line->first, line->second});

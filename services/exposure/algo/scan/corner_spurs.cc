@@ -11,17 +11,17 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Width below which a tip remains open, as a share of the spot.
+/// Largest width of a tip that stays unmelted, as a share of the spot.
 constexpr double kOpenTip = 0.25;
-/// Sine of half of the largest angle of a corner with a spur. Without a spur, a corner of this
-/// angle leaves a tenth of a spot's width open.
+/// Sine of half of the largest angle of a corner with a spur. A corner of this angle without a spur
+/// leaves a tip of a tenth of a spot unmelted.
 constexpr double kBluntest = 0.83;
-/// Distance between a piece and the region's border up to which they count as touching. The border
-/// is simplified before it is cut.
+/// Largest distance between a side of a piece and the region's boundary at which they count as the
+/// same. The boundary is simplified before the region is cut into pieces.
 constexpr double kSpurTouchNm = 3'000;
-/// Tolerance of a spur along the border: it is as far from the border as its ring except for
-/// rounding. The ring itself may be nearer by the second tolerance, because simplification moves
-/// the border.
+/// Tolerances of a spur's distance from the boundary. A spur along the boundary keeps the ring's
+/// distance except for rounding (first value). The ring itself may be nearer by the second value,
+/// because simplification moves the boundary.
 constexpr double kRoundingNm = 500;
 constexpr double kSimplifiedNm = 2'000;
 
@@ -31,8 +31,8 @@ struct SharpCorner {
   Vector2 outward = Vector2::Zero();                    ///< unit vector of the bisector, outwards
   double sine = 0, cosine = 0;                          ///< sine and cosine of half of its angle
 
-  /// Returns the distance along the bisector from a tip of the same angle to the position that is
-  /// too wide to remain open.
+  /// Returns the distance along the bisector, from the tip, at which the gap becomes wider than
+  /// kOpenTip permits.
   double OpenNm(const SpurFill& fill) const {
     return std::max(fill.spot_nm / 2, kOpenTip / 2 * fill.spot_nm * cosine / sine);
   }
@@ -106,7 +106,8 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
   return Spurred(ring, fill, [&](const SharpCorner& corner) {
     const double to_tip = DistanceTo(around, corner.at, corner.outward);
     const Spur spur{corner.outward, to_tip - fill.spot_nm / 2};
-    // If a side of the gap has disappeared in the ring, the gap need not taper like the ring.
+    // If a side of the gap is missing in the ring, the gap may taper less than the ring's corner.
+    // Then the gap's width decides.
     const double width = WidthAt(around, Along(corner.at, spur.way, spur.length), spur.way);
     return width < kOpenTip * fill.spot_nm ? Spur{spur.way, to_tip - corner.OpenNm(fill)} : spur;
   });
@@ -119,7 +120,7 @@ double OpenShare(const ConvexRing& piece, double pitch_nm, const SpurFill& fill)
     around_nm += Norm(piece[(i + 1) % piece.size()] - piece[i]);
     const std::optional<SharpCorner> corner = SharpCornerOf(piece, i);
     if (!corner) continue;
-    // Area between the two sides of the tip and the spot that touches them.
+    // Adds the area between the two sides of the tip and the spot that touches both.
     const double half = Atan2(corner->sine, corner->cosine);
     open_nm2 += radius * radius * (corner->cosine / corner->sine - std::numbers::pi / 2 + half);
   }
@@ -131,7 +132,8 @@ double SpurReach(double gap_nm) { return std::max(gap_nm, kSpurTouchNm); }
 
 ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill) {
-  // A side of the piece is the region's border if the corner's foot on this side is at the border.
+  // Returns true if a side of the piece is on the region's boundary: the point beside the ring's
+  // corner on this side is near the boundary.
   const auto is_border = [&](Vector2 corner, Vector2 side) {
     return border.IsNear(RoundedPoint(Along(corner, {side.y(), -side.x()}, gap_nm)), kSpurTouchNm);
   };
@@ -144,15 +146,15 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGri
     if (in_border && out_border) return Spur{};
     Spur spur{corner.outward, gap_nm / corner.sine - corner.OpenNm(fill)};
     if (in_border || out_border) {
-      // The spur ends at the cut. At a right angle it ends halfway, because the spur on the other
-      // side of the cut does the same.
+      // The spur ends at the cut. At a right angle it ends halfway, because a spur on the other
+      // side of the cut melts the other half.
       const double sine = 2 * corner.sine * corner.cosine;
       const Vector2 back{-corner.out.x(), -corner.out.y()};
       spur = {in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
     }
     spur.length = std::min(spur.length, kLongestSpur * gap_nm);
-    // The spur may be too near to the border beside the cuts, also between its ends: it is then
-    // shortened.
+    // The spur is shortened until it keeps its distance from the boundary beside the cuts,
+    // everywhere along its length.
     const double least = std::max(fill.least_nm, kSpurTouchNm);
     for (; spur.length > least; spur.length *= 0.7) {
       const Vector2 tip = Along(corner.at, spur.way, spur.length);

@@ -11,7 +11,7 @@ namespace {
 /// Returns the angle reduced to [0, period).
 double Remainder(double deg, double period) { return deg - period * std::floor(deg / period); }
 
-/// Returns the angle in degrees after which the set of lines is the same again, ignoring direction.
+/// Returns the period of the hatch in degrees: rotated by it, the lines have the same angles again.
 double PeriodOf(const ExposureOptions& options) {
   return options.strategy == ScanStrategy::kIslands ? 90 : 180;
 }
@@ -26,7 +26,7 @@ double HatchAngle(const ExposureOptions& options, int32_t layer) {
     angle += period / 2;
     beside = Remainder(beside + period / 2, period);
   }
-  // Directions that differ from the flow by 90 to 270 degrees are against it.
+  // Lines at 90 to 270 degrees to the flow are directed against it. All other lines are reversed.
   if (options.jump_order == JumpOrder::kAgainstGas && !options.alternate_directions)
     angle = options.gas_flow_deg + (beside < 90 ? beside + period : beside);
   return Remainder(angle, 360);

@@ -9,12 +9,12 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Steps of low-discrepancy sequences. In one dimension, the fraction of the golden ratio. In the
-/// plane, 1 / g and 1 / g^2 of the plastic number g = 1.3247..., which have the same effect there.
+/// Steps of low-discrepancy sequences: in one dimension the fraction of the golden ratio, in the
+/// plane 1 / g and 1 / g^2 of the plastic number g = 1.3247...
 constexpr double kGolden = 0.61803398874989485;
 constexpr double kPlastic1 = 0.75487766624669276, kPlastic2 = 0.56984029099805327;
 constexpr int32_t kRingTurns = 3;
-/// Orders in which neighbouring layers never have neighbouring values.
+/// Permutations of the possible values, in which consecutive layers never have consecutive values.
 constexpr std::array<int32_t, kBorderTurns> kBorderTurn = {0, 3, 1, 4, 2, 5};
 constexpr std::array<int32_t, kCornerTurns> kCornerTurn = {0, 2, 4, 1, 3};
 
@@ -23,8 +23,8 @@ double Turn(int32_t layer, double step) {
   return at - std::floor(at);
 }
 
-/// Returns the period of the hatch grid in nm. Cells alternate, so that their grid repeats after
-/// two cells.
+/// Returns the period of the hatch grid in nm. Cells of two kinds alternate, so their grid repeats
+/// after two cells.
 double Period(const ExposureOptions& options) {
   switch (options.strategy) {
     case ScanStrategy::kStripes:

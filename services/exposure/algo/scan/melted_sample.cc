@@ -15,18 +15,19 @@ namespace {
 
 constexpr int kProbes = 3;
 constexpr double kPieceMm = 1;
-/// Shortest run for a measurement of energy per area. Shorter runs meet only single vectors.
+/// Shortest part of a probe line for a measurement of energy per area. Shorter parts meet only
+/// single vectors.
 constexpr double kLeastPieceMm = 0.5;
 
-/// Run along a probe, from u0 to u1 in nm.
+/// Part of a probe line, from u0 to u1 in nm, that one vector melts.
 struct Run {
   double u0 = 0, u1 = 0;
   double j_mm2 = 0;  ///< energy per area of a vector
 };
 
-/// Returns the run of the points on a line parallel to the x axis that are within `radius` of the
-/// segment ab. The area around the segment is convex. Its run is therefore the union of the runs of
-/// the discs around both ends and of the band between them.
+/// Returns the part of the line at height v (parallel to the x axis) that is within `radius` of the
+/// segment ab. The area around the segment is convex. Therefore this part is the union of the parts
+/// in the discs around both ends and in the band between them.
 Run RunOf(Point a, Point b, double v, double radius) {
   Run run{INFINITY, -INFINITY};
   const auto add = [&](double u0, double u1) {
@@ -49,7 +50,7 @@ Run RunOf(Point a, Point b, double v, double radius) {
   return run;
 }
 
-/// Evenly spaced lines across a region.
+/// Evenly spaced probe lines across a region.
 class Probes {
  public:
   Probes(const MultiPolygon& outline, int32_t layer) {

@@ -30,8 +30,8 @@ std::optional<StrayVector> FindStrayOf(const ExposureGroup& group, const BorderG
 std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
                                      const MultiPolygon& outline, const ExposureOptions& options) {
   if (groups.empty()) return std::nullopt;
-  // Contours without compensation are on the outline itself except for rounding. The distance is
-  // then below 0.
+  // Contours without compensation are on the outline itself except for rounding. The required
+  // distance is then negative: they may be outside by this much.
   const auto kept = static_cast<double>(options.beam_compensation_nm - kStrayNm);
   const BorderGrid border(outline, std::abs(kept));
   for (const ExposureGroup& group : groups) {

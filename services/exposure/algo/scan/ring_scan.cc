@@ -33,8 +33,8 @@ void StartNear(Point from, Polyline& ring) {
 RingFill FillOf(const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
-  // The outermost ring is this distance inside of the last contour. A spine without a ring around
-  // it must only stay inside the last contour.
+  // The outermost ring is `contour_distance_nm` inside of the last contour. A spine that no ring
+  // surrounds must only be inside the last contour.
   const double offset =
       options.contours == 0 ? 0 : static_cast<double>(options.contour_distance_nm);
   return {.pitch_nm = pitch,
@@ -45,8 +45,8 @@ RingFill FillOf(const ExposureOptions& options) {
           .spine_gap_nm = std::max(0.0, first - offset)};
 }
 
-/// Returns the fill in which rings alternately do the tasks that melt an area twice, unless this
-/// would leave more than kMayBeOpen open.
+/// Returns `fill` with the layer's choice of rings that melt some area twice (RingTurn). If this
+/// would leave a larger share than kMayBeOpen unmelted, returns `fill` unchanged.
 RingFill TurnedFill(const Polygon& piece, double scale, RingFill fill, int32_t layer,
                     const ExposureOptions& options) {
   const bool may = OpenShare(ConvexRingOf(piece, scale), fill.pitch_nm, fill.spurs) <= kMayBeOpen;
@@ -60,7 +60,8 @@ void StartOneAfterAnother(std::vector<Polyline>& rings) {
     if (rings[i].size() > 2) StartNear(rings[i - 1].back(), rings[i]);
 }
 
-/// Reverses open lines so that they begin near the previous line or end near the next one.
+/// Reverses an open line (spine) if it then begins nearer to the previous line or ends nearer to
+/// the next one.
 void TurnSpines(std::vector<Polyline>& rings) {
   if (rings.size() < 2) return;
   for (size_t i = 0; i < rings.size(); ++i) {

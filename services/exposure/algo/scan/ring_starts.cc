@@ -10,7 +10,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Point of a closed line, on the edge that starts at point `edge`.
+/// Point of a closed line: index of the point at which its edge starts, and its position.
 struct RingPlace {
   size_t edge = 0;
   Point at;

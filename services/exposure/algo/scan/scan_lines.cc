@@ -9,8 +9,8 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Edge of a region in the frame, from its lower end to its upper end, and the lines [first, last)
-/// that it meets.
+/// Edge of a region in the coordinates u, v of the lines, from its lower end to its upper end. It
+/// meets the lines [first, last).
 struct FrameEdge {
   double u = 0, v = 0;  ///< lower end of the edge
   double slope = 0;     ///< du / dv
@@ -110,7 +110,8 @@ absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
       last > INT32_MAX)
     return LimitError(Reason::kRequestTooLarge, "hatch lines of a layer", kMaxScanPieces,
                       std::max(crossings / 2, last - first));
-  // Crossings are counted per line first, then written to their positions.
+  // The crossings of each line are counted first; then each crossing is written to its line's
+  // range.
   std::vector<int32_t> begin(static_cast<size_t>(last - first) + 1);
   for (const FrameEdge& edge : edges)
     for (int64_t line = edge.first; line < edge.last; ++line)

@@ -17,7 +17,7 @@ absl::StatusOr<ConvexPieces> ScanPieces(const MultiPolygon& region, DecomposeMet
                                         int32_t variant, const CancelToken& cancel) {
   const DecomposeOptions how = {.method = method, .merge_nm = kMergeNm, .variant = variant};
   auto pieces = Decompose(Simplify(region, kMergeNm), how, cancel);
-  // Narrow parts may close when they are simplified.
+  // Simplification may make the sides of a narrow part cross. Then the region itself is decomposed.
   if (IsCrossing(pieces.status())) pieces = Decompose(region, how, cancel);
   if (!IsCrossing(pieces.status())) return pieces;
   const MultiPolygon united = Union(region, {});

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kNone = SIZE_MAX;
 
-/// Pieces of lines, with the index of each line's first piece.
+/// Pieces of lines, with the index of each line's first piece, and a mark for used pieces.
 class PieceTable {
  public:
   explicit PieceTable(const std::vector<ScanPiece>& pieces)
@@ -29,8 +29,8 @@ class PieceTable {
   bool Used(size_t piece) const { return used_[piece]; }
   void Use(size_t piece) { used_[piece] = true; }
 
-  /// Returns the unused piece on the next line that is beside this piece and has an end nearest to
-  /// `u`.
+  /// Returns the unused piece on the next line that is beside `piece`. If several are, returns the
+  /// one with the end nearest to `u`.
   size_t NextBeside(size_t piece, double u) const {
     const size_t row = line_of_[piece] + 1;
     if (row + 1 >= begin_.size() || pieces_[begin_[row]].line != pieces_[piece].line + 1)

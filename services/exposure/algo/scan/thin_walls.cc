@@ -19,17 +19,19 @@ namespace slicefarm::exposure {
 namespace {
 
 constexpr Coord kRegrownNm = 1'000;
-/// Distances in nm of lines, and of joints between lines, from the border. Pieces may reach over
-/// the outline because of simplification, but their lines and joints must not.
+/// Distances in nm that lines (kKeptNm), and joints between lines (kJoinedNm), keep from the
+/// boundary. Pieces may extend over the outline because of simplification, but their lines and
+/// joints must not.
 constexpr double kKeptNm = 1'000;
 constexpr double kJoinedNm = 500;
-/// Width of the outline around narrow parts that is examined, in depths.
+/// Distance around narrow parts, in depths, up to which the outline is examined.
 constexpr Coord kAround = 3;
-/// Least length of a wall, in half widths of the spot.
+/// Smallest length of a wall, in half widths of the spot.
 constexpr double kLeastLength = 4;
 
-/// Returns the islands of which an inset may omit a part. If the inset only moves each edge,
-/// nothing is thin. This test costs a tenth of the full search.
+/// Returns the islands that may have parts thinner than the inset. An island is left out if the
+/// inset moves all its edges without removing one: nothing in it is thin. This test costs a tenth
+/// of the full search.
 MultiPolygon Doubtful(const MultiPolygon& outline, Coord inset_nm) {
   MultiPolygon doubtful;
   for (const PolygonWithHoles& island : outline) {
@@ -51,7 +53,7 @@ MultiPolygon ThinParts(const MultiPolygon& islands, Coord inset_nm) {
   return thin;
 }
 
-/// Joins lines with ends within `reach` of each other, nearest first, if the joint stays in the
+/// Joins lines with ends within `reach` of each other, nearest first, if the joint is inside the
 /// outline.
 std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const BorderGrid& border) {
   std::vector<Polyline> chains;
@@ -86,7 +88,7 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const B
   return chains;
 }
 
-/// Returns the joined lines of one part that is thin everywhere. `border`: the border of the area
+/// Returns the joined lines of one part that is thin everywhere. `border`: the boundary of the area
 /// that may be exposed.
 absl::StatusOr<std::vector<Polyline>> LinesOfPart(const PolygonWithHoles& part, Coord inset_nm,
                                                   const BorderGrid& border,
@@ -122,7 +124,8 @@ absl::Status AppendLevel(const MultiPolygon& outline, const LineLevel& level,
   return absl::OkStatus();
 }
 
-/// Returns the outline around its narrow parts, so wide that nothing is narrow at the cuts.
+/// Returns the part of the outline around its narrow parts. The part is so large that it is nowhere
+/// narrow where it is cut off.
 MultiPolygon Around(const MultiPolygon& narrow, const MultiPolygon& outline, Coord depth_nm) {
   return Intersection(outline, Offset(narrow, kAround * depth_nm, {.join = Join::kSquare}));
 }

@@ -65,7 +65,7 @@ class Numbers {
     text_ += ',';
     AppendDecimal(text_, Thousandths(nm), 3);
   }
-  /// Returns the length that a reader of the file gets, in thousandths of a unit.
+  /// Returns the length that a program reads from the file, in thousandths of a unit.
   double Read(Coord nm) const {
     return binary_ ? 1000 * static_cast<double>(static_cast<float>(Units(nm)))
                    : static_cast<double>(Thousandths(nm));
@@ -74,7 +74,7 @@ class Numbers {
     Length(p.x);
     Length(p.y);
   }
-  /// Begins a command. Its first number follows without a comma.
+  /// Begins a command. The first number after the command has no comma before it.
   void Start(Command command, std::string_view name) {
     if (binary_) return Bytes(command, 2);
     text_ += name;
@@ -100,7 +100,8 @@ class Numbers {
   size_t first_ = 0;  ///< position of the first number, before which no comma is written
 };
 
-/// Returns the direction of a line as a reader of the file gets it: rounding may reverse a sliver.
+/// Returns the direction of a line with the file's rounded numbers. Rounding may reverse the
+/// direction of a sliver.
 Winding DirectionOf(std::span<const Point> line, Point shift, const Numbers& numbers) {
   if (line.size() < 4 || line.front() != line.back()) return kOpen;
   const auto x = [&](size_t i) { return numbers.Read(line[i].x + shift.x); };

@@ -63,7 +63,8 @@ class MoveText {
     if (at_ != p) Move(p, 0);
   }
 
-  /// Waits with the laser off. M4 turns the laser off whenever the head does not move, M3 does not.
+  /// Writes a pause with the laser off. M4 turns the laser off whenever the head does not move; M3
+  /// needs S0.
   void Wait(double delay_us) {
     if (!(delay_us > 0)) return;
     const bool off = !facts_.output.dynamic_power && !said_power_.Is(0);
