@@ -60,8 +60,8 @@ absl::StatusOr<MillingJob> Prepare(const MillInput& input) {
   return PrepareMilling(InMm(input.part), std::move(stock), input.settings.how);
 }
 
-/// Returns the job, prepared once for all calls. Preparation cannot be cancelled: a call that ends
-/// early would spoil it for other calls.
+/// Returns the job, prepared once for all calls. The preparation ignores cancellation, because
+/// other calls use its result too.
 absl::StatusOr<const MillingJob*> JobOf(const StageCall& call, const Shared<MillInput>& input) {
   if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
   const absl::StatusOr<MillingJob>& job = input.Once(Prepare);

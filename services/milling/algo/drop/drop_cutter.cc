@@ -12,23 +12,24 @@ constexpr int kMostSteps = 100;
 constexpr double kRootShare = 1e-10;
 constexpr double kOnSideMm = 1e-9;
 
-/// Highest rest position so far of a cutter with its axis at the origin.
+/// Highest position found so far at which the lowered cutter touches something. The cutter's axis
+/// is at the origin.
 struct Rest {
   double z = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d contact{0, 0, 0};
 };
 
 /// Tests one contact point. `distance`: distance of p from the axis. A point on the rim is tested
-/// exactly at the rim, because rounding of p would put it beside the cutter.
+/// with exactly the rim's distance, because rounding could move p beyond the rim.
 void Touch(const Cutter& cutter, const Eigen::Vector3d& p, double distance, Rest& rest) {
   if (distance > cutter.radius_mm() * (1 + 1e-15)) return;
   const double z = p.z() - cutter.HeightAt(std::min(distance, cutter.radius_mm()));
   if (z > rest.z) rest = {z, p};
 }
 
-/// Returns the root of a falling function between 0 and `high`, to within kRootShare of `high`. It
-/// uses false position with the Illinois rule, and bisection where that is slow. The height of a
-/// contact is wrong by only the square of this error.
+/// Returns the root of a decreasing function between 0 and `high`, with an error of at most
+/// kRootShare of `high`. The method is false position with the Illinois rule, and bisection where
+/// false position is slow. The height of a contact is wrong by only the square of this error.
 template <typename Falling>
 double RootOfFalling(const Falling& value_at, double high) {
   double low = 0, at_low = value_at(low), at_high = value_at(high), x = high;
@@ -46,10 +47,10 @@ double RootOfFalling(const Falling& value_at, double high) {
   return x;
 }
 
-/// Returns the position where an edge touches a piece of the outline, on the side to which the edge
-/// rises. The position is measured in mm along the edge seen from above, from the foot of the
-/// cutter's axis. The edge is `off` from the axis and rises by `rise`. The result is not finite, or
-/// outside of the piece, if there is no contact.
+/// Returns the position at which an edge touches a piece of the outline, on the side to which the
+/// edge rises. The position is a length in mm along the edge, seen from above, from the point
+/// nearest to the cutter's axis. `off`: distance of the edge from the axis; `rise`: slope of the
+/// edge. If there is no contact, the result is not finite, or outside of the piece.
 double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   if (piece.corner_mm <= 0) {  // the outline rises by 1 / slope
     const double cosine = rise * piece.slope;
@@ -58,8 +59,9 @@ double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   const double reach = piece.corner_mm + piece.flat_mm;
   const double most = std::sqrt(std::max(0.0, reach * reach - off * off));
   if (piece.flat_mm == 0) return most * rise / std::sqrt(1 + rise * rise);
-  // Returns the difference between the slopes of the edge and the outline, up to a factor; it falls
-  // from 0 to `most`. The outline's slope along the edge is out / up * x / distance.
+  // Returns the difference between the slopes of the edge and of the outline, times a positive
+  // factor. It decreases from 0 to `most`. The outline's slope along the edge is out / up * x /
+  // distance.
   const auto steeper = [&](double x) {
     const double distance = std::sqrt(off * off + x * x);
     const double out = std::max(0.0, distance - piece.flat_mm);
@@ -69,8 +71,7 @@ double TouchAlong(const ProfilePiece& piece, double off, double rise) {
   return RootOfFalling(steeper, most);
 }
 
-/// Tests a side of a triangle: all points where the kinks, pieces and rim of the outline may rest
-/// on it.
+/// Tests a side of a triangle: its contacts with the kinks, pieces and rim of the cutter's outline.
 void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest& rest) {
   Touch(cutter, a, a.head<2>().norm(), rest);
   Touch(cutter, b, b.head<2>().norm(), rest);
@@ -81,8 +82,8 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   const double foot = -a.head<2>().dot(pass), rise = (b.z() - a.z()) / length;
   const double off = std::abs(a.x() * pass.y() - a.y() * pass.x());
   if (!(off < cutter.radius_mm())) return;
-  // Upper limit of all contacts: the highest point of the side under the cutter, combined with the
-  // lowest point of the outline above the side.
+  // Upper limit for the height of all contacts: the highest point of the side under the cutter,
+  // minus the lowest height of the outline above the side.
   const double half = std::sqrt((cutter.radius_mm() - off) * (cutter.radius_mm() + off));
   const double most = a.z() + rise * std::min(length, std::max(0.0, foot + half));
   if (most - cutter.HeightAt(off) <= rest.z) return;
@@ -99,8 +100,8 @@ void TouchEdge(const Cutter& cutter, Eigen::Vector3d a, Eigen::Vector3d b, Rest&
   }
 }
 
-/// Tests the inside of a triangle: the point where its slope touches the outline, up the slope from
-/// the axis.
+/// Tests the inside of a triangle: the point at which the triangle's slope touches the outline.
+/// Seen from the axis, this point is uphill.
 void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                 const Eigen::Vector3d& c, Rest& rest) {
   Eigen::Vector3d normal = (b - a).cross(c - a);
@@ -114,8 +115,9 @@ void TouchFacet(const Cutter& cutter, const Eigen::Vector3d& a, const Eigen::Vec
     width = cutter.Width(cutter.TouchHeight(flat, normal.z()));
     at = -width / flat * normal.head<2>();
   }
-  // The value is positive inside a side of a counter-clockwise triangle. Points on a side count: a
-  // slope that ends on the rim is under the cutter up to its end.
+  // The value is positive if the point is on the inner side of this side; the triangle is
+  // counter-clockwise. Points on a side count: a slope that ends on the rim is under the cutter up
+  // to its end.
   const double turn = (b - a).head<2>().dot(Eigen::Vector2d(c.y() - a.y(), a.x() - c.x()));
   const auto outside = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     const double x = q.x() - p.x(), y = q.y() - p.y();

@@ -44,7 +44,7 @@ class AreaGraph {
 
  private:
   struct Node {
-    std::vector<uint32_t> below;  ///< indices of areas of the next level
+    std::vector<uint32_t> below;  ///< indices of the overlapping areas of the next level
     uint32_t waits_for = 0;
     bool done = false;
   };

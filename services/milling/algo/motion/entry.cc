@@ -12,8 +12,8 @@ namespace slicefarm::milling {
 namespace {
 
 constexpr int kCircleChords = 24;
-/// Largest radius of a helix, as a fraction of the cutter's radius. A larger helix would leave a
-/// core in its middle.
+/// Largest radius of a helix, as a fraction of the cutter's radius. A larger helix would leave an
+/// uncut core in its middle.
 constexpr double kMostHelixShare = 0.9;
 
 Eigen::Vector2d LeftOf(const Eigen::Vector2d& direction) { return {-direction.y(), direction.x()}; }

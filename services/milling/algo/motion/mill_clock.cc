@@ -9,9 +9,10 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Deviation of chords from an arc, as a fraction of the tolerance.
+/// Largest deviation of chords from an arc, as a fraction of the tolerance.
 constexpr double kArcChordShare = 0.25;
-/// Number of steps of reduced feeds. A program contains a feed only where it changes.
+/// Reduced feeds are multiples of 1 / kFeedSteps of the programmed feed. Fewer different feeds give
+/// a shorter program, because it contains a feed only where it changes.
 constexpr double kFeedSteps = 20;
 
 MachineLimits LimitsOf(const MillingOptions& options) {
@@ -25,7 +26,7 @@ MachineLimits LimitsOf(const MillingOptions& options) {
   return limits;
 }
 
-/// Runs a program's moves through the look-ahead, from standstill to standstill.
+/// Computes the times of moves with the look-ahead planner, from standstill to standstill.
 class MillClock {
  public:
   MillClock(const MillingOptions& options, size_t moves)

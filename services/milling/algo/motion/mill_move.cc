@@ -10,8 +10,8 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Returns the angle of an arc, up to a whole turn. If the start equals the end, it is a whole
-/// turn.
+/// Returns the angle of an arc in radians, up to a whole turn. It is a whole turn if the start
+/// equals the end.
 double ArcTurn(const MillMove& move, const Eigen::Vector3d& from_mm) {
   Eigen::Vector2d a = from_mm.head<2>() - move.centre_mm, b = move.to_mm.head<2>() - move.centre_mm;
   if (move.kind == MoveKind::kClockwise) std::swap(a, b);

@@ -10,8 +10,8 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Shares of the tolerance: for fitting arcs to points, for fitting lines to points, and for chords
-/// of arcs in the map.
+/// Shares of the tolerance: for fitting arcs to points, for fitting lines to points, and for the
+/// chords of arcs in the stock map.
 constexpr double kArcShare = 0.75;
 constexpr double kLineShare = 0.1;
 constexpr double kMapShare = 0.5;

@@ -12,11 +12,11 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Distance of the positions at which a run is tested for stock, as a fraction of the radius. Below
-/// kRunTouchMm, contact is only an error of single precision and chords.
+/// Distance between the positions at which a run is tested for stock, as a fraction of the radius.
+/// A contact of less than kRunTouchMm does not count: it results from single precision and chords.
 constexpr double kRunAskShare = 0.25;
 constexpr double kRunTouchMm = 2e-3;
-/// Largest distance, in rows, at which ends are connected along the surface.
+/// Largest distance between ends of runs, in row distances, that are connected along the surface.
 constexpr double kMostLinkRows = 2.5;
 constexpr double kLinkStepShare = 0.2;
 
@@ -43,8 +43,8 @@ std::vector<RunPlace> PlacesOfRun(const RestRun& run, const MillingJob& job,
   return places;
 }
 
-/// Returns the parts of a run that meet stock, extended by one position at both ends. Parts closer
-/// to each other than the cutter's diameter are merged.
+/// Returns the parts of a run that meet stock, each extended by one test position at both ends.
+/// Parts closer to each other than the cutter's diameter are merged.
 std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
                                   const StockMap& stock) {
   const std::vector<RunPlace> places = PlacesOfRun(run, job, stock);
@@ -64,7 +64,7 @@ std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
   return parts;
 }
 
-/// Runs not cut yet, with a search for the nearest end.
+/// Runs that are not cut yet, with a search for the nearest end of a run.
 class OpenRuns {
  public:
   OpenRuns(std::span<const MilledStep> rows, const MillingJob& job, const StockMap& stock,

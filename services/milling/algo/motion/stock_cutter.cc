@@ -10,7 +10,7 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Shortest pass for a ramp.
+/// Length in mm of the shortest pass along which the tip may ramp down.
 constexpr double kLeastRampTravelMm = 0.5;
 /// Distance of the positions at which a pass is tested for stock, as a fraction of the radius.
 constexpr double kAskShare = 0.25;
@@ -61,8 +61,8 @@ void StockCutter::RapidTo(const Eigen::Vector2d& place, double z_mm) {
   moves_.RapidTo(place, z_mm);
 }
 
-/// Moves straight to the start if this line stays in the tip's present area. Returns false
-/// otherwise.
+/// Moves straight to the start if the line stays in the area in which the tip is. Otherwise makes
+/// no move and returns false.
 bool StockCutter::LinkTo(const Eigen::Vector2d& start, double z_mm) {
   if (last_ == nullptr || moves_.at().z() < z_mm - 1e-3) return false;
   const Eigen::Vector2d at = moves_.at().head<2>();
@@ -74,8 +74,8 @@ bool StockCutter::LinkTo(const Eigen::Vector2d& start, double z_mm) {
   return true;
 }
 
-/// Enters from a pass that meets no stock: down beside the stock, then horizontally to the start.
-/// Returns false if this is impossible.
+/// Moves to `start` from a pass outside of the stock: down beside the stock, then horizontally.
+/// `air`: a pass that meets no stock. Makes no move and returns false if this is impossible.
 bool StockCutter::EnterFromAir(const Eigen::Vector2d& start, const ClosedPath& air, double z_mm) {
   const Eigen::Vector2d outside = air[NearestOf(air, start)];
   if (moves_.stock().Meets({outside.x(), outside.y(), z_mm}, moves_.stock().pixel_mm()))
@@ -101,7 +101,8 @@ bool StockCutter::LeadIn(const ClosedPath& pass, double z_mm) {
   return true;
 }
 
-/// Lowers the tip from above a pass's start to the pass, through the stock there.
+/// Lowers the tip from above a pass's start to the pass, through the stock between them. Returns
+/// the pass, beginning at the tip's final position.
 ClosedPath StockCutter::GoDown(const ClosedPath& pass, double z_mm, MillPhase phase) {
   const double plunge = options_.machining.plunge_feed_mm_min;
   const EntryKind entry = options_.machining.entry;

@@ -15,7 +15,7 @@ constexpr double kLeastPixelMm = 0.05;
 constexpr double kMostPixels = 4e6;
 constexpr double kSlopeStepMm = 0.02;
 constexpr double kNeedleMm = 1e-3;
-/// Tolerance for contact with stock, because heights are single precision.
+/// Smallest depth of a contact with stock that counts, because heights are single precision.
 constexpr double kInStockMm = 1e-4;
 
 }  // namespace
@@ -110,8 +110,8 @@ void StockMap::Cut(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm)
   }
 }
 
-/// Returns the rest height, at least `least`. Only pixels above `least` count, and the search stops
-/// when the result is above `enough`.
+/// Returns the rest height (RestHeight), at least `least`. Only pixels above `least` count. The
+/// search ends when the result exceeds `enough`.
 double StockMap::Rest(const Eigen::Vector2d& place, double wider, double least,
                       double enough) const {
   const double radius = cutter_.radius_mm() + wider, reach2 = radius * radius;

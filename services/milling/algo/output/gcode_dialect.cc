@@ -42,7 +42,7 @@ class TableDialect : public GcodeDialect {
     std::string text = "G21 G17 G90 G91.1 G94 G40 G49";
     if (dialect_.has_blending) text += fmt::format(" G80\nG64 P{:.3f}", tolerance_mm);
     text += fmt::format("\nT{}", machining.tool_number);
-    // Without a table of tool lengths, the user sets Z for the tool manually.
+    // If the controller has no table of tool lengths, the user sets Z for the tool manually.
     if (dialect_.has_tool_table) text += fmt::format(" M6\nG43 H{}", machining.tool_number);
     return text + fmt::format("\nG0 Z{:.3f}\n", safe_z_mm) + SpindleStart(dialect_, machining);
   }

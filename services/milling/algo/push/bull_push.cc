@@ -8,8 +8,9 @@ namespace {
 
 constexpr int kMaxSteps = 80;
 
-/// Sign of the growth of the interval's end with s. If `smooth`, the value is the derivative times
-/// a positive factor. Otherwise it points back to the range where the cutter reaches the fiber.
+/// Indicates in which direction of s the interval's end grows, by the sign of `value`. If `smooth`,
+/// `value` is the derivative times a positive factor. Otherwise the cutter does not reach the
+/// fiber, and `value` points back to the range where it does.
 struct Slant {
   double value = 0;
   bool smooth = false;
@@ -26,8 +27,8 @@ class BullEdge {
     const double root = std::sqrt(std::max(0.0, height * (2 * piece_.corner_mm - height)));
     const double width = piece_.flat_mm + root;
     const double square = (width - across) * (width + across);
-    // Each slant is multiplied by `root`. It is 0 only at the tip, where the width grows without
-    // bound.
+    // All slants are multiplied by `root`, which does not change their sign. `root` is 0 only at
+    // the tip, where the derivative of the width is infinite.
     const double growth = step_.height * (piece_.corner_mm - height);
     const double factor = step_.height == 0 ? 1 : root;
     if (!(square > 0)) return {growth - (across > 0 ? 1 : -1) * step_.across * factor, false};
@@ -42,8 +43,8 @@ class BullEdge {
   double side_;
 };
 
-/// Returns the root of the slant between two positions with different signs. Near the tip the width
-/// grows without bound, so the position must be exact to the last digits.
+/// Returns the root of the slant between two positions with different signs. Near the tip the
+/// derivative of the width is infinite, so the position must be exact to the last digits.
 double RootOf(const BullEdge& edge, double low, Slant at_low, double high, Slant at_high) {
   const double precision = 1e-14 * (high - low);
   double weight_low = at_low.value, weight_high = at_high.value;

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// Square of the cutter's half chord on the fiber when it touches at s: c + b s + a s^2. `growth`
-/// is its direction of growth if a >= 0.
+/// Square of half the chord that the cutter's section at the contact's height cuts out of the
+/// fiber, if the cutter touches at s: c + b s + a s^2. `growth`: sign of the direction in which it
+/// grows, if a >= 0.
 struct HalfChord {
   double a = 0;
   double b = 0;
@@ -72,15 +73,15 @@ struct EdgePart {
   double length = 0;
 };
 
-/// Position of the interval's end on a part, with the square of the half chord there.
+/// Position s of the interval's end on a part, and the square of the half chord at this position.
 struct SideContact {
   double s = 0;
   double along = 0;
   double square = 0;
 };
 
-/// Adds a part to the reach. If only one side's half chord is 0, the cutter touches with its tip
-/// there.
+/// Extends the reach by a part of the edge. If the half chord is 0 at one end of the interval only,
+/// the cutter touches there with its tip.
 void Unite(const EdgePart& part, const SideContact& high, const SideContact& low, Reach& reach) {
   if (!(std::max(high.square, low.square) > 0)) return;
   const double high_end = high.along + std::sqrt(std::max(0.0, high.square)),

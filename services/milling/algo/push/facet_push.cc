@@ -7,8 +7,9 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Computes the line in which a triangle is cut at a height or slightly above it, so also along its
-/// lowest side. Returns false if there is none.
+/// Computes the line in which a horizontal plane cuts a triangle. The plane is at `height` or
+/// slightly above it, so that a triangle with its lowest side at `height` is cut along this side.
+/// Returns false if the plane does not cut the triangle.
 bool CutAt(double height, const std::array<FiberPoint, 3>& corners,
            std::array<FiberPoint, 2>& cut) {
   size_t found = 0;

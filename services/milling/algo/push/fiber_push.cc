@@ -38,8 +38,8 @@ TriangleBox BoxOf(const FiberFrame& frame, uint32_t triangle) {
   return box;
 }
 
-/// Triangles per block of fibers that they may reach; in each block in descending order of their
-/// tops.
+/// Triangles that the cutter may touch from each block of fibers, indexed by block; in each block
+/// sorted by their tops, the highest first.
 class TriangleBlocks {
  public:
   TriangleBlocks(const std::vector<TriangleBox>& boxes, const FiberGrid& grid, double reach_mm)
@@ -82,7 +82,7 @@ class TriangleBlocks {
   std::vector<uint32_t> triangles_;
 };
 
-/// Reaches of the mesh's edges on the current fiber.
+/// Results of PushSide for the mesh's edges on the current fiber. Each edge is computed once.
 class EdgeMemory {
  public:
   explicit EdgeMemory(size_t edges) : known_(edges), reaches_(edges) {}
@@ -98,7 +98,7 @@ class EdgeMemory {
   }
 
  private:
-  std::vector<uint64_t> known_;  ///< number of the fiber for which the edge was computed
+  std::vector<uint64_t> known_;  ///< index of the fiber for which each edge was computed last
   std::vector<Reach> reaches_;
   uint64_t fiber_ = 0;
 };
@@ -119,7 +119,7 @@ struct Candidate {
   double along_low = 0, along_high = 0;
   double across_low = 0, across_high = 0;
   uint32_t triangle = 0;
-  bool settled = false;  ///< true if only the shaft can touch it
+  bool settled = false;  ///< true if only the shaft can touch the triangle
 };
 
 struct PushJob {
@@ -132,7 +132,7 @@ struct PushJob {
   std::vector<FiberIntervals>& result;  ///< result per level
 };
 
-/// Pushes along one block of fibers, level by level.
+/// Pushes the cutter along the fibers of one block, level by level.
 class BlockPush {
  public:
   BlockPush(const PushJob& job, std::span<const uint32_t> triangles, EdgeMemory& memory)
@@ -158,7 +158,8 @@ class BlockPush {
     return job_.boxes[triangle].bottom - z_mm >= job_.cutter.full_height_mm();
   }
 
-  /// Stores the intervals that are gouged on all fibers of the block on the level above.
+  /// Stores in `known_` the intervals that are gouged on all fibers of the block on the level
+  /// above.
   void KnowOfAll(const FiberIntervals& above, int32_t first, int32_t last) {
     std::vector<Interval> all = above[static_cast<size_t>(first)];
     for (int32_t fiber = first + 1; fiber < last && !all.empty(); ++fiber)
@@ -174,8 +175,9 @@ class BlockPush {
     const double radius = job_.cutter.radius_mm();
     std::erase_if(active_, [&](uint32_t t) {
       const TriangleBox& box = job_.boxes[t];
-      // The shaft is the widest part: if the triangle adds nothing to the shaft's known interval,
-      // it adds nothing on any lower level.
+      // The shaft is the widest part of the cutter. If a known interval contains everything that
+      // the shaft could gouge at this triangle, the triangle adds nothing on this and all lower
+      // levels.
       if (known_.Covers(box.along_low - radius, box.along_high + radius)) return true;
       const double reach = job_.cutter.Width(box.top - z_mm);
       if (known_.Covers(box.along_low - reach, box.along_high + reach)) return false;
@@ -223,7 +225,7 @@ class BlockPush {
   std::vector<uint32_t> active_;
   std::vector<Candidate> candidates_;
   std::vector<IntervalSet> settled_;  ///< intervals of settled triangles, per fiber of the block
-  IntervalSet known_;                 ///< gouged on all fibers
+  IntervalSet known_;                 ///< intervals that are gouged on all fibers of the block
   IntervalSet gouged_;
 };
 

@@ -21,8 +21,8 @@ FlatBox FlatBoxOf(const TriangleMesh& mesh, uint32_t triangle) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-/// Returns true if the triangle's box is closer to the fiber than the cutter's width at the top of
-/// the box.
+/// Returns true if the triangle's bounding box is closer to the fiber than half the cutter's width
+/// at the height of the box's top.
 bool MayReach(const FiberFrame& frame, const Cutter& cutter, uint32_t triangle,
               const Fiber& fiber) {
   const auto& t = frame.mesh().triangles[triangle];

@@ -10,8 +10,8 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Shares of the tolerance for waterlines and for removing points of straight walls; the rest is
-/// for arcs.
+/// Shares of the tolerance, for waterlines and for removing points of straight walls. The remaining
+/// share is for arcs.
 constexpr double kWaterlineShare = 0.15;
 constexpr double kStraightShare = 0.1;
 

@@ -13,11 +13,12 @@ namespace {
 
 /// Length below which a ring counts as a point.
 constexpr double kLeastRingNm = 10'000;
-/// Tolerance for removing points on straight parts of inner rings. Each further inset would
-/// multiply these points.
+/// Tolerance for removing points on straight parts of inner rings. Without it, each further inset
+/// would multiply the points.
 constexpr Coord kRingChordNm = 2'000;
 
-/// Returns true if a part of an outline is along the outside of the stock, not only along the part.
+/// Returns true if a part of an area's outer boundary is beside the stock, and not only along the
+/// part.
 bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
   const MultiPolygon inside = Offset(reach, -1'000);
   return std::any_of(outer.begin(), outer.end(), [&](Point p) {
@@ -27,9 +28,9 @@ bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
   });
 }
 
-/// Makes the rings of an area by repeated insets. The free side of an outline is on its left. So
-/// passes that end at the outline have the stock on the right; passes from the outside inwards have
-/// it on the left.
+/// Makes the rings of an area by repeated insets. The area is to the left of its outlines. Rings
+/// cut from the inside outwards have the remaining stock on the right; rings cut from the outside
+/// inwards have it on the left, so they are reversed.
 class RingMaker {
  public:
   RingMaker(Coord stepover_nm, bool from_outside, const CancelToken& cancel)

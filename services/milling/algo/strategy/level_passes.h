@@ -16,7 +16,7 @@ inline constexpr int kMostRings = 4'000;
 /// inwards. Every point of the area is at most a stepover away from a ring.
 ///
 /// If the area reaches beyond the stock, rings are cut from the outside inwards, then the rings
-/// around islands from the inside outwards to the islands' walls. In a pocket, rings are cut from
+/// around islands, the one at the island's wall last. In a pocket, rings are cut from
 /// its middle outwards. So each ring except the first has at most a stepover of stock on one side.
 /// Parts of the area narrower than the minimum width are left out. Cost: an offset for each ring.
 /// After cancellation, no more rings are made, so callers must check the token.

@@ -18,8 +18,7 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Largest coordinate. Regions of levels use 32 bits of nm, and the cutter's passes extend beyond
-/// the stock.
+/// Largest coordinate. Regions of levels use 32-bit nm, and passes extend beyond the stock.
 constexpr double kMostCoordinateMm = 1'500;
 /// Height difference below which two levels count as one.
 constexpr double kSameLevelMm = 1e-6;
@@ -37,8 +36,8 @@ Eigen::AlignedBox3d BoxOf(const TriangleMesh& mesh) {
   return box;
 }
 
-/// Returns one corner index for points at the same position, because some files repeat points for
-/// each triangle.
+/// Returns for each point of a mesh the index of the first point at the same position. Some files
+/// repeat points for each triangle.
 std::vector<uint32_t> CornersOf(const TriangleMesh& mesh) {
   std::vector<uint32_t> order(mesh.points_mm.size()), corner(mesh.points_mm.size());
   for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -53,7 +52,7 @@ std::vector<uint32_t> CornersOf(const TriangleMesh& mesh) {
   return corner;
 }
 
-/// Checks that every edge has equally many triangles on both sides.
+/// Checks that a mesh is closed: every edge has equally many triangles in both directions.
 absl::Status CheckClosed(const TriangleMesh& mesh, std::string_view what) {
   const std::vector<uint32_t> corner = CornersOf(mesh);
   std::vector<std::pair<uint64_t, int>> sides;
@@ -185,7 +184,7 @@ std::vector<double> LevelsOver(double top, double bottom, std::vector<double> wa
   return levels;
 }
 
-/// Checks the number of steps before they are laid out.
+/// Checks the number of steps before the steps are created.
 absl::Status CheckStepCount(const MillingJob& job) {
   const MillingOptions& options = job.options;
   const Eigen::Vector3d size = job.stock_box.sizes();
@@ -224,9 +223,8 @@ void LayOut(MillingJob& job) {
     job.steps.push_back({MillPhase::kRest, from + (to - from) * k / rows});
 }
 
-/// Returns the relative cost of a step. Levels of roughing have waterlines and rings, levels of
-/// finishing have only waterlines, and rows have drops: about 4 to 2 to 1, estimated and not
-/// measured.
+/// Returns the relative cost of a step: 4 for a level of roughing (waterlines and rings), 2 for a
+/// level of finishing (waterlines), 1 for a row (drops). The ratios are estimated, not measured.
 int32_t WeightOf(MillPhase phase) {
   switch (phase) {
     case MillPhase::kRoughing:

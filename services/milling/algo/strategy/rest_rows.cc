@@ -76,8 +76,8 @@ class RestRow {
 
   double HeightAt(int i) const { return i < 0 || i >= columns_.count ? kNowhere : z_[i]; }
 
-  /// Returns true if the surface is flat at a sample. In each direction, the flatter side counts,
-  /// because a wall may be on the other side.
+  /// Returns true if the surface is flat at a sample. Of the two slopes in each direction, the
+  /// smaller one counts, because a wall may be on the other side.
   bool Flat(int i) const {
     if (z_[i] == kNowhere) return false;
     const double dx =

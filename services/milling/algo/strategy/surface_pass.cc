@@ -5,7 +5,8 @@
 namespace slicefarm::milling {
 namespace {
 
-/// Shares of the tolerance: the deviation of chords, and their length at a step of the surface.
+/// Shares of the tolerance: kOffShare for the deviation of chords, the other one for the length of
+/// chords at a step of the surface.
 constexpr double kOffShare = 0.1;
 constexpr double kStepShare = 0.25;
 
@@ -19,8 +20,8 @@ class SurfaceWalk {
     return {place.x(), place.y(), height_(place)};
   }
 
-  /// Adds the points between `a` and `b`. It tests three points, because at the foot of a step the
-  /// middle alone may happen to be on the chord.
+  /// Adds the points between `a` and `b`. Tests three points: at the foot of a step, the middle
+  /// alone could be on the chord by chance.
   void Add(const Eigen::Vector3d& a, const Eigen::Vector3d& middle, const Eigen::Vector3d& b) {
     const Eigen::Vector3d before = Halfway(a, middle), after = Halfway(middle, b);
     const bool known =

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kMaxRefineDepth = 16;
 
-/// Returns a crossing between a and b, with the fiber between them. The contour runs from a to b
-/// with the gouged area on its left.
+/// Returns a crossing of the contour between a and b, on a fiber through the middle of the chord
+/// ab. The contour leads from a to b with the gouged area on its left.
 std::optional<Crossing> Between(const Crossing& a, const Crossing& b, const LevelPush& level) {
   const double dx = b.x - a.x, dy = b.y - a.y, reach = std::sqrt(dx * dx + dy * dy);
   const bool column = std::abs(dx) >= std::abs(dy);
@@ -36,7 +36,7 @@ std::optional<Crossing> Between(const Crossing& a, const Crossing& b, const Leve
                   .high = high};
 }
 
-/// Appends the crossings between the last point of the loop and `to`, without `to`.
+/// Appends the refined crossings between `from` and `to`, without both.
 void AppendBetween(const Crossing& from, const Crossing& to, const LevelPush& level,
                    const Refinement& how, int depth, WovenLoop& loop) {
   const double dx = to.x - from.x, dy = to.y - from.y, length = std::sqrt(dx * dx + dy * dy);

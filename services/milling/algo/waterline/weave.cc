@@ -17,7 +17,7 @@ struct Run {
   int32_t last = 0;
 };
 
-/// End of a column's interval, with the row below it.
+/// End of a column's interval, with the index of the row below it.
 struct ColumnEnd {
   int32_t row = 0;
   int32_t column = 0;
@@ -30,9 +30,11 @@ struct ColumnEnd {
 struct CellCrossing {
   int32_t cell = 0;
   int32_t side = 0;  ///< 0 to 3: bottom, right, top, left
-  double order = 0;  ///< ascends counter-clockwise along the side
+  double order = 0;  ///< position along the side; ascends counter-clockwise around the cell
   uint32_t crossing = 0;
-  bool leaves = false;  ///< true if the gouged part ends here, counter-clockwise around the cell
+  /// true if, counter-clockwise around the cell, a gouged part of its boundary ends at this
+  /// crossing
+  bool leaves = false;
 };
 
 /// Returns the first node above a coordinate.
@@ -129,8 +131,8 @@ class Weaver {
     strip_.push_back({column, 3, -y, crossing, !high});
   }
 
-  /// Adds a column's ends between two rows, if they lead from the lower node's state to the upper
-  /// node's state. Returns false otherwise.
+  /// Adds a column's interval ends between two rows, if they are consistent with the states (gouged
+  /// or free) of the nodes below and above them. Otherwise adds nothing and returns false.
   bool AddEnds(std::span<const ColumnEnd> ends, bool lower, bool upper) {
     bool state = lower;
     for (const ColumnEnd& end : ends) {
@@ -142,7 +144,8 @@ class Weaver {
     return true;
   }
 
-  /// Adds one crossing where the rows require one but the column has other states of its nodes.
+  /// Adds one crossing on a column between two rows. The rows require a crossing there, but the
+  /// column's intervals disagree because of rounding.
   void AddRounded(int32_t column, int32_t row, bool high) {
     const auto& intervals = weave_.columns[static_cast<size_t>(column)];
     const double from = weave_.y.At(row), to = weave_.y.At(row + 1), free = high ? to : from;
@@ -174,7 +177,7 @@ class Weaver {
     }
   }
 
-  /// Finds the columns with different node states in two rows, ascending.
+  /// Finds the columns at which two rows have different node states, ascending.
   void Differences(const std::vector<Run>& below, const std::vector<Run>& above) {
     differences_.clear();
     for (const auto& [runs, others] : {std::pair(&below, &above), std::pair(&above, &below)})
@@ -184,7 +187,8 @@ class Weaver {
     std::sort(differences_.begin(), differences_.end());
   }
 
-  /// Adds nodes from `node` on that are not in `others`, and returns the next node to check.
+  /// Adds the nodes from `node` on that are in no run of `others`, up to the next run of `others`
+  /// or to `last`. Returns the next node to check.
   int32_t Next(const std::vector<Run>& others, int32_t node, int32_t last) {
     const auto other = std::partition_point(others.begin(), others.end(),
                                             [&](const Run& r) { return r.last < node; });
@@ -209,8 +213,9 @@ class Weaver {
   }
 
   void LinkCell(std::span<const CellCrossing> cell) {
-    // With two crossings, the next one is the other one. With more, linking to the next one
-    // separates the free parts; linking to the previous one separates the gouged parts.
+    // If the cell has two crossings, each is linked to the other. If it has more, a link to the
+    // next crossing separates the free parts, and a link to the previous one separates the gouged
+    // parts.
     const bool joined = cell.size() < 4 || MiddleGouged(cell);
     for (size_t k = 0; k < cell.size(); ++k) {
       if (!cell[k].leaves) continue;
@@ -219,8 +224,8 @@ class Weaver {
     }
   }
 
-  /// Returns true if the middle of the cell's crossings is gouged. It equals the middle of the
-  /// cell's free parts, as each crossing ends one of them.
+  /// Returns true if the middle of the cell's crossings is gouged. Each crossing ends one free
+  /// part, so this is also the middle of the cell's free parts.
   bool MiddleGouged(std::span<const CellCrossing> cell) const {
     double x = 0, y = 0;
     for (const CellCrossing& c : cell) x += crossings_[c.crossing].x, y += crossings_[c.crossing].y;
