@@ -35,12 +35,12 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Sweep of one part, with the gaps found while it was cut.
+/// Sweep of one part, and the numbers of gaps in its sections.
 struct SweptPart {
   const PreparedPart* part = nullptr;
   Sweep sweep;
-  std::vector<GapCounts> gaps;  ///< gap counts per layer of the object
-  /// Slabs of a surface with seam or support marks, per layer of the object.
+  std::vector<GapCounts> gaps;  ///< numbers of gaps, indexed by the object's layers
+  /// Slabs of a surface with seam or support marks, one for each layer of the object.
   std::optional<SurfaceSlabs> slabs = {};
 };
 
@@ -55,7 +55,7 @@ constexpr int64_t kMemoryPerTriangle = 64;
 /// Bytes for a point in a section and the index entry that finds it.
 constexpr int64_t kMemoryPerPoint = 24;
 
-/// One run of the stage.
+/// One call of the stage.
 class SlicingRun {
  public:
   SlicingRun(const StageCall& call, const MeshSource& source, const SlicingOptions& options)
@@ -100,7 +100,7 @@ class SlicingRun {
     const Coord first_nm =
         slicing.on_bed ? options_.first_layer_height_nm : slicing.layer_height_nm;
     const AdaptiveHeights& adaptive = slicing.adaptive;
-    // An object lower than half the first layer has no layers; that is reported further below.
+    // An object lower than half the first layer has no layers. Its error is reported later.
     if (!adaptive.on || !slicing.height_profile.empty() || first_nm / 2 >= object.top_nm)
       return LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges,
                                          slicing.height_profile, adaptive.min_nm / 2});
@@ -133,9 +133,10 @@ class SlicingRun {
     return swept;
   }
 
-  /// Returns the slab of heights that each layer covers. Seam marks: a level face counts in the
-  /// layer that it is the bottom or the top of, so the slab is the layer itself. Support marks: the
-  /// overhang of a layer is the surface between the cut of the layer below and its own cut.
+  /// Returns the slab of heights for each layer. Seam marks: the slab is the layer itself, because
+  /// a level face counts in the layers of which it is the bottom or the top. Support marks: the
+  /// slab is between the cut of the layer below and the layer's own cut, where a layer's overhang
+  /// is.
   static SurfaceSlabs SlabsOf(const PreparedPart& part, const std::vector<LayerPlane>& planes) {
     std::vector<Slab> slabs;
     Coord below = std::numeric_limits<int32_t>::min();
@@ -301,7 +302,7 @@ class SlicingRun {
     if (!swept.part->IsMarkedSurface()) return Outlines(swept, section, scratch);
     const auto layer = static_cast<size_t>(section.layer);
     const Coord reach_nm = SupportReach(EditsFor(section.layer, true, SlicingOf(section)));
-    // An enforcer with a hole in its mesh still counts as a body, so its outlines are added.
+    // An enforcer with a hole in its mesh still counts as a body. Therefore its outlines are added.
     return Union(Outlines(swept, section, scratch),
                  swept.slabs->Shadow(layer, reach_nm, call_.cancel));
   }
@@ -348,8 +349,8 @@ class SlicingRun {
     for (size_t i = 0; i < objects_.size(); ++i) {
       PreparedObject& object = objects_[i];
       for (SweptPart& swept : swept_[i].parts) {
-        // Open edges and other defects of a body are normal for a surface, so a surface has no
-        // report.
+        // Marked surfaces have no report: open edges are a defect of a body but normal for a
+        // surface.
         if (swept.part->IsMarkedSurface()) continue;
         MeshReport report = ReportOf(swept, options_.objects[i]);
         if (&swept == &swept_[i].parts.front()) {
@@ -383,10 +384,10 @@ class SlicingRun {
   bool advise_orientations_ = false;
   SlicedJob job_;
   std::vector<PreparedObject> objects_;
-  /// Number of overlapping copies per object, see CountOverlapping.
+  /// Number of overlapping copies, indexed by object; see CountOverlapping.
   std::vector<int64_t> overlapping_;
   int64_t points_ = 0;              ///< number of points in the sections of the swept parts
-  std::vector<SweptObject> swept_;  ///< sweeps per object
+  std::vector<SweptObject> swept_;  ///< sweeps of the parts, indexed by object
 };
 
 class LocalSlicing : public SlicingStage {

@@ -32,8 +32,8 @@ struct Limit {
   int64_t hard;
 };
 
-/// Sets a resource limit, but never above the present hard limit, which the process could not
-/// raise.
+/// Sets a resource limit. If the present hard limit is lower, uses the hard limit, because the
+/// process could not raise it.
 absl::Status Set(const Limit& limit) {
   rlimit now = {};
   if (getrlimit(limit.resource, &now) != 0) return Refused(limit.name, errno);
@@ -50,7 +50,7 @@ absl::Status SetLimits(const ReaderLimits& limits) {
       {"RLIMIT_FSIZE", RLIMIT_FSIZE, 0, 0},
       {"RLIMIT_CORE", RLIMIT_CORE, 0, 0},
       {"RLIMIT_NPROC", RLIMIT_NPROC, 0, 0},
-      // With 0, no number is left for another file or socket.
+      // With the limit 0, the process can open no further file or socket.
       {"RLIMIT_NOFILE", RLIMIT_NOFILE, 0, 0},
       {"RLIMIT_AS", RLIMIT_AS, limits.memory_bytes, limits.memory_bytes},
   };
@@ -80,7 +80,8 @@ constexpr int kSanitizerCalls[] = {
 
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
-/// Functions that add rules. Each returns 0 or a negative errno, as libseccomp does.
+/// The following functions add rules to a filter. Each returns 0 or a negative errno, as libseccomp
+/// does.
 int AllowWrites(scmp_filter_ctx filter) {
   return seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(write), 1,
                           SCMP_A0(SCMP_CMP_EQ, STDOUT_FILENO, 0));
@@ -109,7 +110,7 @@ int AllowTheRest(scmp_filter_ctx filter) {
 
 absl::Status SetFilter() {
   const Filter filter(seccomp_init(SCMP_ACT_KILL_PROCESS), &seccomp_release);
-  // libseccomp creates no filter if the system does not offer seccomp.
+  // libseccomp returns no filter if the system has no seccomp.
   if (filter == nullptr) return Refused("a seccomp filter", EOPNOTSUPP);
   int error = seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
   // This attribute makes libseccomp return the system's own error code instead of one code for all.

@@ -37,8 +37,8 @@ bool AreSettings(const std::vector<Setting>& settings) {
          });
 }
 
-/// Returns true if the entries are within their limits. The limit allows for the offset of plates
-/// and for combined components.
+/// Returns true if all entries of a transform are within their limits. The limits are larger than
+/// for a transform in a file, because the offset of a plate and combined components are included.
 bool IsTransform(const Transform& transform) {
   constexpr double kMost = 2 * limits::kMaxTransformEntry +
                            limits::kMaxMeshCoordinateMm * 1.2 * limits::kMaxProjectPlates;

@@ -8,8 +8,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Writer of a project. Writer and reader handle the same members in the same order; `Each` below
-/// is the only list of them.
+/// Writer of a project. Writer and reader handle the same members in the same order, because both
+/// use the list of members in `Each` below.
 class Writer {
  public:
   template <typename T>

@@ -11,7 +11,7 @@ namespace {
 constexpr int64_t kMib = int64_t{1} << 20;
 constexpr int64_t kProgramBytes = 64 * kMib;  ///< code, libraries and stack
 constexpr int64_t kMemoryPerFileByte = 32;
-/// Memory for the largest numbers of triangles and vertices that limits.h allows in a file.
+/// Largest memory limit: enough for the largest numbers of triangles and vertices within limits.h.
 constexpr int64_t kMostMemory = 8192 * kMib;
 constexpr int64_t kBaseCpuS = 10;
 constexpr int64_t kFileBytesPerCpuS = 10 * kMib;

@@ -27,7 +27,8 @@ constexpr int kCancelPollMs = 5;
 /// Poll interval for the end of the process. The process ends within a fraction of this after it
 /// closes stdout.
 constexpr int kEndPollMs = 1;
-/// Size of the pipe; it needs fewer switches between the two processes than the usual 64 KiB.
+/// Size of the pipe. With the usual 64 KiB, the system would switch more often between the two
+/// processes.
 constexpr int kPipeBytes = 1 << 20;
 
 absl::Status CannotStart(std::string_view what, int error) {
@@ -42,7 +43,8 @@ class SpawnPlan {
     posix_spawn_file_actions_init(&files_);
     posix_spawn_file_actions_adddup2(&files_, request, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files_, answer, STDOUT_FILENO);
-    // Messages of a reader that was taken over do not belong in a log.
+    // stderr is discarded: a hostile file may control the reader, and its messages do not belong in
+    // a log.
     if (!kSanitizedBuild)
       posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&files_, STDERR_FILENO + 1);
@@ -56,8 +58,9 @@ class SpawnPlan {
   SpawnPlan(const SpawnPlan&) = delete;
   SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-  /// Starts the program and returns an errno. The reader gets nothing of the service's environment.
-  /// Huge pages save it thousands of page faults, because all its memory is new.
+  /// Starts the program and returns 0 or an errno. The reader gets none of the service's
+  /// environment variables. Huge pages save it thousands of page faults, because all its memory is
+  /// new.
   int Spawn(const std::string& program, pid_t* pid) const {
     char* const arguments[] = {const_cast<char*>(program.c_str()), nullptr};
     char big_pages[] = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";

@@ -106,7 +106,7 @@ MeshHeads::MeshHeads(const Request& request)
       positions_left_(static_cast<uint64_t>(request.text_bytes)) {}
 
 absl::Status MeshHeads::Check(const MeshHead& head) {
-  // Every position is used by a triangle.
+  // Every position is used by at least one triangle; so there are at most three per triangle.
   const bool sound = head.triangles <= triangles_left_ &&
                      head.positions <= std::min(positions_left_, 3 * head.triangles) &&
                      (head.positions > 0) == (head.triangles > 0);

@@ -21,11 +21,11 @@ namespace {
 
 constexpr int kNoRequestExit = 2;
 
-/// Ends the process without an answer: the service is gone or sends invalid requests.
+/// Exits without an answer, because the service has ended or has sent an invalid request.
 [[noreturn]] void EndUnheard() { _exit(kNoRequestExit); }
 
-/// Makes the system end this process rather than the service when memory runs out. If the setting
-/// is not allowed, the system chooses by itself.
+/// Asks the system to kill this process rather than the service when memory runs out. If this is
+/// not allowed, the system decides.
 void StepForwardWhenMemoryRunsOut() {
   const Fd file(open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
   constexpr std::string_view kFirst = "1000";
@@ -79,8 +79,9 @@ void Write(const void* data, size_t size) {
   _exit(0);
 }
 
-/// Sets the time zone. The times of an archive's entries are computed from local time. Without a
-/// set time zone, the system's one is looked up in a file each time, which cannot be opened later.
+/// Sets the time zone. libzip converts the times of an archive's entries to local time. Without a
+/// set time zone, the C library would open a file for each conversion, which the confined process
+/// cannot.
 void SettleTimeZone() {
   setenv("TZ", "UTC0", 1);
   tzset();

@@ -15,7 +15,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Number of bytes that take some milliseconds to copy.
+/// Number of bytes copied between two checks for cancellation; this takes some milliseconds.
 constexpr size_t kBytesPerPoll = 16 << 20;
 
 absl::Status NoMemory(int error) {

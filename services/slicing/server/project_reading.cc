@@ -13,7 +13,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Returns the plates that can become a job, from 1; 0: all objects are on one plate.
+/// Returns the numbers (from 1) of the plates that can become a job. If all objects are on one
+/// plate, returns only 0.
 std::vector<int> PlatesToPrint(const Project& project) {
   std::vector<int> plates;
   for (size_t i = 0; i < project.plates.size(); ++i)

@@ -19,8 +19,8 @@ struct Edit {
   MultiPolygon filled;
 };
 
-/// Returns true if the holes also go through `outlines`, except for the small part (2 %) that a
-/// draft angle may cover.
+/// Returns true if the holes continue through `outlines`. A draft angle may cover up to 2 % of
+/// their area.
 bool GoThrough(const MultiPolygon& holes, const MultiPolygon& outlines) {
   constexpr double kDraft = 0.02;
   return Area(Intersection(holes, outlines)) <= kDraft * Area(holes);
@@ -32,7 +32,7 @@ void CutOut(const MultiPolygon& room, ObjectSection& section) {
   section.whole = section.regions.size() > 1 ? Difference(section.whole, room) : MultiPolygon{};
 }
 
-/// Fills each hole with the region that touches the largest part of the hole's edge.
+/// Fills each hole. It is added to the region that touches the largest part of the hole's boundary.
 void FillUp(const MultiPolygon& holes, ObjectSection& section) {
   constexpr Coord kEdgeNm = 50'000;
   for (const PolygonWithHoles& hole : holes) {
@@ -45,9 +45,9 @@ void FillUp(const MultiPolygon& holes, ObjectSection& section) {
   if (section.regions.size() > 1) section.whole = Union(section.whole, holes);
 }
 
-/// Returns the counterbores of each layer. A hole that is open in one layer only is left out: for
-/// example the last slit below the top of a round horizontal channel, which the next layer closes
-/// anyway.
+/// Returns the counterbores of each layer, without holes that are open in one layer only. Example
+/// of such a hole: the last slit below the top of a round horizontal channel, which the next layer
+/// closes anyway.
 std::vector<std::vector<Counterbore>> Found(std::span<ObjectSection* const> sections, int threads,
                                             const CancelToken& cancel) {
   std::vector<std::vector<Counterbore>> found(sections.size());

@@ -17,8 +17,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Width of the free space that a hole must have around it: about one bead. A bead there would lie
-/// mostly on air.
+/// Width of the ring of air below that a hole must have around it: about one bead. A bead in this
+/// ring would be mostly over air.
 constexpr Coord kRimNm = 400'000;
 /// Distance beyond the end of a bridge at which the layer below must support it.
 constexpr double kBeyondNm = 20'000;
@@ -26,7 +26,7 @@ constexpr int kDirections = 12;
 
 Point ToPoint(const Vector2& v) { return {std::llround(v.x()), std::llround(v.y())}; }
 
-/// Stripe along a direction that is exactly as wide as a ring.
+/// Stripe along a direction. It is as wide as a ring (such as a hole) across this direction.
 struct Stripe {
   Vector2 along;
   /// Limit towards the right, measured along `along` turned left.
@@ -83,8 +83,8 @@ class Recess {
   }
 
  private:
-  /// Returns the parts of `area` that lie inside the stripes of one hole in all of the directions
-  /// `paths`, and that contain this hole.
+  /// Returns the parts of `area` that contain a hole and are inside this hole's stripes in all
+  /// directions of `paths`.
   MultiPolygon Crossed(const MultiPolygon& area, const std::vector<Vector2>& paths) const {
     MultiPolygon all;
     for (const Polygon& hole : holes_) {
@@ -99,8 +99,9 @@ class Recess {
     return Union(Rings(all), FillRule::kNonZero);
   }
 
-  /// Returns the bridging direction with the crossed stripes closest around the holes, so that the
-  /// layers above have least left to bridge. Among directions within 1 %, the shortest bridges win.
+  /// Returns the bridging direction for which the crossed stripes are closest around the holes. So
+  /// the layers above have the least left to bridge. Among directions within 1 %, the one with the
+  /// shortest bridges wins.
   std::optional<Vector2> BestWay() const {
     constexpr double kAlike = 1.01;
     std::optional<Vector2> best;
@@ -153,8 +154,9 @@ class Recess {
     return longest;
   }
 
-  /// Returns the length of the bridge through the point at distance `at` along `along` and `aside`
-  /// across it. Returns nothing if one end of the bridge is not supported.
+  /// Returns the length of the bridge along `along` through a point. The point's coordinates are
+  /// `at` along this direction and `aside` across it. Returns nothing if one end of the bridge is
+  /// not supported.
   std::optional<double> SpanAt(const Vector2& along, double at, double aside) const {
     const Vector2 across = TurnedLeft(along);
     if (Locate(ToPoint(at * along + aside * across), air_) == Side::kOutside) return std::nullopt;

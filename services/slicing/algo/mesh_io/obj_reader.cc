@@ -122,7 +122,7 @@ class ObjParser {
     return absl::OkStatus();
   }
 
-  /// Stores the largest vertex index used so far, and its line. An index may precede its vertex, so
+  /// Stores the largest vertex index used so far, and its line. A face may precede its vertices, so
   /// indices can be checked only at the end of the file.
   void Remember(size_t from_one) {
     if (from_one <= highest_) return;

@@ -41,8 +41,8 @@ std::vector<Use> UsesOf(const PlyElement& element) {
   return uses;
 }
 
-/// Parser of the data behind a header, number by number. It never allocates memory according to a
-/// count in the file.
+/// Parser of the data behind a header, number by number. It never trusts a count in the file when
+/// it allocates memory.
 template <typename Values>
 class PlyParser {
  public:
@@ -105,7 +105,8 @@ class PlyParser {
   }
 
   absl::Status List(PlyType type, double length, Use use) {
-    // In an ASCII file, the length of a list may be any number.
+    // In an ASCII file, a list's length may be written as any number, also negative or with
+    // decimals.
     if (!(length >= 0 && length <= UINT32_MAX && length == std::floor(length)))
       return Malformed("the length of a list is invalid");
     const auto count = static_cast<int64_t>(length);

@@ -12,7 +12,7 @@ namespace {
 
 bool IsBlank(char c) { return c == ' ' || c == '\\' || (c >= '\t' && c <= '\r'); }
 
-/// Returns the value of a number that is out of range: 0 if it is too small, else infinity.
+/// Returns the value of a number beyond the range of double: 0 if it is too small, else infinity.
 /// from_chars returns no value for such a number, so its exponent or its leading zero decides.
 double OutOfDoubleRange(std::string_view number) {
   const size_t exponent = number.find_first_of("eE");
@@ -50,8 +50,8 @@ LineReader::LineReader(std::string_view text, int64_t max_line_bytes, bool joins
 }
 
 size_t LineReader::LineEnd(size_t begin) {
-  // The next line ends are kept between calls. So a text that has only LF or only CR is searched
-  // for the missing character only once.
+  // The positions of the next line ends are kept between calls. So a text that has only LF or only
+  // CR is searched for the missing character only once.
   if (next_lf_ < begin) next_lf_ = std::min(text_.find('\n', begin), text_.size());
   if (next_cr_ < begin) next_cr_ = std::min(text_.find('\r', begin), text_.size());
   return std::min(next_lf_, next_cr_);

@@ -25,7 +25,7 @@ std::string Quoted(std::string_view name) {
   return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
 }
 
-/// Returns the outline that contains the object's outlines after they grow.
+/// Returns the footprint grown by `grow_nm`. It contains the object's grown outlines in all layers.
 Polygon Grown(const Polygon& hull, Coord grow_nm) {
   if (grow_nm <= 0) return hull;
   const MultiPolygon grown = Offset({{hull, {}}}, grow_nm);

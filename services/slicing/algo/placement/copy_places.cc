@@ -24,7 +24,7 @@ constexpr Coord kUm = 1'000;
 Coord ToWholeUm(Coord nm) { return (nm >= 0 ? nm + kUm / 2 : nm - kUm / 2) / kUm * kUm; }
 Point ToWholeUm(Point p) { return {ToWholeUm(p.x), ToWholeUm(p.y)}; }
 
-/// Copy without a given position, which is to be arranged.
+/// Copy without a given position.
 struct Free {
   size_t object = 0;
   size_t copy = 0;

@@ -17,7 +17,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Returns the shapes of the objects on the bed, per object.
+/// Returns the placed meshes of the objects, indexed by object.
 absl::StatusOr<std::vector<PlacedObject>> ShapesOf(SliceInput& input, const MeshSource& source,
                                                    const CancelToken& cancel) {
   PartMeshes meshes(std::move(input.files), input.objects, source, cancel);
@@ -59,8 +59,8 @@ int FewestPlates(const std::vector<ArrangeItem>& items, const ArrangeOptions& op
 }
 
 /// Arranges the items without rotation. If items are left over or the result needs more plates than
-/// the minimum, arranges them again with rotations. Returns the result that places all items on
-/// fewer plates.
+/// the minimum, arranges them again with rotations. Returns the better of the two results: it
+/// places all items and needs fewer plates.
 absl::StatusOr<Arrangement> ArrangeAll(std::vector<ArrangeItem> items,
                                        const std::vector<FixedFootprint>& fixed,
                                        const ArrangeOptions& options, const CancelToken& cancel) {

@@ -12,8 +12,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Refuses a 3MF project as a single mesh. A project defines how its meshes are turned, scaled and
-/// combined, so printing them as they are in the file would be wrong.
+/// Returns an error if a 3MF project is used as a single mesh. A project defines how its meshes are
+/// rotated, scaled and combined, so printing them as they are in the file would be wrong.
 absl::Status CheckNoProject(const MeshFile& file) {
   const MeshFormat format =
       file.format == MeshFormat::kUnknown ? DetectFormat(file.bytes) : file.format;
@@ -27,8 +27,8 @@ absl::StatusOr<PlacedPart> PlacedPartOf(const RawMesh& raw, const Transform& tra
   absl::StatusOr<IndexedMesh> mesh = TransformMesh(raw, transform);
   if (!mesh.ok()) return mesh.status();
   PlacedPart part{*std::move(mesh), {}, static_cast<int64_t>(raw.positions.size())};
-  // Points a fraction of a nanometre apart are two points in the file, and the report is about the
-  // file.
+  // Rounding has merged points that are distinct in the file. The report is about the file, so it
+  // counts the file's edges.
   if (part.mesh.vertices.size() < raw.positions.size())
     part.edges_of_file = CountEdges(raw.triangles, raw.positions.size());
   return part;

@@ -52,7 +52,8 @@ absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject p
   return object;
 }
 
-/// Returns the error with its object in front, if there are several objects.
+/// Returns the error with the object's number and name in front of its message, if there are
+/// several objects.
 absl::Status OfObject(const std::vector<ObjectInput>& objects, size_t index,
                       const absl::Status& status) {
   if (status.ok() || objects.size() == 1 || absl::IsCancelled(status)) return status;
@@ -71,7 +72,7 @@ bool IsFree(const ObjectInput& object) {
   });
 }
 
-/// Positions of the copies, per object.
+/// Positions of the copies, indexed by object and copy.
 using Shifts = std::vector<std::vector<Point>>;
 
 bool IsOffBed(const Polygon& footprint, Point shift, const Polygon& bed) {
@@ -79,8 +80,8 @@ bool IsOffBed(const Polygon& footprint, Point shift, const Polygon& bed) {
          Intersection({{Moved(footprint, shift), {}}}, {{bed, {}}}).empty();
 }
 
-/// Removes copies parked beside the bed from `shifts` and returns their number per object. They are
-/// not printed. If all copies are beside the bed, none is removed.
+/// Removes the copies beside the bed from `shifts`, because they are not printed. Returns the
+/// number of removed copies of each object. If all copies are beside the bed, none is removed.
 std::vector<int64_t> TakeParked(const std::vector<ObjectInput>& inputs,
                                 const std::vector<PlacedObject>& placed, const Polygon& bed,
                                 Shifts& shifts) {
@@ -103,8 +104,8 @@ std::vector<int64_t> TakeParked(const std::vector<ObjectInput>& inputs,
   return parked;
 }
 
-/// Finds the positions of the copies and removes the copies beside the bed; `parked` receives their
-/// number per object. Checks that each remaining copy fits at its position.
+/// Finds the positions of the copies and removes the copies beside the bed; `parked` receives the
+/// number of removed copies of each object. Checks that each remaining copy fits at its position.
 absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
                                 const std::vector<PlacedObject>& placed,
                                 const SlicingOptions& options, const CancelToken& cancel,

@@ -41,7 +41,7 @@ absl::Status CheckWithin(const SurfaceMesh& mesh, const std::string& object) {
   return absl::OkStatus();
 }
 
-/// Returns the transformed mesh. The identity is skipped so that it changes no bit of a coordinate.
+/// Returns the transformed mesh. The identity is not applied, so that coordinates keep all bits.
 SurfaceMesh Transformed(const RawMesh& raw, const Transform& transform) {
   SurfaceMesh mesh;
   mesh.points_mm.reserve(raw.positions.size());

@@ -16,21 +16,22 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Smallest step between two heights, approximately. Thick layers have larger steps, so that there
-/// are at most kMostSteps.
+/// Approximate distance between two possible layer ends, in nm. With thick layers the distance is
+/// larger, so that a layer has at most kMostSteps possible heights.
 constexpr Coord kLeastStepNm = 10'000;
 constexpr Coord kMostSteps = 48;
-/// Smallest area of a level face that counts. Smaller ones are not visible as a top surface.
+/// Smallest area in nm^2 of a level face that needs a layer top. Smaller faces are not visible.
 constexpr double kLeastLevelNm2 = 1e12;
 /// Distance below which two level faces count as one.
 constexpr Coord kSameNm = 2'000;
 
-/// Costs of a solution: the number of layers counts most, then missed levels, then changes of
-/// height.
+/// Costs of a solution. The number of layers counts most, then level faces without a layer top,
+/// then changes of height.
 constexpr int64_t kLayer = 1'000'000;
 constexpr int64_t kMissedLevel = 10 * kLayer;
-constexpr int64_t kJump = 5 * kLayer;  ///< cost of neighbours that differ by more than the ratio
-constexpr Coord kChangeNm = 100;       ///< change of height that costs 1
+/// cost of two neighbouring layers with a height ratio above the limit
+constexpr int64_t kJump = 5 * kLayer;
+constexpr Coord kChangeNm = 100;  ///< change of height that costs 1
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 struct Slope {
@@ -69,8 +70,8 @@ std::vector<Coord> Levels(const std::vector<Slope>& faces, Coord from, Coord to)
   return levels;
 }
 
-/// Possible ends of layers. The heights from one level to the next are divided into equal steps.
-/// Beyond the top, they continue as far as the last layer may reach.
+/// Possible ends of layers. The heights from one level face to the next are divided into equal
+/// steps. The ends continue above the object's top, as far as the last layer may reach.
 struct LayerEnds {
   std::vector<Coord> z;
   std::vector<uint8_t> level;  ///< 1 if the height is a level
@@ -100,8 +101,8 @@ LayerEnds EndsFor(const std::vector<Coord>& levels, Coord first, Coord top, Coor
   return places;
 }
 
-/// Returns for each interval between two possible ends the largest height of a layer that covers
-/// it.
+/// Returns for each interval between two consecutive possible ends the largest height of a layer
+/// that contains the interval.
 std::vector<Coord> Bounds(std::vector<Slope> faces, const LayerEnds& places,
                           const AdaptiveHeights& options) {
   const size_t count = places.z.size() - 1;
@@ -142,8 +143,9 @@ std::optional<Coord> AskedAt(Coord bottom_nm, const std::vector<RangeInput>& ran
   return std::nullopt;
 }
 
-/// Dynamic program over all possible layer ends. It stores the best sequence of layers for each
-/// end, by the last layer. The lowest layer is always allowed, so there is always a solution.
+/// Dynamic program over all possible layer ends. For each end and each height of the last layer, it
+/// stores the best sequence of layers. The lowest layer is always allowed, so there is always a
+/// solution.
 class Fitting {
  public:
   /// `most_nm`: the greatest allowed height of a layer.
@@ -181,7 +183,7 @@ class Fitting {
 
   State& At(size_t place, size_t back) { return states_[place * (reach_ + 1) + back]; }
 
-  /// Tries all layers on top of a layer that ends at index `i`.
+  /// Tries all layers on top of the layer that ends at index `i` and is `back` steps high.
   void GoOn(size_t i, size_t back) {
     const State from = At(i, back);
     const Coord before = back == 0 ? 0 : places_.z[i] - places_.z[i - back];
@@ -222,7 +224,8 @@ class Fitting {
     return lowest ? Fit::kJump : Fit::kTooHigh;
   }
 
-  /// Returns the best end of the last layer: at the top, or less than half a layer away from it.
+  /// Returns the best end of the last layer: at the object's top, or less than half a layer away
+  /// from it.
   Key Best() {
     Key best{0, 0};
     int64_t least = kNever;

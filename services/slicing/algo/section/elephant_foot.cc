@@ -26,7 +26,7 @@ constexpr Coord kCrumbNm = 50'000;         // half of the largest width of tips 
 constexpr double kArcToleranceNm = 2'500;
 constexpr Coord kSearchNm = 100;  // accuracy of the search for the largest shrinkage
 
-/// Shrinkage of the outline at a point of an edge.
+/// Shrinkage (depth) of the outline at a point of an edge.
 struct Sample {
   double at_nm = 0;  ///< distance from the edge's start
   double depth_nm = 0;
@@ -124,8 +124,8 @@ class Shrinkage {
     return samples;
   }
 
-  /// Returns true if the shrinkage must be continuous at the edge's end. It may have a step at
-  /// convex corners only.
+  /// Returns true if the shrinkage must be continuous at the edge's end. It may jump only at convex
+  /// corners.
   static bool GoesOn(const OutlineEdge& edge) {
     const Vector2 a = edge.inward, b = edge.inward_after;
     return edge.reflex_to || a.x() * b.x() + a.y() * b.y() > kCosOfCorner;
@@ -156,8 +156,8 @@ class Shrinkage {
     return reversed;
   }
 
-  /// Limits the slope along each ring, twice in each direction. One turn is not enough if the
-  /// smallest depth is not at the ring's start.
+  /// Limits the slope along each ring, in two rounds in each direction. One round is not enough if
+  /// the smallest depth is not at the ring's start.
   void Ramp() {
     const std::vector<OutlineEdge>& edges = width_.edges();
     std::vector<double> start(edges.size());
@@ -203,7 +203,7 @@ class Shrinkage {
     }
   }
 
-  /// Appends the sector that a reflex corner at the edge's end sweeps.
+  /// Appends the sector between the strips of two edges that meet at a reflex corner.
   static void AppendFan(const OutlineEdge& edge, double depth_nm, std::vector<Polygon>& strips) {
     if (!edge.reflex_to || depth_nm == 0) return;
     const Vector2 a = edge.inward, b = edge.inward_after;
@@ -235,8 +235,8 @@ class Shrinkage {
   std::vector<std::vector<Sample>> samples_;  ///< samples per edge; at least two
 };
 
-/// Returns the largest part of the compensation for which the island's widest point keeps
-/// min_width.
+/// Returns the largest shrinkage, up to the compensation, that leaves the island's widest point at
+/// least min_width wide.
 Coord LargestShrinkage(const MultiPolygon& island, Coord compensation_nm, Coord min_width_nm) {
   const auto leaves = [&](Coord shrinkage_nm) {
     return !Offset(island, -(shrinkage_nm + min_width_nm / 2), {.join = Join::kRound}).empty();
@@ -251,7 +251,7 @@ Coord LargestShrinkage(const MultiPolygon& island, Coord compensation_nm, Coord 
   return least;
 }
 
-/// Returns the island without the removed strips. Returns nothing if the rest is not one island
+/// Returns the island without the removed strips. Returns nothing if the result is not one island
 /// with the original number of holes.
 std::optional<PolygonWithHoles> Shrunk(const PolygonWithHoles& island, Coord compensation_nm,
                                        Coord min_width_nm, OppositeAngles angles) {

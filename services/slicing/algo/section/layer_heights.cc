@@ -20,11 +20,11 @@ absl::Status HeightError(std::string_view setting, Coord got_nm) {
                    {{"setting", std::string(setting)}, {"got", std::to_string(got_nm)}});
 }
 
-/// Tolerance: a range also contains a layer if the range starts at most this much above its bottom.
+/// A range also contains a layer if the range starts at most this much above the layer's bottom.
 constexpr Coord kReachNm = 35'000;
 
-/// Returns the layer height at `z_nm`, by linear interpolation between the given heights. Before
-/// the first and after the last one, the nearest height counts.
+/// Returns the layer height at `z_nm`, by linear interpolation between the given heights. Below the
+/// first and above the last given z, their heights apply.
 Coord HeightIn(const std::vector<LayerHeightAt>& profile, Coord z_nm) {
   const auto above = std::ranges::upper_bound(profile, z_nm, {}, &LayerHeightAt::z_nm);
   if (above == profile.begin()) return above->height_nm;
@@ -45,7 +45,8 @@ Coord HeightAt(Coord bottom_nm, const LayerHeights& heights) {
   return heights.others_nm;
 }
 
-/// Deviation from round numbers in the meshes of other programs.
+/// Tolerance for the object's top: other programs write meshes that deviate from round numbers by
+/// up to this.
 constexpr Coord kRoundingNm = 100;
 
 /// Returns true if the middle of a layer lies above the top.

@@ -30,7 +30,7 @@ void SetNormals(OutlineEdge& edge) {
   if (edge.reflex_to) widen(edge.inward_after);
 }
 
-/// Returns true if two edges may touch a disc on sides that count as opposite.
+/// Returns true if a disc may touch both edges on sides that count as opposite.
 bool MayBeOpposite(const OutlineEdge& a, const OutlineEdge& b, OppositeAngles angles) {
   const double off =
       std::remainder(a.middle_rad - b.middle_rad - std::numbers::pi, 2 * std::numbers::pi);
@@ -86,7 +86,8 @@ void ForEachDisc(Point p, Vector2 n, const OutlineEdge& edge, Visit visit) {
   }
 }
 
-/// Returns true if a direction is between the two normals of a reflex corner, clockwise.
+/// Returns true if a direction is within the fan of normals of a reflex corner: from `first`
+/// clockwise to `last`.
 bool IsBetween(Vector2 first, Vector2 d, Vector2 last) {
   return Cross(first, d) <= 0 && Cross(d, last) <= 0 && Dot(first + last, d) > 0;
 }
@@ -100,8 +101,8 @@ Point Nearest(Point p, const OutlineEdge& edge) {
           edge.from.y + std::llround(edge.along.y() * t)};
 }
 
-/// Calls visit(normal) for the normals at a point of an edge that matter for another edge: one
-/// normal, or three representative ones at a reflex corner.
+/// Calls visit(normal) for the normals at a point of an edge for which the distance to another edge
+/// is measured: one normal, or three representative ones at a reflex corner.
 template <typename Visit>
 void ForEachNormal(const OutlineEdge& edge, Point p, const OutlineEdge& other, Visit visit) {
   visit(edge.inward);

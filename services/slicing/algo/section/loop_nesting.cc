@@ -28,16 +28,17 @@ struct Edge {
   Point left;  ///< the lesser end
   Point right;
   uint32_t loop = 0;
-  uint32_t index = 0;  ///< index of its first corner in the loop
+  uint32_t index = 0;  ///< index in its loop of the corner at which the edge begins
   bool to_right = false;
 
   Coord Bottom() const { return std::min(left.y, right.y); }
   Coord Top() const { return std::max(left.y, right.y); }
 };
 
-/// Results of the sweep for a loop, found at its least corner.
+/// Result of the sweep for a loop. It is found at the loop's smallest corner, the first one in the
+/// sweep.
 struct Nest {
-  uint32_t parent = kNoLoop;  ///< loop immediately around this one
+  uint32_t parent = kNoLoop;  ///< loop immediately around this loop; kNoLoop: there is none
   int outside = 0;            ///< winding number outside the loop
   int inside = 0;
   bool counter_clockwise = false;
@@ -56,7 +57,7 @@ class LoopNester {
     budget_ = kTestsPerEdge * static_cast<int64_t>(count);
   }
 
-  /// Returns false if two edges meet or the budget is spent.
+  /// Sweeps over all edges. Returns false if two edges meet or the budget is spent.
   bool Sweep() {
     nests_.resize(loops_.size());
     std::vector<bool> seen(loops_.size(), false);
@@ -133,9 +134,9 @@ class LoopNester {
     return (side != 0 ? side : Orientation(a.left, a.right, b.right)) < 0;
   }
 
-  /// Sets the nest of the loop with first edge `edge` by looking down from its least corner. Edges
-  /// that end at this x are ignored and edges that begin at it count, as if the line of sight were
-  /// slightly to the right.
+  /// Sets the nest of a loop at its smallest corner, where `edge` begins, by looking at the edges
+  /// below this corner. Edges that end at this x are ignored and edges that begin at it count, as
+  /// if the line of sight were slightly to the right.
   void Nestle(const Edge& edge) {
     const Point corner = edge.left;
     Nest& nest = nests_[edge.loop];

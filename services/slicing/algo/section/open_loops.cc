@@ -16,12 +16,13 @@ constexpr double kMaxGapOfLength = 0.3;
 constexpr Coord kFirstRadiusNm = 4;
 constexpr Coord kRadiusGrowth = 4;
 
-/// Chain c begins at end 2 c and stops at end 2 c + 1.
+/// Index of a chain's end: 2 c is the first point of chain c, 2 c + 1 its last point.
 uint32_t ChainOf(uint32_t end) { return end / 2; }
 bool Begins(uint32_t end) { return end % 2 == 0; }
 uint32_t Across(uint32_t end) { return end ^ 1; }
 
-/// Returns true if joining the two ends reverses one of the chains; they are then of the same kind.
+/// Returns true if joining the two ends reverses one of the chains: both are first points or both
+/// are last points.
 bool Turns(uint32_t a, uint32_t b) { return Begins(a) == Begins(b); }
 
 Coord Manhattan(const Polyline& line) {
@@ -43,7 +44,7 @@ struct Candidate {
 class ChainJoiner {
  public:
   explicit ChainJoiner(std::vector<Polyline> chains) : chains_(std::move(chains)) {
-    // After sorting, the numbers of chains follow their positions, so ties are broken by position.
+    // Chains are sorted by position, so that ties between chain indices are decided by position.
     std::sort(chains_.begin(), chains_.end());
     partner_.assign(2 * chains_.size(), kNoEnd);
     for (uint32_t end = 0; end < partner_.size(); ++end) far_end_.push_back(Across(end));
@@ -195,9 +196,11 @@ class ChainJoiner {
   }
 
   std::vector<Polyline> chains_;
-  std::vector<uint32_t> partner_;      ///< end to which each end is joined
-  std::vector<uint32_t> far_end_;      ///< other free end of the joined line, per free end
-  std::vector<double> length_of_end_;  ///< length of the line with its gaps, per free end
+  std::vector<uint32_t> partner_;  ///< end to which each end is joined
+  /// free end at the other side of the joined line, indexed by free end
+  std::vector<uint32_t> far_end_;
+  /// length of the joined line including its gaps, indexed by free end
+  std::vector<double> length_of_end_;
   double largest_gap_nm_ = 0;
 };
 

@@ -34,7 +34,7 @@ MultiPolygon Cleaned(const MultiPolygon& region) {
   return clean;
 }
 
-/// Moves the edges of holes. Each island is treated separately, because an island in a hole does
+/// Moves the outlines of holes. Each island is treated separately, because an island in a hole does
 /// not belong to the outer island.
 MultiPolygon WithWiderHoles(const MultiPolygon& region, Coord by_nm) {
   MultiPolygon parts;

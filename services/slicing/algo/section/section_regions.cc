@@ -17,8 +17,8 @@ void Append(const MultiPolygon& from, MultiPolygon& to) {
 
 MultiPolygon United(const MultiPolygon& areas) { return Union(Rings(areas), FillRule::kNonZero); }
 
-/// Returns the areas of solid parts per row of settings. A later part takes its area away from
-/// earlier ones.
+/// Returns the areas of solid parts, indexed by their region settings. Where parts overlap, the
+/// later part gets the area.
 Areas SolidAreas(const std::vector<PartSection>& parts) {
   Areas areas;
   for (const PartSection& part : parts) {
@@ -40,7 +40,7 @@ void CutOut(const MultiPolygon& hole, Areas& areas) {
   for (auto& [row, area] : areas) area = Difference(area, hole);
 }
 
-/// Gives the areas inside the modifier the rows of settings that the modifier defines.
+/// Moves the areas inside a modifier to the region settings that the modifier defines.
 void Modify(const PartSection& modifier, Areas& areas) {
   Areas changed;
   for (auto& [row, area] : areas) {
@@ -56,8 +56,9 @@ void Modify(const PartSection& modifier, Areas& areas) {
   areas = std::move(changed);
 }
 
-/// Fits the areas to the whole after its outlines have moved: they grow or shrink with it.
-/// Remaining parts that no area covers go to the first area.
+/// Fits the areas to the whole after the edits have moved the outlines of the whole. Areas grow by
+/// up to `reach_nm` and are cut to the whole. Parts of the whole that no area covers are added to
+/// the first area.
 void FitInto(const MultiPolygon& whole, Coord reach_nm, Areas& areas) {
   MultiPolygon left = whole;
   for (auto& [row, area] : areas) {
@@ -104,7 +105,8 @@ PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& 
     if (part.role == PartRole::kNegative && !part.outlines.empty()) CutOut(part.outlines, areas);
   MultiPolygon whole;
   for (const auto& [row, area] : areas) Append(area, whole);
-  // A single region gets the outlines of the whole: the same points, not only the same area.
+  // A single region has no united whole: its outlines must keep the same points, not only the same
+  // area.
   if (areas.size() > 1) whole = United(whole);
   whole = Edited(std::move(whole), edits, resolution_nm);
   for (const PartSection& part : parts)

@@ -37,8 +37,8 @@ std::vector<Vertex> Beyond(const std::vector<Vertex>& polygon, Coord z_nm, int s
 }
 
 /// Returns the region without details that its growth by `reach_nm` hides: holes that close, and
-/// steps of less than a twentieth of `reach_nm`. The edge of painted areas is a stair of tiny
-/// triangles.
+/// steps of less than a twentieth of `reach_nm`. The boundary of painted areas consists of many
+/// small steps, because they are painted in tiny triangles.
 MultiPolygon WithoutDetails(MultiPolygon region, Coord reach_nm) {
   const auto simplify = [&](Polygon& ring) {
     Polygon simple = SimplifyRing(ring, reach_nm / 20);

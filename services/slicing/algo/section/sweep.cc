@@ -16,9 +16,9 @@ constexpr uint32_t kAhead = 8;
 /// States of a segment.
 enum : uint8_t { kFree, kHead, kTaken };
 
-/// Tables by the corners of a face that are above (bit i for corner i): the half-edge that rises
-/// through the plane, and the one that falls. Material is to the left of the line from the falling
-/// to the rising one.
+/// Tables of half-edges of a face, indexed by three bits: bit i is set if corner i is above the
+/// plane. kRising: the half-edge that rises through the plane; kFalling: the one that falls. A line
+/// from the falling to the rising half-edge has the material on its left.
 constexpr std::array<uint8_t, 8> kRising = {0, 2, 0, 2, 1, 1, 0, 0};
 constexpr std::array<uint8_t, 8> kFalling = {0, 0, 1, 1, 2, 0, 2, 0};
 

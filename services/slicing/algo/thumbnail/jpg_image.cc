@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kJpgQuality = 85;  // quality of PrusaSlicer
 
-/// Error state. libjpeg reports errors by a function that must not return.
+/// Error state. libjpeg reports an error by calling a function that must not return.
 struct JpgErrors {
   jpeg_error_mgr manager;
   std::jmp_buf back;
@@ -42,8 +42,8 @@ struct JpgBuffer {
   unsigned long size = 0;  // NOLINT: libjpeg's type
 };
 
-/// Compresses the pixels. Has no local objects with a destructor, because errors leave it by
-/// longjmp.
+/// Compresses the pixels. The function has no local objects with a destructor, because an error
+/// leaves it by longjmp.
 bool Compress(uint8_t* pixels, int32_t width, int32_t height, JpgErrors* errors,
               JpgBuffer* buffer) {
   jpeg_compress_struct jpeg = {};

@@ -43,14 +43,14 @@ struct Viewport {
   }
 };
 
-/// Linear function in the picture's plane, relative to a corner.
+/// Linear function of x and y in the picture, relative to a corner of a triangle.
 struct Slope {
   double x = 0;
   double y = 0;
   double at_corner = 0;
 };
 
-/// Triangle in the view, for its samples, depth and brightness.
+/// Triangle in view coordinates. It computes its samples, depth and brightness.
 struct Facet {
   Vector3 a, ab, ac;
   /// Twice the signed area; below zero if it faces the viewer, because the screen's y points down.
@@ -77,8 +77,9 @@ struct Facet {
   }
 };
 
-/// Returns the first sample at or after `low`, for values from 0 on. Sample centres are at halves.
-/// For the upper limit of a range, the result is one past the last sample of the range.
+/// Returns the index of the first sample with its centre at or after `low`, for values from 0 on.
+/// Sample centres are at halves. For the upper limit of a range, the result is one past the range's
+/// last sample.
 int32_t SampleFrom(double low) { return static_cast<int32_t>(low + kHalfSample); }
 
 /// Depth buffer with several samples per pixel on each axis.
@@ -90,8 +91,8 @@ class DepthBuffer {
         depth_(static_cast<size_t>(width) * height, kNothing),
         shade_(depth_.size(), 0) {}
 
-  /// Fills the samples with centres inside the facet that are nearer than the stored ones.
-  /// REQUIRES: the facet is within the buffer.
+  /// Fills the samples with centres inside the facet if the facet is nearer there than the stored
+  /// depth. REQUIRES: the facet is within the buffer.
   void Draw(const Vector3& a, const Vector3& b, const Vector3& c, bool from_behind) {
     const double left = std::min({a.x(), b.x(), c.x()}), right = std::max({a.x(), b.x(), c.x()});
     const int32_t top = SampleFrom(std::min({a.y(), b.y(), c.y()}));
@@ -117,8 +118,8 @@ class DepthBuffer {
     }
   }
 
-  /// Copies another buffer's samples to this one, with the first one at `left`, `top` and nearer by
-  /// `depth`.
+  /// Copies another buffer's samples to this buffer. The other buffer's first sample is put at
+  /// column `left` and row `top`, and its depths are changed by `depth` towards the viewer.
   void Stamp(const DepthBuffer& other, int32_t left, int32_t top, float depth) {
     const int32_t from = std::max(-left, 0), to = std::min(width_ - left, other.width_);
     for (int32_t y = std::max(-top, 0); y < std::min(height_ - top, other.height_); ++y) {
@@ -131,7 +132,8 @@ class DepthBuffer {
     }
   }
 
-  /// Returns the mean of fine x fine samples; parts that no face covers are transparent.
+  /// Returns the mean of the pixel's fine x fine samples. Samples that no face covers are
+  /// transparent.
   Rgba Pixel(int32_t x, int32_t y, int32_t fine) const {
     int32_t covered = 0, shade = 0;
     for (int32_t j = 0; j < fine; ++j) {
@@ -198,7 +200,7 @@ Viewport FitViewport(std::span<const SceneMesh> scene, int32_t width, int32_t he
           (low.y() + high.y() + height / scale) / 2};
 }
 
-/// Returns the vertices in buffer coordinates, with the object at a position.
+/// Returns the vertices in buffer coordinates, with the object's origin at `center`.
 std::vector<Vector3> CornersOf(const IndexedMesh& mesh, Point center, const Viewport& viewport) {
   std::vector<Vector3> corners;
   corners.reserve(mesh.vertices.size());

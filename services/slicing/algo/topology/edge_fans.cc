@@ -20,7 +20,8 @@ __int128 Minor(const EdgeVector& a, const EdgeVector& b, int i, int j) {
 
 int Sign(__int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Returns the sign of the determinant. For three differences within 2^32, its size is below 2^100.
+/// Returns the sign of the determinant. For differences of coordinates within 2^32, its absolute
+/// value is below 2^100.
 int DeterminantSign(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
   return Sign(Minor(a, b, 1, 2) * c[0] + Minor(a, b, 2, 0) * c[1] + Minor(a, b, 0, 1) * c[2]);
 }
@@ -35,12 +36,14 @@ bool IsAlong(const EdgeVector& a, const EdgeVector& b) {
 /// Value of half_turn for a face without area. It has no angle and is sorted before all others.
 constexpr int kFlat = -1;
 
-/// Face at the edge.
+/// One of the faces at the edge.
 struct Leaf {
   uint32_t half_edge = 0;
   bool closes = false;  ///< true if it ends the wedge of material before it, counter-clockwise
   Vertex apex;          ///< corner that is not on the edge
-  int half_turn = 0;    ///< 0 for angles of [0, pi) from the first leaf, 1 for the rest; see kFlat
+  /// half turn in which the face's angle is, from the first leaf: 0 for [0, pi), 1 for [pi, 2 pi);
+  /// or kFlat
+  int half_turn = 0;
 };
 
 class Fan {
@@ -73,7 +76,7 @@ class Fan {
         open.pop_back();
       }
     }
-    // Wedges that are still open continue past the angle where the count began.
+    // The list is circular: wedges that are open at its end are closed by faces at its beginning.
     for (size_t i = 0; i < early.size() && !open.empty(); ++i, open.pop_back())
       link(open.back(), early[i]);
   }

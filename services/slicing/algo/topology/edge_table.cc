@@ -7,8 +7,9 @@ namespace {
 
 /// Half-edge in the bucket of its lower vertex.
 struct Entry {
-  uint32_t far = 0;   ///< upper vertex
-  uint32_t code = 0;  ///< 2 * half-edge, plus 1 if it runs down, from upper to lower
+  uint32_t far = 0;  ///< upper vertex
+  /// 2 * half-edge, plus 1 if the half-edge leads from the upper to the lower vertex
+  uint32_t code = 0;
 
   uint32_t half_edge() const { return code / 2; }
   friend auto operator<=>(const Entry&, const Entry&) = default;
@@ -23,8 +24,8 @@ struct Buckets {
 Buckets SortByLowerVertex(std::span<const Triangle> triangles, size_t vertex_count) {
   Buckets buckets;
   buckets.ends.assign(vertex_count + 1, 0);
-  // Counts are stored one index higher. So after summing, each element is its bucket's start, and
-  // after filling, its end.
+  // Element v + 1 counts the entries of v. So after summing, each element is the start of its
+  // bucket, and after filling, its end.
   for (const Triangle& t : triangles)
     for (int i = 0; i < 3; ++i) ++buckets.ends[std::min(t[i], t[(i + 1) % 3]) + 1];
   for (size_t v = 1; v <= vertex_count; ++v) buckets.ends[v] += buckets.ends[v - 1];

@@ -17,13 +17,13 @@ bool RunAlike(std::span<const Triangle> triangles, uint32_t a, uint32_t b) {
   return OriginOf(triangles, a) == OriginOf(triangles, b);
 }
 
-/// Finds the faces to turn.
+/// Finds the faces to flip.
 class Orienter {
  public:
   Orienter(const IndexedMesh& mesh, const EdgeTable& table)
       : mesh_(mesh), twins_(table.twins), turns_(mesh.triangles.size(), Turn::kUnknown) {}
 
-  /// Returns true for each face to be turned.
+  /// Returns true for each face to be flipped, indexed by face.
   std::vector<bool> FacesToTurn() {
     std::vector<bool> turn(mesh_.triangles.size(), false);
     for (uint32_t face = 0; face < turns_.size(); ++face) {
@@ -36,7 +36,8 @@ class Orienter {
   }
 
  private:
-  /// Fills body_ with the faces connected to `first` and decides each face's turn.
+  /// Fills body_ with the faces connected to `first`. Decides for each of them if it is oriented
+  /// against `first`.
   void Collect(uint32_t first) {
     body_ = {first};
     turns_[first] = Turn::kAsFirst;
@@ -72,7 +73,7 @@ class Orienter {
   std::vector<uint32_t> body_;
 };
 
-/// Returns the new number of a half-edge. A turned face (a, b, c) becomes (a, c, b), so its
+/// Returns the new index of a half-edge. A flipped face (a, b, c) becomes (a, c, b), so its
 /// half-edges 0 and 2 are exchanged.
 uint32_t Renumbered(uint32_t half_edge, const std::vector<bool>& turn) {
   if (!turn[FaceOf(half_edge)]) return half_edge;

@@ -6,8 +6,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Value above which a difference of products is surely not zero. Differences below 2^32 give
-/// products below 2^64, in which a double has errors up to 2^11.
+/// A difference of two products above this value is not zero in exact arithmetic. Factors below
+/// 2^32 give products below 2^64, in which a double has errors up to 2^11.
 constexpr double kSurelyNotZero = 16'384;
 
 bool IsZeroCross(Coord ax, Coord ay, Coord bx, Coord by) {

@@ -20,8 +20,8 @@ int64_t DropCollapsedFaces(std::vector<Triangle>& triangles) {
       triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
 }
 
-/// Keeps the first of several faces with the same corners and orientation, and returns the number
-/// of dropped faces. A sheet of two faces back to back stays. Cost: O(n log n).
+/// Keeps the first of several faces with the same corners and orientation. Returns the number
+/// of removed faces. Two faces back to back are both kept. Cost: O(n log n).
 int64_t DropRepeatedFaces(std::vector<Triangle>& triangles) {
   struct Key {
     Triangle corners;  ///< the smallest index first
@@ -43,9 +43,9 @@ int64_t DropRepeatedFaces(std::vector<Triangle>& triangles) {
       std::erase_if(triangles, [&](const Triangle&) { return repeated[face++]; }));
 }
 
-/// Returns the edges after dropping repeated faces, and adds the number of these faces to
-/// `repeated`. A repeated face gives edges with more than two faces, or with two faces in the same
-/// direction.
+/// Removes repeated faces and returns the edge table of the remaining faces. Adds the number of
+/// removed faces to `repeated`. Repeated faces are searched only if an edge has more than two
+/// faces, or two faces in the same direction.
 EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
   EdgeTable table = BuildEdgeTable(mesh.triangles, mesh.vertices.size());
   if (table.fan_count() == 0 && table.conflicts == 0) return table;
@@ -63,8 +63,8 @@ std::vector<Triangle> MissingFaces(const IndexedMesh& mesh, const EdgeTable& tab
   std::map<uint32_t, std::vector<uint32_t>> from;  // open half-edges per origin
   for (uint32_t h = 0; h < table.twins.size(); ++h)
     if (table.twins[h] == kNoTwin && !in_fan[h]) from[OriginOf(mesh.triangles, h)].push_back(h);
-  // Returns the only open half-edge that starts at the end of this one; kNoTwin if there is none or
-  // more than one.
+  // Returns the only open half-edge that starts where `h` ends; kNoTwin if there is none or more
+  // than one.
   const auto next = [&](uint32_t h) {
     const auto found = from.find(TargetOf(mesh.triangles, h));
     return found == from.end() || found->second.size() != 1 ? kNoTwin : found->second.front();

@@ -35,7 +35,8 @@ class BedLayout {
     for (int axis = 0; axis < 2; ++axis) {
       const double middle = bed_.min[axis] + bed_.size[axis] / 2;
       const double beds = std::round((instance.to_plate(axis, 3) - middle) / pitch_[axis]);
-      // No project has that many beds, and the number may be too large for an integer.
+      // The value may be too large for an integer; in any project, it is at most the number of
+      // beds.
       if (!(std::abs(beds) <= static_cast<double>(count_))) return std::nullopt;
       cell[axis] = static_cast<int64_t>(beds);
     }
@@ -44,7 +45,8 @@ class BedLayout {
     return std::nullopt;
   }
 
-  /// Moves an instance from the common space to the coordinates of bed `index`.
+  /// Converts an instance's position from the common coordinate system to the coordinates of bed
+  /// `index`.
   void TakeOff(size_t index, Instance& instance) const {
     const Cell cell = CellOf(index);
     for (int axis = 0; axis < 2; ++axis)

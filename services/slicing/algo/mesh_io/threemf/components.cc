@@ -37,8 +37,8 @@ absl::Status ComponentTree::Visit(const ObjectKey& key, int64_t depth) {
     if (!inner.ok()) return inner.status();
     if (depth < limits::kMaxComponentsDepth)
       if (absl::Status status = Visit(*inner, depth + 1); !status.ok()) return status;
-    // Objects below the depth limit were not visited. The height counts them as one level, which
-    // exceeds the limit.
+    // Objects deeper than the limit were not visited and have no height. They count as one level
+    // here, which exceeds the limit.
     height = std::max(height, std::max(At(*inner).height, int64_t{0}) + 1);
     node.meshes = std::min(node.meshes + At(*inner).meshes, limits::kMaxParts + 1);
     if (At(*inner).meshes > 0) node.components.push_back({*inner, i});

@@ -29,8 +29,8 @@ constexpr std::array<Unit, 6> kUnits = {{{"micron", 0.001},
                                          {"foot", 304.8},
                                          {"meter", 1000}}};
 
-/// Extensions that may be ignored without changing the geometry: production, materials and
-/// extensions of the slicers.
+/// Extensions that can be skipped, because they do not change the geometry: production, materials
+/// and extensions of the slicers.
 constexpr std::array<std::string_view, 5> kHarmless = {
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",

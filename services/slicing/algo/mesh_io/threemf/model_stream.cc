@@ -12,12 +12,12 @@ namespace {
 
 constexpr size_t kPieceBytes = 256 << 10;
 
-/// Upper bound of the length of the tag end ("vertices>" or "triangles>") before a run of equal
-/// elements.
+/// Length of the longest end of a tag ("vertices>" or "triangles>") after which a run of elements
+/// with one name may follow.
 constexpr size_t kLongestBegin = 10;
 
-/// Returns the end of the first tag that a run of elements may follow; npos if there is none. A
-/// missed or a false tag only costs time.
+/// Returns the end of the first tag after which a run of elements may follow; npos if there is
+/// none. If a tag is missed or found wrongly, this only costs time.
 size_t EndOfRunBegin(std::string_view text) {
   for (size_t at = text.find('>'); at != std::string_view::npos; at = text.find('>', at + 1)) {
     const std::string_view before = text.substr(0, at);
@@ -32,8 +32,8 @@ class ModelStream {
   ModelStream(const std::string& part, MeshReading& reading, std::vector<RawMesh>& meshes)
       : handler_(reading, meshes), parser_(part, handler_) {}
 
-  /// Returns the number of characters used. The caller passes the rest again, with more text behind
-  /// it unless `last` is true.
+  /// Reads the beginning of `text`, and returns the number of characters read. The caller passes
+  /// the unread characters again, with more text behind them unless `last` is true.
   absl::StatusOr<size_t> Feed(std::string_view text, bool last) {
     const size_t size = text.size();
     while (!text.empty()) {
@@ -83,7 +83,7 @@ class ModelStream {
 
   ModelHandler handler_;
   XmlParser parser_;
-  bool in_run_ = false;  ///< true between two elements that the scanner may read
+  bool in_run_ = false;  ///< true inside a run of elements that the scanner reads
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ class RelationshipHandler : public XmlHandler {
   std::string target_;
 };
 
-/// Returns the model that the package names as its own, or the usual one if it names none.
+/// Returns the archive entry of the package's model: the one that its relationships name, or
+/// 3D/3dmodel.model if they name none.
 absl::StatusOr<const ArchiveEntry*> FindModel(const Archive& archive) {
   const ArchiveEntry* model = archive.Find("3D/3dmodel.model");
   if (const ArchiveEntry* relations = archive.Find("_rels/.rels")) {

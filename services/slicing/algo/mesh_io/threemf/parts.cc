@@ -56,9 +56,9 @@ absl::StatusOr<std::vector<Part>> Volumes(const PartsSource& source, const Objec
   return parts;
 }
 
-/// Returns the settings of the object's mesh `index`, which belongs to `component`; null if it has
-/// none. A mesh that is used twice has two entries with the same id. So the entry with the same
-/// index is tried first, as Bambu Studio does.
+/// Returns the settings of the object's mesh `index`, which belongs to `component`; null if there
+/// are none. A mesh that is used twice has two entries with the same id. So the entry with the
+/// index `index` is tried first, as Bambu Studio does.
 const PartSettings* SettingsOf(const ObjectSettings* object, size_t index, ResourceId component) {
   if (object == nullptr) return nullptr;
   const std::vector<PartSettings>& parts = object->parts;

@@ -34,7 +34,8 @@ class PlateLayout {
       : columns_(static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(count))))),
         bed_(bed) {}
 
-  /// Moves an instance from the common space to the coordinates of plate `index`.
+  /// Converts an instance's position from the common coordinate system to the coordinates of plate
+  /// `index`.
   void TakeOff(size_t index, Instance& instance) const {
     if (index == 0) return;
     if (!bed_) {

@@ -12,8 +12,8 @@
 namespace slicefarm::slicing::threemf {
 
 absl::Status CheckTransform(const Transform& transform) {
-  // Least accepted volume of the box that three vectors of length 1 span; a smaller volume means
-  // flat, except for rounding.
+  // Smallest accepted volume of the box that three vectors of length 1 span. With a smaller volume,
+  // the vectors are in one plane except for rounding.
   constexpr double kFlattest = 1e-9;
   if (!transform.array().isFinite().all())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshNotFinite,

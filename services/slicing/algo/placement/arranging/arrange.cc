@@ -128,7 +128,7 @@ std::vector<Polygon> ExcludedPieces(const ArrangeOptions& options) {
   return pieces;
 }
 
-/// Packing task, with the index of the item that each element of its sequence is.
+/// Packing task, and the index of the input item for each element of its sequence.
 struct PreparedItems {
   PackingTask task;
   std::vector<size_t> item_of;
@@ -227,7 +227,7 @@ absl::StatusOr<Packing> BestPacking(const PackingTask& task, Coord distance_nm,
   return *std::move(best);
 }
 
-/// Everything on one plate.
+/// All items on one plate, moved together.
 struct Group {
   std::vector<Point> corners;
   std::vector<Polygon> kept_off;  ///< forbidden translations, as in ShapeVariant

@@ -14,8 +14,8 @@ namespace {
 
 using Octagon = std::array<Point, 8>;
 
-/// Returns the farthest vertices in eight directions. Most other vertices are inside this octagon,
-/// so they are no corners of the hull. Source: Akl and Toussaint 1978.
+/// Returns the farthest vertices in eight directions. Vertices inside this octagon are no corners
+/// of the hull, and most vertices are inside. Source: Akl and Toussaint 1978.
 Octagon ExtremePoints(std::span<const IndexedMesh* const> meshes) {
   constexpr std::array<Point, 8> kDirections = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};

@@ -11,11 +11,12 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Distance by which a double may lie outside and is still tried, in nm.
+/// Largest distance in nm by which a point computed in double may violate a limit and is still
+/// tested exactly.
 constexpr double kSlack = 0.5;
 
-/// Angle limit, in radians: in a sharper wedge, even the largest step would not reach a width of
-/// one grid step.
+/// Smallest angle of a wedge, in radians, in which a grid point is searched. In a sharper wedge,
+/// even the largest step would not reach a width of one grid step.
 constexpr double kSharpest = 4e-3;
 
 Point ExtremeAgainst(const Polygon& hull, Point along) {
@@ -56,7 +57,7 @@ FreePlaces::FreePlaces(const Polygon& bed, const Polygon& hull, Point target) : 
 bool FreePlaces::InBed(Point t) const {
   return std::all_of(limits_.begin(), limits_.end(), [t](const Limit& limit) {
     const Point at = limit.corner + t - limit.from;
-    // For coordinates up to 2^33 nm, the double result is wrong by less than this many nm^2.
+    // Largest error of a double result in nm^2, for coordinates up to 2^33 nm.
     constexpr double kDoubt = 1 << 14;
     const double cross = Cross(limit.along, at);
     return cross > kDoubt || (cross > -kDoubt && Orientation({0, 0}, limit.along, at) >= 0);
@@ -95,7 +96,8 @@ void FreePlaces::Register(Polygon ring) {
 }
 
 std::vector<Vector2> FreePlaces::BedRing(const Polygon& bed) const {
-  // Sutherland-Hodgman clipping: the bed's box around one corner of the hull is cut by each limit.
+  // Sutherland-Hodgman clipping: starts with the bed's box, moved by one corner of the hull, and
+  // cuts it by each limit.
   Box box = Bounds(bed);
   const Point corner = limits_[0].corner;
   box = {box.min - corner, box.max - corner};

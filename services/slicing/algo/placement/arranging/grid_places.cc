@@ -20,8 +20,8 @@ struct Grid {
   Coord dx = 0, dy = 0;
   Coord columns = 0, rows = 0;  ///< size of the largest grid in the bed's box
 
-  /// Returns the offset of the i-th of `of` positions in a row. The row is centred, so for an even
-  /// `of` the positions nearest to the middle are half a pitch away from it.
+  /// Returns the offset of position i of a row with `of` positions. The row is centred: if `of` is
+  /// even, the positions nearest to the middle are half a pitch away from it.
   static Coord Offset(Coord pitch, Coord i, Coord of) {
     return i * pitch - Rounded((of - 1) * pitch / 2);
   }
@@ -59,7 +59,8 @@ std::vector<Point> Block(const Grid& grid, Coord columns, Coord rows, const Free
   return fits ? block : std::vector<Point>{};
 }
 
-/// Returns the most nearly square block of at least `count` positions.
+/// Returns the positions of the most nearly square block that is large enough, at most `count`
+/// positions.
 std::vector<Point> SquarestBlock(const Grid& grid, Coord count, const FreePlaces& free) {
   std::vector<Point> best;
   Coord best_side = INT64_MAX;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastAreaNm2 = 1e9;  // 0.001 mm2: where copies only touch, roundings have less
 
-/// Outline of an object at a height.
+/// Outlines of an object in one layer.
 struct Slice {
   const ObjectSection* section = nullptr;
   Coord bottom_nm = 0;
@@ -57,7 +57,7 @@ class Neighbours {
   int32_t objects_[2];
   Point shift_;
   Slice slices_[2] = {};
-  const MultiPolygon* seen_[2] = {};  ///< outlines compared last
+  const MultiPolygon* seen_[2] = {};  ///< outlines compared last, of both objects
 };
 
 /// Two objects, and the position of the second one's copy relative to the first one's.

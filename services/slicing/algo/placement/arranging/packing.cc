@@ -47,11 +47,12 @@ Size SizeOf(const Shape& shape) {
   return size;
 }
 
-/// Number of items above which an item is also skipped if a slightly smaller one was refused.
+/// With more items than this, an item is also skipped if the plate has refused a slightly smaller
+/// one.
 constexpr size_t kMany = 200;
 constexpr double kHardlySmaller = 0.85;
 
-/// Parts on one plate, and the free positions there for the shape being placed.
+/// Parts on one plate, and the free positions on it for the current shape.
 struct Plate {
   std::vector<std::pair<const std::vector<Polygon>*, Point>> standing;
   std::vector<FreePlaces> free;  ///< one for each variant; empty: not computed yet

@@ -20,7 +20,7 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 constexpr size_t kExact = 20'000;
 constexpr size_t kMostPoints = 12'000;  ///< largest number of points besides the selection
 constexpr int kBins = 32;               ///< bins along each edge of the cube of directions
-/// Distance in nm from which a point outside the first hull is kept.
+/// Smallest distance in nm outside of the first hull at which a point is kept.
 constexpr double kReach = 20'000;
 
 Vector3d AsVector(const Vertex& v) {
@@ -31,7 +31,8 @@ Vector3d AsVector(const Vertex& v) {
 struct Triangulation {
   std::vector<Vector3d> corners;
   std::vector<std::array<uint32_t, 3>> triangles;
-  /// Index of the triangle beyond the edge from i to i + 1.
+  /// Index of the neighbour of each triangle across its edge from corner i to i + 1; indexed by
+  /// triangle and i.
   std::vector<std::array<uint32_t, 3>> beyond;
 };
 
@@ -86,7 +87,7 @@ Vector3d MiddleOf(std::span<const Vertex> vertices) {
   return (min + max) / 2;
 }
 
-/// Returns for each direction the vertex farthest from the middle.
+/// Returns the vertex farthest from the middle in each direction of the cube's bins.
 std::vector<Vertex> Selection(std::span<const Vertex> vertices, const Vector3d& middle) {
   std::vector<double> farthest(kBinCount, -1);
   std::vector<Vertex> chosen(kBinCount);
@@ -103,8 +104,8 @@ std::vector<Vertex> Selection(std::span<const Vertex> vertices, const Vector3d& 
   return selection;
 }
 
-/// Finds by how much points are outside of a hull. It walks over the hull's triangles as seen from
-/// the inside.
+/// Computes the distances of points outside of a hull. It walks from triangle to triangle of the
+/// hull, as seen from a point inside.
 class Reach {
  public:
   explicit Reach(const Triangulation& hull) : hull_(hull), hints_(kBinCount, 0) {
@@ -142,7 +143,7 @@ class Reach {
   std::vector<uint32_t> hints_;  ///< start triangle near each direction
 };
 
-/// Returns few vertices that have nearly the same hull.
+/// Returns a small subset of the vertices that has nearly the same hull.
 std::vector<Vertex> Thinned(std::span<const Vertex> vertices) {
   std::vector<Vertex> points = Selection(vertices, MiddleOf(vertices));
   const Triangulation inner = HullOfPoints(points);

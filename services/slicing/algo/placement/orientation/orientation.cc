@@ -24,10 +24,11 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kContactMm = 0.05;
-/// Tolerance in degrees: faces exactly at the angle differ by rounding.
+/// Tolerance in degrees, because rounding changes the angle of a face that is exactly at the limit.
 constexpr double kDoubtDeg = 0.1;
 constexpr size_t kMostCandidates = 40;
-constexpr double kSame = 1e-6;  ///< square of an angle of 0.06 degrees
+/// largest squared difference of normals, or of rotations, that count as equal: about 0.06 degrees
+constexpr double kSame = 1e-6;
 constexpr double kHeightWeight = 0.25;
 constexpr double kContactWeight = 0.25;
 
@@ -40,7 +41,7 @@ struct Body {
   SpaceHull hull;
   Vector3d mass = Vector3d::Zero();  ///< centre of mass
   double hull_mm2 = 0;
-  double size_mm = 0;  ///< square root of the hull's area
+  double size_mm = 0;  ///< square root of the area of the hull's surface
 };
 
 Vector3d CenterOfMass(const IndexedMesh& mesh, const Body& body) {
@@ -99,7 +100,7 @@ void Measure(const IndexedMesh& mesh, Body& body) {
   body.mass = CenterOfMass(mesh, body);
 }
 
-/// Directions that may be turned down, with the area of the faces that point there.
+/// Candidate directions for pointing down. Each has the total area of the faces with this normal.
 class Directions {
  public:
   /// Adds a face. `across`: its normal, with the area as its length.
@@ -135,7 +136,7 @@ class Directions {
   std::map<std::array<int, 3>, Bin> bins_;
 };
 
-/// Returns the smallest rotation that turns `normal` down, computed with + - * / only.
+/// Returns the smallest rotation after which `normal` points down, computed with + - * / only.
 Matrix3d TurnedDown(const Vector3d& normal) {
   if (normal.z() < -1 + 1e-12) return Matrix3d::Identity();
   if (normal.z() > 1 - 1e-12) return Vector3d(1, -1, -1).asDiagonal();
@@ -207,7 +208,8 @@ void AddFaces(const IndexedMesh& mesh, const Body& body, const Stand& stand,
   }
 }
 
-/// Returns all measures of an orientation except the areas of faces, which cost most.
+/// Returns an orientation with all measures except the areas of faces, which are the most
+/// expensive.
 PrintOrientation Measured(const Body& body, const Stand& stand, const Matrix3d& rotation) {
   PrintOrientation result;
   result.rotation = rotation;
@@ -234,8 +236,8 @@ absl::Status CheckOptions(const OrientationOptions& options) {
                    {{"setting", "overhang_deg"}});
 }
 
-/// Returns the best orientations first, each one once. The current orientation occurs twice if it
-/// lies on a face.
+/// Returns the best `count` orientations, best first, each one once. The input contains the current
+/// orientation twice if the object already rests on a face.
 std::vector<PrintOrientation> Ranked(std::vector<PrintOrientation> all, size_t count) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.score < b.score; });

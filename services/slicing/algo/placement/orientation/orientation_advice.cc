@@ -8,8 +8,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Smallest gain in score that justifies turning an object: an overhang area smaller by a fortieth
-/// of its footprint.
+/// Smallest gain in score that justifies rotating an object. It equals an overhang area smaller by
+/// a fortieth of the hull's surface.
 constexpr double kLeastGain = 0.025;
 
 IndexedMesh Together(std::span<const IndexedMesh* const> parts) {

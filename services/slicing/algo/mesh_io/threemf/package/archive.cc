@@ -14,8 +14,8 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-/// Calls the new handler and then throws, as operator new does. C libraries report that memory is
-/// out without calling the handler.
+/// Calls the new handler and then throws, as operator new does. Needed because C libraries return
+/// an error when no memory is left, without calling the handler.
 [[noreturn]] void OutOfMemory() {
   if (const std::new_handler handler = std::get_new_handler()) handler();
   throw std::bad_alloc();
@@ -26,7 +26,7 @@ std::string Printable(std::string_view part) {
   return ReplaceControls(part.substr(0, kMostBytes), '?');
 }
 
-/// Returns the error for a libzip code about unusable data.
+/// Returns the error for a libzip code that means damaged or unsupported data.
 absl::Status ZipError(std::string_view part, int code) {
   switch (code) {
     case ZIP_ER_MEMORY:

@@ -102,7 +102,7 @@ absl::Status XmlParser::Feed(std::string_view text, bool last) {
                                         last && text.empty() ? 1 : 0);
     if (!failed_.ok()) return failed_;
     if (parsed == XML_STATUS_ERROR) return SyntaxError();
-    // The text that is not parsed yet begins at the position of the last event.
+    // The parser has not yet handled the text behind its last event.
     const int64_t pending = fed_ - XML_GetCurrentByteIndex(parser_.get());
     if (pending > limits::kMaxXmlTagBytes + static_cast<int64_t>(kMaxPieceBytes))
       return Placed(

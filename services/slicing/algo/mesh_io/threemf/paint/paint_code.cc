@@ -10,8 +10,8 @@ namespace {
 
 Vector3 Middle(const Vector3& a, const Vector3& b) { return (a + b) / 2; }
 
-/// Returns the parts of a triangle with 1 to 3 halved edges. One halved edge: the edge opposite to
-/// corner `first`. Two: the edges that meet at this corner.
+/// Returns the parts into which a triangle with 1 to 3 halved edges is divided. One halved edge: it
+/// is opposite to corner `first`. Two halved edges: they meet at this corner.
 std::vector<Facet> Divided(const Facet& triangle, int halved, size_t first) {
   const Vector3& a = triangle[first];
   const Vector3& b = triangle[(first + 1) % 3];

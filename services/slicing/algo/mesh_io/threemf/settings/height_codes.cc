@@ -19,7 +19,7 @@ namespace {
 /// Numbers of the code types, equal in both families of slicers.
 enum CodeType { kColorChange = 0, kPausePrint = 1, kToolChange = 2, kTemplate = 3, kCustom = 4 };
 
-/// Returns the type of a code by its G-code text. Files of PrusaSlicer 2.2 have no types.
+/// Returns the type of a code that has only G-code text, as in files of PrusaSlicer 2.2.
 int TypeBefore23(std::string_view gcode) {
   if (gcode == "M600") return kColorChange;
   if (gcode == "M601") return kPausePrint;

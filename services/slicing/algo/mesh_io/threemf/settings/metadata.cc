@@ -28,8 +28,8 @@ constexpr Names kOrcaNames = {"Metadata/project_settings.config", "Metadata/mode
                               "Metadata/custom_gcode_per_layer.xml",
                               "Metadata/layer_heights_profile.txt"};
 
-/// File that has no effect on the print. `mark`: text that the file contains if it is in use.
-/// `words`: description for the user.
+/// File of a slicer that has no effect here. `mark`: text that the file contains if the feature is
+/// in use. `words`: description for the user.
 struct Idle {
   std::string_view name;
   std::string_view mark;
@@ -58,8 +58,8 @@ absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, con
   return read(*text, entry->name);
 }
 
-/// Returns the number of beds. PrusaSlicer 2.9 stores the position of the wipe tower for each bed.
-/// The file has one element per bed and no root, so it is no valid XML.
+/// Returns the number of beds, from the positions of the wipe tower that PrusaSlicer 2.9 stores for
+/// each bed. The file has one element per bed and no root, so it is no valid XML.
 size_t CountBeds(std::string_view wipe_towers) {
   constexpr int kMostBeds = 9;  // limit of PrusaSlicer
   for (int index = kMostBeds - 1; index > 0; --index)

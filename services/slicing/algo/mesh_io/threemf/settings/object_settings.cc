@@ -38,7 +38,7 @@ constexpr std::array<RoleName, 14> kRoles = {{{"ModelPart", PartRole::kSolid},
                                               {"seam_enforcer", PartRole::kSeamEnforcer},
                                               {"seam_blocker", PartRole::kSeamBlocker}}};
 
-/// Internal notes of slicers, which are no settings.
+/// Keys that slicers store for themselves beside the settings.
 constexpr std::array<std::string_view, 24> kNotes = {
     "matrix",           "source_file",     "source_object_id",  "source_volume_id",
     "source_offset_x",  "source_offset_y", "source_offset_z",   "source_in_inches",
