@@ -101,7 +101,8 @@ absl::StatusOr<ProgramOptions> ProgramIn(const EngraveMachineSettings& settings)
   return program;
 }
 
-/// Checks the map: walks over it require a disk without flips, and a client may send any map.
+/// Checks the map, because a client may send any map. Walks over the map require a disk without
+/// flipped triangles.
 absl::Status CheckMap(const MappedSurface& surface) {
   if (absl::Status disk = BoundaryOfDisk(surface.mesh).status(); !disk.ok()) return disk;
   const auto& map = surface.map_mm;

@@ -35,8 +35,8 @@ absl::StatusOr<std::unique_lock<std::timed_mutex>> Locked(MapSlot& slot,
   return lock;
 }
 
-/// Returns the job, prepared once for all calls. Preparation cannot be cancelled: a call that ends
-/// early would spoil it for other calls.
+/// Returns the job, prepared once for all calls. The preparation ignores cancellation, because
+/// other calls use its result too.
 absl::StatusOr<const EngraveJob*> JobOf(const StageCall& call, const Shared<EngraveInput>& input) {
   if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
   const absl::StatusOr<EngraveJob>& job = input.Once(PrepareEngraving);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLightestDistortion = 3;
 
-/// Returns every worked line, in the order of work; the first layer is dark.
+/// Returns every worked line, in the order of work. Lines of the first layer are dark, later layers
+/// lighter.
 std::vector<PictureLine> WorkedLines(const std::vector<LayerPath>& paths) {
   std::vector<PictureLine> lines;
   for (size_t k = 0; k < paths.size(); ++k) {

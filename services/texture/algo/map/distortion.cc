@@ -6,7 +6,8 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Singular values of J and their directions: J is a weighted sum of a rotation and a reflection.
+/// Singular values of J and their directions, as a rotation and a reflection. J is a weighted sum
+/// of these two.
 struct Stretch {
   double first = 0;  ///< the larger one
   double second = 0;
@@ -48,7 +49,7 @@ Eigen::Matrix<double, 2, 3> HatGradients(const RestTriangle& rest) {
   return hats;
 }
 
-/// Returns the derivative of <D, J> by the corners' coordinates.
+/// Returns the derivative of the scalar product <D, J> with respect to the corners' coordinates.
 Eigen::Matrix<double, 6, 1> ByCorners(const Eigen::Matrix2d& d,
                                       const Eigen::Matrix<double, 2, 3>& hats) {
   const Eigen::Matrix<double, 2, 3> by_corner = d * hats;
@@ -138,7 +139,8 @@ LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest) {
 
 RestTriangle NearerRest(const RestTriangle& rest, const Eigen::Matrix2d& jacobian, double bound) {
   const Stretch s = StretchOf(jacobian);
-  // At the largest stretch and at its inverse, x^2 + 1 / x^2 is half of the bound.
+  // Largest allowed stretch x: the energy x^2 + 1 / x^2 is half of the bound, and so it is for 1 /
+  // x.
   const double half = bound / 2;
   const double most = std::sqrt((half + std::sqrt(half * half - 4)) / 2);
   const double change1 = std::clamp(s.first, 1 / most, most) / s.first;

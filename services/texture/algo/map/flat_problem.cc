@@ -21,7 +21,7 @@ MapPoints PointsAt(const MapPoints& points, const std::vector<int32_t>& which) {
   return result;
 }
 
-/// Returns the smallest area of a triangle of the shell at rest.
+/// Returns the smallest area that the undistorted shape of a shell triangle gets.
 double LeastShellArea(const MapPoints& points, const BoundaryLoop& outer) {
   double shortest = kInfinity;
   for (size_t i = 0; i < outer.size(); ++i)

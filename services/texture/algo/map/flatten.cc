@@ -21,11 +21,12 @@ constexpr double kStalledGain = 1e-3;
 constexpr int kPatience = 8;  // iterations in a row with less gain before true references are used
 constexpr double kLeastStep = 1e-14;
 
-/// Phases of the shell's weight. The shell resists less in each phase; finally it only prevents
-/// overlaps. Source: EBP (Su, Ye, Liu, Fu 2020).
+/// Phase of the minimization. The weight of the shell decreases from phase to phase; in the last
+/// one, the shell only prevents overlaps. Source: EBP (Su, Ye, Liu, Fu 2020).
 struct ShellPhase {
   double share = 0;  ///< weight of the whole shell, as a share of the surface's area
-  double until = 0;  ///< relative drop of the energy at which the next phase begins
+  /// relative decrease of the energy per iteration at which the next phase begins
+  double until = 0;
 };
 constexpr ShellPhase kPhases[] = {{1e-3, 1e-3}, {4e-5, 1e-4}, {4e-8, 0}};
 
@@ -33,8 +34,9 @@ void MoveTo(const MapPoints& from, const MapPoints& direction, double step, MapP
   for (size_t i = 0; i < from.size(); ++i) (*to)[i] = from[i] + step * direction[i];
 }
 
-/// Goes downhill along a direction, and doubles the step as long as the energy falls, because the
-/// cut Hessian gives short steps. Returns false if nothing is gained in this direction.
+/// Moves the points along a descent direction. Doubles the step as long as the energy decreases,
+/// because a Hessian without its negative eigenvalues gives short steps. Returns false if no step
+/// decreases the energy.
 bool Descend(const FlatProblem& problem, const NewtonDirection::Way& path, MapPoints* points) {
   const MapPoints from = *points;
   const double start = problem.TotalEnergy(from);
@@ -59,7 +61,7 @@ bool Descend(const FlatProblem& problem, const NewtonDirection::Way& path, MapPo
   return true;
 }
 
-/// Minimizes from the given points on and returns the number of iterations.
+/// Minimizes the energy, starting from the given points. Returns the number of iterations.
 absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options,
                              const CancelToken& cancel, MapPoints* points) {
   NewtonDirection newton(problem);
@@ -83,7 +85,8 @@ absl::StatusOr<int> Minimize(FlatProblem& problem, const FlattenOptions& options
     const double gain = (total - problem.TotalEnergy(*points)) / total;
     drop = (before - problem.MeanEnergy(*points)) / before;
     stalled = gain < kStalledGain ? stalled + 1 : 0;
-    // If the map does not come closer to the references any more, they hold it back.
+    // If the map does not come closer to the true shapes any more, the references near the map are
+    // the reason. Then the true shapes become the references.
     if (exact ? drop < kNearDrop : stalled == kPatience) progressive = false;
     if (!exact) continue;
     const bool last = phase + 1 == std::end(kPhases);

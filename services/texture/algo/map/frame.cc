@@ -36,7 +36,7 @@ void ForNearPairs(std::span<const Eigen::Vector2d> frame, double reach, const Ta
   }
 }
 
-/// Returns the gradient of the gap by the coordinates of a, b and the point.
+/// Returns the gradient of the gap with respect to the coordinates of a, b and the point.
 Eigen::Matrix<double, 6, 1> GapGradient(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                                         const Eigen::Vector2d& p) {
   const Eigen::Vector2d from_a = (p - a).normalized(), from_b = (p - b).normalized();
@@ -76,8 +76,8 @@ std::vector<FrameBarrier::Term> FrameBarrier::Terms(std::span<const Eigen::Vecto
     term.pair = pair;
     term.model.gradient = slope * by_corner;
     term.model.hessian = curve * by_corner * by_corner.transpose();
-    // The gap's curvature is multiplied by a negative slope, so only the part from the edge's
-    // length is positive.
+    // The Hessian of the gap is multiplied by a negative derivative. So only its part from -|ab|
+    // becomes positive; the other parts are left out.
     const Eigen::Vector2d edge = b - a;
     const Eigen::Vector2d across = Eigen::Vector2d(-edge.y(), edge.x()) / edge.norm();
     const Eigen::Matrix2d bend = -slope / edge.norm() * across * across.transpose();

@@ -15,7 +15,7 @@ constexpr double kFrameRadius = 1.05;  // multiple of the map's circle
 constexpr int kLeastFrame = 24, kMostFrame = 200;
 constexpr int kLoopPerFrame = 5;  // points of the loop per point of the frame
 
-/// Numbers of the points of a ring, counter-clockwise.
+/// Indices of the points of a ring, counter-clockwise.
 using Ring = std::vector<int32_t>;
 
 class ShellMaker {
@@ -78,7 +78,8 @@ Ring ShellMaker::EvenRing(size_t count, double radius, const Eigen::Vector2d& to
   return ring;
 }
 
-/// Adds triangles between two rings that begin in the same direction, using the shorter diagonals.
+/// Adds the triangles between two rings. Both rings begin in the same direction from the origin. Of
+/// two possible diagonals, the shorter one is used.
 void ShellMaker::Join(const Ring& inner, const Ring& outer) {
   size_t i = 0, o = 0;
   while (i < inner.size() || o < outer.size()) {

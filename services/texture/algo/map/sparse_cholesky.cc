@@ -37,7 +37,8 @@ Pattern BlocksAt(int32_t count, std::span<const Place> places) {
   return pattern;
 }
 
-/// Expands each entry to a block; blocks on the diagonal keep only their lower triangle.
+/// Expands each entry of a pattern of blocks to a block of entries. Diagonal blocks get only their
+/// lower triangle.
 Pattern Expanded(const Pattern& blocks, int32_t block) {
   Pattern pattern;
   pattern.columns.push_back(0);
@@ -68,7 +69,7 @@ class Cholmod {
   Cholmod(const Cholmod&) = delete;
   Cholmod& operator=(const Cholmod&) = delete;
 
-  /// Returns an order of the blocks that gives few entries in the factor.
+  /// Returns an order of the blocks for which the factor has few entries.
   std::vector<int32_t> OrderOf(const Pattern& blocks) {
     cholmod_sparse view = ViewOf(blocks);
     std::vector<int32_t> order(view.nrow);
@@ -78,7 +79,7 @@ class Cholmod {
     return order;
   }
 
-  /// Returns the shape of the factor; `order` becomes the order of its rows.
+  /// Returns the shape of the factor. Changes `order` to the order of the factor's rows.
   SupernodalShape Analyse(const Pattern& pattern, std::vector<int32_t>* order) {
     cholmod_sparse view = ViewOf(pattern);
     cholmod_factor* factor = cholmod_analyze_p(&view, order->data(), nullptr, 0, &common_);

@@ -15,8 +15,8 @@ constexpr int32_t kSumsAtOnce = 4;     // independent sums at the same time
 using Numbers = Eigen::Map<Eigen::VectorXd>;
 using ConstNumbers = Eigen::Map<const Eigen::VectorXd>;
 
-/// Factors columns [from, to) of a panel. All contributions of earlier columns must have been
-/// subtracted.
+/// Factors the columns [from, to) of a panel. REQUIRES: the contributions of all columns before
+/// `from` are subtracted. Returns false if the matrix is not positive definite.
 bool FactorColumns(double* panel, int32_t rows, int32_t from, int32_t to) {
   for (int32_t k = from; k < to; ++k) {
     double* column = panel + ptrdiff_t{k} * rows;

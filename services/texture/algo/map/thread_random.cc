@@ -28,7 +28,7 @@ Sequence& OfThread() {
 
 void SeedThreadRandom(unsigned int seed) { OfThread().Start(seed); }
 
-/// Functions with the names that the C library's callers use.
+/// Replacements of C library functions, with the same names.
 extern "C" {
 __attribute__((visibility("default"))) void SlicefarmThreadSrand(unsigned int seed) __asm__(
     "srand");

@@ -20,7 +20,8 @@ struct Spring {
   double weight = 1;
 };
 
-/// Returns the edges of the surface, and for each hole the spokes from an additional vertex.
+/// Returns a spring for each edge of the surface, and for each hole the springs from an additional
+/// vertex in its centre to the hole's loop.
 std::vector<Spring> SpringsOf(const SurfaceMesh& mesh, std::span<const BoundaryLoop> loops) {
   std::vector<std::pair<int32_t, int32_t>> edges;
   for (const auto& triangle : mesh.triangles) {
@@ -80,8 +81,8 @@ class SpringNet {
     system_ = std::make_unique<SparseCholesky>(rows_, places);
   }
 
-  /// Makes a spring weaker if its edge is shorter than its share of the surface, and stronger if it
-  /// is longer.
+  /// Weakens a spring if its edge in the map is shorter than its length on the surface requires,
+  /// and strengthens it if the edge is longer.
   void Balance(const std::vector<Eigen::Vector2d>& points) {
     for (Spring& spring : springs_) {
       const double ratio = (points[spring.a] - points[spring.b]).norm() / spring.length_mm;

@@ -22,8 +22,8 @@ absl::Status OutOfReach(const Eigen::Vector3d& place, std::string_view why) {
                                place.y(), place.z(), why));
 }
 
-/// Returns a value as written in the program, so that the next move accounts for digits that are
-/// not written.
+/// Returns a value rounded to the digits that the program has. The next move starts from the
+/// rounded value, so errors do not add up.
 double Rounded(double value, double digits) { return std::round(value * digits) / digits; }
 
 }  // namespace

@@ -26,8 +26,8 @@ bool IsTable(AxisLayout layout) {
   return layout == AxisLayout::kTableAb || layout == AxisLayout::kTableBc;
 }
 
-/// Returns the rotation from the part's coordinates to the table's, or from the head's to the
-/// part's.
+/// Returns a rotation matrix: for a table, from the part's coordinates to the machine's; for a
+/// head, from the head's coordinates to the part's.
 Eigen::Matrix3d TurnOf(AxisLayout layout, const Eigen::Vector2d& angles) {
   switch (layout) {
     case AxisLayout::kNone:

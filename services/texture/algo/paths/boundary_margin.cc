@@ -31,7 +31,8 @@ void AddCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& path, const Eige
   AddShare((-half + std::sqrt(root)) / square, shares);
 }
 
-/// Adds the positions where the line meets the two parallels of a side at distance `radius`.
+/// Adds the relative positions where the line meets the two lines parallel to a side at distance
+/// `radius`.
 void AddBeside(const Eigen::Vector2d& a, const Eigen::Vector2d& path, const Eigen::Vector2d& from,
                const Eigen::Vector2d& to, double radius, std::vector<double>* shares) {
   const Eigen::Vector2d along = (to - from).normalized();

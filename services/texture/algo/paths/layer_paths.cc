@@ -35,8 +35,8 @@ absl::StatusOr<std::vector<double>> FieldOf(const EngravePlan& plan, const LineS
   return StraightField(plan.map, direction);
 }
 
-/// Returns the lines of a style, with the direction of the map in which the lines of each level are
-/// ordered.
+/// Returns the lines of a style, level by level. Also returns the direction of the map in which the
+/// lines of each level are ordered.
 absl::StatusOr<std::vector<LevelSet>> LinesOf(const EngravePlan& plan, const LineStyle& style,
                                               const CancelToken& cancel) {
   const auto field = FieldOf(plan, style, cancel);
@@ -66,7 +66,7 @@ absl::StatusOr<std::vector<LevelSet>> LinesOf(const EngravePlan& plan, const Lin
   return sets;
 }
 
-/// Returns the height of the highest material on the surface while a layer is worked.
+/// Returns the height, above the surface, of the highest material while a layer is worked.
 double TopOf(const EngravePlan& plan, const LayerPath& path) {
   if (plan.options.engraved) return 0;
   return plan.options.outside ? plan.texture.height_mm : path.offset_mm;
@@ -113,7 +113,7 @@ class PathMaker {
            kConnectSpacings * path_->spacing_mm;
   }
 
-  /// Returns true if the path is in the area. It is checked step by step, because a path along an
+  /// Returns true if the path is in the worked area. Each step is tested, because a path along an
   /// outline may be on either side of it by rounding.
   bool IsInArea(const SurfacePoint& from, const std::vector<SurfacePoint>& between,
                 const SurfacePoint& to) const {
@@ -184,7 +184,7 @@ absl::Status FillLayer(const EngravePlan& plan, const std::vector<LevelSet>& lin
   return absl::OkStatus();
 }
 
-/// Returns the areas where masks allow work, as sections to which areas refer.
+/// Returns the areas where masks allow work, as sections that WorkArea refers to.
 std::vector<Section> MaskSections(const EngravePlan& plan) {
   if (!plan.mask) return {};
   const double half[] = {plan.mask->height_mm / 2};

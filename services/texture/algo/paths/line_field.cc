@@ -15,8 +15,8 @@ constexpr int kRoundsOfSquares = 10;  // then the sum of errors instead of squar
 constexpr int kMostRounds = 400;
 constexpr double kSlack = 0.05;  // accepted deviation of gradient lengths from 1
 constexpr double kShrink = 0.3;  // share of a gradient's error forgiven per round
-// Condition to finish: the share kEnough of the lines' length is within the fraction kEven of the
-// requested distance.
+// The iteration ends when at least the share kEnough of the lines' length has a distance within the
+// fraction kEven of the requested distance.
 constexpr double kEven = 0.1;
 constexpr double kEnough = 0.96;
 
@@ -39,8 +39,8 @@ Eigen::Vector2d GradientOf(const FlatHats& hats, const std::array<int32_t, 3>& c
          field[corners[2]] * hats.gradients[2];
 }
 
-/// Returns the vector with its length moved towards an acceptable length. The remaining error is
-/// the given one minus `forgiven`, at least 0.
+/// Returns `v` with its length moved towards the nearest acceptable length. The result's error is
+/// the error of `v` minus `forgiven`, at least 0.
 Eigen::Vector2d NearestFair(const Eigen::Vector2d& v, double forgiven) {
   const double length = v.norm();
   if (length == 0) return v;

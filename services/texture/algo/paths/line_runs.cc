@@ -35,8 +35,8 @@ class MappedLine {
   }
 
   /// Returns the parts of the line in the area. Each piece of a step between two cuts is tested
-  /// separately. If an outline passes through the point between two steps, rounding may assign the
-  /// crossing to neither of them.
+  /// separately. Reason: if an outline passes through the point between two steps, rounding may
+  /// assign the crossing to neither step.
   std::vector<LinePart> PartsIn(const WorkArea& area) const {
     std::vector<LinePart> parts;
     std::vector<double> shares;

@@ -9,8 +9,8 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Returns a direction at a triangle of the surface as a direction in the map; nothing if it is
-/// perpendicular to the triangle.
+/// Converts a direction in space, at a triangle of the surface, to a direction in the map. Returns
+/// nothing if it is perpendicular to the triangle.
 std::optional<Eigen::Vector2d> IntoMap(const SurfaceMap& map, int32_t triangle,
                                        const Eigen::Vector3d& direction) {
   const auto& [a, b, c] = map.mesh().triangles[triangle];

@@ -19,8 +19,9 @@ struct SideOfEdge {
   friend auto operator<=>(const SideOfEdge&, const SideOfEdge&) = default;
 };
 
-/// Returns for each side the triangle on its other side. `name` returns a vertex's number; sides
-/// with equal numbers match.
+/// Returns for each side of a triangle the triangle on its other side; -1 if there is none. `name`
+/// returns the number of a vertex. Two sides are the same edge if the numbers of their vertices are
+/// equal.
 template <typename Name>
 std::vector<std::array<int32_t, 3>> NeighboursBy(const SurfaceMesh& mesh, Name name) {
   std::vector<SideOfEdge> sides;
@@ -56,8 +57,8 @@ double AngleAt(const Eigen::Vector3d& at, const Eigen::Vector3d& a, const Eigen:
   return Atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Returns the mean of the faces' normals around each vertex, weighted by their angles, on the
-/// surface before it was cut.
+/// Returns the normals of the vertices of the surface before it was cut: the mean of the adjacent
+/// faces' normals, weighted by the faces' angles.
 std::vector<Eigen::Vector3d> VertexNormals(const SurfaceMesh& mesh,
                                            const std::vector<Eigen::Vector3d>& faces,
                                            const std::vector<int32_t>& vertex_of) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kInwards = 1e-7;  // share of their triangle by which ends are moved off edges
 
-/// Straight line of a walk. Vertices on it count as left of it.
+/// Straight line of a walk in the map. Vertices exactly on the line count as left of it.
 class Course {
  public:
   Course(const SurfaceMap& map, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -83,8 +83,8 @@ std::vector<int32_t> AlongLoop(const SurfaceMap& map, const std::vector<int32_t>
   return LengthAlong(map, forth) <= LengthAlong(map, back) ? forth : back;
 }
 
-/// Follows the boundary from the side where the line leaves to the next side where it enters again.
-/// Returns the triangle there, or -1.
+/// Follows the boundary from the side where the line leaves the map to the next side where it
+/// enters the map again. Returns the triangle at this side, or -1 if there is none.
 int32_t GoAround(const SurfaceMap& map, const Course& course, const SurfacePoint& left_at,
                  int32_t vertex, SurfaceWalk* walk) {
   const auto place = map.InLoop(vertex);

@@ -10,8 +10,8 @@ Eigen::Vector2d TileAt(const Eigen::Vector2d& place, const Eigen::Vector2d& tile
   return {std::floor(place.x() / tile_mm.x()), std::floor(place.y() / tile_mm.y())};
 }
 
-/// Returns a position in the tile's own coordinates, slightly inside its border. Exactly on a
-/// border, the outlines of neither tile would be met.
+/// Returns a position in the tile's own coordinates, slightly inside the tile's border. Exactly on
+/// the border, the line could miss the outlines of both tiles.
 Eigen::Vector2d WithinTile(const Eigen::Vector2d& place, const Eigen::Vector2d& tile,
                            const Eigen::Vector2d& tile_mm) {
   const Eigen::Vector2d trifle = 1e-11 * tile_mm;

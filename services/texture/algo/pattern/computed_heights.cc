@@ -18,7 +18,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const double kRoot3 = std::sqrt(3.0);
 
-/// Texture in units of its pitch and its height. It repeats after `size`.
+/// Texture in units of its pitch and its height. `size`: period, in pitches.
 struct UnitTexture {
   Eigen::Vector2d size = {1, 1};
   std::function<double(const Eigen::Vector2d&)> height;
@@ -26,8 +26,8 @@ struct UnitTexture {
 
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// Returns 1 if the border is `slope` or more away, 0 outside of it, and values in between on the
-/// flank.
+/// Returns the height of a flank at the distance `inside` from its foot: 0 outside, 1 from `slope`
+/// on.
 double Flank(double inside, double slope) { return Clamp01(inside / slope); }
 
 /// Returns the distance from the nearest integer, 0 to 1/2.
@@ -80,8 +80,8 @@ UnitTexture Hexagons(const TextureSpec& spec) {
           }};
 }
 
-/// Returns the height of a strand around a line, highest at even values of `along` and lowest at
-/// odd ones.
+/// Returns the height of a woven strand that follows a line. It is highest at even values of
+/// `along` and lowest at odd ones.
 double StrandHeight(double across, double along, double width) {
   const double share = across / (width / 2);
   return std::sqrt(std::max(0.0, 1 - share * share)) * (0.6 + 0.4 * Cos(kPi * along));

@@ -6,8 +6,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Cell that contains a position of the period, and the relative position in it. There are `count`
-/// cells.
+/// Cell that contains a position (in one of the two axes), and the relative position in the cell.
 struct CellShare {
   int32_t cell = 0;
   double share = 0;

@@ -95,7 +95,8 @@ bool Section::Contains(const Eigen::Vector2d& place_mm) const {
       const double share = (place_mm.y() - from.y()) / (to.y() - from.y());
       const auto [least, most] = std::minmax(from.x(), to.x());
       const double x = std::clamp(from.x() + share * (to.x() - from.x()), least, most);
-      // A side may be in several cells. It counts only in the cell where it meets the ray.
+      // A side may be listed in several cells. It counts only in the cell that contains its
+      // crossing with the ray.
       if (x > place_mm.x() && CellOf(x, 0) == column) winding += to_above ? 1 : -1;
     }
   }
@@ -125,8 +126,8 @@ void Section::Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
       for (const int32_t i : SidesIn(column, row)) {
         const auto& [from, to] = sides_[i];
         const double turn_from = Turn(a, b, from), turn_to = Turn(a, b, to);
-        // If the line runs along a side, any point of the side is a crossing. So the ends of the
-        // side are cuts too.
+        // If the line is along a side, all points of the side are crossings. The ends of the side
+        // are added.
         if (std::abs(turn_from) <= on_way) AddShareOf(a, b, from, shares);
         if (std::abs(turn_to) <= on_way) AddShareOf(a, b, to, shares);
         if ((turn_from >= 0) == (turn_to >= 0)) continue;

@@ -7,7 +7,7 @@
 namespace slicefarm::texture {
 namespace {
 
-/// Corner at the vertex `from`, with an edge of its triangle there.
+/// Corner of a triangle at the vertex `from`, and one of the two edges of the corner.
 struct Spoke {
   int32_t from = 0;
   int32_t to = 0;

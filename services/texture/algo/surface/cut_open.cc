@@ -11,7 +11,7 @@ OpenedSurface CutOpen(const SurfaceMesh& mesh, std::span<const SeamEdge> seam) {
   OpenedSurface opened{.mesh = mesh, .vertex_of = std::vector<int32_t>(mesh.points_mm.size())};
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
   DisjointSets sectors = CornerFans(mesh, seam);
-  // Per vertex: one corner of each of its sectors, and the sector's number.
+  // For each vertex: one corner of each of its sectors, and the sector's vertex in the opened mesh.
   std::vector<std::vector<std::pair<int32_t, int32_t>>> known(mesh.points_mm.size());
   for (int32_t corner = 0; corner < static_cast<int32_t>(3 * mesh.triangles.size()); ++corner) {
     int32_t& vertex = opened.mesh.triangles[corner / 3][corner % 3];

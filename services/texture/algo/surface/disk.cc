@@ -103,7 +103,7 @@ std::vector<BoundaryLoop> LoopsOf(const SurfaceMesh& mesh, std::vector<int32_t> 
   return loops;
 }
 
-/// Returns a vertex with triangles that are not connected around it, if there is one.
+/// Returns a vertex at which several fans of triangles meet, if there is one.
 std::optional<int32_t> VertexOfSeveralFans(const SurfaceMesh& mesh) {
   DisjointSets fans = CornerFans(mesh, {});
   std::vector<int32_t> first_corner(mesh.points_mm.size(), -1);

@@ -77,8 +77,8 @@ struct ShortestPaths {
   }
 };
 
-/// Runs Dijkstra's algorithm. Of two paths with equal length, it takes the path by the lower
-/// vertex.
+/// Runs Dijkstra's algorithm from the sources. Of two paths with equal length, it chooses the path
+/// over the vertex with the lower index.
 ShortestPaths PathsTo(const EdgeGraph& graph, const std::vector<int32_t>& sources) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   ShortestPaths paths{.distance = std::vector<double>(graph.at.size(), kFar),
@@ -136,15 +136,17 @@ std::vector<int32_t> SeamBetweenExtremities(const SurfaceMesh& mesh, const EdgeG
   return seam;
 }
 
-/// Returns the edges that are neither in the tree of shortest paths nor crossed by a dual tree: two
-/// for each handle. The dual tree takes the edges of the longest loops first.
+/// Returns two edges for each handle: the edges that are neither in the tree of shortest paths nor
+/// crossed by a spanning tree of the faces. The spanning tree prefers edges that close the longest
+/// loops.
 std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
                                const SurfaceTopology& topology, const ShortestPaths& paths) {
   std::vector<bool> in_tree(graph.edges.size(), false);
   for (const int32_t e : paths.edge) {
     if (e >= 0) in_tree[e] = true;
   }
-  // A hole is a separate face, reached last: the surface must be connected without it.
+  // A hole counts as an additional face. It is added to the tree last, because the surface must be
+  // connected without it.
   const auto faces = static_cast<int32_t>(mesh.triangles.size());
   std::vector<int32_t> hole_of(mesh.points_mm.size(), -1);
   for (size_t i = 0; i < topology.loops.size(); ++i) {
@@ -177,7 +179,7 @@ std::vector<int32_t> LoopEdges(const SurfaceMesh& mesh, const EdgeGraph& graph,
   return left;
 }
 
-/// Removes parts of the seam with a free end.
+/// Removes edges of the seam that lead to a free end.
 void Prune(const EdgeGraph& graph, std::vector<int32_t>* seam) {
   std::sort(seam->begin(), seam->end());
   seam->erase(std::unique(seam->begin(), seam->end()), seam->end());
