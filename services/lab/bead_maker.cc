@@ -16,10 +16,10 @@ namespace {
 using beading::VariableWalls;
 using beading::WallLine;
 
-/// Number of walls on either side that fills any part.
+/// Number of walls on each side that is enough to fill any part.
 constexpr int kEnoughWalls = 10'000;
-/// Length of transitions in tenths of a bead width. Longer transitions overlap less and leave more
-/// gaps.
+/// Length of transitions (changes of the number of beads), in tenths of a bead width. With longer
+/// transitions, beads overlap less and leave more gaps.
 constexpr int kTransition = 13;
 /// Layer height at which beads have square sides, so that the width of a bead equals the width that
 /// it fills.

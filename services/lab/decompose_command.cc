@@ -66,7 +66,8 @@ cli::ExitCode Decompose(const DecomposeCommandOptions& options) {
   if (!text.ok()) return cli::Fail(text.status());
   const auto file = ParsePoly(*text);
   if (!file.ok()) return cli::Fail(file.status());
-  // The file has no unit, so only the area decides which points count as collinear.
+  // The file has no unit. So no absolute distance, but only the area, decides which points count as
+  // collinear.
   const exposure::DecomposeOptions how = {.method = kMethods.at(options.method),
                                           .merge_nm = std::numeric_limits<double>::infinity()};
   const auto start = std::chrono::steady_clock::now();

@@ -113,7 +113,8 @@ Coord Scaled(const Decimal& number, int decimals) {
 /// A ring as read from the file.
 struct ReadRing {
   std::vector<Decimal> numbers;  ///< x, y, x, y, ...
-  std::optional<bool> hole;      ///< none: the nesting decides
+  /// true for a hole, false for an outer ring; nullopt: the nesting of rings decides
+  std::optional<bool> hole;
 };
 
 /// Reads words one after another.
@@ -171,7 +172,8 @@ absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
   return rings;
 }
 
-/// Reads two heights, then rings; returns nullopt if the text has another format.
+/// Reads the format `outlines`: two unused numbers, then rings. Returns nullopt if the text has
+/// another format.
 std::optional<std::vector<ReadRing>> ReadOutlineRings(const LineWords& words) {
   WordReader reader(words);
   reader.Next();

@@ -88,7 +88,8 @@ void Hatch(const MultiPolygon& region, Coord pitch_nm, double width_mm, bool upr
   }
 }
 
-/// Writes `count` loops from the outside in. Returns the remaining region.
+/// Writes `count` loops along the region's boundary, from the outside in. Returns the region inside
+/// the loops.
 MultiPolygon Loops(MultiPolygon region, int count, Coord width_nm, Writer& writer) {
   for (int i = 0; i < count; ++i) {
     writer.Loops(FastOffset(region, -width_nm / 2), ToMm(static_cast<double>(width_nm)));
