@@ -26,9 +26,8 @@ class Surcharge {
 enum class SearchDepth : uint8_t {
   kNone,
   kTwoOptAndOrOpt,  ///< reversals of a section, shifts of up to three nodes
-  kThreeOpt,        ///< in addition shifts and reversals of any length
-  /// In addition chains of such moves. The first moves of a chain may bring no gain
-  /// (Lin-Kernighan).
+  kThreeOpt,        ///< shifts and reversals of sections of any length
+  /// Chains of moves. The first moves of a chain need not have a gain (Lin-Kernighan).
   kChains,
 };
 
