@@ -7,8 +7,8 @@
 
 namespace slicefarm::motion {
 
-/// Returns the motion stage in this program: ProgramLayer for each layer, FrameProgram. The stage
-/// is stateless.
+/// Returns the motion stage that runs in this process. It calls ProgramLayer for each layer, and
+/// FrameProgram for the text around the layers. The stage is stateless.
 std::unique_ptr<MotionStage> MakeLocalMotion();
 
 }  // namespace slicefarm::motion

@@ -106,7 +106,7 @@ class Firmware {
   /// Returns true if travels have an acceleration of their own, which is set separately from the
   /// printing acceleration.
   virtual bool HasTravelAcceleration() const = 0;
-  /// Returns true if moves of filament only have an acceleration of their own.
+  /// Returns true if moves in which only the filament moves have an acceleration of their own.
   virtual bool HasRetractAcceleration() const { return true; }
   /// Writes the acceleration of printing, of travels, or of both. A value of 0 is not written.
   /// REQUIRES: at least one value is not 0, and `travel_mm_s2` is 0 if HasTravelAcceleration is

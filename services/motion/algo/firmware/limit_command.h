@@ -24,7 +24,7 @@ class LimitCommand {
 
   /// Adds a parameter if its value is above 0.
   LimitCommand& Set(std::string_view parameter, double value);
-  /// Adds a parameter that may be 0.
+  /// Adds a parameter, even if its value is 0.
   LimitCommand& SetEven0(std::string_view parameter, double value);
   /// Adds the parameters X, Y, Z and E with `values` times `factor`, each if it is above 0.
   LimitCommand& SetAxes(std::span<const double, 4> values, double factor = 1);

@@ -26,11 +26,11 @@ struct StartCode {
 };
 
 /// Writes the commands before the layers:
-/// - wait until the bed is hot; start to heat nozzle and chamber
-/// - the machine's start G-code
-/// - wait until nozzle and chamber are hot
-/// - tool selection, if the machine has several tools
-/// - the filament's start G-code
+/// - Wait until the bed is hot. Start to heat nozzle and chamber.
+/// - The machine's start G-code.
+/// - Wait until nozzle and chamber are hot.
+/// - Tool selection, if the machine has several tools.
+/// - The filament's start G-code.
 ///
 /// A heating command is left out if the start G-code contains it. Without emit_temperatures, all
 /// heating commands are left out. Temperatures that the start G-code sets take effect after the

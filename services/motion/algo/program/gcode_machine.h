@@ -77,8 +77,8 @@ class GcodeMachine {
   /// Runs one line and returns its effect.
   GcodeAction Read(const GcodeLine& line);
 
-  /// Sets the position, speed and printing acceleration that moves outside of the read text have
-  /// left.
+  /// Sets the position, the speed and the printing acceleration of the machine. Call this after
+  /// moves that are not in the text that Read gets.
   void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }
@@ -116,7 +116,8 @@ class GcodeMachine {
   double speed_mm_s_ = 0;   ///< last feed rate (F) in mm/s, before the factor of M220
   double speed_factor_ = 1;
   double flow_factor_ = 1;
-  double filament_unit_mm_ = 1;  ///< mm of filament per unit of E; with M200 the unit is a volume
+  /// mm of filament per unit of E; with M200 the unit of E is 1 mm^3
+  double filament_unit_mm_ = 1;
   std::vector<ProgramMove> moves_;
 };
 

@@ -22,8 +22,8 @@ namespace slicefarm::motion {
 /// A layer's own times assume a standstill before and after the layer. Between two layers, the
 /// clock plans the moves at their ends (LayerEdges) again, together with the travel between them.
 /// It adds the difference to the layers' times. So the sums equal a look-ahead over the whole
-/// program. They are exact if the firmware stops for moves of filament. They do not depend on the
-/// assignment of layers to workers.
+/// program. The sums are exact if the firmware stops for moves in which only the filament moves.
+/// The assignment of layers to workers does not change them.
 class PrintClock {
  public:
   PrintClock(const ProgramSummary& summary, const MotionOptions& options);

@@ -18,7 +18,7 @@ struct ProgramTime {
   /// Printing time per feature, by the names in the slicer's comments ("None" without).
   std::map<std::string, double> feature_s;
   double travel_s = 0;   ///< moves without printing
-  double retract_s = 0;  ///< moves of filament only
+  double retract_s = 0;  ///< time of moves in which only the filament moves
   double before_s = 0;   ///< moves and dwells before the first layer's comment
   std::vector<double> layer_s;
   /// time at which each line's last move ends, from the program's start; indexed by line

@@ -39,7 +39,8 @@ class LayerBelow {
 
   EdgeIndex edges_;
   int32_t columns_ = 0;
-  std::vector<bool> middle_inside_;  ///< true for squares with their middle within the outlines
+  /// true for grid squares with their middle within the outlines; indexed by square
+  std::vector<bool> middle_inside_;
 };
 
 /// Piece of a segment with one supported share (`rest`, in percent). It ends at `to`.

@@ -25,7 +25,7 @@ class PrintSpeeds {
   /// Returns the reduced speed of a wall that is only partly supported. `rest`: supported share of
   /// the width, in percent.
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
-  /// Returns `speed_mm_s`, lowered to the largest volumetric flow.
+  /// Returns `speed_mm_s`, or the speed at the largest volumetric flow if that is lower.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;
   /// Returns `feed_rate` (mm/min), or the feed rate at the largest volumetric flow if `feed_rate`
   /// exceeds it by more than 0.1 %.

@@ -84,7 +84,7 @@ class ToolpathBuilder {
   /// Values that the segments of one width have in common.
   struct Bead {
     Coord width_nm = 0;
-    double filament_per_mm = 0;  ///< in 1e-5 mm
+    double filament_per_mm = 0;  ///< extruded length per mm of bead, in 1e-5 mm
     int32_t feed_rate = 0;
   };
 
