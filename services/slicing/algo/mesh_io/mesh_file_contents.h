@@ -16,9 +16,9 @@ enum class ReadDepth : uint8_t {
 
 /// Contents of a mesh file. MeshRef::mesh of the project's parts is an index into `meshes`.
 ///
-/// STL, OBJ and PLY files have one mesh. For 3MF, `meshes` first has the meshes of the objects that
-/// have one, in mm and in the order of the file. After them it has the surfaces painted as seams
-/// and supports. `meshes` is empty if only the structure was read.
+/// STL, OBJ and PLY files have one mesh. In a 3MF, an object may have a mesh of its own. `meshes`
+/// first contains these meshes, in mm and in the order of the file. After them it contains the
+/// surfaces painted as seams and supports. `meshes` is empty if only the structure was read.
 struct MeshFileContents {
   std::vector<RawMesh> meshes;
   Project project;

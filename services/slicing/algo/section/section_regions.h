@@ -13,7 +13,8 @@ namespace slicefarm::slicing {
 struct PartSection {
   PartRole role = PartRole::kSolid;
   int32_t settings = 0;  ///< index of the part's region settings, for solid parts
-  /// only for modifiers: map from the settings index of a region to its index inside the modifier
+  /// only for modifiers. Key: index of the region settings outside the modifier; value: index
+  /// inside it
   const std::map<int32_t, int32_t>* changes = nullptr;
   MultiPolygon outlines;
 };
