@@ -39,8 +39,8 @@ struct EngraveOptions {
   double least_run_mm = 0;
 };
 
-/// Returns the heights above the texture's base at which it is cut, ascending. They are the middles
-/// of equal layers. The layers are as few as possible with a height of at most `layer_height_mm`.
+/// Returns the height of each layer above the texture's base, ascending. The texture is divided
+/// into as few equal layers as `layer_height_mm` permits. Each layer is cut at its middle.
 std::vector<double> LayerHeights(double texture_mm, double layer_height_mm);
 
 /// Returns the offset of a layer from the surface, along the surface's normal; negative: below the
