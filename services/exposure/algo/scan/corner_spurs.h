@@ -7,8 +7,8 @@ namespace slicefarm::exposure {
 
 /// Options for spurs. A spur is a short line by which a ring reaches into a corner that a round
 /// spot leaves unmelted. At the ring's corner the laser moves outwards to the corner of the area to
-/// be melted, and back. A spur melts an area twice that is about twice as large as the area that it
-/// newly melts. Blunt corners leave almost nothing unmelted, so they have no spurs.
+/// be melted, and back. The area that a spur melts a second time is about twice as large as its
+/// newly melted area. Blunt corners leave almost nothing unmelted, so they have no spurs.
 struct SpurFill {
   double spot_nm = 0;
   double least_nm = 0;  ///< length below which spurs are omitted
