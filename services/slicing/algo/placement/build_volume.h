@@ -25,9 +25,9 @@ struct Bulk {
 bool MeetsExcluded(const Polygon& footprint, Point shift, Coord grow_nm,
                    const std::vector<Polygon>& excluded);
 
-/// Checks that the object, grown and moved to each of `centers`, is within the bed, outside its
-/// excluded areas, below max_print_height and within 32-bit nanometres. A bed with fewer than three
-/// points is unlimited.
+/// Checks that the object, grown and moved to each of `centers`, is within the bed, outside the
+/// bed's excluded areas, below max_print_height and within 32-bit nanometres. A bed with fewer than
+/// three points is unlimited.
 ///
 /// An object fits if all corners of its convex hull are in the bed or on its boundary, and the hull
 /// does not overlap an excluded area. This is exact for convex beds, which all printers have.
