@@ -176,6 +176,19 @@ def check_bucket():
     expect(any(port["port"] == 443 for value in added for port in value.get("ports", [])), "kubernetes: s3: no way out")
 
 
+def check_secure_override():
+    """Checks that deploy/secure.yml gives a certificate of its own to each of our services in docker-compose.yml."""
+    services = yaml.safe_load((DEPLOY.parent / "docker-compose.yml").read_text())["services"]
+    added = yaml.safe_load((DEPLOY / "secure.yml").read_text())["services"]
+    ours = {name for name, service in services.items() if service.get("command")}
+    expect(set(added) == ours, f"secure.yml: services {set(added) ^ ours}")
+    for name, service in added.items():
+        role = name if name in ("coordinator", "proxy", "worker") else f"stage-{name}"
+        expect(f"${{CERTS:-./certs}}/{role}:/etc/slicefarm/tls:ro" in service["volumes"], f"secure.yml: {name}: certificate")
+        files = {f"SLICEFARM_TLS_{key.upper()}": f"/etc/slicefarm/tls/{key}.pem" for key in ("cert", "key", "ca")}
+        expect(service["environment"] == files, f"secure.yml: {name}: environment")
+
+
 def documents(folder):
     for path in sorted(folder.glob("*.yaml")):
         for document in yaml.safe_load_all(path.read_text()):
@@ -371,6 +384,7 @@ def main():
     for path in COMPOSE:
         check_compose(path)
     check_split_stages()
+    check_secure_override()
     check_dockerfile()
     check_migration()
     check_bucket()

@@ -10,6 +10,7 @@ usage: check_docs.py [repo root]        exit 1 and one line per violation
   A path may have `<name>`, `*` or `{a,b}`, and a file of C++ may be named without its suffix.
 - The first version of CHANGELOG.md is the version of CMakeLists.txt.
 - Links: the file and the heading of each link of these documents exist.
+- Alerts: deploy/monitoring/alerts.yml and the table of docs/users/alerts.md have the same names.
 """
 import itertools
 import pathlib
@@ -104,6 +105,15 @@ def check_version():
         yield f"CHANGELOG.md begins with {newest}, CMakeLists.txt has {version}"
 
 
+def check_alerts():
+    rules = set(re.findall(r"^ *- alert: (\w+)$", read("deploy/monitoring/alerts.yml"), re.M))
+    rows = set(re.findall(r"^\|.*?`(\w+)` \|", read("docs/users/alerts.md"), re.M))
+    for name in sorted(rules - rows):
+        yield f"alert {name} is not in docs/users/alerts.md"
+    for name in sorted(rows - rules):
+        yield f"{name} of docs/users/alerts.md is no alert"
+
+
 def anchors(document):
     """Returns the anchors of the document's headings, as GitHub makes them."""
     headings = re.findall(r"^#+ (.*)$", document.read_text(), re.M)
@@ -125,7 +135,7 @@ def check_links():
 
 
 def main():
-    problems = [*check_reasons(), *check_named_tests(), *check_paths(), *check_version(), *check_links()]
+    problems = [*check_reasons(), *check_named_tests(), *check_paths(), *check_version(), *check_links(), *check_alerts()]
     for problem in problems:
         print(problem)
     if not problems:

@@ -15,13 +15,17 @@ TREE = {
     "docs/guide.md": ("# Two words\n\nFiles: common/base/error, common/base/{error,fault}.cc, `services/<name>/README.md`, common/gone/.\n"
                       "[a page](missing.md) [a site](https://example.org/docs/none)\n",),
     "services/coordinator/README.md": ("# Clock\n",),
+    "deploy/monitoring/alerts.yml": ("      - alert: Down\n      - alert: Slow\n",),
+    "docs/users/alerts.md": ("| alert | step |\n|---|---|\n| `Down` | start |\n| `Gone` | look |\n",),
     "docs/reliability.md": ("| a promise | `Clock.Ticks`, `.Stops` |\n",),
     "services/coordinator/clock_test.cc": ("TEST(Clock, Ticks) { Reason::kLate; }\n",),
 }
 EXPECTED = [
     "CHANGELOG.md begins with 1.1.0, CMakeLists.txt has 1.2.0",
     "EARLY is not in docs/users/troubleshooting.md",
+    "Gone of docs/users/alerts.md is no alert",
     "ODD of the README's table is no reason",
+    "alert Slow is not in docs/users/alerts.md",
     "docs/guide.md: the link missing.md has no file",
     "docs/guide.md:3: there is no common/base/fault.cc",
     "docs/guide.md:3: there is no common/gone/",
