@@ -7,7 +7,7 @@
 set -euo pipefail
 
 build=(
-  build-essential cmake ninja-build ccache pkg-config python3 python3-yaml python3-grpcio python3-protobuf
+  build-essential git cmake ninja-build ccache pkg-config python3 python3-yaml python3-grpcio python3-protobuf
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
   libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev liblemon-dev libsuitesparse-dev libexpat1-dev libzip-dev
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev libmicrohttpd-dev
