@@ -63,7 +63,7 @@ TEST(UnionOfMany, TheOrderOfRingsChangesNothing) {
   const MultiPolygon want = UnionOfMany(pieces);
   std::mt19937 random(7);
   std::ranges::shuffle(pieces, random);
-  for (Polygon& piece : pieces) std::ranges::rotate(piece, piece.begin() + 1);
+  for (Polygon& piece : pieces) std::rotate(piece.begin(), piece.begin() + 1, piece.end());
   EXPECT_EQ(UnionOfMany(pieces), want);
 }
 

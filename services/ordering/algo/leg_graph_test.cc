@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace slicefarm::ordering::leg_graph_test {
 namespace {
 
@@ -42,7 +44,7 @@ TEST(LegGraph, ToursAreVisitsHoweverTheyLie) {
   EXPECT_THAT(tour, ElementsAre(5, 3, 4, 1, 0, 2, 6));
   EXPECT_TRUE(Keeps(tour, 7, graph.rules()));
   for (size_t turn = 0; turn < tour.size(); ++turn) {
-    std::ranges::rotate(tour, tour.begin() + 1);
+    std::rotate(tour.begin(), tour.begin() + 1, tour.end());
     EXPECT_THAT(graph.VisitsOf(tour), ElementsAreArray(visits));
     std::ranges::reverse(tour);
     EXPECT_THAT(graph.VisitsOf(tour), ElementsAreArray(visits));

@@ -452,8 +452,11 @@ TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
   for (const v1::JobEvent& event : live) EXPECT_FALSE(event.job().has_spec());
 
   // The progress of the run is sent under the number of the step before it, and only once.
-  const auto [repeated, end] = std::ranges::unique(live, {}, &v1::JobEvent::sequence);
-  live.erase(repeated, end);
+  // Clang 14 cannot use the range that std::ranges::unique returns.
+  const auto repeated = std::unique(
+      live.begin(), live.end(),
+      [](const v1::JobEvent& a, const v1::JobEvent& b) { return a.sequence() == b.sequence(); });
+  live.erase(repeated, live.end());
   for (size_t after = 0; after <= live.size(); ++after) {
     const auto rest = Watch(id, after);
     ASSERT_EQ(rest.size(), live.size() - after);

@@ -67,7 +67,7 @@ TEST(MainAxis, TurnsWithTheIsland) {
   PolygonWithHoles turned = shape;
   for (Polygon* ring : {&turned.outer, turned.holes.data()})
     for (Point& p : *ring) p = {-p.y, p.x};
-  std::ranges::rotate(turned.outer, turned.outer.begin() + 2);
+  std::rotate(turned.outer.begin(), turned.outer.begin() + 2, turned.outer.end());
   EXPECT_NEAR(TotalMm(MainAxis(shape, {})), TotalMm(MainAxis(turned, {})), 0.05);
 }
 
