@@ -43,15 +43,25 @@ class Arrangement {
  public:
   Arrangement(std::span<const GroupedRing> rings, int least) : rings_(rings), least_(least) {}
 
-  std::optional<MultiPolygon> Run() {
-    if (!CollectEdges() || !FindCrossings() || !SortStops()) return std::nullopt;
-    for (size_t ring = 0; ring < rings_.size(); ++ring)
-      if (!CountAlong(static_cast<int32_t>(ring))) return std::nullopt;
-    if (!Trace()) return std::nullopt;
+  std::optional<MultiPolygon> Region() {
+    if (!FindRings()) return std::nullopt;
     return Assemble();
   }
 
+  std::optional<std::vector<TracedRing>> TracedRings() {
+    keeps_edges_ = true;
+    if (!FindRings()) return std::nullopt;
+    return std::move(result_);
+  }
+
  private:
+  bool FindRings() {
+    if (!CollectEdges() || !FindCrossings() || !SortStops()) return false;
+    for (size_t ring = 0; ring < rings_.size(); ++ring)
+      if (!CountAlong(static_cast<int32_t>(ring))) return false;
+    return Trace();
+  }
+
   const Polygon& Points(int32_t ring) const { return rings_[ring].points; }
 
   bool CollectEdges() {
@@ -227,10 +237,10 @@ class Arrangement {
   bool Trace() {
     for (size_t ring = 0; ring < rings_.size(); ++ring)
       if (ring_begin_[ring] == ring_begin_[ring + 1] && whole_winding_[ring] == least_)
-        result_.push_back(Points(static_cast<int32_t>(ring)));
+        AppendWhole(static_cast<int32_t>(ring));
     for (size_t first = 0; first < stops_.size(); ++first) {
       if (stops_[first].used || stops_[first].winding != least_) continue;
-      Polygon& outline = result_.emplace_back();
+      TracedRing& outline = result_.emplace_back();
       auto at = static_cast<int32_t>(first);
       do {
         if (stops_[at].used || stops_[at].winding != least_) return false;
@@ -244,19 +254,34 @@ class Arrangement {
     return true;
   }
 
+  void AppendWhole(int32_t ring) {
+    TracedRing& whole = result_.emplace_back();
+    whole.points = Points(ring);
+    if (!keeps_edges_) return;
+    for (int32_t edge = 0; edge < static_cast<int32_t>(whole.points.size()); ++edge)
+      whole.edges.push_back({ring, edge});
+  }
+
+  void AppendPoint(Point point, TracedEdge edge, TracedRing& outline) const {
+    outline.points.push_back(point);
+    if (keeps_edges_) outline.edges.push_back(edge);
+  }
+
   /// Appends the part of a ring that follows a stop; returns the stop at its end.
-  int32_t AppendPart(int32_t at, Polygon& outline) const {
+  int32_t AppendPart(int32_t at, TracedRing& outline) const {
     const Stop& from = stops_[at];
     const int32_t begin = ring_begin_[from.ring], end = ring_begin_[from.ring + 1];
     const int32_t next = at + 1 == end ? begin : at + 1;
     const Stop& to = stops_[next];
     const Polygon& points = Points(from.ring);
     const auto size = static_cast<int32_t>(points.size());
-    outline.push_back(crossings_[from.crossing].place);
+    AppendPoint(crossings_[from.crossing].place, {from.ring, from.edge}, outline);
     int32_t corners = to.edge - from.edge;
     if (corners < 0 || (corners == 0 && to.along_nm <= from.along_nm)) corners += size;
-    for (int32_t corner = from.edge + 1; corners > 0; --corners, ++corner)
-      outline.push_back(points[corner < size ? corner : corner - size]);
+    for (int32_t corner = from.edge + 1; corners > 0; --corners, ++corner) {
+      const int32_t edge = corner < size ? corner : corner - size;
+      AppendPoint(points[edge], {from.ring, edge}, outline);
+    }
     return next;
   }
 
@@ -264,7 +289,8 @@ class Arrangement {
   std::optional<MultiPolygon> Assemble() {
     MultiPolygon islands;
     std::vector<Polygon> holes;
-    for (Polygon& ring : result_) {
+    for (TracedRing& traced : result_) {
+      Polygon& ring = traced.points;
       ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
       while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
       const double area = ring.size() < 3 ? 0 : SignedArea(ring);
@@ -310,14 +336,21 @@ class Arrangement {
   /// Index of the first stop of each ring; one entry more than rings.
   std::vector<int32_t> ring_begin_;
   std::vector<int> whole_winding_;  ///< winding number of each ring at its start
-  std::vector<Polygon> result_;
+  bool keeps_edges_ = false;        ///< true: the result tells the edges that it comes from
+  std::vector<TracedRing> result_;
 };
 
 }  // namespace
 
 std::optional<MultiPolygon> TryWindingRegion(std::span<const GroupedRing> rings, int least) {
   if (rings.empty()) return MultiPolygon{};
-  return Arrangement(rings, least).Run();
+  return Arrangement(rings, least).Region();
+}
+
+std::optional<std::vector<TracedRing>> TryWindingRings(std::span<const GroupedRing> rings,
+                                                       int least) {
+  if (rings.empty()) return std::vector<TracedRing>{};
+  return Arrangement(rings, least).TracedRings();
 }
 
 }  // namespace slicefarm::internal

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "common/geometry/polygon.h"
 
@@ -34,5 +36,23 @@ struct GroupedRing {
 /// the right of each ring's start, plus the pairs of edges that overlap in x or in y, whichever are
 /// fewer.
 std::optional<MultiPolygon> TryWindingRegion(std::span<const GroupedRing> rings, int least);
+
+/// An edge of a ring.
+struct TracedEdge {
+  int32_t ring = 0;
+  int32_t index = 0;
+};
+
+/// A ring around the region. `edges[i]` is the edge of a given ring on which the part from
+/// `points[i]` to the next point is.
+struct TracedRing {
+  Polygon points;
+  std::vector<TracedEdge> edges;
+};
+
+/// Returns the rings around the region of TryWindingRegion, and where they come from. Cost and
+/// errors: as TryWindingRegion.
+std::optional<std::vector<TracedRing>> TryWindingRings(std::span<const GroupedRing> rings,
+                                                       int least);
 
 }  // namespace slicefarm::internal

@@ -10,6 +10,7 @@
 #include "common/geometry/boolean/by_island.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/offset/swept_curve.h"
 #include "common/geometry/predicates.h"
 #include "common/geometry/rings/simple_rings.h"
 #include "common/geometry/vector.h"
@@ -159,68 +160,6 @@ class RingOffset {
   std::vector<MovingEdge> edges_;
 };
 
-bool HasReflexCorner(const Polygon& ring) {
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Point before = ring[i == 0 ? ring.size() - 1 : i - 1];
-    const Point after = ring[i + 1 == ring.size() ? 0 : i + 1];
-    if (Orientation(before, ring[i], after) < 0) return true;
-  }
-  return false;
-}
-
-/// Returns the curve of a ring's edges after each edge has moved left by `distance` on its own. The
-/// winding numbers of the curve are the island's winding numbers, minus one for each rectangle that
-/// an edge sweeps and for each miter of a reflex corner. At a convex corner of 90 degrees or more,
-/// two rectangles overlap. This overlap is subtracted only once, so that the curve does not cross
-/// itself at every corner.
-Polygon SweptCurve(const Polygon& ring, double distance) {
-  struct Step {
-    Point from;
-    Vector2 direction;
-    double length;
-  };
-  std::vector<Step> steps;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Point from = ring[i], d = ring[i + 1 == ring.size() ? 0 : i + 1] - from;
-    const double length = Norm(d);
-    if (length == 0) continue;
-    steps.push_back(
-        {from, {static_cast<double>(d.x) / length, static_cast<double>(d.y) / length}, length});
-  }
-  Polygon curve;
-  const auto append = [&](Point base, const Vector2& v) {
-    const Point p{base.x + std::llround(v.x()), base.y + std::llround(v.y())};
-    if (curve.empty() || curve.back() != p) curve.push_back(p);
-  };
-  // In a ring without reflex corners, a point may be in all rectangles and all overlaps. The
-  // subtractions would then cancel out, so the first overlap remains.
-  bool overlaps_left_out = HasReflexCorner(ring);
-  for (size_t i = 0; i < steps.size(); ++i) {
-    const Step &e = steps[i == 0 ? steps.size() - 1 : i - 1], &f = steps[i];
-    const Vector2 to_e = distance * TurnedLeft(e.direction),
-                  to_f = distance * TurnedLeft(f.direction);
-    const double cosine = Dot(e.direction, f.direction), straightness = 1 + cosine;
-    if (straightness < 1e-9) return {};  // the ring reverses its direction here
-    const bool convex = Cross(e.direction, f.direction) > 0;
-    // Length of the overlap of the two rectangles along either edge, if the edges are long enough.
-    const double reach = distance * std::abs(Cross(e.direction, f.direction));
-    if (convex && (!overlaps_left_out || cosine < 0 || reach > e.length || reach > f.length)) {
-      overlaps_left_out = true;
-      append(f.from, to_e);
-      append(f.from, Vector2::Zero());
-      append(f.from, to_f);
-    } else if (!convex && straightness < kSharpest) {
-      const double cut = distance * Tan(Acos(std::max(-1.0, cosine)) / 4);
-      append(f.from, to_e + cut * e.direction);
-      append(f.from, to_f - cut * f.direction);
-    } else {
-      append(f.from, 1 / straightness * (to_e + to_f));
-    }
-  }
-  while (curve.size() > 1 && curve.back() == curve.front()) curve.pop_back();
-  return curve;
-}
-
 /// Returns true if the holes are inside their outer ring and no hole is inside another. REQUIRES:
 /// rings do not cross.
 bool IsNested(const PolygonWithHoles& island) {
@@ -288,9 +227,9 @@ std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distanc
 std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm) {
   std::vector<internal::GroupedRing> rings;
   const auto append = [&](const Polygon& ring) {
-    Polygon curve = SweptCurve(ring, static_cast<double>(distance_nm));
-    if (curve.size() < 3) return false;
-    rings.push_back({std::move(curve)});
+    internal::SweptCurve curve = internal::SweepInwards(ring, static_cast<double>(distance_nm));
+    if (curve.points.size() < 3) return false;
+    rings.push_back({std::move(curve.points)});
     return true;
   };
   if (!append(island.outer)) return std::nullopt;

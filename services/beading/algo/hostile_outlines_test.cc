@@ -18,6 +18,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
+#include "services/beading/algo/arachne/constant_width_walls.h"
 #include "services/beading/algo/arachne/variable_walls.h"
 #include "services/beading/algo/sample_outlines_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
@@ -257,6 +258,32 @@ TEST(HostileOutlines, KeepTheInvariants) {
   }
   EXPECT_LE(fallbacks, islands / 1000);
   EXPECT_GT(with_room, count < 100 ? -1 : islands / 20);
+}
+
+// Where the walls of an island are said to be constant, the skeleton agrees: each bead has its
+// usual width, and the beads and the infill have the same areas.
+TEST(HostileOutlines, ConstantWallsAreThoseOfTheSkeleton) {
+  const uint64_t count = FromEnvironment("SLICEFARM_HOSTILE_OUTLINES", 300);
+  const uint64_t first = FromEnvironment("SLICEFARM_HOSTILE_SEED", 1);
+  const auto strategy = Strategy(2);
+  int constant = 0;
+  const auto beads = [](const VariableWalls& walls) {
+    return Covered(walls) - Area(walls.fill_area);
+  };
+  for (uint64_t seed = first; seed < first + count; ++seed) {
+    for (const PolygonWithHoles& island : MakeHostileOutline(seed).islands) {
+      const auto walls = TryWideWalls(island, *strategy, 2, WallOptions());
+      const auto skeletal = MakeVariableWalls(island, *strategy, WallOptions());
+      if (!walls || !skeletal) continue;
+      ++constant;
+      EXPECT_EQ(WrongWith(*walls, island), "") << seed;
+      EXPECT_NEAR(beads(*walls), beads(*skeletal), 0.005 * beads(*skeletal) + 0.02e12) << seed;
+      EXPECT_NEAR(Area(walls->fill_area), Area(skeletal->fill_area),
+                  0.002 * beads(*skeletal) + 0.02e12)
+          << seed;
+    }
+  }
+  EXPECT_GT(constant, count < 100 ? -1 : static_cast<int>(count / 30));
 }
 
 // These seeds failed once: teeth with coinciding nodes, and a blend that continued past a branch,

@@ -7,9 +7,16 @@
 #include <vector>
 
 #include "common/base/portable_math.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/round_erode.h"
 #include "common/geometry/predicates.h"
+#include "common/geometry/rings/simple_rings.h"
+#include "common/geometry/rings/simplify.h"
 #include "common/geometry/vector.h"
+#include "services/beading/algo/arachne/facing_sides.h"
+#include "services/beading/algo/arachne/small_fills.h"
+#include "services/beading/algo/beads/thick_line.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -57,8 +64,25 @@ void AppendArc(Point at, Vector2 in, const Rounding& rounding, double distance_n
   }
 }
 
-/// Returns the island's inset with round reflex corners.
-std::optional<MultiPolygon> RoundInset(const PolygonWithHoles& island, Coord distance_nm,
+/// Number of edges from which a first look at an island is taken.
+constexpr int kLooks = 16;
+/// Tolerance of the outline that is judged first.
+constexpr Coord kCoarseNm = 50'000;
+
+/// Returns true if the beads of all walls fit on both sides everywhere, with infill between them.
+/// `radius_nm`: least distance of the middle between two sides. A few looks across the island, and
+/// the judgement of an outline with few corners, tell most of the islands that are too narrow.
+bool IsWide(const PolygonWithHoles& island, Coord radius_nm, double transition_angle) {
+  const double most_turn = std::numbers::pi - transition_angle;
+  if (SeesFacingSides(island, 2 * radius_nm, most_turn, kLooks)) return false;
+  if (const auto inset = TryOffset({island}, -radius_nm); inset && !inset->has_tips) return true;
+  const MultiPolygon coarse = Simplify({island}, kCoarseNm);
+  if (coarse.empty() || JudgeWidth(coarse[0], radius_nm, most_turn) != Width::kWide) return false;
+  return JudgeWidth(island, radius_nm, most_turn) == Width::kWide;
+}
+
+/// Returns the island's inset with round reflex corners, if each edge of the outline has one edge.
+std::optional<MultiPolygon> CleanInset(const PolygonWithHoles& island, Coord distance_nm,
                                        Coord tolerance_nm) {
   std::optional<CleanOffset> inset = TryOffset({island}, -distance_nm);
   if (!inset) return std::nullopt;
@@ -72,6 +96,28 @@ std::optional<MultiPolygon> RoundInset(const PolygonWithHoles& island, Coord dis
     if (!std::all_of(part.holes.begin(), part.holes.end(), round)) return std::nullopt;
   }
   return std::move(inset->polygons);
+}
+
+Polygon Simplified(Polygon ring, Coord tolerance_nm) {
+  std::vector<Coord> none(ring.size(), 0);
+  return SimplifyThickLine({true, std::move(ring), std::move(none)}, tolerance_nm).points;
+}
+
+/// Returns the same inset of an island in which edges vanish. It has no more points than the beads
+/// along a skeleton. Returns nullopt if a ring vanishes or splits.
+std::optional<MultiPolygon> ErodedInset(const PolygonWithHoles& island, Coord distance_nm,
+                                        const VariableWallOptions& options) {
+  auto inset = TryRoundErode(island, distance_nm, options.tolerance_nm / 2);
+  if (!inset || inset->size() != 1 || inset->front().holes.size() != island.holes.size())
+    return std::nullopt;
+  std::vector<const Polygon*> rings;
+  for (PolygonWithHoles& part : *inset) {
+    part.outer = Simplified(std::move(part.outer), options.tolerance_nm);
+    for (Polygon& hole : part.holes) hole = Simplified(std::move(hole), options.tolerance_nm);
+  }
+  ForEachRing(*inset, [&](const Polygon& ring) { rings.push_back(&ring); });
+  if (!AreSimple(rings)) return std::nullopt;
+  return inset;
 }
 
 }  // namespace
@@ -107,16 +153,19 @@ std::optional<VariableWalls> TryWideWalls(const PolygonWithHoles& island,
                                           const BeadingStrategy& strategy, int max_walls,
                                           const VariableWallOptions& options) {
   const Coord thickness = strategy.TransitionThickness(2 * max_walls);
-  // If the thickness is close to the transition, the neighbouring layers decide the number of
-  // beads. So such islands are not handled here.
-  const auto widest = TryOffset({island}, -(thickness + options.filter_deviation_nm) / 2 - 1);
-  if (!widest || widest->has_tips) return std::nullopt;
+  // Close decisions depend on the neighbouring layers, so such islands are not handled here.
+  const Coord radius = (thickness + options.filter_deviation_nm) / 2 + 1;
+  if (!IsWide(island, radius, options.transition_angle)) return std::nullopt;
   const Beading beading = strategy.Compute(thickness, 2 * max_walls + 1);
   VariableWalls walls;
   for (int inset = 0; inset <= max_walls; ++inset) {
-    auto rings = RoundInset(island, beading.locations_nm[inset], options.tolerance_nm / 2);
+    const Coord distance = beading.locations_nm[inset];
+    auto rings = CleanInset(island, distance, options.tolerance_nm / 2);
+    if (!rings) rings = ErodedInset(island, distance, options);
     if (!rings) return std::nullopt;
     if (inset == max_walls) {
+      // The space inside is wide enough for infill, but may be a dot.
+      if (Area(*rings) < kLeastFillNm2) return std::nullopt;
       walls.fill_area = *std::move(rings);
       break;
     }

@@ -13,9 +13,10 @@ namespace slicefarm::beading {
 /// width. Walls are insets of the outline with arcs around reflex corners, where a plain inset
 /// would have miters.
 ///
-/// Returns nullopt if the island is not wide enough, if TryOffset fails for an inset, or if
-/// RoundReflexCorners fails. REQUIRES: max_walls > 0 is the strategy's limit per side. Cost: O(n
-/// log n), n points; a tenth of MakeVariableWalls.
+/// Returns nullopt for all other islands, for those with a small fill (see SmallFills), and if an
+/// inset's curve is not in general position. REQUIRES: max_walls > 0 is the strategy's limit. Cost:
+/// O(n log n), n points; a tenth of MakeVariableWalls if each edge of the outline has an edge in
+/// each inset, a quarter otherwise.
 std::optional<VariableWalls> TryWideWalls(const PolygonWithHoles& island,
                                           const BeadingStrategy& strategy, int max_walls,
                                           const VariableWallOptions& options);

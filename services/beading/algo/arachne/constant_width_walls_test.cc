@@ -154,13 +154,44 @@ INSTANTIATE_TEST_SUITE_P(
         NarrowCase{"NeckBetweenWideParts",
                    "(0 0, 8 0, 8 3, 12 3, 12 0, 20 0, 20 8, 12 8, 12 5, 8 5, 8 8, 0 8)"},
         NarrowCase{"HoleNearTheOutline", "(0 0, 20 0, 20 20, 0 20) (2 8, 12 8, 12 12, 2 12)"},
-        NarrowCase{"AcuteTip", "(0 0, 20 0, 0 8)"}),
+        NarrowCase{"ToothOnAPlate", "(0 0, 20 0, 20 10, 11 10, 11 12, 9 12, 9 10, 0 10)"},
+        NarrowCase{"TipOf6Degrees", "(0 0, 60 0, 0 6.3)"},
+        // A square with a side of 3.3 mm leaves 0.5 mm2 to the infill.
+        NarrowCase{"LittleFill", "(0 0, 3 0, 3 3, 0 3)"}),
     [](const auto& info) { return info.param.name; });
 
 struct WideCase {
   std::string name;
   PolygonWithHoles region;
 };
+
+/// Returns a square whose corners are arcs with many edges. In insets beyond their radius, these
+/// edges vanish.
+PolygonWithHoles RoundedPlate(double side_mm, int edges, double radius_mm) {
+  Polygon ring;
+  const double centre = side_mm / 2 - radius_mm;
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int i = 0; i <= edges; ++i) {
+      const double turn = std::numbers::pi / 2 * (corner + static_cast<double>(i) / edges);
+      const int quarter = corner;
+      const double x = quarter == 0 || quarter == 3 ? centre : -centre;
+      const double y = quarter < 2 ? centre : -centre;
+      ring.push_back(
+          {FromMm(x + radius_mm * std::cos(turn)), FromMm(y + radius_mm * std::sin(turn))});
+    }
+  }
+  return {ring, {}};
+}
+
+/// Returns a plate with a saw edge. Its teeth are lower than an outer wall is wide.
+Polygon SmallTeeth() {
+  Polygon ring = {{0, 0}, {FromMm(20), 0}};
+  for (int i = 20; i >= 0; --i) {
+    ring.push_back({FromMm(i), FromMm(10)});
+    if (i > 0) ring.push_back({FromMm(i - 0.37), FromMm(10.15)});
+  }
+  return ring;
+}
 
 std::vector<WideCase> WideCases() {
   const Polygon plate = Region("(-10 -10, 10 -10, 10 10, -10 10)").outer;
@@ -172,6 +203,11 @@ std::vector<WideCase> WideCases() {
       {"PlateWithSquareHole", Region("(0 0, 20 0, 20 20, 0 20) (7 7, 13 7, 13 13, 7 13)")},
       {"L", Region("(0 0, 20 0, 20 6, 6 6, 6 20, 0 20)")},
       {"Disc", {Circle(200, 8), {}}},
+      {"TipOf22Degrees", Region("(0 0, 20 0, 0 8)")},
+      {"RoundedPlate", RoundedPlate(20, 16, 1)},
+      {"PlateRoundedMore", RoundedPlate(10, 16, 0.45)},
+      {"PlateWithSmallTeeth", {SmallTeeth(), {}}},
+      {"PlateWithGroove", Region("(0 0, 20 0, 20 10, 11 10, 10.5 6, 9.5 6, 9 10, 0 10)")},
   };
 }
 
