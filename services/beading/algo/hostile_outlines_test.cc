@@ -260,8 +260,7 @@ TEST(HostileOutlines, KeepTheInvariants) {
   EXPECT_GT(with_room, count < 100 ? -1 : islands / 20);
 }
 
-// Where the walls of an island are said to be constant, the skeleton agrees: each bead has its
-// usual width, and the beads and the infill have the same areas.
+// The skeleton agrees with walls of constant width: the beads and the infill have the same areas.
 TEST(HostileOutlines, ConstantWallsAreThoseOfTheSkeleton) {
   const uint64_t count = FromEnvironment("SLICEFARM_HOSTILE_OUTLINES", 300);
   const uint64_t first = FromEnvironment("SLICEFARM_HOSTILE_SEED", 1);

@@ -64,7 +64,7 @@ void AppendArc(Point at, Vector2 in, const Rounding& rounding, double distance_n
   }
 }
 
-/// Number of edges from which a first look at an island is taken.
+/// Number of places on the outline from which an island is first inspected.
 constexpr int kLooks = 16;
 /// Tolerance of the outline that is judged first.
 constexpr Coord kCoarseNm = 50'000;

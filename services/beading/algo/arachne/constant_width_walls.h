@@ -13,7 +13,7 @@ namespace slicefarm::beading {
 /// width. Walls are insets of the outline with arcs around reflex corners, where a plain inset
 /// would have miters.
 ///
-/// Returns nullopt for all other islands, for those with a small fill (see SmallFills), and if an
+/// Returns nullopt for all other islands, for islands with a small fill (see SmallFills), and if an
 /// inset's curve is not in general position. REQUIRES: max_walls > 0 is the strategy's limit. Cost:
 /// O(n log n), n points; a tenth of MakeVariableWalls if each edge of the outline has an edge in
 /// each inset, a quarter otherwise.

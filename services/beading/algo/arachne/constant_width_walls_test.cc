@@ -165,7 +165,7 @@ struct WideCase {
   PolygonWithHoles region;
 };
 
-/// Returns a square whose corners are arcs with many edges. In insets beyond their radius, these
+/// Returns a square with rounded corners of many edges. In insets beyond the corners' radius, these
 /// edges vanish.
 PolygonWithHoles RoundedPlate(double side_mm, int edges, double radius_mm) {
   Polygon ring;

@@ -60,7 +60,7 @@ bool SeesFacingSides(const PolygonWithHoles& island, Coord within_nm, double lea
                      int looks) {
   const std::vector<Side> sides = SidesOf(island);
   const double facing = Cos(least_turn), step = Length(sides) / looks;
-  double ahead = step / 2;  // way to the next place
+  double ahead = step / 2;  // distance to the next place
   for (const Side& side : sides) {
     const Vector2 along = side.to - side.from;
     const double length = Norm(along);
