@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/cli/console/program_fixture_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
 namespace slicefarm::cli::presets_program_test {
 namespace {
@@ -80,6 +81,49 @@ TEST_F(PresetsProgram, SettingsByHandWin) {
   ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
   EXPECT_THAT(Text("out.gcode"), HasSubstr("; perimeters = 1\n"));
   EXPECT_THAT(Text("out.gcode"), HasSubstr("; temperature = 190\n"));
+}
+
+/// Returns a project of Bambu Studio with two plates. Its designer changed the walls.
+std::string ChangedProject() {
+  namespace threemf = slicing::threemf;
+  threemf::Files files = threemf::BambuFiles();
+  const std::string walls = R"("wall_loops": "3")";
+  for (auto& [name, text] : files)
+    if (const size_t at = text.find(walls); at != std::string::npos)
+      text.replace(at, walls.size(),
+                   R"("wall_loops": "6", "print_settings_id": "0.20mm Standard @BBL",
+                      "different_settings_to_system": ["wall_loops", "nozzle_temperature", ""])");
+  return threemf::Zipped(files);
+}
+
+TEST_F(PresetsProgram, SlicesAProjectAsDesignedForAnotherPrinter) {
+  Put("project.3mf", ChangedProject());
+  const Outcome outcome =
+      Run({"slice", Path("project.3mf"), "--plate", "1", "-o", Path("a.gcode"), "--presets",
+           Path("orca"), "--printer", "Acme One", "--report", Path("r.json")});
+  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+  const std::string gcode = Text("a.gcode");
+  EXPECT_THAT(gcode, HasSubstr("START BED=61"));
+  for (const char* line :
+       {"\n; perimeters = 6\n", "\n; temperature = 211\n",
+        "\n; bed_shape = 0x0,120x0,120x120,0x120\n", "\n; fill_pattern = grid\n"})
+    EXPECT_THAT(gcode, HasSubstr(line));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("not kept from the project (belongs to the printer's filament): "
+                        "nozzle_temperature"));
+  EXPECT_THAT(outcome.err, HasSubstr("the objects are arranged anew"));
+  const auto mesh = nlohmann::json::parse(Text("r.json"), nullptr, false)["meshes"][0];
+  EXPECT_LT(mesh["max_mm"][0], 120);
+}
+
+TEST_F(PresetsProgram, RefusesAProjectThatIsLargerThanThePrinter) {
+  Put("project.3mf", ChangedProject());
+  const Outcome outcome =
+      Run({"slice", Path("project.3mf"), "--plate", "1", "-o", Path("a.gcode"), "--presets",
+           Path("orca"), "--printer", "Acme One", "--arrange", "--scale", "20"});
+  EXPECT_NE(outcome.code, ExitCode::kOk);
+  EXPECT_THAT(outcome.err, HasSubstr("error: "));
+  EXPECT_FALSE(Exists("a.gcode"));
 }
 
 TEST_F(PresetsProgram, ShowsValuesWithTheirSources) {

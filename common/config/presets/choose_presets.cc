@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -54,14 +55,30 @@ absl::StatusOr<const Preset*> ChoosePrinter(const PresetSet& set, std::string_vi
                            ShownNames(*found)));
 }
 
+/// Preset that a chosen one should be like.
+struct Model {
+  std::string alias;
+  std::string_view key;  ///< setting that should be equal, if no preset has the alias
+  std::string value;
+};
+
+/// Returns true if both are the same number, or the same text.
+bool SameValue(std::string_view a, std::string_view b) {
+  constexpr double kSame = 0.0005;  // difference of layer heights, in mm
+  const auto first = ToNumber(a);
+  const auto second = ToNumber(b);
+  if (first && second) return std::abs(*first - *second) < kSame;
+  return a == b;
+}
+
 /// Chooses processes and filaments for one printer.
 class Chooser {
  public:
   Chooser(const PresetSet& set, const Preset& printer, const PrinterFit& fit)
       : set_(set), printer_(printer), fit_(fit) {}
 
+  /// Returns the preset of this name.
   absl::StatusOr<const Preset*> Choose(PresetKind kind, const std::string& name) const {
-    if (name.empty()) return Default(kind);
     const std::vector<const Preset*> named = set_.Named(kind, name);
     std::vector<const Preset*> fitting;
     std::ranges::copy_if(named, std::back_inserter(fitting),
@@ -79,6 +96,36 @@ class Chooser {
       known.push_back(preset->name);
     }
     return UnknownName(kind, name, known, " for " + Shown(printer_.name));
+  }
+
+  /// Returns the preset that is most like `model`. `process`: process that a filament must fit, or
+  /// nullptr. Adds a note if neither `model` nor a default of the printer decides.
+  absl::StatusOr<const Preset*> Default(PresetKind kind, Model model, const Preset* process,
+                                        std::vector<std::string>& notes) const {
+    const Preset* usual = UsualOf(kind);
+    if (usual != nullptr && process != nullptr && !AcceptsProcess(set_, *usual, *process))
+      usual = nullptr;
+    if (usual != nullptr && model.alias.empty() && model.value.empty()) return usual;
+    const bool stand_in = usual == nullptr && kind == PresetKind::kFilament && model.value.empty();
+    if (stand_in) model.value = "PLA";
+    const Preset* best = nullptr;
+    int quality = 0;
+    for (const Preset* preset : MadeFor(set_, fit_, kind)) {
+      const int own = QualityOf(*preset, model, usual);
+      if (own <= quality) continue;
+      if (process != nullptr && !AcceptsProcess(set_, *preset, *process)) continue;
+      best = preset;
+      quality = own;
+    }
+    if (best == nullptr) return NoneFits(kind);
+    const bool decided = !stand_in && quality >= kSameKey;
+    if (usual == nullptr && !decided) {
+      notes.push_back(
+          fmt::format("the default {} of {} is not among the presets or is not made for "
+                      "it; {} is used",
+                      KindName(kind), Shown(printer_.name), Shown(best->name)));
+    }
+    return best;
   }
 
  private:
@@ -106,20 +153,37 @@ class Chooser {
                              all.empty() ? "none of the given presets" : ShownNames(all)));
   }
 
-  /// Returns the printer's default. Vendors often name a preset that is made for another printer.
-  /// Then the preset with the same alias that is made for this printer is returned.
-  absl::StatusOr<const Preset*> Default(PresetKind kind) const {
+  /// Ranks of presets as in OrcaSlicer and PrusaSlicer: the alias decides, then an equal setting,
+  /// then the printer's default.
+  static constexpr int kSameAlias = 1000, kSameKey = 10;
+
+  int QualityOf(const Preset& preset, const Model& model, const Preset* usual) const {
+    const int own = preset.scope == printer_.scope ? 1 : 0;
+    if (!model.alias.empty() && preset.alias == model.alias) return kSameAlias + own;
+    const int quality = &preset == usual ? 2 : 1;
+    if (model.value.empty()) return quality;
+    const auto lineage = set_.Lineage(preset);
+    if (!lineage.ok()) return quality;
+    const std::string text(PresetSet::ValueOf(*lineage, model.key));
+    const std::vector<std::string> items = ListItems(text);
+    const bool same = SameValue(items.empty() ? text : items.front(), model.value);
+    return same ? quality * kSameKey : quality;
+  }
+
+  absl::Status NoneFits(PresetKind kind) const {
+    return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
+                     fmt::format("none of the given {} presets is made for {}", KindName(kind),
+                                 Shown(printer_.name)),
+                     {{"kind", std::string(KindName(kind))}});
+  }
+
+  /// Returns the printer's default, or nullptr. Vendors often name the preset of another printer,
+  /// so that the one with the same alias is meant.
+  const Preset* UsualOf(PresetKind kind) const {
     for (const std::string& name : DefaultNames(kind))
       for (const std::string& each : {name, AliasOf(name)})
-        if (const auto chosen = Choose(kind, each); chosen.ok()) return chosen;
-    const std::vector<const Preset*> all = MadeFor(set_, fit_, kind);
-    return MakeError(
-        absl::StatusCode::kNotFound, Reason::kProfileNotFound,
-        fmt::format("{} names no {} preset as its default that is among the given presets; choose "
-                    "one with --{}: {}",
-                    Shown(printer_.name), KindName(kind), KindName(kind),
-                    all.empty() ? "none of them is made for it" : ShownNames(all)),
-        {{"kind", std::string(KindName(kind))}});
+        if (const auto chosen = Choose(kind, each); chosen.ok()) return *chosen;
+    return nullptr;
   }
 
   /// Returns the names of the printer's default presets, followed by the default filaments of its
@@ -172,7 +236,8 @@ std::vector<const Preset*> MadeFor(const PresetSet& set, const PrinterFit& fit, 
   return made;
 }
 
-absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNames& names) {
+absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNames& names,
+                                            const FormerPresets& former) {
   ChosenPresets chosen;
   const auto printer = ChoosePrinter(set, names.printer);
   if (!printer.ok()) return printer.status();
@@ -180,10 +245,16 @@ absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNa
   const auto fit = PrinterFit::Make(set, *chosen.printer);
   if (!fit.ok()) return fit.status();
   const Chooser chooser(set, *chosen.printer, *fit);
-  const auto process = chooser.Choose(PresetKind::kProcess, names.process);
+  const auto choose = [&](PresetKind kind, const std::string& name, const Model& model) {
+    return name.empty() ? chooser.Default(kind, model, chosen.process, chosen.notes)
+                        : chooser.Choose(kind, name);
+  };
+  const auto process = choose(PresetKind::kProcess, names.process,
+                              {former.process_alias, "layer_height", former.layer_height});
   if (!process.ok()) return process.status();
   chosen.process = *process;
-  const auto filament = chooser.Choose(PresetKind::kFilament, names.filament);
+  const auto filament = choose(PresetKind::kFilament, names.filament,
+                               {former.filament_alias, "filament_type", former.filament_type});
   if (!filament.ok()) return filament.status();
   chosen.filament = *filament;
   if (!AcceptsProcess(set, *chosen.filament, *chosen.process))

@@ -19,11 +19,21 @@ struct PresetNames {
   std::string filament;
 };
 
-/// Presets of a job: pointers to elements of the PresetSet.
+/// Presets that the job was made with for another printer. The corresponding presets of the printer
+/// are chosen if no names are given. Empty: none.
+struct FormerPresets {
+  std::string process_alias;   ///< "0.20mm Standard"
+  std::string layer_height;    ///< in mm
+  std::string filament_alias;  ///< "Generic PLA"
+  std::string filament_type;   ///< "PLA"
+};
+
+/// Presets of a job. They point into the PresetSet.
 struct ChosenPresets {
   const Preset* printer = nullptr;
   const Preset* process = nullptr;
   const Preset* filament = nullptr;
+  std::vector<std::string> notes = {};  ///< choices that a user may not expect, as lines
 };
 
 /// Returns the printer presets with this name. If there are none, returns all presets of the
@@ -39,13 +49,15 @@ std::vector<const Preset*> MadeFor(const PresetSet& set, const PrinterFit& fit, 
 /// preset with this alias is made for the printer. Example: "0.20mm Standard" for "0.20mm Standard
 /// @MK4".
 ///
-/// Errors:
-/// - PROFILE_NOT_FOUND for a name that no preset has (metadata `preset` and, if there is a similar
-///   name, `suggestion`), and for an empty name if the printer has no default;
-/// - REQUEST_MALFORMED for the name of a printer model with several presets, and for an alias of
-///   several presets;
-/// - REQUEST_MALFORMED for a preset that is not made for the printer or process;
-/// - any error of PresetSet::Lineage.
-absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNames& names);
+/// Without a name, the preset is chosen as the programs do it when the printer changes: one with
+/// the alias of the former preset, else one with its layer height or type, else the printer's
+/// default. If there is no such preset, the first one by name that fits is used, for filaments the
+/// first PLA, with a note.
+///
+/// Errors: PROFILE_NOT_FOUND for a name that no preset has (metadata `preset` and, if there is a
+/// similar name, `suggestion`), and if no preset fits; REQUEST_MALFORMED for a model with several
+/// presets, and for a preset that is not made for the printer or process; as PresetSet::Lineage.
+absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNames& names,
+                                            const FormerPresets& former = {});
 
 }  // namespace slicefarm::config::presets

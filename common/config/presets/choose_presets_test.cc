@@ -69,7 +69,56 @@ INSTANTIATE_TEST_SUITE_P(
              {"Acme One 0.4", "0.30mm @One 0.6", ""},
              "REQUEST_MALFORMED",
              R"(is not made for "Acme One 0.4"; made for it are "0.20mm @One")"},
-        Case{"NoDefault", {"Acme One 0.6", "", ""}, "PROFILE_NOT_FOUND", "--process"}),
+        Case{"NoDefaultProcessIsTheFirst",
+             {"Acme One 0.6", "", ""},
+             "Acme One 0.6, 0.30mm @One 0.6, Acme PLA @One"}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(ChoosePresets, NotesAStandInForTheDefault) {
+  const auto chosen = ChoosePresets(Acme(), {"Acme One 0.6", "", ""});
+  ASSERT_TRUE(chosen.ok()) << chosen.status();
+  ASSERT_EQ(chosen->notes.size(), 1U);
+  EXPECT_THAT(chosen->notes[0], testing::HasSubstr("\"0.30mm @One 0.6\" is used"));
+  EXPECT_TRUE(ChoosePresets(Acme(), {"Acme One 0.4", "", ""})->notes.empty());
+}
+
+/// Bundle with processes of three heights and filaments of two materials.
+constexpr char kHeights[] =
+    "[print:a 0.1 @P]\nlayer_height = 0.1\n[print:b 0.20 @P]\nlayer_height = 0.20\n"
+    "[print:c 0.2 @P]\nlayer_height = 0.2\n[print:d 0.3 @P]\nlayer_height = 0.3\n"
+    "[filament:1 ABS @P]\nfilament_type = ABS\n[filament:2 PLA @P]\nfilament_type = PLA\n"
+    "[filament:3 PLA @P]\nfilament_type = PLA\n"
+    "[printer:P]\ndefault_print_profile = c 0.2 @P\ndefault_filament_profile = %\n";
+
+struct FormerCase {
+  std::string name;
+  FormerPresets former;
+  std::string filament;  ///< the printer's default
+  std::string chosen;
+};
+
+class FormerPresetsTest : public testing::TestWithParam<FormerCase> {};
+
+TEST_P(FormerPresetsTest, DecideWithoutNames) {
+  std::string text = kHeights;
+  text.replace(text.find('%'), 1, GetParam().filament);
+  const auto set = ReadPresets(Files({{"a.ini", text}}));
+  ASSERT_TRUE(set.ok()) << set.status();
+  const auto chosen = ChoosePresets(*set, {"P", "", ""}, GetParam().former);
+  ASSERT_TRUE(chosen.ok()) << chosen.status();
+  EXPECT_EQ(chosen->process->name + ", " + chosen->filament->name, GetParam().chosen);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Presets, FormerPresetsTest,
+    testing::Values(
+        FormerCase{"None", {}, "3 PLA @P", "c 0.2 @P, 3 PLA @P"},
+        FormerCase{"NoneAndNoDefaultFilament", {}, "gone", "c 0.2 @P, 2 PLA @P"},
+        FormerCase{"Alias", {"b 0.20", "0.1", "1 ABS", "PLA"}, "3 PLA @P", "b 0.20 @P, 1 ABS @P"},
+        FormerCase{"Height", {"x", "0.3", "x", "ABS"}, "3 PLA @P", "d 0.3 @P, 1 ABS @P"},
+        FormerCase{
+            "DefaultOfEqualHeight", {"x", "0.2", "x", "PLA"}, "3 PLA @P", "c 0.2 @P, 3 PLA @P"},
+        FormerCase{"NoEqualHeight", {"x", "0.15", "x", "TPU"}, "3 PLA @P", "c 0.2 @P, 3 PLA @P"}),
     [](const auto& info) { return info.param.name; });
 
 std::string ValueIn(const std::vector<Setting>& settings, std::string_view key) {

@@ -63,6 +63,11 @@ std::vector<std::string> ListItems(std::string_view text) {
   return items;
 }
 
+double FirstNumber(std::string_view list) {
+  const std::vector<std::string> items = ListItems(list);
+  return items.empty() ? 0 : ToNumber(Trim(Split(items.front(), ",").front())).value_or(0);
+}
+
 std::string AliasOf(std::string_view name) {
   return std::string(Trim(name.substr(0, name.find('@'))));
 }

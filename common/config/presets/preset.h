@@ -59,7 +59,11 @@ struct PrinterModel {
 /// are left out.
 std::vector<std::string> ListItems(std::string_view text);
 
-/// Returns the part of a preset's name before the first `@`; without an `@`, the whole name.
+/// Returns the first number of a list: JSON, or numbers separated by `,` or `;`; 0 if there is
+/// none.
+double FirstNumber(std::string_view list);
+
+/// Returns the part of a preset's name before the first `@`; the whole name if there is none.
 std::string AliasOf(std::string_view name);
 
 }  // namespace slicefarm::config::presets

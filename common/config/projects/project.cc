@@ -222,6 +222,12 @@ std::vector<std::string> TakePrusaNames(const std::vector<SceneObject>& printed,
 
 }  // namespace
 
+absl::StatusOr<size_t> FilamentOf(const Project& project, int plate) {
+  const absl::StatusOr<size_t> chosen = ChosenPlate(project, plate);
+  if (!chosen.ok()) return chosen.status();
+  return FilamentOf(ObjectsOn(project, *chosen));
+}
+
 Project InPrusaNames(Project project) {
   TakePrusaNames(project.objects, project);
   return project;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,12 @@ struct ProjectJob {
 /// equivalent in PrusaSlicer are added to Project::without_effect.
 Project InPrusaNames(Project project);
 
-/// Returns the job of one plate of a project, with PrusaSlicer's names (see InPrusaNames).
+/// Returns the number of the filament that all objects of a plate print with, from 0. If there are
+/// several, it returns the first one: such a plate is refused later. Errors: as JobOfProject for
+/// `plate`.
+absl::StatusOr<size_t> FilamentOf(const Project& project, int plate);
+
+/// Returns the job of one plate of a project, in the form of InPrusaNames.
 ///
 /// `plate`: number of the plate from 1, or 0 for the only plate that has objects. Errors:
 /// REQUEST_MALFORMED (metadata `field`: `plate`, and `plates`: number of plates) for a plate that

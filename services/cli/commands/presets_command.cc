@@ -120,6 +120,7 @@ ExitCode ShowJob(const PresetSet& set, const PresetsOptions& options) {
   if (!chosen.ok()) return Fail(chosen.status());
   const auto values = CombinePresets(set, *chosen);
   if (!values.ok()) return Fail(values.status());
+  Warn(chosen->notes);
   nlohmann::ordered_json json;
   for (const Preset* preset : {chosen->printer, chosen->process, chosen->filament})
     json[std::string(KindName(preset->kind))] = PresetJson(set, *preset);

@@ -38,19 +38,20 @@ void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
       app.add_option("--printer", options.printer,
-                     "Printer preset from --presets. Its settings override the settings of a "
-                     "project; --config and --set override its settings")
+                     "Printer preset from --presets; --config and --set override its settings. A "
+                     "project is "
+                     "sliced for this printer, as designed: its designer's changes are kept")
           ->needs(sources)
           ->type_name("NAME");
   sources->needs(printer);
   app.add_option("--process", options.process,
-                 "Process preset (print settings), by its name or the part of the name before @; "
-                 "default: the one that the printer preset names")
+                 "Process preset (print settings), by its name or the part before @; default: the "
+                 "one that corresponds to the project's, else the one that the printer names")
       ->needs(sources)
       ->type_name("NAME");
   app.add_option("--filament", options.filament,
-                 "Filament preset, by its name or the part of the name before @; default: the one "
-                 "that the printer preset names")
+                 "Filament preset, by its name or the part before @; default: the one that "
+                 "corresponds to the project's, else the one that the printer names")
       ->needs(sources)
       ->type_name("NAME");
 }

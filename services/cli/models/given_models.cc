@@ -6,10 +6,12 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "common/base/error.h"
 #include "common/config/plate.h"
+#include "common/config/presets/target_printer.h"
 #include "common/config/projects/project.h"
 #include "common/model/limits.h"
 #include "common/model/scene/placement.h"
@@ -52,8 +54,9 @@ absl::Status CheckName(const std::string& path, const MeshFile& model, MeshForma
 /// Reads the models for one plate.
 class PlateReader {
  public:
-  /// `plate`: plate of a project.
-  PlateReader(const JobOptions& options, int plate) : options_(options), chosen_(plate) {}
+  /// `plate`: plate of a project. `presets`: presets that the job names, or nullptr.
+  PlateReader(const JobOptions& options, int plate, const config::presets::PresetSet* presets)
+      : options_(options), chosen_(plate), presets_(presets) {}
 
   absl::StatusOr<GivenModels> Run() && {
     const auto placement = PlacementOf(options_);
@@ -66,6 +69,8 @@ class PlateReader {
       return Malformed("--plate works only with a 3MF project; none is given");
     absl::Status ok = TakeCopies();
     if (ok.ok()) ok = TakeSettings();
+    if (ok.ok() && presets_ != nullptr && !for_printer_)
+      ok = TakePresets(*presets_, options_.presets, plate_);
     if (!ok.ok()) return ok;
     for (NamedObject& named : objects_) plate_.objects.push_back(std::move(named.object));
     given_.plates.push_back(std::move(plate_));
@@ -92,8 +97,10 @@ class PlateReader {
     has_project_ = true;
     MeshFile& model = given_.files[static_cast<size_t>(file)];
     model.format = MeshFormat::k3mf;
-    const auto project = ReadProject(path, model);
+    auto project = ReadProject(path, model);
     if (!project.ok()) return project.status();
+    if (presets_ != nullptr && !project->settings.empty())
+      if (absl::Status ok = MakeForPrinter(*project); !ok.ok()) return InFile(path, ok);
     auto job = config::JobOfProject(*project, chosen_);
     if (!job.ok()) return InFile(path, job.status());
     for (SceneObject& object : job->objects) {
@@ -107,6 +114,18 @@ class PlateReader {
     std::ranges::move(job->without_effect, std::back_inserter(plate_.without_effect));
     std::ranges::move(job->warnings, std::back_inserter(plate_.warnings));
     std::ranges::move(job->missing, std::back_inserter(plate_.missing));
+    return absl::OkStatus();
+  }
+
+  /// Converts a project with settings for the printer that the job names.
+  absl::Status MakeForPrinter(Project& project) {
+    auto made = config::presets::ForPrinter(std::move(project), chosen_, *presets_,
+                                            NamesOf(options_.presets));
+    if (!made.ok()) return made.status();
+    project = std::move(made->project);
+    AddUnused(made->of_print, made->others, plate_);
+    std::ranges::move(made->notes, std::back_inserter(plate_.warnings));
+    for_printer_ = true;
     return absl::OkStatus();
   }
 
@@ -192,6 +211,8 @@ class PlateReader {
 
   const JobOptions& options_;
   const int chosen_;
+  const config::presets::PresetSet* const presets_;
+  bool for_printer_ = false;  ///< true if a project has the settings of the presets
   Placement placement_;
   GivenModels given_;
   GivenPlate plate_;
@@ -234,12 +255,13 @@ absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& file
   return plates;
 }
 
-absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options) {
+absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options,
+                                          const config::presets::PresetSet* presets) {
   const auto numbers = PlatesToPrint(options);
   if (!numbers.ok()) return numbers.status();
   GivenModels all;
   for (const int number : *numbers) {
-    auto one = PlateReader(options, number).Run();
+    auto one = PlateReader(options, number, presets).Run();
     if (!one.ok() && DetailOf(one.status()).reason == Reason::kNothingToPrint) {
       all.plates.push_back({.number = number, .refused = one.status()});
       continue;
@@ -257,10 +279,15 @@ absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options) {
 }  // namespace
 
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
-  auto models = options.plates ? ReadAllPlates(options) : PlateReader(options, options.plate).Run();
-  if (!models.ok() || options.presets.sources.empty()) return models;
-  if (absl::Status taken = TakePresets(options.presets, *models); !taken.ok()) return taken;
-  return models;
+  std::optional<config::presets::PresetSet> set;
+  if (!options.presets.sources.empty()) {
+    auto read = ReadPresetSources(options.presets.sources);
+    if (!read.ok()) return read.status();
+    set = *std::move(read);
+  }
+  const config::presets::PresetSet* presets = set ? &*set : nullptr;
+  return options.plates ? ReadAllPlates(options, presets)
+                        : PlateReader(options, options.plate, presets).Run();
 }
 
 void PutOnBeds(const JobOptions& options, const std::vector<Setting>& given, GivenModels& models) {

@@ -34,7 +34,8 @@ struct GivenModels {
 
 /// Reads the models. The object of a file with one mesh is named after the file without its
 /// folders, as UTF-8 without control characters. The objects, parts, copies and settings of a
-/// project are taken from the chosen plate. Settings of presets follow the project's.
+/// project are taken from the chosen plate. With presets, the settings are theirs, with the changes
+/// of the project's designer (config::presets::ForPrinter).
 ///
 /// Errors: REQUEST_MALFORMED with the option or the file, also for options that would move placed
 /// objects of a project; MESH_TOO_LARGE; errors of ReadProject and config::JobOfProject. With

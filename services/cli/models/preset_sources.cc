@@ -68,22 +68,27 @@ absl::StatusOr<presets::PresetSet> ReadPresetSources(const std::vector<std::stri
   return presets::ReadPresets(std::move(reader).Take());
 }
 
-absl::Status TakePresets(const PresetOptions& options, GivenModels& models) {
-  const auto set = ReadPresetSources(options.sources);
-  if (!set.ok()) return set.status();
-  const auto chosen =
-      presets::ChoosePresets(*set, {options.printer, options.process, options.filament});
+presets::PresetNames NamesOf(const PresetOptions& options) {
+  return {options.printer, options.process, options.filament};
+}
+
+absl::Status TakePresets(const presets::PresetSet& set, const PresetOptions& options,
+                         GivenPlate& plate) {
+  auto chosen = presets::ChoosePresets(set, NamesOf(options));
   if (!chosen.ok()) return chosen.status();
-  const auto job = presets::SettingsOfPresets(*set, *chosen);
+  const auto job = presets::SettingsOfPresets(set, *chosen);
   if (!job.ok()) return job.status();
-  for (GivenPlate& plate : models.plates) {
-    std::ranges::copy(job->settings, std::back_inserter(plate.settings));
-    for (const std::string& line : job->of_print)
-      plate.warnings.push_back(line + ": not supported yet");
-    std::ranges::copy(job->of_print, std::back_inserter(plate.without_effect));
-    std::ranges::copy(job->others, std::back_inserter(plate.without_effect));
-  }
+  std::ranges::copy(job->settings, std::back_inserter(plate.settings));
+  std::ranges::move(chosen->notes, std::back_inserter(plate.warnings));
+  AddUnused(job->of_print, job->others, plate);
   return absl::OkStatus();
+}
+
+void AddUnused(const std::vector<std::string>& of_print, const std::vector<std::string>& others,
+               GivenPlate& plate) {
+  for (const std::string& line : of_print) plate.warnings.push_back(line + ": not supported yet");
+  std::ranges::copy(of_print, std::back_inserter(plate.without_effect));
+  std::ranges::copy(others, std::back_inserter(plate.without_effect));
 }
 
 }  // namespace slicefarm::cli

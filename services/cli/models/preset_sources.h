@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/config/presets/choose_presets.h"
 #include "common/config/presets/preset_set.h"
 #include "services/cli/job/job_options.h"
 #include "services/cli/models/given_models.h"
@@ -16,8 +17,17 @@ namespace slicefarm::cli {
 absl::StatusOr<config::presets::PresetSet> ReadPresetSources(
     const std::vector<std::string>& sources);
 
-/// Adds the settings of the chosen presets to the settings of all plates, including settings
-/// without effect. Errors: see ReadPresetSources and config::presets::ChoosePresets.
-absl::Status TakePresets(const PresetOptions& options, GivenModels& models);
+/// Returns the names of presets that the options give.
+config::presets::PresetNames NamesOf(const PresetOptions& options);
+
+/// Adds the settings of the chosen presets to the settings of a plate, including settings without
+/// effect. Errors: see config::presets::ChoosePresets.
+absl::Status TakePresets(const config::presets::PresetSet& set, const PresetOptions& options,
+                         GivenPlate& plate);
+
+/// Adds settings of presets without effect to the plate. Settings in `of_print`, which change the
+/// print, are also warnings.
+void AddUnused(const std::vector<std::string>& of_print, const std::vector<std::string>& others,
+               GivenPlate& plate);
 
 }  // namespace slicefarm::cli
