@@ -70,7 +70,7 @@ class SettingReader {
   std::vector<SettingNote> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;
-  /// notes that do not matter to the print; they follow no_effect_
+  /// notes on settings that do not change the print; Finish appends them to no_effect_
   std::vector<SettingNote> last_notes_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;

@@ -69,7 +69,8 @@ class PlacingStage {
                                             const SlicingOptions& options) const = 0;
   /// Returns the objects with the double-precision coordinates of their files, transformed but not
   /// placed on the bed. Errors: REQUEST_MALFORMED for an object that is not one part and one copy;
-  /// MESH_TOO_LARGE.
+  /// MESH_TOO_LARGE above limits::kMaxSurfaceTriangles or kMaxSurfacePoints, or for a transformed
+  /// point beyond kMaxMeshCoordinateMm.
   virtual absl::StatusOr<std::vector<SurfaceMesh>> ReadSurfaces(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const = 0;
 };

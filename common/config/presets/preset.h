@@ -30,10 +30,11 @@ struct Preset {
   PresetKind kind = PresetKind::kPrinter;
   PresetDialect dialect = PresetDialect::kOrca;
   std::string name;
-  std::string alias;   ///< short name that presets for several printers share: "0.20mm Standard"
-  int32_t scope = 0;   ///< index of the preset's PresetScope in the PresetSet
-  std::string file;    ///< path of the file, for messages
-  bool listed = true;  ///< false: users cannot choose the preset; other presets inherit from it
+  std::string alias;  ///< short name that presets for several printers share: "0.20mm Standard"
+  int32_t scope = 0;  ///< index of the preset's PresetScope in the PresetSet
+  std::string file;   ///< path of the file, for messages
+  /// true: users can choose the preset; false: only other presets inherit from it
+  bool listed = true;
   /// Names of the presets that this preset inherits from. A later parent overrides an earlier one.
   std::vector<std::string> parents;
   /// True if the file has all settings. Then a missing parent is no error.

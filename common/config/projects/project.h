@@ -14,7 +14,8 @@ namespace slicefarm::config {
 struct ProjectJob {
   /// settings of the project, followed by settings of the plate, which override them
   std::vector<Setting> settings;
-  /// Objects on the plate with at least one printable copy. Other copies are left out.
+  /// Objects on the plate, with their printable copies only. Objects without a printable copy are
+  /// left out.
   std::vector<SceneObject> objects;
   /// Contents of the project that no stage uses, as lines for the report.
   std::vector<std::string> without_effect;

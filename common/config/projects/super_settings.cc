@@ -57,8 +57,8 @@ constexpr SuperRelation kSuperRelations[] = {
     {"travel_acceleration", "default_acceleration"},
 };
 
-/// Value that PrusaSlicer lacks, with the value that SuperSlicer exports instead. `key`: ending of
-/// the setting names.
+/// Value of a SuperSlicer setting that PrusaSlicer lacks (`from`), and the value that replaces it
+/// (`to`). `key`: the setting, or the end of its name.
 struct SuperChoice {
   std::string_view key;
   std::string_view from;

@@ -24,7 +24,8 @@ struct OrcaChoice {
   std::string_view row;
   std::string_view from;
   std::string_view to;
-  bool exact = true;  ///< false: the value is only similar, and the difference is reported
+  /// true: both values mean the same; false: they are only similar, and the difference is reported
+  bool exact = true;
 };
 
 /// Variable that G-code may name and that is not a setting, in OrcaSlicer and in PrusaSlicer.

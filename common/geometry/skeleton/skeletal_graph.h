@@ -30,10 +30,11 @@ struct HalfEdge {
 /// boundary. Together with the foot of each node (the nearest point on the boundary), these are the
 /// ribs and quads of a skeletal trapezoidation.
 ///
-/// The walk follows `next`. It first visits the half-edges of one feature, then the half-edges of
-/// the previous feature on the ring. Each half-edge begins in the node where the one before it
-/// ends. Every half-edge is on the walk of exactly one ring. Source: T. Kuipers et al. 2020,
-/// section 3.1; here as arrays, without nodes for the feet of ribs.
+/// The walk follows HalfEdge::next. It visits the features of the ring (HalfEdge::feature) one
+/// after the other, against the ring's direction, and of each feature all half-edges. Each
+/// half-edge begins in the node where the one before it ends. Every half-edge is on the walk of
+/// exactly one ring. Source: T. Kuipers et al. 2020, section 3.1. Unlike there, no nodes are stored
+/// for the feet; Foot() computes these points.
 struct SkeletalGraph {
   Point origin;
   std::vector<SkeletalNode> nodes;

@@ -10,7 +10,8 @@ namespace slicefarm {
 /// plate. INVARIANT: all parts have the same kind and nodes, and the sum of their values at each
 /// node is 1.
 struct MaterialField {
-  /// Share of each material: two or more fields with the linear formula.
+  /// One field per material, at least two. The value of a field is the material's share; its
+  /// formula is DensityLaw::kLinear.
   std::vector<DensityField> parts;
   double step = 0.05;  ///< smallest change of a share that causes a new mix command
 

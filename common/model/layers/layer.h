@@ -45,7 +45,7 @@ struct LayerRange {
   friend bool operator==(const LayerRange&, const LayerRange&) = default;
 };
 
-/// Area in which a modifier part enforces or blocks seams or supports. Only planning uses it.
+/// Area in which a part enforces or blocks seams or supports. Only planning uses it.
 struct Mark {
   PartRole role = PartRole::kSeamEnforcer;
   MultiPolygon outlines;

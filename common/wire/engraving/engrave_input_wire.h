@@ -11,7 +11,7 @@ namespace slicefarm {
 
 /// Converts data that all calls of an engraving job share. The settings are sent without their
 /// images, which are separate fields. The stage, not this function, checks whether the values can
-/// be used. Errors: REQUEST_MALFORMED with the path to the field; MESH_TOO_LARGE.
+/// be used. Errors: REQUEST_MALFORMED with the path to the field; any error of surface_wire.h.
 absl::Status ToProto(const SurfaceInput& surface, v1::SurfaceInput* proto);
 absl::StatusOr<SurfaceInput> FromProto(const v1::SurfaceInput& proto);
 absl::Status ToProto(const MappedSurface& surface, v1::MappedSurface* proto);

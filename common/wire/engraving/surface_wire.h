@@ -8,7 +8,8 @@
 namespace slicefarm {
 
 /// Converts a surface. Errors: REQUEST_MALFORMED for numbers that are not finite, for counts that
-/// are not multiples of three, and for point indices out of range; MESH_TOO_LARGE.
+/// are not multiples of three, and for point indices out of range; MESH_TOO_LARGE above
+/// limits::kMaxSurfaceTriangles.
 absl::Status ToProto(const SurfaceMesh& mesh, v1::SurfaceMesh* proto);
 absl::StatusOr<SurfaceMesh> FromProto(const v1::SurfaceMesh& proto);
 

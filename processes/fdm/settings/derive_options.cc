@@ -239,8 +239,8 @@ std::optional<std::string> TakeEveryLayers(JobRows& settings) {
                      asked, most);
 }
 
-/// Makes inner walls with a scarf separate loops. A wall that is printed in one path with the next
-/// wall has no seam for a scarf.
+/// Prints each inner wall that gets a scarf as a loop of its own. A wall that is printed in one
+/// path with the next wall has no seam for a scarf.
 void TakeInnerScarfs(JobRows& settings) {
   const ScarfOptions& scarf = FdmOf(settings).region.motion.scarf;
   FdmOf(settings).region.order.whole_loops =

@@ -76,8 +76,8 @@ struct MillingOptions {
   double stepover_share = 0.4;
   /// Thickness of stock that roughing leaves around the part for finishing.
   double allowance_mm = 0.2;
-  /// smallest width of a passage, measured across the positions of the tip; roughing leaves
-  /// narrower passages to finishing
+  /// smallest width of an area of tip positions that roughing mills; a passage must be wider than
+  /// the cutter by this amount, narrower passages are left to finishing; 0: no limit
   double minimum_width_mm = 0.05;
   bool finishing = true;
   double finish_stepdown_mm = 0.25;  ///< largest distance between two waterlines

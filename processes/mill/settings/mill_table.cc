@@ -66,8 +66,8 @@ std::vector<SettingSpec> StrategySettings() {
              "Thickness of material that roughing leaves around the part for finishing",
              Bind<&MillSettings::how, &MillingOptions::allowance_mm>()),
       Number("minimum_width", {"mm", 0, 1000}, "0.05",
-             "Width below which roughing leaves a passage to finishing, measured across the "
-             "positions that the cutter's tip can reach",
+             "Smallest width of an area of tip positions that roughing mills: a passage must be "
+             "wider than the cutter by this amount. Narrower ones are left to finishing",
              Bind<&MillSettings::how, &MillingOptions::minimum_width_mm>()),
       Flag("finishing", "1", "Add finishing passes, which touch the part, after roughing",
            Bind<&MillSettings::how, &MillingOptions::finishing>()),

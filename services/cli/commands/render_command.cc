@@ -140,7 +140,9 @@ void AddRender(CLI::App& app, CommandContext& context) {
           "--flavor", options->flavor,
           "Firmware used to estimate times; default: the one that the file names, otherwise marlin")
       ->type_name("NAME");
-  command->add_option("--spot", options->spot_mm, "Line width in a CLI file, in mm")
+  command
+      ->add_option("--spot", options->spot_mm,
+                   "Width at which the lines of a CLI file are drawn, in mm; the file has no width")
       ->check(InRange(0.001, 10.0))
       ->capture_default_str()
       ->type_name("MM");

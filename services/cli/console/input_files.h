@@ -11,7 +11,8 @@ namespace slicefarm::cli {
 /// Registers an open file. Only regular files count, because writing to a pipe does not replace it.
 void NoteInput(int descriptor);
 
-/// Registers a file by its path, for a file that other code opens. A missing file is ignored.
+/// Registers the file at `path`, for a file that a library opens, such as a certificate that gRPC
+/// reads. Does nothing if it is missing or not a regular file.
 void NoteInput(const std::string& path);
 
 /// Returns true if `path`, after following links, is a registered file.

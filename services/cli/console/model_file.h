@@ -12,7 +12,8 @@ namespace slicefarm::cli {
 /// comment would begin a new command.
 std::string NameOf(const std::string& path);
 
-/// Reads the bytes of a model file. Errors: REQUEST_MALFORMED with the file's name; MESH_TOO_LARGE.
+/// Reads the bytes of a model file. Errors: REQUEST_MALFORMED with the file's name if it cannot be
+/// read; MESH_TOO_LARGE above limits::kMaxMeshBytes.
 absl::StatusOr<MeshFile> ReadModelFile(const std::string& path);
 
 }  // namespace slicefarm::cli

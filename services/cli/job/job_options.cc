@@ -131,8 +131,9 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->excludes(rotate_z);
   auto* center =
       app.add_option("--center", options.centers,
-                     "Position of the part's centre on the bed, in mm; each repetition places a "
-                     "copy. Default: the middle of the bed; several parts are arranged")
+                     "Position of the part's centre on the bed, in mm; may be repeated: one copy "
+                     "per position. Without --center, a single part is placed in the middle of "
+                     "the bed, and several parts or copies are arranged")
           ->type_name("X,Y")
           ->allow_extra_args(false);
   app.add_flag("--arrange", options.arrange,

@@ -38,7 +38,7 @@ struct GivenModels {
 /// of the project's designer (config::presets::ForPrinter).
 ///
 /// Errors: REQUEST_MALFORMED with the option or the file, also for options that would move placed
-/// objects of a project; MESH_TOO_LARGE; errors of ReadProject and config::JobOfProject. With
+/// objects of a project; any error of ReadModelFile, ReadProject and config::JobOfProject. With
 /// --plates, a plate without anything to print has an error in `refused`, and the other plates are
 /// returned.
 absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);

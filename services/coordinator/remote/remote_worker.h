@@ -7,8 +7,8 @@
 
 namespace slicefarm::coordinator {
 
-/// TaskRunner that calls slicefarm.v1.Worker. Supports the processes that the worker has reported.
-/// Errors: see StageClient.
+/// TaskRunner that calls slicefarm.v1.Worker. Supports the manufacturing processes (Process) that
+/// the worker has reported. Errors: see StageClient.
 class RemoteWorker : public TaskRunner {
  public:
   /// Sends the calls to `replicas`, which must outlive the worker.

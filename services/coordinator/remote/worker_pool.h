@@ -29,18 +29,19 @@ struct WorkerPoolOptions {
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
-/// Pool of the workers at the addresses of some names. A worker joins the runners when it has
-/// reported its build and its slots. It leaves when its address disappears, or when it does not
-/// answer a request within `greeting_patience`. Interruptions of some seconds are allowed
-/// (Runner::await_ready). Workers of another build do not join.
+/// Pool of workers. It finds their addresses by looking up the given host names (`names`). The pool
+/// adds a worker to the given RunnerSet when the worker has reported its build and its slots. It
+/// removes a worker when its address disappears, or when the worker does not answer a request
+/// within `greeting_patience`. Interruptions of some seconds are allowed (Runner::await_ready).
+/// Workers of another build are not added.
 ///
 /// The pool requests the info of all workers at regular intervals, because a restarted worker may
 /// have other slots or another build. BUILD_MISMATCH as the answer to a range also shows that a
 /// worker is of another build.
 class WorkerPool {
  public:
-  /// Adds the workers to `runners`, which must outlive the pool. `names`: host:port; each name may
-  /// have any number of addresses.
+  /// Adds the workers to `runners`, which must outlive the pool. `names`: HOST:PORT; the lookup of
+  /// each name may give any number of addresses.
   WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
              const WorkerPoolOptions& options = {});
   /// Removes all workers from the runners.

@@ -25,7 +25,9 @@ int64_t CalmAfterLostRunsUs(int32_t runs, int64_t number) {
   return runs < kSuspectRuns ? 0 : CalmUs(std::min(runs, kMaxLostRuns) - kSuspectRuns, number);
 }
 
-/// A deadly run has already killed two or three services, so the waits are 8 s and 64 s.
+/// Returns the time without losses that is needed after `runs` deadly runs: at least 8 s after the
+/// first and 64 s after the second. These times are longer than after lost runs, because each
+/// deadly run has killed services.
 int64_t CalmAfterDeadlyRunsUs(int32_t runs, int64_t number) {
   return runs == 0 ? 0 : CalmUs(3 * std::min(runs, kMaxDeadlyRuns) - 2, number);
 }

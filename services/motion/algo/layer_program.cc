@@ -337,8 +337,8 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
   return passes;
 }
 
-/// Returns the fans and the height of a layer. `index`: index of the layer in its pass. In a layer
-/// above the first one that prints no part, the fan does not change.
+/// Returns the fan speeds and the height of a layer. `index`: index of the layer in its pass. In a
+/// layer above the first one that prints no part, the fan speed does not change.
 LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits, int32_t index,
                    double time_s, const MotionOptions& options) {
   const CoolingOptions& cooling = options.tool().cooling;

@@ -86,8 +86,8 @@ absl::Status CheckHead(const AnswerHead& head, const Request& request);
 class MeshHeads {
  public:
   explicit MeshHeads(const Request& request);
-  /// Checks the head of the next mesh. Its numbers must not exceed the totals that are left.
-  /// Subtracts them from these totals.
+  /// Checks that the counts in the head of the next mesh do not exceed the remaining totals.
+  /// Subtracts the counts from these totals.
   absl::Status Check(const MeshHead& head);
 
  private:

@@ -375,9 +375,10 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "ensure_vertical_shell_thickness",
        .kind = Kind::kChoice,
        .standard = "enabled",
-       .doc = "Solid infill behind the walls of slopes, where the walls alone are too thin. "
-              "enabled: everywhere. partial: where this infill is at least three lines wide, as on "
-              "gentle slopes. disabled: none. 0 and 1 are older names of partial and enabled",
+       .doc = "Add solid infill inside the walls of slopes, where the walls alone do not close the "
+              "shell. enabled: everywhere. partial: where this infill is at least three lines "
+              "wide, as on gentle slopes. disabled: none. 0 and 1 are older names of partial and "
+              "enabled",
        .choices = {{"disabled", static_cast<int>(ShellThickness::kDisabled)},
                    {"partial", static_cast<int>(ShellThickness::kPartial)},
                    {"enabled", static_cast<int>(ShellThickness::kEnabled)},

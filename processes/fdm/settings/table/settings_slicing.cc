@@ -17,10 +17,11 @@ std::vector<SettingSpec> SlicingSettings() {
       {.key = "counterbore_hole_bridging",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc = "Printing of a hole that begins above a wider recess. none: the hole's edge is "
-              "printed in the air. partiallybridge: the edge is printed on bridges beside the hole "
-              "and bridges across them. sacrificiallayer: one layer closes the recess and must be "
-              "drilled through",
+       .doc =
+           "Printing of a hole that begins above a wider recess. none: the hole's edge is "
+           "printed in the air. partiallybridge: one layer bridges the recess on two sides of the "
+           "hole, and the next layer on the other two sides; the hole's edge rests on these "
+           "bridges. sacrificiallayer: one layer closes the recess and must be drilled through",
        .choices = {{"none", static_cast<int>(CounterboreBridging::kNone)},
                    {"partiallybridge", static_cast<int>(CounterboreBridging::kPartial)},
                    {"sacrificiallayer", static_cast<int>(CounterboreBridging::kSacrificial)}},

@@ -266,12 +266,12 @@ std::vector<SettingSpec> Speeds() {
        .doc = "Highest flow of the print, in volume per second; filament_max_volumetric_speed is a "
               "second limit. 0: no limit"},
       FlowSlope("max_volumetric_extrusion_rate_slope_positive",
-                "Largest increase of the flow per second between neighbouring lines; smaller: "
-                "smoother. 0: no limit",
+                "Largest increase of the flow per second along a path; fast lines before or "
+                "after slower ones are slowed down to keep it. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_rise_mm3_s2>()),
       FlowSlope("max_volumetric_extrusion_rate_slope_negative",
-                "Largest decrease of the flow per second between neighbouring lines; smaller: "
-                "smoother. 0: no limit",
+                "Largest decrease of the flow per second along a path; fast lines before or "
+                "after slower ones are slowed down to keep it. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_fall_mm3_s2>()),
   };
 }

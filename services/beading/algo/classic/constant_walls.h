@@ -17,9 +17,9 @@ struct WallPlan {
   Coord inner_spacing_nm = 0;
   /// true to fill gaps between walls; gaps along the outline depend on `thin_walls`
   bool gap_fill = false;
-  /// If true, parts too thin for two outermost walls are returned as gaps and get one bead. If
-  /// false, such a part gets a loop that overlaps itself, as in PrusaSlicer, if its width is at
-  /// least that of one wall. Narrower parts are not printed.
+  /// Treatment of parts that are too thin for two outermost walls side by side. True: these parts
+  /// are returned as gaps and get one bead. False, as in PrusaSlicer: parts at least
+  /// external_width_nm wide get a wall that overlaps itself, and narrower parts are not printed.
   bool thin_walls = false;
   /// Smallest length of a bead in a gap, in nm, if the island also has walls. Shorter beads are
   /// omitted.

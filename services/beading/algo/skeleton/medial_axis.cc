@@ -355,8 +355,8 @@ ThickLine MakeLine(const AxisGraph& graph, const std::vector<int>& nodes, double
   return line;
 }
 
-/// Returns a dot in the middle of a region without facing sides, such as a square. It is along the
-/// longest branch.
+/// Returns a dot in the middle of a region of which no two sides meet at less than kFacingAngle,
+/// such as a square. The dot is along the longest branch.
 std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
   int farthest = widest;
   double reach = 0;

@@ -96,7 +96,7 @@ class JobWatch {
   grpc::Alarm alarm_;  ///< calls woken_tag_ on the queue's thread after a notification of the feed
   grpc::Alarm found_alarm_;  ///< calls found_tag_ on the queue's thread after a read
 
-  int64_t ticket_ = 0;      ///< ticket of the listener at the feed
+  int64_t ticket_ = 0;      ///< ticket that JobFeed::Listen returned for this watch
   int64_t read_to_ = 0;     ///< sequence of the last event that was read
   bool opened_ = false;     ///< true if the client was notified that the watch is open
   bool terminal_ = false;   ///< true if the event `read_to_` is the job's last

@@ -46,8 +46,8 @@ v1::Preflight ToProto(const Preflight& preflight, const Cost& cost);
 /// Converts a request for a page of a list. The page token contains the last job of the previous
 /// page and is opaque to clients.
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request);
-/// Converts the jobs that a list query found to one page: as many jobs as fit into a message,
-/// without their settings.
+/// Makes one page of the jobs that a list query found: as many jobs as fit into a message, without
+/// their settings.
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query);
 
 /// Converts the changes of a job. Errors: also REQUEST_MALFORMED for a mask without fields or with

@@ -25,7 +25,8 @@ class DirectoryBlobs : public BlobStores {
  public:
   explicit DirectoryBlobs(std::string root) : root_(std::move(root)) {}
 
-  /// Returns the only store of the tenant's directory, because its users must share its locks.
+  /// Returns the tenant's store. There is one store object per directory, because all its users
+  /// must share the object's locks.
   absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string& tenant) override {
     if (absl::Status named = CheckTenant(tenant); !named.ok()) return named;
     const std::lock_guard lock(mutex_);

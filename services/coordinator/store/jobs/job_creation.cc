@@ -33,8 +33,9 @@ absl::StatusOr<bool> HasOpen(SqlConnection& db, const std::string& tenant, int64
   return has;
 }
 
-/// Margin to the limit of open jobs above which a tenant's jobs are counted without a lock. All
-/// coordinators together create fewer jobs at a time.
+/// Distance from the limit of open jobs up to which a tenant's jobs are counted with a lock. A
+/// tenant that is farther below its limit needs no lock: all coordinators together create fewer
+/// jobs than this at the same time.
 constexpr int64_t kManyJobs = 2'500;
 
 /// Checks the limit of open jobs. Near the limit, the jobs of a tenant are created one after

@@ -10,9 +10,10 @@ namespace slicefarm::exposure {
 /// Where a corner touches an edge, the edge gets a corner. Where two rings share an edge with no
 /// area between them, both edges are removed. A ring that touches nothing is unchanged.
 ///
-/// Errors: REQUEST_MALFORMED, with the position, if edges cross or overlap in the same direction, a
-/// ring has the wrong direction, or an island is inside another island. Exact. Cost: O(n log n), n
-/// edges. If rings touch, the number of pairs of edges that overlap in x is added.
+/// Errors: REQUEST_MALFORMED, with the position, if edges cross, if edges of the same direction
+/// overlap, if a ring has the wrong direction, or if an island is inside another island. Exact.
+/// Cost: O(n log n), n edges. If rings touch, the number of pairs of edges that overlap in x is
+/// added.
 absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands);
 
 }  // namespace slicefarm::exposure

@@ -42,10 +42,11 @@ class RegionFields {
   RegionFields(const FieldsOfRows& fields, std::span<const SlicedLayer> layers)
       : fields_(fields), memos_(fields.size()), layers_(layers) {}
 
-  /// Returns the fields of a layer, with its middle at `z_mm`; nullopt if the row has no fields.
-  /// `row`: index in `fields`; `object`: id of the object; `own_layer`: layer number in the object.
-  /// Consecutive layers follow the two families of directions alternately. Layers that are filled
-  /// together (every_layers) count as one. The result is valid until the next call. Errors:
+  /// Returns the density and direction fields of a layer with its middle at `z_mm`; nullopt if the
+  /// row has neither. `row`: row of the infill options, as index into FieldsOfRows; `object`: id of
+  /// the object; `own_layer`: layer number in the object. A direction field has two families of
+  /// lines, which consecutive layers use alternately. Layers that are filled together
+  /// (every_layers) count as one. The result is valid until the next call. Errors:
   /// REQUEST_TOO_LARGE (see SurfaceDistances::Of).
   absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer,
                                                double z_mm);

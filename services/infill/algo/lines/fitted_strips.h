@@ -49,8 +49,8 @@ class FittedStrips {
   std::vector<StripPoint> From(int32_t place) const;
 
  private:
-  /// Extra width of a strip beyond half a pitch, in nm, at the position `u` along it. May be
-  /// negative.
+  /// Extra width of a strip on one side of its line, in nm, at the position `u` along the line. 0:
+  /// the strip extends half a pitch to this side. May be negative.
   struct Knot {
     double u = 0;
     double more_nm = 0;

@@ -46,7 +46,8 @@ std::vector<BeadPoint> BeadOf(const Path& path) {
 
 bool IsTurn(Point a, Point b) { return Dot(a, b) < kLineBend * Norm(a) * Norm(b); }
 
-/// Returns the number of the line of each edge.
+/// Returns, for each edge of the bead, the index of its line, from 0. A new line begins at each
+/// turn.
 std::vector<size_t> LinesOf(const std::vector<BeadPoint>& bead) {
   std::vector<size_t> lines;
   size_t line = 0;

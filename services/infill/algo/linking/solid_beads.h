@@ -20,7 +20,9 @@ class SolidBeads {
  public:
   /// Parameters of solid beads.
   struct Options {
-    bool fitted = true;  ///< false: every line is as wide as the pitch
+    /// true: lines beside a boundary at a small angle get a wider or narrower strip (FittedStrips);
+    /// false: every line is as wide as the pitch
+    bool fitted = true;
     /// Distance from the region's boundary to the boundary of the area that `lines` fill, in nm.
     double reach_nm = 0;
     double link_share = 1;  ///< width of a link's strip, as a share of the pitch

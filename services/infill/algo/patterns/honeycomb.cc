@@ -13,15 +13,16 @@ namespace {
 constexpr double kSqrt3 = std::numbers::sqrt3;
 constexpr int kBisections = 60;
 
-/// Returns the length per area of rows with hexagon sides of `side`. The sloped parts of a row are
-/// shortened by `gap`, half of it on either side.
+/// Returns the length per area of rows of hexagons with sides of length `side`. The sloped parts of
+/// a row are shortened by `gap`, half of it at each end.
 double LengthPerArea(double side, double gap) {
   const double rise = kSqrt3 / 2 * side - gap;
   const double slope = std::sqrt(side * side / 4 + rise * rise);
   return (2 * side + 2 * slope) / (3 * side * kSqrt3 / 2 * side);
 }
 
-/// Returns the side at which rows with flat parts `gap` apart have the requested density.
+/// Returns the length of a hexagon's side for which rows with flat parts `gap` apart have the
+/// density of lines `pitch` apart.
 double SideFor(double pitch, double gap) {
   double low = pitch / 2, high = 2 * pitch;
   for (int i = 0; i < kBisections; ++i) {

@@ -26,9 +26,9 @@ struct SparseBridges {
 /// pitch, with beads of `width_nm`. For most solid parts the result is empty. Cost: one offset.
 MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
 
-/// Returns the parts of `skins.solid` over sparse infill that need bridges: the parts wider than
-/// the pitch plus one bead, at any position of the lines below. Cost: one boolean operation, and a
-/// few more per part found.
+/// Returns the parts of `skins.solid` over sparse infill that need bridges: the parts that are at
+/// least below.pitch_nm + `width_nm` wide. The positions of the lines below are not used. Cost: one
+/// intersection; a few offsets and one intersection more for the parts found.
 MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins);
 
 /// Removes `bridged` (the result of UnheldParts) from the skins and returns it as bridges. If the

@@ -19,21 +19,20 @@
 
 namespace slicefarm::motion {
 
-/// Fan percentage that means: the fan is not changed.
+/// Value of a fan speed that means: the fan speed is not changed.
 inline constexpr int32_t kFanAsBefore = -1;
 
-/// Values that are set when a layer's moves begin, and fan speeds for its kinds of beads. Fans in
-/// percent.
+/// Values that are set when a layer's moves begin, and the fan speeds in percent for its kinds of
+/// beads.
 struct LayerState {
   int32_t height_um = -1;
-  int32_t fan_percent = 0;         ///< fan of the layer; may be kFanAsBefore
-  int32_t bridge_fan_percent = 0;  ///< fan for bridges and overhangs
-  /// fans for walls over air, indexed by overhang degree (cooling.h); nullopt: the dynamic fan is
-  /// off
+  int32_t fan_percent = 0;         ///< fan speed of the layer; may be kFanAsBefore
+  int32_t bridge_fan_percent = 0;  ///< fan speed for bridges and overhangs
+  /// fan speeds for walls over air (cooling.h); nullopt without enable_dynamic_fan_speeds
   std::optional<OverhangFans> overhang_fan_percent = {};
   /// Walls with at most this supported share, in percent, get bridge_fan_percent; -1: no wall does.
   int32_t cooled_rest = -1;
-  int32_t interface_fan_percent = -1;  ///< fan for support interfaces; -1: fan_percent
+  int32_t interface_fan_percent = -1;  ///< fan speed for support interfaces; -1: fan_percent
   ShiftUm to_plate = {};               ///< shift from G-code coordinates to plate coordinates
 };
 

@@ -30,10 +30,12 @@ class PrintClock {
   PrintClock(const PrintClock&) = delete;
   PrintClock& operator=(const PrintClock&) = delete;
 
-  /// Read the text before the layers, before layer `i`, and after the layers, and add its time.
-  /// Call in the order of printing.
+  /// Adds the time of `gcode`, which is printed before the first layer. Call ReadBefore, ReadAt,
+  /// AddLayer and ReadAfter in the order of printing.
   void ReadBefore(std::string_view gcode) { Read(gcode, times_.before_s); }
+  /// Adds the time of `gcode`, which is printed just before layer `i`.
   void ReadAt(size_t i, std::string_view gcode) { Read(gcode, times_.layer_s[i]); }
+  /// Adds the time of `gcode`, which is printed after the last layer.
   void ReadAfter(std::string_view gcode) { Read(gcode, times_.after_s); }
   /// Adds the time of layer `i`, corrected for the moves before it. Call in the order of printing.
   void AddLayer(size_t i);

@@ -93,11 +93,11 @@ int32_t FastestBead(const Layer& full, Beads beads, std::span<const Toolpath> pa
   return fastest;
 }
 
-/// Returns the fan in percent for one of the first layers: 0 at first, then a share of `percent`
-/// that grows layer by layer.
+/// Returns the fan speed in percent for one of the first layers: 0 at first, then a share of
+/// `percent` that grows layer by layer.
 int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percent) {
   const int32_t full = cooling.full_fan_speed_layer;
-  // If the fan grows over the first layers, it is off in the very first one.
+  // If the fan speed grows over the first layers, the fan is off in the very first one.
   const int32_t off = std::max(cooling.disable_fan_first_layers, full > 0 ? 1 : 0);
   if (layer_index < off) return 0;
   if (layer_index + 1 >= full) return percent;
@@ -105,7 +105,7 @@ int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percen
   return static_cast<int32_t>(std::lround(percent * share));
 }
 
-/// Returns the fan in percent that the layer's time requires, regardless of the first layers.
+/// Returns the fan speed in percent that the layer's time requires, regardless of the first layers.
 int32_t FullFan(const CoolingOptions& cooling, double layer_time_s) {
   const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
   if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;

@@ -10,7 +10,8 @@
 
 namespace slicefarm::motion {
 
-/// Fans in percent for walls with a supported width of 0, 25, 50 and 75 %, indexed by this degree.
+/// Fan speeds in percent for walls over air, indexed by the degree of overhang: for a supported
+/// width of 0, 25, 50 and 75 %.
 using OverhangFans = std::array<double, kOverhangDegrees>;
 
 /// Slows down the beads of a layer, all by the same factor, until the layer's program takes at
@@ -27,23 +28,24 @@ using OverhangFans = std::array<double, kOverhangDegrees>;
 std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
                                  LayerTiming& timing, std::span<Toolpath> paths);
 
-/// Returns the fan in percent for a layer that takes `layer_time_s`. A shorter layer gets a faster
-/// fan, between min_fan_speed and max_fan_speed. The fan is off in the first layers, then grows
-/// layer by layer up to full_fan_speed_layer.
+/// Returns the fan speed in percent for a layer that takes `layer_time_s`. The speed is between
+/// min_fan_speed and max_fan_speed, and is higher for a shorter layer. The fan is off in the first
+/// layers. Then its speed rises layer by layer up to full_fan_speed_layer.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
-/// Returns the fan in percent for bridges and overhangs, at least `fan_percent`.
+/// Returns the fan speed in percent for bridges and overhangs, at least `fan_percent`.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
 
 /// Returns the largest supported share, in percent of the width, at which a wall still gets the fan
-/// for bridges. Returns -1 if only bridges get it.
+/// speed for bridges. Returns -1 if only bridges get this speed.
 int32_t CooledRest(const CoolingOptions& cooling);
 
-/// Returns the fan in percent for support interfaces, or -1 if they get the layer's fan.
+/// Returns the fan speed in percent for support interfaces, or -1 if they get the layer's fan
+/// speed.
 int32_t InterfaceFanPercent(const CoolingOptions& cooling, int32_t layer_index);
 
-/// Returns the fans for walls over air, each at least `fan_percent`. Returns nullopt if the dynamic
-/// fan is off.
+/// Returns the fan speeds in percent for walls over air, each at least `fan_percent`. Returns
+/// nullopt without enable_dynamic_fan_speeds.
 std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,
                                                int32_t fan_percent);
 

@@ -43,7 +43,8 @@ class SequencePlanner : public Planner {
   const SequencePlanOptions& options_;
   const std::span<const PlacedCopy> copies_;
   const std::span<const std::string> object_names_;
-  /// height and number of layers of each object's part so far
+  /// top height and number of layers of each object's part, without supports and rafts; indexed by
+  /// object, from the layers that Look has received
   std::map<int32_t, Printed> printed_;
 };
 

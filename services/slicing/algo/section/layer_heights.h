@@ -41,7 +41,7 @@ struct LayerHeights {
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights);
 
 /// Returns layers with the tops `tops_nm`, each cut in its middle. The tops must ascend, from above
-/// 0. Errors: MESH_TOO_LARGE.
+/// 0. Errors: MESH_TOO_LARGE above limits::kMaxLayers tops.
 absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm);
 
 }  // namespace slicefarm::slicing

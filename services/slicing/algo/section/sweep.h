@@ -45,9 +45,10 @@ struct SweepScratch {
 /// O(faces + segments), 4 bytes per segment.
 class Sweep {
  public:
-  /// Sorts the faces into layers. `other_points`: number of segments of the parts of the job that
-  /// were prepared earlier. Errors: MESH_TOO_LARGE if a layer, or all layers together, have more
-  /// segments than limits.h allows.
+  /// Sorts the faces into layers. `other_points`: total number of segments (a segment counts as one
+  /// point) of the parts of the job that were prepared earlier. Errors: MESH_TOO_LARGE if one layer
+  /// has more than limits::kMaxPointsPerLayer segments, or if all layers and `other_points`
+  /// together exceed limits::kMaxPointsPerJob.
   static absl::StatusOr<Sweep> Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm,
                                        int64_t other_points = 0);
 

@@ -19,9 +19,9 @@ class TiledSection {
   /// Returns true if a position of the map is solid.
   bool Contains(const Eigen::Vector2d& map_mm) const;
 
-  /// Appends to `shares` candidates for the points where the line from `a` to `b` enters or leaves
-  /// the solid: crossings with outlines and with the sides of tiles. A candidate is a relative
-  /// position on the line, from 0 to 1. The order is arbitrary.
+  /// Finds candidates for the points where the line from `a` to `b` enters or leaves the solid, and
+  /// appends them to `shares`. Candidates are the line's crossings with outlines and with the sides
+  /// of tiles. A candidate is a relative position on the line, from 0 to 1. The order is arbitrary.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:

@@ -14,10 +14,12 @@ namespace slicefarm::load {
 
 /// Kinds of requests.
 enum class ScenarioKind {
-  kPrint,   ///< upload a part, create its job, watch it to its end, download the G-code
-  kSubmit,  ///< create a job of an existing mesh, which measures only the durable acknowledgement
-  kGet,     ///< get a job
-  kWatch,   ///< upload a part, create its job, watch it to its end with many streams at once
+  kPrint,  ///< upload a part, create its job, watch it to its end, download the G-code
+  /// create a job of an uploaded mesh; measures only the time until the farm has stored and
+  /// confirmed the job
+  kSubmit,
+  kGet,    ///< get a job
+  kWatch,  ///< upload a part, create its job, watch it to its end with many streams at once
 };
 
 /// Options of a scenario.

@@ -23,9 +23,9 @@ struct PartLayer : SolidLayer {
   const MultiPolygon* blockers = nullptr;   ///< areas where the user blocks supports; null: none
 };
 
-/// Input for the supports of one object, in the object's own coordinates. All copies get the same
-/// supports. `others` therefore contains the neighbours of all copies, each at its position
-/// relative to its copy.
+/// Input for the supports of one object, in the object's own coordinates. All copies of the object
+/// get the same supports. So `others` contains the neighbouring objects of each copy, moved with
+/// this copy into the object's coordinates. One neighbour may occur several times.
 struct SupportProblem {
   std::vector<PartLayer> part;  ///< layers bottom up, without gaps between them
   /// Other objects, each as layers from the lowest up. Supports keep away from them and are never

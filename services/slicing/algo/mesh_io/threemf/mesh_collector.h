@@ -21,7 +21,7 @@ enum Paint : uint8_t {
 
 /// Options for reading meshes, and totals over all meshes read so far.
 struct MeshReading {
-  bool keep = true;  ///< false: meshes are only checked and counted
+  bool keep = true;  ///< true: keeps the meshes; false: only checks and counts them
   double coordinate_limit_mm = 0;
   int64_t vertices = 0;
   int64_t triangles = 0;  ///< number of triangles, painted pieces included
@@ -31,7 +31,8 @@ struct MeshReading {
 /// Collector of one mesh and its paint from `vertex` and `triangle` elements.
 ///
 /// Errors (without a location): MESH_MALFORMED for missing numbers, invalid vertex indices and
-/// invalid paint; MESH_NOT_FINITE, OUT_OF_RANGE, MESH_TOO_LARGE.
+/// invalid paint; MESH_NOT_FINITE; OUT_OF_RANGE for a coordinate above the limit of `reading`.
+/// MESH_TOO_LARGE if the totals of `reading` exceed kMaxVertices or limits::kMaxTriangles.
 class MeshCollector {
  public:
   /// Keeps a reference to `reading` and adds to its totals.

@@ -14,7 +14,8 @@ namespace slicefarm::slicing::threemf {
 /// (PrusaSlicer's copies). Positions are used only if the project was saved for a printer.
 ///
 /// Errors: MESH_MALFORMED with the location in the file for inconsistent contents; MESH_EMPTY if a
-/// part has no triangle, or if there is nothing to build; MESH_TOO_LARGE.
+/// part has no triangle, or if there is nothing to build; MESH_TOO_LARGE above limits::kMaxParts
+/// parts, kMaxTriangles triangles of all parts, or kMaxProjectBytes of settings.
 absl::StatusOr<Project> MakeProject(const Package& package, Metadata metadata);
 
 }  // namespace slicefarm::slicing::threemf

@@ -19,7 +19,7 @@ struct ArrangeItem {
 
 /// Part with a fixed position.
 struct FixedFootprint {
-  Polygon footprint;  ///< outline at its position
+  Polygon footprint;  ///< outline of the part at its fixed position, in plate coordinates
   int plate = 0;      ///< plate index, >= 0
 };
 

@@ -11,8 +11,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Largest distance in nm by which a point computed in double may violate a limit and is still
-/// tested exactly.
+/// Largest distance in nm by which a point computed in double may violate a limit. Up to this
+/// distance, the point is still tested exactly.
 constexpr double kSlack = 0.5;
 
 /// Smallest angle of a wedge, in radians, in which a grid point is searched. In a sharper wedge,

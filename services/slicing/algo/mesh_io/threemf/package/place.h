@@ -7,7 +7,7 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Location in the file of an archive, for errors that are detected after the XML is parsed.
+/// Location in a file of an archive, for errors that are detected after the XML is parsed.
 struct Place {
   std::string part;
   int64_t line = 0;

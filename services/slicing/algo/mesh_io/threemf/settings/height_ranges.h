@@ -15,8 +15,10 @@ namespace slicefarm::slicing::threemf {
 using HeightRanges = std::map<int64_t, std::vector<HeightRange>>;
 
 /// Reads Metadata/Prusa_Slicer_layer_config_ranges.xml or Metadata/layer_config_ranges.xml, which
-/// have the same format. Errors: any error of XmlParser; MESH_MALFORMED for heights that are not
-/// numbers or are in the wrong order; MESH_TOO_LARGE.
+/// have the same format. `part`: name of this file in the archive, for error messages. Errors: any
+/// error of XmlParser or AddSetting; MESH_MALFORMED for heights that are not numbers or are in the
+/// wrong order; MESH_TOO_LARGE above limits::kMaxObjects objects or limits::kMaxHeightRanges ranges
+/// of an object.
 absl::StatusOr<HeightRanges> ReadHeightRanges(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf

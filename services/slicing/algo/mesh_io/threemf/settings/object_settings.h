@@ -56,11 +56,13 @@ struct ModelSettings {
 };
 
 /// Reads Metadata/Slic3r_PE_model.config or Metadata/model_settings.config. They have the same
-/// format except for the names of a few elements.
+/// format except for the names of a few elements. `part`: name of this file in the archive, for
+/// error messages.
 ///
 /// In PrusaSlicer's files, triangles are already in object coordinates. Therefore the matrix of a
 /// volume is not applied; it only documents the origin of the triangles. Errors: any error of
-/// XmlParser; MESH_MALFORMED for invalid numbers; MESH_TOO_LARGE.
+/// XmlParser or AddSetting; MESH_MALFORMED for invalid numbers; MESH_TOO_LARGE above the limits
+/// (limits.h) on parts, plates, and copies on plates.
 absl::StatusOr<ModelSettings> ReadModelSettings(std::string_view text, const std::string& part);
 
 }  // namespace slicefarm::slicing::threemf
