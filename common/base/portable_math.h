@@ -4,16 +4,16 @@
 
 namespace slicefarm {
 
-/// Transcendental functions that return the same bits on every machine with IEEE 754 doubles. The
-/// results of libm differ between machines in the last bit, because glibc selects variants by the
-/// features of the CPU (FMA, AVX2). These functions consist of + - * / and sqrt, for which IEEE 754
-/// defines every bit. They are compiled without contraction of a * b + c. Code that makes G-code
-/// uses these functions instead of libm.
-///
-///   Errors:  below 2 ulp (Sinh beyond 700: 3); Sin, Cos, Tan and Acos below 1. NaN gives NaN.
-///   Source:  the algorithms and coefficients of fdlibm 5.3 (Sun Microsystems, 1993, "Permission to
-///            use, copy, modify, and distribute this software is freely granted"): k_sin, k_cos,
-///            k_tan, e_rem_pio2 (the medium case), s_atan, e_atan2, e_acos, e_exp, s_log1p.
+// Transcendental functions that return the same bits on every machine with IEEE 754 doubles. The
+// results of libm differ between machines in the last bit, because glibc selects variants by the
+// features of the CPU (FMA, AVX2). These functions consist of + - * / and sqrt, for which IEEE 754
+// defines every bit. They are compiled without contraction of a * b + c. Code that makes G-code
+// uses these functions instead of libm.
+//
+//   Errors:  below 2 ulp (Sinh beyond 700: 3); Sin, Cos, Tan and Acos below 1. NaN gives NaN.
+//   Source:  the algorithms and coefficients of fdlibm 5.3 (Sun Microsystems, 1993, "Permission to
+//            use, copy, modify, and distribute this software is freely granted"): k_sin, k_cos,
+//            k_tan, e_rem_pio2 (the medium case), s_atan, e_atan2, e_acos, e_exp, s_log1p.
 
 /// Largest |angle_rad| for which Sin, Cos and Tan are defined. They return NaN for larger angles.
 inline constexpr double kMaxAngleRad = 8e5;

@@ -7,8 +7,8 @@
 
 namespace slicefarm::config {
 
-/// Functions with which each process derives settings from other settings
-/// (ProcessSettings::Derive).
+// Functions with which each process derives settings from other settings
+// (ProcessSettings::Derive).
 
 /// Returns the setting's absolute value: a percentage is converted to this share of `whole`.
 double Absolute(const Value& value, double whole);

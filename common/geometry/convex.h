@@ -6,8 +6,8 @@
 
 namespace slicefarm {
 
-/// Convex polygons in the form of ConvexHull: counter-clockwise, the smallest point first, no three
-/// points on a line. A single point and a segment are also valid, with one or two points.
+// Convex polygons in the form of ConvexHull: counter-clockwise, the smallest point first, no three
+// points on a line. A single point and a segment are also valid, with one or two points.
 
 /// Returns the convex hull of points in any order; empty if there are no points. Exact. Cost: O(n
 /// log n), n points.

@@ -7,10 +7,10 @@
 
 namespace slicefarm {
 
-/// Cross section of a bead: a rectangle with semicircular ends (a stadium) of the given width and
-/// height. Neighbouring beads at a distance of `Spacing` fill the layer without voids: their
-/// overlap has the area that the round ends leave empty. Source: the flow model of Slic3r and
-/// PrusaSlicer.
+// Cross section of a bead: a rectangle with semicircular ends (a stadium) of the given width and
+// height. Neighbouring beads at a distance of `Spacing` fill the layer without voids: their
+// overlap has the area that the round ends leave empty. Source: the flow model of Slic3r and
+// PrusaSlicer.
 
 /// Returns the centre distance of neighbouring beads of the same width: width - height (1 - pi/4).
 Coord Spacing(Coord width_nm, Coord height_nm);

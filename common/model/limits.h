@@ -7,7 +7,7 @@
 
 namespace slicefarm::limits {
 
-/// All limits on untrusted input are defined in this file. Errors quote them (`limit`, `got`).
+// All limits on untrusted input are defined in this file. Errors quote them (`limit`, `got`).
 
 /// Limits of a mesh file, and of all parts of a job together. A mesh counts once for each part that
 /// uses it.

@@ -17,18 +17,18 @@
 
 namespace slicefarm {
 
-/// Data that all calls of a job share is sent to a server only once. Calls refer to it by its
-/// digest:
-///
-///   template <> struct MessageOf<Table> { using Type = v1::Table; };   // with ToProto and
-///   FromProto
-///
-///   const auto part = PartOf(shared);                 // in the client: made once per value
-///   start.set_table((*part)->digest);                 // and pass the part to SharedSends
-///
-///   auto table = TakeShared<Table>(cache, start.table(), "table");     // in the server
-///
-/// The server also parses the bytes only once, and passes the same Shared<Table> to each call.
+// Data that all calls of a job share is sent to a server only once. Calls refer to it by its
+// digest:
+//
+//   template <> struct MessageOf<Table> { using Type = v1::Table; };   // with ToProto and
+//   FromProto
+//
+//   const auto part = PartOf(shared);                 // in the client: made once per value
+//   start.set_table((*part)->digest);                 // and pass the part to SharedSends
+//
+//   auto table = TakeShared<Table>(cache, start.table(), "table");     // in the server
+//
+// The server also parses the bytes only once, and passes the same Shared<Table> to each call.
 
 /// Message type for a shared value of type T. REQUIRES: `absl::Status ToProto(const T&, Type*)` and
 /// `absl::StatusOr<T> FromProto(const Type&)`.

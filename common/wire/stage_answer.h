@@ -11,9 +11,9 @@
 
 namespace slicefarm {
 
-/// Server side of a stage's call that refers to its job data by digest. Requirements: the type Call
-/// has the members `cancel` and `job_id` (for the log), such as rpc::Call. The type Stream has the
-/// types Request and Response.
+// Server side of a stage's call that refers to its job data by digest. Requirements: the type Call
+// has the members `cancel` and `job_id` (for the log), such as rpc::Call. The type Stream has the
+// types Request and Response.
 
 /// First message of a call, and the job data to which it refers.
 template <typename Start, typename Job>

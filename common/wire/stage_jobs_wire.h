@@ -21,8 +21,8 @@ struct ExposureJob;
 struct MotionJob;
 struct OrderingJob;
 
-/// Conversion of job data that all calls of a stage share. Errors: see options_wire.h and
-/// plan_wire.h, with the path to the field.
+// Conversion of job data that all calls of a stage share. Errors: see options_wire.h and
+// plan_wire.h, with the path to the field.
 
 /// Converts a beading table to its message and back.
 absl::Status ToProto(const BeadingTable& table, v1::BeadingTable* proto);

@@ -15,8 +15,8 @@
 
 namespace slicefarm {
 
-/// First message of a call of most stages. Errors: see stage_call_wire.h, layer_wire.h, plan_wire.h
-/// and options_check.h, with the path to the field.
+// First message of a call of most stages. Errors: see stage_call_wire.h, layer_wire.h, plan_wire.h
+// and options_check.h, with the path to the field.
 
 /// Start of a call: context, job data and layers.
 struct StageStart {

@@ -28,8 +28,8 @@
 namespace slicefarm::adhesion_plates_test {
 namespace {
 
-/// Tests skirt, brim and raft of plates of random parts, from settings to printed paths. Distances
-/// are measured in the paths by plain geometry.
+// Tests skirt, brim and raft of plates of random parts, from settings to printed paths. Distances
+// are measured in the paths by plain geometry.
 
 constexpr double kOffNm = 20'000;
 /// Tolerance for a single line in a place less than two lines wide. The line has the volume of the

@@ -9,8 +9,8 @@
 
 namespace slicefarm::internal {
 
-/// Region in which rings in general position have at least a given winding number; private to
-/// common/geometry.
+// Region in which rings in general position have at least a given winding number; private to
+// common/geometry.
 
 /// A ring of an arrangement. Rings with the same number in `group` do not meet each other or
 /// themselves, and are not tested against each other. Rings of group kMayMeetAny are tested against

@@ -7,7 +7,7 @@
 
 namespace slicefarm::internal {
 
-/// Conversions between Clipper's types and slicefarm's types; private to common/geometry.
+// Conversions between Clipper's types and slicefarm's types; private to common/geometry.
 
 ClipperLib::Path ToPath(const std::vector<Point>& points);
 std::vector<Point> FromPath(const ClipperLib::Path& path);

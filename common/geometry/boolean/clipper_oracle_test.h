@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Functions of Clipper without slicefarm's algorithms. Tests compare slicefarm's results with
-/// them.
+// Functions of Clipper without slicefarm's algorithms. Tests compare slicefarm's results with
+// them.
 
 inline MultiPolygon ClipperBoolean(const MultiPolygon& a, const MultiPolygon& b,
                                    ClipperLib::ClipType type) {

@@ -10,7 +10,7 @@
 
 namespace slicefarm::internal {
 
-/// Search for pairs of edges that may meet; private to common/geometry.
+// Search for pairs of edges that may meet; private to common/geometry.
 
 /// An edge with its bounding box.
 struct BoxedEdge {

@@ -12,7 +12,7 @@
 
 namespace slicefarm {
 
-/// Random regions for tests, and simple measures of them that share no code with the offsets.
+// Random regions for tests, and simple measures of them that share no code with the offsets.
 
 /// Returns a number in [from, to), made only from the generator's bits, so that it is the same with
 /// every standard library.

@@ -19,9 +19,9 @@
 
 namespace slicefarm {
 
-/// Each pipeline step has its own message type:
-///   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer ->
-///   motion -> LayerProgram
+// Each pipeline step has its own message type:
+//   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer ->
+//   motion -> LayerProgram
 
 /// Index, position and height of a layer.
 struct LayerFrame {

@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Options of skirt, brim and raft, which keep parts on the bed. Member comments begin with the
-/// name of the setting (the name in PrusaSlicer).
+// Options of skirt, brim and raft, which keep parts on the bed. Member comments begin with the
+// name of the setting (the name in PrusaSlicer).
 
 /// Use of the skirt as a draught shield. The choice determines the skirt's height and its distance
 /// from the parts.

@@ -12,8 +12,8 @@
 
 namespace slicefarm {
 
-/// Member comments begin with the name of the setting (the name in PrusaSlicer if it has the
-/// setting).
+// Member comments begin with the name of the setting (the name in PrusaSlicer if it has the
+// setting).
 
 /// Treatment of a hole that begins in the ceiling of a wider recess (counterbore).
 enum class CounterboreBridging : uint8_t {

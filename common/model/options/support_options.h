@@ -8,8 +8,8 @@
 
 namespace slicefarm {
 
-/// Options of supports below overhangs. Member comments begin with the name of the setting (the
-/// name in PrusaSlicer).
+// Options of supports below overhangs. Member comments begin with the name of the setting (the
+// name in PrusaSlicer).
 
 /// Shape of supports.
 enum class SupportStyle : uint8_t {

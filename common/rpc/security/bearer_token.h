@@ -8,7 +8,7 @@
 
 namespace slicefarm::rpc {
 
-/// Token in a call's metadata, `authorization: Bearer TOKEN` (RFC 6750).
+// Token in a call's metadata, `authorization: Bearer TOKEN` (RFC 6750).
 
 /// Interceptor factory of a channel: sends a token with each call. gRPC's call credentials can do
 /// this only over TLS, and connections on the loopback address may have no TLS.

@@ -8,9 +8,9 @@
 
 namespace slicefarm::rpc {
 
-/// An identity is the URI among the subject alternative names of a certificate, in the form of a
-/// SPIFFE ID. Addresses and host names in the certificate are ignored: they describe where a
-/// program runs, not its permissions.
+// An identity is the URI among the subject alternative names of a certificate, in the form of a
+// SPIFFE ID. Addresses and host names in the certificate are ignored: they describe where a
+// program runs, not its permissions.
 
 inline constexpr char kCoordinatorIdentity[] = "spiffe://slicefarm/coordinator";
 /// Identity of the proxy in front of the coordinators (deploy/proxy), which passes on calls of its

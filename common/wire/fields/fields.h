@@ -18,14 +18,14 @@
 
 namespace slicefarm {
 
-/// Serialization of the options of stages. The values of the members follow one another without
-/// names or field numbers, because both ends have the same build (StageCall). A new member needs no
-/// change in this file.
-///
-/// Supported types are numbers, booleans, enumerations, texts, cutters, aggregates of supported
-/// types, and vectors, arrays and optionals of any supported type. A struct that is derived from a
-/// settings row and has further tables declares both: the type Row and the function TablesOf. Equal
-/// long texts (SharedText) are sent once.
+// Serialization of the options of stages. The values of the members follow one another without
+// names or field numbers, because both ends have the same build (StageCall). A new member needs no
+// change in this file.
+//
+// Supported types are numbers, booleans, enumerations, texts, cutters, aggregates of supported
+// types, and vectors, arrays and optionals of any supported type. A struct that is derived from a
+// settings row and has further tables declares both: the type Row and the function TablesOf. Equal
+// long texts (SharedText) are sent once.
 
 namespace internal {
 

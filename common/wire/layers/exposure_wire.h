@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Conversion of exposure programs and of the texts before and after them. Texts are moved, not
-/// copied. Errors, with the name of the field: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE.
+// Conversion of exposure programs and of the texts before and after them. Texts are moved, not
+// copied. Errors, with the name of the field: OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 
 /// Converts the report of an exposure to its message and back.
 absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto);

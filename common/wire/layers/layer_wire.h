@@ -11,9 +11,9 @@
 
 namespace slicefarm {
 
-/// Conversion of layers: results of the stages from slicing to ordering (for programs:
-/// program_wire.h). Errors: see geometry_wire.h and path_wire.h, with the path to the field, such
-/// as `islands[2].walls[7].xy_nm`. REQUEST_MALFORMED for indices and ranges that no job can have.
+// Conversion of layers: results of the stages from slicing to ordering (for programs:
+// program_wire.h). Errors: see geometry_wire.h and path_wire.h, with the path to the field, such
+// as `islands[2].walls[7].xy_nm`. REQUEST_MALFORMED for indices and ranges that no job can have.
 
 /// Converts a layer frame to its message and back.
 void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);

@@ -13,9 +13,9 @@
 
 namespace slicefarm {
 
-/// Functions for reading and writing the messages of a call one by one, in the client and the
-/// server. A Stream has Read(Message*) and Write(const Message&). Read returns false if there are
-/// no more messages, Write if the call has ended.
+// Functions for reading and writing the messages of a call one by one, in the client and the
+// server. A Stream has Read(Message*) and Write(const Message&). Read returns false if there are
+// no more messages, Write if the call has ended.
 
 /// Reads the first message of a call, which must have the field `start`. `cancel`: token that is
 /// stored in the result's StageCall. Errors: REQUEST_MALFORMED; any error of FromProto for the

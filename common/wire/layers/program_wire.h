@@ -13,9 +13,9 @@
 
 namespace slicefarm {
 
-/// Conversion of programs and of the texts before and after them. G-code is moved, not copied, if
-/// the argument is an rvalue or passed by value. Errors, with the name of the field: OUT_OF_RANGE,
-/// REQUEST_MALFORMED.
+// Conversion of programs and of the texts before and after them. G-code is moved, not copied, if
+// the argument is an rvalue or passed by value. Errors, with the name of the field: OUT_OF_RANGE,
+// REQUEST_MALFORMED.
 
 /// Converts the totals of a feature to their message and back.
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto);

@@ -9,8 +9,8 @@
 
 namespace slicefarm {
 
-/// Conversion of regions, and of positions of sections within an object's layers. Errors: see
-/// geometry_wire.h; REQUEST_MALFORMED for numbers that no job can have.
+// Conversion of regions, and of positions of sections within an object's layers. Errors: see
+// geometry_wire.h; REQUEST_MALFORMED for numbers that no job can have.
 
 /// Converts a region to its message and back.
 absl::Status ToProto(const Region& region, v1::Region* proto);

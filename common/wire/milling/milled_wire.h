@@ -8,8 +8,8 @@
 
 namespace slicefarm {
 
-/// Conversion of the results of milling. Errors, with the name of the field: OUT_OF_RANGE,
-/// REQUEST_MALFORMED, REQUEST_TOO_LARGE.
+// Conversion of the results of milling. Errors, with the name of the field: OUT_OF_RANGE,
+// REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 
 /// Converts a milled step to its message and back.
 absl::Status ToProto(const MilledStep& step, v1::MilledStep* proto);

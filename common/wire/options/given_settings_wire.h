@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Conversion of settings in the form in which clients give them.
+// Conversion of settings in the form in which clients give them.
 
 /// Converts a setting to its message.
 inline v1::Setting ToProto(const Setting& setting) {

@@ -7,7 +7,7 @@
 
 namespace slicefarm {
 
-/// Boxes in messages that have the fields `min` and `max`. Both are absent for an empty box.
+// Boxes in messages that have the fields `min` and `max`. Both are absent for an empty box.
 
 /// Writes a box to the fields of a message.
 template <typename Proto>

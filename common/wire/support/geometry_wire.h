@@ -12,9 +12,9 @@
 
 namespace slicefarm {
 
-/// Conversion of geometry. Messages contain 32-bit nanometres. Larger values are refused with
-/// OUT_OF_RANGE. Inconsistent data, such as an odd number of coordinates or ring sizes that do not
-/// match the points, is refused with REQUEST_MALFORMED. Cost: one pass over the points.
+// Conversion of geometry. Messages contain 32-bit nanometres. Larger values are refused with
+// OUT_OF_RANGE. Inconsistent data, such as an odd number of coordinates or ring sizes that do not
+// match the points, is refused with REQUEST_MALFORMED. Cost: one pass over the points.
 
 /// Converts a point to its message and back.
 absl::Status ToProto(Point point, v1::Point* proto);

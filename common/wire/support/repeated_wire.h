@@ -11,8 +11,8 @@
 
 namespace slicefarm {
 
-/// Conversion of lists. ToProto or FromProto of the element's type converts each element. Errors
-/// contain the index of the element.
+// Conversion of lists. ToProto or FromProto of the element's type converts each element. Errors
+// contain the index of the element.
 
 /// Converts all models to messages in the field `field`.
 template <typename Model, typename Proto>

@@ -6,8 +6,8 @@
 
 namespace slicefarm::config::fdm {
 
-/// Rows of RegionTable for regions that planning adds to the plate. They are derived from the
-/// settings of a job or an object. `settings`: resolved settings; only their first region is used.
+// Rows of RegionTable for regions that planning adds to the plate. They are derived from the
+// settings of a job or an object. `settings`: resolved settings; only their first region is used.
 
 /// Returns the row of a brim: closed lines of the first layer's width, side by side over the whole
 /// region.

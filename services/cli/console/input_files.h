@@ -4,9 +4,9 @@
 
 namespace slicefarm::cli {
 
-/// Record of the files that this process has read. No output may replace one of them, even under
-/// another name or through a link. A file is identified by device, inode and creation time, because
-/// the inode of a deleted file is used again. Thread-safe.
+// Record of the files that this process has read. No output may replace one of them, even under
+// another name or through a link. A file is identified by device, inode and creation time, because
+// the inode of a deleted file is used again. Thread-safe.
 
 /// Registers an open file. Only regular files count, because writing to a pipe does not replace it.
 void NoteInput(int descriptor);

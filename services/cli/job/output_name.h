@@ -9,8 +9,8 @@
 
 namespace slicefarm::cli {
 
-/// Checks of output names. The ending of a name determines the kind of file. A neutral name such as
-/// `part.tmp` or `-` is accepted for any kind.
+// Checks of output names. The ending of a name determines the kind of file. A neutral name such as
+// `part.tmp` or `-` is accepted for any kind.
 
 /// Checks that the process can make a file with this name. Errors: REQUEST_MALFORMED for the ending
 /// of a model, of a document, or of another process's files.

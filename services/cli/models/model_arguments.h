@@ -10,8 +10,8 @@
 
 namespace slicefarm::cli {
 
-/// Functions that parse and check command-line arguments about models. Errors: REQUEST_MALFORMED
-/// with the name of the option.
+// Functions that parse and check command-line arguments about models. Errors: REQUEST_MALFORMED
+// with the name of the option.
 
 /// Returns the placement that --units, --scale, --rotate, --rotate-z and --center define.
 absl::StatusOr<Placement> PlacementOf(const JobOptions& options);

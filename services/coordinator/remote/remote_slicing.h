@@ -11,8 +11,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Clients of the slicing service, one class per stage (stage_client.h). Each client keeps the
-/// bytes of the input until the answer arrives, because another replica may need them.
+// Clients of the slicing service, one class per stage (stage_client.h). Each client keeps the
+// bytes of the input until the answer arrives, because another replica may need them.
 
 /// Client that slices meshes.
 class RemoteSlicing : public SlicingStage {

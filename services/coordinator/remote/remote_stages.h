@@ -30,7 +30,7 @@ struct OrderingJob;
 
 namespace slicefarm::coordinator {
 
-/// Clients of the stages that work on ranges of layers (stage_client.h).
+// Clients of the stages that work on ranges of layers (stage_client.h).
 
 /// Client that makes beads from outlines.
 class RemoteBeading : public BeadingStage {

@@ -8,7 +8,7 @@
 
 namespace slicefarm::slicing {
 
-/// Meshes of known shape for tests and benchmarks, in mm, and their files.
+// Meshes of known shape for tests and benchmarks, in mm, and their files.
 
 /// Returns a box of 8 vertices and 12 triangles. REQUIRES: min < max in each coordinate.
 RawMesh BoxMesh(const Vector3& min, const Vector3& max);

@@ -9,7 +9,7 @@
 
 namespace slicefarm::config::fdm::needs {
 
-/// Requirements of settings for FDM.
+// Requirements of settings for FDM.
 
 inline bool HasSupports(const JobRows& s) { return FdmOf(s).object.support.on; }
 

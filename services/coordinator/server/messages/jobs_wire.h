@@ -14,8 +14,8 @@ namespace slicefarm::coordinator {
 
 constexpr int32_t kDefaultPageSize = 50;  ///< page size of lists, if a request gives none
 
-/// Conversions between jobs.proto and the coordinator's types. Errors: REQUEST_MALFORMED with the
-/// name of the field; for meshes, see common/wire/support/mesh_wire.h.
+// Conversions between jobs.proto and the coordinator's types. Errors: REQUEST_MALFORMED with the
+// name of the field; for meshes, see common/wire/support/mesh_wire.h.
 
 /// Converts the spec of a job.
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);

@@ -9,7 +9,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Implements JobStore::Create and FindRequested in SQL.
+// Implements JobStore::Create and FindRequested in SQL.
 
 /// Data that shows whether a call repeats an earlier call.
 struct Request {

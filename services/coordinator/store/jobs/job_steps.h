@@ -7,7 +7,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Rules that all implementations of JobStore share: the effect of a write on a record. Pure.
+// Rules that all implementations of JobStore share: the effect of a write on a record. Pure.
 
 /// Applies an update by the job's owner. Errors: Aborted if the lease is not the job's current one,
 /// or if the job has ended; Internal if the job must not change to the new state (MayFollow).

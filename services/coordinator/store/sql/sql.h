@@ -10,8 +10,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Common interface of SQLite and PostgreSQL for SqlJobStore. Statements are written once for both,
-/// with `?` for parameters.
+// Common interface of SQLite and PostgreSQL for SqlJobStore. Statements are written once for both,
+// with `?` for parameters.
 
 /// SQL texts and properties in which the two databases differ.
 struct SqlDialect {

@@ -10,10 +10,10 @@ struct ExposureOptions;
 
 namespace slicefarm::exposure {
 
-/// Positions of seams in a layer: starts of lines, cuts between pieces, and areas melted twice.
-/// From layer to layer, each seam moves through all positions of a period, as evenly as possible
-/// for any number of layers (low-discrepancy sequences). Therefore no vertical line through a part
-/// has a seam in each layer.
+// Positions of seams in a layer: starts of lines, cuts between pieces, and areas melted twice.
+// From layer to layer, each seam moves through all positions of a period, as evenly as possible
+// for any number of layers (low-discrepancy sequences). Therefore no vertical line through a part
+// has a seam in each layer.
 
 /// Returns the shift of the lines and cells of a layer's hatch. It is 0 in layer 0, and without
 /// options.shift_grids.

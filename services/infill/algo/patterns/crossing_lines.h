@@ -4,8 +4,8 @@
 
 namespace slicefarm::infill {
 
-/// Families of parallel lines that cross each other. The lines of each family are the pitch times
-/// the number of families apart, so that the total length per area is exactly 1 / pitch.
+// Families of parallel lines that cross each other. The lines of each family are the pitch times
+// the number of families apart, so that the total length per area is exactly 1 / pitch.
 
 /// Two directions, at right angles.
 MakePattern Grid;

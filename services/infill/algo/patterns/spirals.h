@@ -4,7 +4,7 @@
 
 namespace slicefarm::infill {
 
-/// Spirals around the object's origin. The loops of a spiral are a pitch apart.
+// Spirals around the object's origin. The loops of a spiral are a pitch apart.
 
 /// Spiral r = pitch * number of loops, as straight segments.
 MakePattern Archimedean;

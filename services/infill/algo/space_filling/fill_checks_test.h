@@ -16,7 +16,7 @@
 
 namespace slicefarm::infill {
 
-/// Shapes to be filled, and checks that are valid for any fill.
+// Shapes to be filled, and checks that are valid for any fill.
 
 inline Polygon Circle(double x_mm, double y_mm, double radius_mm, int corners = 96) {
   Polygon ring;

@@ -13,10 +13,10 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Labels tell hosts and firmwares which copy is printed, so that one copy can be cancelled. With
-/// gcode_label_objects = `octoprint` labels are comments. With `firmware` they are EXCLUDE_OBJECT_*
-/// for Klipper and M486 for Marlin. Characters of a name that could end its line or its word are
-/// replaced. Source: PrusaSlicer's labels; Klipper, "Exclude Objects"; Marlin, "M486".
+// Labels tell hosts and firmwares which copy is printed, so that one copy can be cancelled. With
+// gcode_label_objects = `octoprint` labels are comments. With `firmware` they are EXCLUDE_OBJECT_*
+// for Klipper and M486 for Marlin. Characters of a name that could end its line or its word are
+// replaced. Source: PrusaSlicer's labels; Klipper, "Exclude Objects"; Marlin, "M486".
 
 /// Returns the label of a copy: `NAME id:2 copy 0` in comments, `NAME_(Instance_2)-5` for Klipper,
 /// otherwise `NAME (Instance 2)`. `index`: index of the copy in its job.

@@ -8,9 +8,9 @@
 
 namespace slicefarm::slicing {
 
-/// Readers of binary and ASCII STL files. Normals and attributes are ignored: the order of the
-/// corners defines the outside. Source: 3D Systems, StereoLithography Interface Specification,
-/// 1989. Arguments and errors: see ReadMesh.
+// Readers of binary and ASCII STL files. Normals and attributes are ignored: the order of the
+// corners defines the outside. Source: 3D Systems, StereoLithography Interface Specification,
+// 1989. Arguments and errors: see ReadMesh.
 
 /// Returns true if `bytes` have the length of a binary STL file: 84 + 50 n, where n is the number
 /// of triangles stored at offset 80.
