@@ -6,8 +6,8 @@
 
 namespace slicefarm {
 
-/// Returns the number of CPUs that this process may use at the same time, at least 1. This is the
-/// number of the machine's CPUs on which the process may run, limited by the container's quota
+/// Returns the number of CPUs that this program may use at the same time, at least 1. This is the
+/// number of the machine's CPUs on which the program may run, limited by the container's quota
 /// (cgroup v2, `cpu.max`, or v1).
 int AvailableCpus();
 

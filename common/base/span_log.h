@@ -15,7 +15,7 @@ namespace slicefarm {
 /// Activity during the work on a job, with its start and its end.
 struct Span {
   std::string name;  ///< name of the activity, such as "slicing" or "layers 0-31"
-  /// Name of the worker that did the work. Empty: the process that runs the job.
+  /// Name of the worker that did the work. Empty: the program that runs the job.
   std::string track = {};
   int64_t begin_us = 0;  ///< start in microseconds since 1970
   int64_t end_us = 0;    ///< end, not before begin_us

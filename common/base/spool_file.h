@@ -13,7 +13,7 @@ namespace slicefarm {
 
 /// Temporary file without a name, for data that may be too large for memory. Texts are appended and
 /// can be read any number of times. The system keeps the bytes in its cache as long as there is
-/// space. The file disappears with this object, even if the process crashes. Thread-safe.
+/// space. The file disappears with this object, even if the program crashes. Thread-safe.
 class SpoolFile {
  public:
   /// Position and length of a text in the file, in bytes.

@@ -102,7 +102,7 @@ class MemoryBudget {
   Share* growing_ = nullptr;  ///< running job that waits for more memory
 };
 
-/// Returns the default limit for the jobs of this process: half of the container's memory, or of
+/// Returns the default limit for the jobs of this program: half of the container's memory, or of
 /// the machine's memory without a container limit. The other half is for messages, results and the
 /// allocator's reserve.
 int64_t DefaultMemoryBudget();

@@ -24,8 +24,8 @@ struct StageCall {
   CancelToken cancel;
   int threads = 1;           ///< number of threads that a stage may use; does not change the result
   TraceContext trace = {};   ///< trace context, passed on with each call; empty: none
-  SpanLog* spans = nullptr;  ///< log for spans of time in this process; null: none
-  JobMemory* memory = nullptr;  ///< memory account of the job in this process; null: not counted
+  SpanLog* spans = nullptr;  ///< log for spans of time in this program; null: none
+  JobMemory* memory = nullptr;  ///< memory account of the job in this program; null: not counted
 };
 
 }  // namespace slicefarm

@@ -123,7 +123,7 @@ class TaskRunner {
   virtual ProcessSet processes() const = 0;
 
   /// Runs a task. The result has the type of the task's process. REQUIRES: processes() contains
-  /// this process.
+  /// this program.
   virtual absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const = 0;
 };
 

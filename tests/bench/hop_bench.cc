@@ -42,7 +42,7 @@ constexpr int kSlots = 4;  // as on a farm of four workers; sets the range lengt
 
 struct Cost {
   double wall_s = 0;
-  double cpu_s = 0;  ///< CPU time of this process: client, server and gRPC's threads
+  double cpu_s = 0;  ///< CPU time of this program: client, server and gRPC's threads
 };
 
 double CpuSeconds() {
@@ -158,7 +158,7 @@ SliceInput Benchy() {
   return InputOf({{"benchy.stl", MeshFormat::kStl, CorpusFile("models/benchy.stl")}});
 }
 
-/// Cost of a job with the stages of this process.
+/// Cost of a job with the stages of this program.
 struct LocalCost {
   Cost job;
   Cost planning;  ///< part of `job` that planning costs

@@ -27,7 +27,7 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
 }
 
-/// Returns the CPU time of this process and of the readers that have ended.
+/// Returns the CPU time of this program and of the readers that have ended.
 double CpuSeconds() {
   double seconds = 0;
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {

@@ -57,7 +57,7 @@ SlicedLayer LayerOf(int32_t index, int islands) {
   return {{index, (index + 1) * Coord{10'000}, 10'000}, {std::move(section)}};
 }
 
-/// Plans in this process and keeps all plans.
+/// Plans in this program and keeps all plans.
 bool PlanHere(int32_t layers, int islands) {
   const PlanningOptions options;
   const std::vector<PlacedCopy> copies = {{0, {FromMm(100), FromMm(100)}, {}}};

@@ -23,7 +23,7 @@ absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningS
                                     const MotionStage& motion, coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done = {});
 
-/// Returns the G-code of the text box, made in this process by one runner with one slot. Every
+/// Returns the G-code of the text box, made in this program by one runner with one slot. Every
 /// other configuration must make the same G-code.
 const std::string& GcodeOfThisProcess();
 

@@ -11,7 +11,7 @@
 namespace slicefarm::rpc {
 namespace {
 
-/// Never deleted, because gRPC's threads may log until the process ends.
+/// Never deleted, because gRPC's threads may log until the program ends.
 std::atomic<const JsonLog*> library_log = nullptr;
 
 void Write(std::string_view library, std::string_view path, const std::string& error) {

@@ -12,7 +12,7 @@
 
 namespace slicefarm::rpc {
 
-/// Metrics of one process, and an HTTP server that provides them to Prometheus (GET /metrics) and
+/// Metrics of one program, and an HTTP server that provides them to Prometheus (GET /metrics) and
 /// HTML pages to people. Built-in metrics: process_cpu_seconds_total,
 /// process_resident_memory_bytes, process_open_fds and slicefarm_build_info. Thread-safe.
 class Metrics {

@@ -7,7 +7,7 @@
 
 namespace slicefarm::rpc {
 
-/// Resource usage of this process, read from /proc on each request. Metrics have the
+/// Resource usage of this program, read from /proc on each request. Metrics have the
 /// same names as in Prometheus' client libraries.
 class ProcessMetrics : public prometheus::Collectable {
  public:

@@ -72,7 +72,7 @@ std::string Target(const std::string& path) {
 /// Temporary files of OutputFiles that are not committed.
 class PartialFiles {
  public:
-  /// Returns the only instance. It is never destroyed, since a thread that ends the process may use
+  /// Returns the only instance. It is never destroyed, since a thread that ends the program may use
   /// it at any time.
   static PartialFiles& All() {
     static auto* all = new PartialFiles;

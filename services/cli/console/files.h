@@ -32,7 +32,7 @@ absl::Status InFile(const std::string& path, const absl::Status& status);
 class OutputFile {
  public:
   /// Creates the temporary file. Errors: DataLoss with the system's message; REQUEST_MALFORMED for
-  /// a file that this process has read (input_files.h).
+  /// a file that this program has read (input_files.h).
   static absl::StatusOr<OutputFile> Create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
@@ -54,7 +54,7 @@ class OutputFile {
   int descriptor_;
 };
 
-/// Removes the temporary files of all OutputFiles and prevents later commits. For a process that
+/// Removes the temporary files of all OutputFiles and prevents later commits. For a program that
 /// ends at once. Safe to call from any thread.
 void RemovePartialFiles();
 

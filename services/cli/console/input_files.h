@@ -4,7 +4,7 @@
 
 namespace slicefarm::cli {
 
-// Record of the files that this process has read. No output may replace one of them, even under
+// Record of the files that this program has read. No output may replace one of them, even under
 // another name or through a link. A file is identified by device, inode and creation time, because
 // the inode of a deleted file is used again. Thread-safe.
 

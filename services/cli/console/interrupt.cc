@@ -24,7 +24,7 @@ sigset_t Signals() {
   return signals;
 }
 
-/// Ends the process without waiting for other threads, which may have any lock except the one for
+/// Ends the program without waiting for other threads, which may have any lock except the one for
 /// files.
 [[noreturn]] void EndNow() {
   RemovePartialFiles();

@@ -9,7 +9,7 @@ namespace slicefarm::cli {
 
 /// Ends the program at Ctrl-C (SIGINT) or SIGTERM. At the first signal, the token is cancelled, and
 /// the program should end by itself. If it is still running 0.3 seconds later, or if a second
-/// signal arrives, the process is ended at once. In all cases the exit code is kCancelled, and no
+/// signal arrives, the program is ended at once. In all cases the exit code is kCancelled, and no
 /// partial file is left (files.h).
 ///
 /// Create this object first in main, before any other thread starts, because it blocks the signals

@@ -26,7 +26,7 @@ using AddCommand = void (*)(CLI::App& app, CommandContext& context);
 /// Returns "slicefarm 0.1.0 (date), build id".
 std::string VersionLine(std::string_view program);
 
-/// Parses the command line and runs its command. Returns the exit code of the process. Errors are
+/// Parses the command line and runs its command. Returns the exit code of the program. Errors are
 /// printed to stderr.
 int RunProgram(const ProgramInfo& program, std::span<const AddCommand> commands, int argc,
                char** argv);

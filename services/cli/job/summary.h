@@ -18,7 +18,7 @@ struct Summary {
   double filament_g = 0;  ///< mass of the filament, in g; 0: the density is not known
   std::string cost = {};  ///< for example "12.50 EUR"; empty: no cost
   bool cached = false;
-  std::string job = {};  ///< id of the job; empty: this process has made the result
+  std::string job = {};  ///< id of the job; empty: this program has made the result
   int64_t settings_without_effect = 0;
   std::vector<std::string> changing =
       {};  ///< settings without effect that change the print, in the form `key = value: why`

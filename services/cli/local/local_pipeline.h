@@ -9,7 +9,7 @@
 
 namespace slicefarm::cli {
 
-/// Whole pipeline in this process. It calls the stages' algorithms directly, on `threads` threads.
+/// Whole pipeline in this program. It calls the stages' algorithms directly, on `threads` threads.
 class LocalPipeline {
  public:
   explicit LocalPipeline(int threads);

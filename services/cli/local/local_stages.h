@@ -15,7 +15,7 @@
 
 namespace slicefarm::cli {
 
-/// All stages in this process: their algorithms, called directly.
+/// All stages in this program: their algorithms, called directly.
 class LocalStages {
  public:
   LocalStages();

@@ -34,7 +34,7 @@ struct RemoteOptions {
 
 /// Returns the error for an answer that cannot be read or does not fit the call. Its code is
 /// Internal, because the input is not at fault. `why` is returned unchanged if it is an error of
-/// this process: out of memory, or cancelled.
+/// this program: out of memory, or cancelled.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
 /// Returns the outcome of a call that ended with `status`:

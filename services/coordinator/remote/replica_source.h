@@ -53,7 +53,7 @@ absl::Status LostCall(std::string_view stage, std::string_view what, std::string
 bool WasLost(const absl::Status& status);
 
 /// Returns true if the server is alive but refuses calls for now (OVERLOADED). Returns false if
-/// this process is out of memory, which has the same status code.
+/// this program is out of memory, which has the same status code.
 bool IsOverloaded(const absl::Status& status);
 
 /// Waits for the time that an overloaded server requested. Returns early with Cancelled if `cancel`

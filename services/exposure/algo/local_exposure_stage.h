@@ -7,7 +7,7 @@
 
 namespace slicefarm::exposure {
 
-/// Returns the exposure stage that runs in this process. The stage scans each layer
+/// Returns the exposure stage that runs in this program. The stage scans each layer
 /// (expose_layer.h) and writes it (writers/writers.h); see README.md. Stateless. A layer's result
 /// depends only on the layers that its skins reach, so that the division of a job into ranges does
 /// not matter. Errors: see ExposeLayer.

@@ -7,7 +7,7 @@
 
 namespace slicefarm::infill {
 
-/// Returns the infill stage that runs in this process. It fills each section of each layer
+/// Returns the infill stage that runs in this program. It fills each section of each layer
 /// (section_fill.h); see README.md. The stage has no state. A section's result depends only on its
 /// own walls and on the object's outlines in the layers that its skins reach. The division of a job
 /// into ranges therefore does not matter.

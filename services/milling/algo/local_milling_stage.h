@@ -7,7 +7,7 @@
 
 namespace slicefarm::milling {
 
-/// Returns the milling stage that runs in this process; README.md lists its steps. Errors: any
+/// Returns the milling stage that runs in this program; README.md lists its steps. Errors: any
 /// error of PrepareMilling, MillSteps, AssembleProgram and ReportOf; SETTING_OUT_OF_RANGE if a
 /// picture is requested of a step that the job does not have.
 std::unique_ptr<MillingStage> MakeLocalMilling();

@@ -7,7 +7,7 @@
 
 namespace slicefarm::motion {
 
-/// Returns the motion stage that runs in this process. It calls ProgramLayer for each layer, and
+/// Returns the motion stage that runs in this program. It calls ProgramLayer for each layer, and
 /// FrameProgram for the text around the layers. The stage is stateless.
 std::unique_ptr<MotionStage> MakeLocalMotion();
 

@@ -7,7 +7,7 @@
 
 namespace slicefarm::ordering {
 
-/// Returns the ordering stage that runs in this process: OrderLayer for each layer. Stateless.
+/// Returns the ordering stage that runs in this program: OrderLayer for each layer. Stateless.
 std::unique_ptr<OrderingStage> MakeLocalOrdering();
 
 }  // namespace slicefarm::ordering

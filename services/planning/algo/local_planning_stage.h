@@ -7,7 +7,7 @@
 
 namespace slicefarm::planning {
 
-/// Returns the planning stage that runs in this process: a JobPlanner over the layers. The stage
+/// Returns the planning stage that runs in this program: a JobPlanner over the layers. The stage
 /// has no state. Errors: see JobPlanner. Cancelled is polled once per layer, and at the end for
 /// each object in the planners.
 std::unique_ptr<PlanningStage> MakeLocalPlanning();

@@ -8,7 +8,7 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the slicing stage that runs in this process. `source` reads its meshes. README.md lists
+/// Returns the slicing stage that runs in this program. `source` reads its meshes. README.md lists
 /// the steps.
 ///
 /// Errors: any error of PrepareObjects, LayerPlanes, Sweep and RenderThumbnail; NOTHING_TO_PRINT if

@@ -7,7 +7,7 @@
 
 namespace slicefarm::texture {
 
-/// Returns the texture stage that runs in this process; README.md lists its steps. Errors: any
+/// Returns the texture stage that runs in this program; README.md lists its steps. Errors: any
 /// error of MapSurface, PrepareEngraving, LayerPaths and EngraveProgram.
 std::unique_ptr<TextureStage> MakeLocalTexture();
 

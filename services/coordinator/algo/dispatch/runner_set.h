@@ -10,7 +10,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Executor of tasks: a remote worker, a chain of remote stages, or this process.
+/// Executor of tasks: a remote worker, a chain of remote stages, or this program.
 struct Runner {
   std::string name = {};  ///< address, for logs and errors
   /// Executes the tasks and reports the supported processes. Shared, because a call may outlive the

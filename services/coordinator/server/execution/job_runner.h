@@ -83,7 +83,7 @@ class JobRunner {
   std::mutex mutex_;
   std::condition_variable wake_;
   LeaseTable leases_;          ///< leases of the running jobs
-  int64_t calm_since_us_ = 0;  ///< start of this process, or time of the last lost lease
+  int64_t calm_since_us_ = 0;  ///< start of this program, or time of the last lost lease
   bool unanswered_ = false;    ///< true if the last renewal failed or has no answer yet
   int at_work_ = 0;            ///< threads that claim or run a job
   /// number of running jobs that are neither guests nor in the slot for interactive jobs

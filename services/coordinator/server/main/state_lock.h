@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator {
 
 /// Lock that prevents a second coordinator from using the same state directory. The system releases
-/// it at the end of the process, even after a crash.
+/// it at the end of the program, even after a crash.
 class StateLock {
  public:
   /// Takes the lock. Errors: Unavailable if another process has it; STORE_FAILED.

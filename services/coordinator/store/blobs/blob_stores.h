@@ -27,7 +27,7 @@ class BlobStores {
 };
 
 /// Opens the blob stores in a directory (DirectoryBlobStore). The store of a tenant is in
-/// `tenants/NAME`. REQUIRES: no other process uses the directory.
+/// `tenants/NAME`. REQUIRES: no other program uses the directory.
 absl::StatusOr<std::unique_ptr<BlobStores>> OpenDirectoryBlobs(const std::string& root);
 
 /// Returns true if a directory of OpenDirectoryBlobs has a blob of any tenant. Errors:

@@ -7,7 +7,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Set of the blobs that this process has checked against their names. So a blob is hashed only
+/// Set of the blobs that this program has checked against their names. So a blob is hashed only
 /// once, not at every Open. When the set is full, it is cleared. Thread-safe.
 class CheckedBlobs {
  public:

@@ -80,7 +80,7 @@ class DirectoryBlobStore : public BlobStore {
   /// previous process may have ended between a rename and the fsync of its folder. After a failed
   /// fsync, the folder is removed from the set.
   std::set<std::string> synced_folders_;
-  /// Uploads that only this process has written and for which it has not called fsync yet. All
+  /// Uploads that only this program has written and for which it has not called fsync yet. All
   /// other uploads need PosixFile::SyncAnew.
   std::set<std::string> written_here_;
 };

@@ -133,7 +133,7 @@ absl::Status MakeDirectory(const std::string& path) {
   } else if (access(parent.c_str(), R_OK) != 0) {
     return absl::OkStatus();  // this program cannot have created the directory
   }
-  // An existing directory needs the fsync as well, because the process that created it may have
+  // An existing directory needs the fsync as well, because the program that created it may have
   // ended before its fsync.
   return SyncDirectory(parent);
 }

@@ -14,7 +14,7 @@ namespace slicefarm::coordinator {
 
 /// Queries a PostgreSQL server every second on a connection of its own. So a server that does not
 /// answer is detected, and no other call has to wait for it. The same connection reserves the
-/// coordinator's name, which only one process at a time may have. Thread-safe.
+/// coordinator's name, which only one program at a time may have. Thread-safe.
 class PostgresPulse {
  public:
   /// Time limits of a pulse.
@@ -22,7 +22,7 @@ class PostgresPulse {
     std::chrono::milliseconds every{1'000};
     std::chrono::milliseconds silent_after{5'000};
     /// Longest wait until another process releases the name. A killed process releases its name at
-    /// once; a process on a lost machine, within 11 s.
+    /// once; a program on a lost machine, within 11 s.
     std::chrono::milliseconds name_patience{12'000};
   };
 

@@ -14,7 +14,7 @@ class PointHash {
 
   explicit PointHash(const Keys& keys) : keys_(keys) {}
 
-  /// Returns the hash function of this process. Its keys are random and constant while the process
+  /// Returns the hash function of this program. Its keys are random and constant while the program
   /// runs.
   static const PointHash& OfProcess() {
     static const PointHash hash{RandomKeys()};

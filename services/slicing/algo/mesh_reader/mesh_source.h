@@ -24,7 +24,7 @@ class MeshSource {
                                                 const CancelToken& cancel) const = 0;
 };
 
-/// Returns a source that calls ReadMeshFile in this process, for files that the program's user
+/// Returns a source that calls ReadMeshFile in this program, for files that the program's user
 /// trusts.
 std::unique_ptr<MeshSource> MakeDirectMeshSource();
 

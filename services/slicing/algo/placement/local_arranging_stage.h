@@ -7,7 +7,7 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the arranging stage that runs in this process (arrange.h). `source` reads its meshes.
+/// Returns the arranging stage that runs in this program (arrange.h). `source` reads its meshes.
 /// Errors: any error of PartMeshes and Arrange; OUT_OF_BUILD_VOLUME with the names of the objects
 /// that are too large for an empty bed.
 std::unique_ptr<ArrangingStage> MakeLocalArranging(

@@ -8,7 +8,7 @@
 
 namespace slicefarm::slicing {
 
-/// Returns the placing stage that runs in this process (prepared_object.h). `source` reads its
+/// Returns the placing stage that runs in this program (prepared_object.h). `source` reads its
 /// meshes.
 std::unique_ptr<PlacingStage> MakeLocalPlacing(
     std::unique_ptr<const MeshSource> source = MakeDirectMeshSource());
