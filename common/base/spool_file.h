@@ -23,7 +23,8 @@ class SpoolFile {
   };
 
   /// Makes a file in an existing directory; an empty `directory` is the system's directory for
-  /// temporary files. Errors of all functions of the class: DISK_FULL, STORE_FAILED.
+  /// temporary files. Errors of all functions of the class: DISK_FULL if the disk has no space;
+  /// STORE_FAILED for any other failure of the system.
   static absl::StatusOr<std::unique_ptr<SpoolFile>> Make(const std::string& directory);
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;

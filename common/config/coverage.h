@@ -8,8 +8,9 @@
 
 namespace slicefarm::config {
 
-/// Numbers of keys in a profile, by their effect. The value of a key matters only for a choice: an
-/// unsupported choice counts as partial. Keys of print hosts and of resin printing are not counted.
+/// Numbers of keys in a profile, by their effect. Values do not matter, with one exception: a key
+/// with an unsupported choice counts as partial. Keys of print hosts and of resin printing are not
+/// counted.
 struct Coverage {
   int32_t keys = 0;
   int32_t effect = 0;   ///< keys that have their full effect, or that only describe the profile

@@ -48,10 +48,11 @@ struct FileFormat {
   std::string_view suffix;  ///< suffix such as ".svg"
   std::string_view key;     ///< setting that selects the format, by the value `value`
   std::string_view value;
-  /// True: the suffix is only used by this process. A job of a process without this suffix is
-  /// refused if its output file has the suffix.
+  /// True: only this process uses the suffix; a job of another process is refused if its output
+  /// file has the suffix. False: other processes may use the suffix as well.
   bool alone = false;
-  /// True: a file with the suffix gets this format unless settings select another one.
+  /// True: a file with the suffix gets this format unless settings select another one. False: only
+  /// the setting `key` selects the format.
   bool chosen_by_name = true;
 };
 
@@ -113,8 +114,9 @@ class ProcessSettings {
                                     std::vector<MissingFeature>& /*missing*/) const {
     return absl::OkStatus();
   }
-  /// Returns the job's profiles that exclude this machine or print by their own conditions, such as
-  /// `compatible_printers_condition`. `settings_text`: ResolvedSettings::effective_text.
+  /// Returns one feature for each profile of the job with a condition that the machine or the print
+  /// settings do not fulfil, such as `compatible_printers_condition`. `settings_text`:
+  /// ResolvedSettings::effective_text.
   virtual std::vector<MissingFeature> Incompatible(std::span<const Setting> /*job*/,
                                                    std::string_view /*settings_text*/) const {
     return {};

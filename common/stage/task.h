@@ -122,8 +122,8 @@ class TaskRunner {
   /// Returns the processes that the runner supports.
   virtual ProcessSet processes() const = 0;
 
-  /// Runs a task. The result has the type of the task's process. REQUIRES: processes() contains
-  /// this program.
+  /// Runs a task. The result has the type of the task's process. REQUIRES: processes() contains the
+  /// task's process.
   virtual absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const = 0;
 };
 

@@ -14,10 +14,10 @@ namespace slicefarm::config {
 /// the setting is not given.
 using OrcaLookup = std::function<std::optional<std::string>(std::string_view key)>;
 
-/// Returns slicefarm's settings for output that OrcaSlicer and Bambu Studio write without having a
-/// setting for it. These are Bambu Lab's own dialect for its machines, progress, limits of the
-/// machine, and labels of objects. Source: the G-code of Bambu Studio 2.4; OrcaSlicer 2.2, Print
-/// and GCode.
+/// Returns slicefarm's settings for parts of the G-code that OrcaSlicer and Bambu Studio write in
+/// another form, or without a setting: Bambu Lab's own dialect for its machines, progress, limits
+/// of the machine, labels of objects, and the chamber's temperature control. Source: the G-code of
+/// Bambu Studio 2.4; OrcaSlicer 2.2, Print and GCode.
 std::vector<Setting> DialectOf(const OrcaLookup& given);
 
 /// Returns true if the machine is from Bambu Lab.

@@ -60,7 +60,8 @@ enum class Scale { kSame, kPercent, kDegrees };
 
 namespace internal {
 
-/// Returns the setting's number divided by the member's number.
+/// Returns the factor for the conversion: the setting's number is the member's number times this
+/// factor.
 constexpr double Divisor(Scale scale) {
   return scale == Scale::kPercent ? 100 : scale == Scale::kDegrees ? 180 / std::numbers::pi : 1;
 }

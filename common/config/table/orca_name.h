@@ -10,7 +10,8 @@ enum class OrcaValue {
   kPercent,    ///< number that is a percentage, with or without its sign
   kPercentOf,  ///< number; a percentage becomes this share of OrcaSlicer's setting `detail`
   kShareOf,    ///< percentage; a number becomes its percentage of OrcaSlicer's setting `detail`
-  /// number; nothing is set for a negative number or the text `detail`: the slicer chooses
+  /// number; a negative number or the text `detail` means that the slicer chooses: then nothing is
+  /// set
   kOrAuto,
   kRest,    ///< percentage that becomes its complement to 100 %
   kNot,     ///< flag with the opposite meaning

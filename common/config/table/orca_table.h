@@ -40,11 +40,15 @@ struct OrcaStandard {
   std::string_view value;
 };
 
-/// Return all conversions from OrcaSlicer. OrcaRows begins with the names from the settings table
-/// (SettingSpec::orca); settings without effect follow. Each list is made once.
+/// Returns the conversions of settings: first the names from the settings table
+/// (SettingSpec::orca), then settings without effect. This list and the three lists below are made
+/// once.
 std::span<const OrcaRow> OrcaRows();
+/// Returns the conversions of choices.
 std::span<const OrcaChoice> OrcaChoices();
+/// Returns the variables of G-code.
 std::span<const OrcaVariable> OrcaVariables();
+/// Returns the default values.
 std::span<const OrcaStandard> OrcaStandards();
 
 }  // namespace slicefarm::config

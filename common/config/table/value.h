@@ -33,9 +33,9 @@ absl::StatusOr<Value> ParseNumber(std::string_view text, bool may_be_percent);
 /// Returns the shortest decimal text of a quantised number: "0.2", "1000", "-0.05".
 std::string PrintNumber(double number);
 
-/// Convert the escapes `\n`, `\r` and `\\` in texts of a config.ini to characters (Unescape) and
-/// back (Escape).
+/// Returns a text of a config.ini with the escapes `\n`, `\r` and `\\` replaced by characters.
 std::string Unescape(std::string_view text);
+/// Returns a text with these characters replaced by escapes, the inverse of Unescape.
 std::string Escape(std::string_view text);
 
 /// Returns item `index` of a list of texts, such as `PLA;PETG` or `"a; b";"c"`, without quotes and

@@ -14,7 +14,8 @@ namespace slicefarm::gcode {
 struct BinaryBlock {
   uint16_t type = 0;   ///< a BlockType
   int64_t offset = 0;  ///< offset of the block's first byte in the file
-  /// Format, width and height of a thumbnail; encoding of other blocks.
+  /// For a thumbnail: format, width and height. For any other block: the first number is the
+  /// encoding.
   std::array<uint16_t, 3> parameters = {};
   std::string data;  ///< data after decompression
 };

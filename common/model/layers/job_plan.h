@@ -72,8 +72,8 @@ struct PlannedInfill {
 /// workers, so that the layers are independent afterwards.
 struct LayerPlan {
   Point entry;  ///< point near which the layer starts, in plate coordinates
-  /// True if the layer below ends near `entry` with the filament ready to print. The only copy's
-  /// section then begins there. False: the filament is retracted between the two layers.
+  /// True: the layer below ends near `entry` with the filament ready to print, and the section of
+  /// the layer's only copy begins there. False: the filament is retracted between the two layers.
   /// `ends_ready`: true if this layer likewise ends ready, at the `exit` of its last section.
   bool begins_ready = false;
   bool ends_ready = false;

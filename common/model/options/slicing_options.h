@@ -18,7 +18,8 @@ namespace slicefarm {
 /// Treatment of a hole that begins in the ceiling of a wider recess (counterbore).
 enum class CounterboreBridging : uint8_t {
   kNone,  ///< no bridging: the hole's walls are printed in the air
-  /// In one layer bridges beside the hole, in the next layer bridges across them, then the hole.
+  /// One layer bridges the recess on two sides of the hole, the next layer on the other two sides.
+  /// The hole begins on these bridges.
   kPartial,
   kSacrificial,  ///< one bridge over the whole recess; the user drills the hole through it later
 };

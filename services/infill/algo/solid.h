@@ -14,7 +14,8 @@ struct SolidFill {
   Coord height_nm = 200'000;
   int32_t layer = 0;  ///< layer number of the object
   /// Distance by which lines may be nearer to the region's boundary than half a spacing. Beside
-  /// walls, the ends of straight lines also cover about two thirds of the remaining distance.
+  /// walls, the ends of straight lines also cover about two thirds of the distance that remains to
+  /// the boundary.
   Coord overlap_nm = 0;
   /// True if walls surround the region. Then ends of lines may reach into the walls.
   bool beside_walls = true;

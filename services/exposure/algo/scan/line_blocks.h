@@ -23,7 +23,7 @@ struct LineBlocks {
 
 /// Returns the lines block by block, in the order of options.jump_order, beginning near `from`. A
 /// block may be scanned from its end if lines alternate in direction, or if jump_order is
-/// kAgainstGas. In the second case, lines without alternation are scanned in reverse order, but
+/// kAgainstGas. With kAgainstGas, lines that do not alternate are scanned in reverse order, but
 /// each in its own direction.
 std::vector<Point> InOrder(const LineBlocks& blocks, const ExposureOptions& options, Point from);
 

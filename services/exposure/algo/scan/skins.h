@@ -14,8 +14,8 @@ struct SkinAreas {
   MultiPolygon downskin;  ///< has priority over upskin where both apply
 };
 
-/// Outlines of the layers above and below a section. If one of them is nullptr or empty, the layer
-/// is missing, and the whole section is skin on this side.
+/// Outlines of the layers above and below a section. If an outline is nullptr or empty, this layer
+/// is missing: the whole section is then upskin (`above`) or downskin (`below`).
 struct SkinNeighbours {
   std::span<const MultiPolygon* const> above;
   std::span<const MultiPolygon* const> below;
