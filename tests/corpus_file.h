@@ -8,8 +8,8 @@
 
 namespace slicefarm {
 
-/// The bytes of a file of tests/corpus, such as "models/benchy.stl". Dies if it cannot be read: no
-/// test or benchmark has anything to say without its input. Targets that use it define
+/// Returns the bytes of a file of tests/corpus, such as "models/benchy.stl". Aborts if the file
+/// cannot be read, because no test or benchmark works without its input. Targets that use it define
 /// SLICEFARM_CORPUS.
 inline std::string CorpusFile(const std::string& name) {
   const std::string path = SLICEFARM_CORPUS "/" + name;

@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// The outlines of tests/corpus/slices/NAME.
+/// Returns the outlines of tests/corpus/slices/NAME.
 inline MultiPolygon CorpusSlice(const std::string& name) {
   std::istringstream text(CorpusFile("slices/" + name));
   double unused = 0;

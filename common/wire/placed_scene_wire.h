@@ -14,7 +14,7 @@ namespace slicefarm {
 /// order of the parts (mesh_pieces.h).
 absl::Status ToProto(const PlacedScene& scene, v1::PlacedScene* proto);
 /// Returns the scene without its meshes. Errors: REQUEST_MALFORMED with the name of the field;
-/// REQUEST_TOO_LARGE.
+/// REQUEST_TOO_LARGE above limits::kMaxObjects objects, or copies of one object.
 absl::StatusOr<PlacedScene> FromProto(const v1::PlacedScene& proto);
 
 /// Returns the sizes of the meshes of all parts, in the order of the parts.

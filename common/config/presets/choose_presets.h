@@ -10,9 +10,9 @@
 
 namespace slicefarm::config::presets {
 
-/// Names of presets as a user gives them. If the process or filament is empty, the printer's
-/// default is used: the preset of this name, or the preset with the same alias that is made for the
-/// printer.
+/// Names of presets as a user gives them. If the name of the process or filament preset is empty,
+/// the printer's default is used: the preset of this name, or the preset with the same alias that
+/// is made for the printer.
 struct PresetNames {
   std::string printer;
   std::string process;

@@ -10,9 +10,10 @@
 
 namespace slicefarm::config::presets {
 
-/// Test whether processes and filaments are made for a printer preset, by the rules of the presets'
-/// program. The list `compatible_printers` has the names of printers. If the list is empty,
-/// `compatible_printers_condition` decides. A condition that cannot be evaluated counts as true.
+/// Decides if process and filament presets are made for a printer preset, by the rules of the
+/// presets' program. The list `compatible_printers` has the names of printers. If the list is
+/// empty, `compatible_printers_condition` decides. A condition that cannot be evaluated counts as
+/// true.
 ///
 /// OrcaSlicer has two more rules. For a user's printer, the list may also name the printer's
 /// parent. A filament of OrcaSlicer's library is refused if another filament with the same alias
@@ -24,8 +25,8 @@ class PrinterFit {
   /// the result. Cost: O(presets).
   static absl::StatusOr<PrinterFit> Make(const PresetSet& set, const Preset& printer);
 
-  /// Returns true if the process or filament is made for the printer. Returns false for a preset
-  /// with a missing parent.
+  /// Returns true if the process or filament preset is made for the printer. Returns false for a
+  /// preset with a missing parent.
   bool Accepts(const Preset& preset) const;
 
  private:
@@ -43,8 +44,8 @@ class PrinterFit {
   std::set<std::string> held_;
 };
 
-/// Returns true if the filament is made for the process. The filament's list `compatible_prints`
-/// decides; if the list is empty, its `compatible_prints_condition`.
+/// Returns true if the filament preset is made for the process preset. The filament's list
+/// `compatible_prints` decides; if the list is empty, its `compatible_prints_condition`.
 bool AcceptsProcess(const PresetSet& set, const Preset& filament, const Preset& process);
 
 }  // namespace slicefarm::config::presets

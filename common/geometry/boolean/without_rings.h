@@ -15,7 +15,7 @@ MultiPolygon WithoutRings(std::span<const Polygon> subject, std::span<const Poly
 /// Returns `region` minus the region with a non-zero winding number of `rings`, in canonical form.
 MultiPolygon WithoutRings(const MultiPolygon& region, std::span<const Polygon> rings);
 
-/// Appends to `rings` the rings of `region` that can affect `box`, with the same winding numbers
+/// Appends the rings of `region` that can affect `box` to `rings`, with the same winding numbers
 /// inside the box. A sequence of points that are all beyond the same side of the box is replaced by
 /// its two ends. Outside the box, the appended rings are therefore meaningless. Cost: O(n), n
 /// points.

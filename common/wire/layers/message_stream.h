@@ -17,9 +17,9 @@ namespace slicefarm {
 // server. A Stream has Read(Message*) and Write(const Message&). Read returns false if there are
 // no more messages, Write if the call has ended.
 
-/// Reads the first message of a call, which must have the field `start`. `cancel`: token that is
-/// stored in the result's StageCall. Errors: REQUEST_MALFORMED; any error of FromProto for the
-/// start.
+/// Reads the first message of a call. `cancel`: token that is stored in the result's StageCall.
+/// Errors: REQUEST_MALFORMED if there is no message, or if it lacks the field `start`; any error of
+/// FromProto for the start.
 template <typename Request, typename Stream>
 auto ReadStart(Stream& stream, const CancelToken& cancel)
     -> decltype(FromProto(std::declval<Request>().start())) {

@@ -17,7 +17,8 @@ namespace slicefarm {
 // Conversion of the input and the results of planning. Errors: see geometry_wire.h and
 // path_wire.h, with the path to the field; REQUEST_MALFORMED for numbers that no job can have.
 
-/// Checks the number of copies of a job. Errors: REQUEST_TOO_LARGE.
+/// Checks the number of copies of a job. Errors: REQUEST_TOO_LARGE above limits::kMaxObjects, with
+/// `field` in the message.
 absl::Status CheckCopyCount(int count, std::string_view field);
 
 /// Converts a copy to its message and back.

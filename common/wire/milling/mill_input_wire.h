@@ -9,7 +9,7 @@
 namespace slicefarm {
 
 /// Converts the data that the calls of a milling job share. Errors: REQUEST_MALFORMED with the path
-/// to the field; MESH_TOO_LARGE; OUT_OF_RANGE.
+/// to the field; any error of ForEachPiece and MeshReader (mesh_pieces.h).
 absl::Status ToProto(const MillInput& input, v1::MillInput* proto);
 absl::StatusOr<MillInput> FromProto(const v1::MillInput& proto);
 

@@ -57,8 +57,9 @@ CLI::Validator InRange(Number min, Number max) {
       "");
 }
 
-/// Return validators that accept a number above 0, or a number of at least 0.
+/// Returns a validator that accepts a number above 0.
 CLI::Validator AboveZero();
+/// Returns a validator that accepts a number of at least 0.
 CLI::Validator ZeroOrMore();
 
 }  // namespace slicefarm::cli

@@ -84,13 +84,16 @@ class JobsClient {
   /// Deletes a mesh. Returns the server's answer.
   absl::StatusOr<bool> DeleteMesh(const std::string& sha256);
   /// Downloads a mesh to `file`. `file` is complete unless an error is returned. Errors: also
-  /// BLOB_DIGEST_MISMATCH.
+  /// BLOB_DIGEST_MISMATCH if the downloaded bytes do not have the digest `sha256`.
   absl::Status DownloadMesh(const std::string& sha256, OutputFile& file);
 
-  /// Methods of the service Profiles: store, get, list and delete a profile.
+  /// Stores a revision of a profile.
   absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);
+  /// Returns a revision of a profile.
   absl::StatusOr<v1::Profile> GetProfile(const v1::GetProfileRequest& request);
+  /// Returns one page of profiles.
   absl::StatusOr<v1::ListProfilesResponse> ListProfiles(const v1::ListProfilesRequest& request);
+  /// Deletes a profile, or one of its revisions.
   absl::Status DeleteProfile(const v1::DeleteProfileRequest& request);
 
   /// Calls `changed` for each event of the job, including past events. Returns the job in its final

@@ -67,8 +67,9 @@ struct JobOptions : SettingOptions {
   bool quiet = false;
 };
 
-/// Add the options to a command.
+/// Adds the options for settings to a command.
 void AddSettingOptions(CLI::App& app, SettingOptions& options);
+/// Adds all job options to a command.
 void AddJobOptions(CLI::App& app, JobOptions& options);
 
 /// Adds `--presets`, which may be repeated, and returns it.

@@ -19,7 +19,7 @@ namespace slicefarm::coordinator {
 /// Time limits of the calls of a remote stage.
 struct RemoteOptions {
   /// Deadline of one try for very little work. A replica that has not answered by then counts as
-  /// unreachable. The death of a machine or process is noticed earlier, because it breaks the
+  /// unreachable. The death of a machine or program is noticed earlier, because it breaks the
   /// connection.
   std::chrono::milliseconds deadline{300'000};
   /// number of outline points for which a call gets one more `deadline` of time

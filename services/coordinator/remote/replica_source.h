@@ -46,8 +46,8 @@ class SingleReplica : public ReplicaSource {
 bool IsReplicasFault(const absl::Status& status);
 
 /// Returns the error of a call that was in progress when its server was lost. `what`: "connection"
-/// or "answer", which was lost. `how`: description of the event. If the same call gets this error
-/// twice, it may have killed the servers.
+/// or "answer", the one that was lost. `how`: description of the event. If the same call gets this
+/// error twice, it may have killed the servers.
 absl::Status LostCall(std::string_view stage, std::string_view what, std::string_view how);
 /// Returns true if the status is a LostCall error.
 bool WasLost(const absl::Status& status);

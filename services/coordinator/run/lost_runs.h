@@ -32,8 +32,8 @@ inline constexpr int32_t kMaxDeadlyRuns = 3;
 /// - If a coordinator is calm until the job runs and then dies, the run counts as lost. Soon
 ///   kMaxLostRuns is reached.
 ///
-/// Services die of the same causes. So the next run after a deadly run also requires a calm
-/// coordinator, which shows that the farm is calm.
+/// Workers and stages die for the same two reasons. So the next run after a deadly run also
+/// requires a calm coordinator, which shows that the farm is calm.
 class LostRuns {
  public:
   LostRuns() = default;

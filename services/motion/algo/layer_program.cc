@@ -96,8 +96,7 @@ bool PrintsNoPart(std::span<const BlockVisit> visits, const OrderedLayer& layer)
   });
 }
 
-/// Return true if the block is the layer's first one and the layer begins with the filament ready.
-/// EndsReady tests the layer's last block and the layer's end instead.
+/// Returns true if the block is the layer's first one and the layer begins with the filament ready.
 bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
   return layer.begins_ready && !layer.visits.empty() &&
          &block == &BlockOf(layer.visits.front(), layer);
@@ -145,13 +144,14 @@ Point StartOf(const PathBlock& block) {
   return StartOf(block.paths.front());
 }
 
-/// Return the plate coordinates of the start and of the end of a visit.
+/// Returns the plate coordinates of the start of a visit.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
   const PathBlock& block = BlockOf(visit, layer);
   const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
                      !block.travels.empty() && !block.travels.front().corners.empty();
   return visit.shift + (turns ? block.travels.front().corners.front() : StartOf(block));
 }
+/// Returns the plate coordinates of the end of a visit.
 Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
   return visit.shift + built[static_cast<size_t>(visit.block)].Exit();
 }

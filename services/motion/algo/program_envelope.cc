@@ -108,11 +108,12 @@ std::string Head(const ProgramSummary& summary, const MotionOptions& options, do
   return out.Take();
 }
 
-/// Write the label of the only copy before and after all layers.
+/// Writes the label of the only copy before all layers.
 void BeginOnlyCopy(const ProgramSummary& summary, const MotionOptions& options, GcodeText& out) {
   if (LabelIsAroundAll(summary.copies.size(), options))
     BeginCopy(summary.copies.front().name, 0, options, out);
 }
+/// Writes the end of this label after all layers.
 void EndOnlyCopy(const ProgramSummary& summary, const MotionOptions& options, GcodeText& out) {
   if (LabelIsAroundAll(summary.copies.size(), options))
     EndCopy(summary.copies.front().name, 0, options, out);

@@ -16,7 +16,8 @@ struct SchedulerOptions {
   /// Number of failed tries of a range after which the job fails. Applies only if the range has
   /// failed on `poison_runners` different runners.
   int poison_tries = 3;
-  /// Smallest number of different runners on which the range must have failed for `poison_tries`.
+  /// Smallest number of different runners on which the range must have failed before `poison_tries`
+  /// ends the job.
   int poison_runners = 2;
   int refused_tries = 3;  ///< number of refusals of a range (see Refused) after which the job fails
   /// Failed tries of a range after which the job fails, even if all of them were on one runner.
@@ -146,8 +147,8 @@ class RangeScheduler {
     std::set<RunnerId> failed_on = {};
     std::set<RunnerId> alone_on = {};  ///< runners that had the range alone, as a suspect
     /// Runner that last died of the range and has not been reachable since. No other runner gets
-    /// the range before it is reachable again or `elsewhere_after_s` is over, so that the other
-    /// runner does not die as well.
+    /// the range until this runner is reachable again or `elsewhere_after_s` is over, so that no
+    /// other runner dies as well.
     std::optional<RunnerId> away = {};
   };
   struct Copy {

@@ -15,9 +15,9 @@ namespace slicefarm::coordinator {
 
 /// Limits of a tenant's stored data: the number of its jobs, including ended jobs, and the bytes of
 /// its blobs. The data in the stores is counted every few seconds. Until the next count, this
-/// process adds the new data that it accepts itself. So several coordinators may together exceed a
-/// limit by the data that they accept between two counts. Results count but are never refused,
-/// because an accepted job must end. Thread-safe.
+/// object adds the new data that this coordinator accepts. So several coordinators may together
+/// exceed a limit by the data that they accept between two counts. Results count but are never
+/// refused, because an accepted job must end. Thread-safe.
 class TenantBudgets {
  public:
   /// Creates the limits. `now_us`: a clock that never runs backwards. The stores must outlive this

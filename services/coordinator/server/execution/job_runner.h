@@ -37,7 +37,7 @@ class JobRunner {
   JobRunner(RunEnvironment environment, JobRunnerOptions options);
   ~JobRunner();
 
-  /// Releases the jobs that a previous process of this coordinator held, and starts the threads.
+  /// Releases the jobs that this coordinator held when it last ended, and starts the threads.
   /// Errors: see JobStore.
   absl::Status Start();
 

@@ -76,7 +76,7 @@ class Coordinator {
                                                            const rpc::JsonLog& log);
   ~Coordinator();
 
-  /// Begins to run jobs, first the jobs that the previous process of this coordinator has left.
+  /// Begins to run jobs, first the jobs that this coordinator left when it last ended.
   absl::Status Start();
 
   /// Stops claiming jobs, and waits until the running jobs have ended, for at most `patience`.

@@ -11,7 +11,7 @@ namespace slicefarm::coordinator {
 /// it at the end of the program, even after a crash.
 class StateLock {
  public:
-  /// Takes the lock. Errors: Unavailable if another process has it; STORE_FAILED.
+  /// Takes the lock. Errors: Unavailable if another program has it; STORE_FAILED.
   static absl::StatusOr<std::unique_ptr<StateLock>> Take(const std::string& directory);
   ~StateLock();
   StateLock(const StateLock&) = delete;

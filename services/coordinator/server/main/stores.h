@@ -48,7 +48,7 @@ struct Stores {
 };
 
 /// Opens the stores. `runs`: number of jobs that run at the same time. Errors: see JobStore and
-/// BlobStores; Unavailable if another process uses the directory; FailedPrecondition if another
+/// BlobStores; Unavailable if another program uses the directory; FailedPrecondition if another
 /// coordinator has the name; STORE_FAILED if the bucket is unreachable (Unavailable) or refuses
 /// access (FailedPrecondition).
 absl::StatusOr<Stores> OpenStores(const StoreOptions& options, int runs);

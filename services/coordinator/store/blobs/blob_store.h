@@ -82,10 +82,10 @@ class BlobStore {
     return PutText(SpooledText(std::move(bytes)));
   }
 
-  /// Opens a blob for reading. Checks the content against the blob's name once per process, and
-  /// again if the blob was written since. Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS)
-  /// if the bytes have changed. A changed blob is put aside: it is kept for inspection, and a new
-  /// upload can use its name.
+  /// Opens a blob for reading. Checks the content against the blob's name when this program first
+  /// opens it, and again if the blob was written since. Errors: BLOB_NOT_FOUND;
+  /// BLOB_DIGEST_MISMATCH (DATA_LOSS) if the bytes have changed. A changed blob is put aside: it is
+  /// kept for inspection, and a new upload can use its name.
   virtual absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) = 0;
 
   /// Opens a blob without checking its content. The caller must check it, as OpenToStream does.

@@ -24,7 +24,7 @@ namespace slicefarm::coordinator {
 class DirectoryBlobStore : public BlobStore {
  public:
   /// Opens the store in a directory, which is created if it does not exist. REQUIRES: no other
-  /// process uses the directory.
+  /// program uses the directory.
   static absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> OpenAt(const std::string& root);
 
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override;
@@ -77,7 +77,7 @@ class DirectoryBlobStore : public BlobStore {
   NameLocks folders_;  ///< locks by folder, for the fsync of a folder of blobs
   std::mutex doubts_mutex_;
   /// Folders of blobs with all their file names on disk. At the start the set is empty, because the
-  /// previous process may have ended between a rename and the fsync of its folder. After a failed
+  /// program may have ended earlier between a rename and the fsync of its folder. After a failed
   /// fsync, the folder is removed from the set.
   std::set<std::string> synced_folders_;
   /// Uploads that only this program has written and for which it has not called fsync yet. All

@@ -217,7 +217,7 @@ class JobStore {
                                                      int64_t until_us) = 0;
 
   /// Releases all jobs of `owner`. A coordinator calls this function at its start, for the jobs
-  /// that its previous process has left.
+  /// that it left when it last ended.
   virtual absl::Status Release(const std::string& owner) = 0;
 
   /// Writes state and progress, and appends an event. Releases a job that ends or is QUEUED again.

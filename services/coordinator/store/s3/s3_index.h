@@ -19,7 +19,7 @@ namespace slicefarm::coordinator {
 /// The name of an object is never used twice. An object is in `s3_loose` from the time before its
 /// PUT until it becomes a blob, and again from the removal of the blob until the object is deleted.
 /// So the database contains every object, no matter when a program is killed, and the bucket never
-/// has to be listed. A deletion never affects an object that another process puts. Thread-safe.
+/// has to be listed. A deletion never affects an object that another program puts. Thread-safe.
 class S3Index {
  public:
   /// Object of a blob, and its size.

@@ -17,7 +17,7 @@ class PostgresDatabase : public SqlDatabase {
  public:
   static constexpr int kConnections = 8;
 
-  /// Opens a database and brings it to the schema of this build. Several processes may do so at the
+  /// Opens a database and brings it to the schema of this build. Several programs may do so at the
   /// same time. Errors: STORE_FAILED (FailedPrecondition if the schema is newer than this build).
   static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
                                                                 int max_connections = kConnections);

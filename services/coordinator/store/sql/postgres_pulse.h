@@ -21,14 +21,14 @@ class PostgresPulse {
   struct Options {
     std::chrono::milliseconds every{1'000};
     std::chrono::milliseconds silent_after{5'000};
-    /// Longest wait until another process releases the name. A killed process releases its name at
+    /// Longest wait until another program releases the name. A killed program releases its name at
     /// once; a program on a lost machine, within 11 s.
     std::chrono::milliseconds name_patience{12'000};
   };
 
   /// Connects and reserves the name. `name`: name of a coordinator; empty: no name is reserved.
   /// Errors: STORE_FAILED; Unavailable if the server does not answer; FailedPrecondition if another
-  /// process has the name.
+  /// program has the name.
   static absl::StatusOr<std::unique_ptr<PostgresPulse>> Begin(const std::string& conninfo,
                                                               const std::string& name,
                                                               Options options);

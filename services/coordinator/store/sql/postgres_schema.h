@@ -26,7 +26,7 @@ std::span<const PostgresMigration> PostgresMigrations();
 /// Function that is called with the name of each step that was taken.
 using Migrated = std::function<void(std::string_view name)>;
 
-/// Takes the steps that a database lacks. Only one process at a time does so. After an
+/// Takes the steps that a database lacks. Only one program at a time does so. After an
 /// interruption, the next call continues at the same step.
 ///
 /// The first eight steps increase `slicefarm_schema.version`; a build refuses a database with a

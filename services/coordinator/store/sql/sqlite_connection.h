@@ -14,7 +14,7 @@ namespace slicefarm::coordinator {
 
 /// Connection to an SQLite database, with its prepared statements.
 ///
-/// Durable: write-ahead log, synchronous=FULL. Waits up to 5 s for another process's lock.
+/// Durable: write-ahead log, synchronous=FULL. Waits up to 5 s for another program's lock.
 class SqliteConnection : public SqlConnection {
  public:
   /// Opens a database, or creates it. Errors: STORE_FAILED, DISK_FULL.

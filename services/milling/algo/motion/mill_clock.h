@@ -21,8 +21,8 @@ struct MoveTime {
 std::vector<MoveTime> TimesOf(std::span<const MillMove> moves, const MillingOptions& options,
                               const CancelToken& cancel = {});
 
-/// Lowers the feed of each move that the machine cannot reach: to the speed that it reaches,
-/// rounded up to a twentieth of the programmed feed.
+/// Lowers the feed of each move to the speed that the machine reaches on it, rounded up to a
+/// twentieth of the programmed feed.
 void LowerFeeds(const MillingOptions& options, std::span<MillMove> moves,
                 const CancelToken& cancel = {});
 

@@ -5,9 +5,10 @@
 
 namespace slicefarm::milling {
 
-/// Finds where a bull nose that is moved along the fiber touches a part of an edge. Returns the
-/// position s of this contact on the part, in [0, length]. If the cutter does not reach the part,
-/// returns the position nearest to the cutter.
+/// Finds where a bull nose that is moved along the fiber touches a part of an edge. `side`: 1 for
+/// the contact at the high end of the gouged interval, -1 for the low end. Returns the position s
+/// of this contact on the part, in [0, length]. If the cutter does not reach the part, returns the
+/// position nearest to the cutter.
 ///
 /// The point at s is from + s step; along(s) and across(s) are its FiberPoint fields, and width(s)
 /// is the width of `piece` at its height. At the contact, side * along(s) + sqrt(width(s)^2 -

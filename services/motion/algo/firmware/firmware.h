@@ -94,9 +94,9 @@ class Firmware {
   /// Returns the longest accepted move, in mm of filament, in which only the filament moves; 0: no
   /// limit.
   virtual double LongestExtrusionMm() const { return 0; }
-  /// Return true if the firmware accepts arcs given by their radius (ArcsByRadius), or arcs while
-  /// coordinates are relative (RelativeArcs).
+  /// Returns true if the firmware accepts arcs given by their radius.
   virtual bool ArcsByRadius() const { return true; }
+  /// Returns true if the firmware accepts arcs while coordinates are relative.
   virtual bool RelativeArcs() const { return true; }
 
   // Writing of G-code.
@@ -128,9 +128,11 @@ class Firmware {
   virtual void WriteHead(const PrintFacts& facts, GcodeText& out) const;
   /// Returns the firmware's comments.
   virtual const CommentWords& comments() const;
-  /// Write G-code before the first layer, at the second layer, and after the last one.
+  /// Writes the firmware's G-code before the first layer.
   virtual void WriteLayersBegin(GcodeText& /*out*/) const {}
+  /// Writes the firmware's G-code at the second layer.
   virtual void WriteSecondLayer(GcodeText& /*out*/) const {}
+  /// Writes the firmware's G-code after the last layer.
   virtual void WriteLayersEnd(GcodeText& /*out*/) const {}
   /// Returns the firmware's name of a feature, as it is written after CommentWords::feature.
   virtual std::string_view WordsOf(Feature feature) const { return FeatureType(feature); }
@@ -145,8 +147,10 @@ class Firmware {
   /// Writes the definitions of all copies at the head of the file. `labels`: LabelOf of each copy.
   virtual void DefineCopies(std::span<const CopySummary> copies,
                             std::span<const std::string> labels, GcodeText& out) const = 0;
-  /// Write the lines at the start and at the end of a copy.
+  /// Writes the lines at the start of a copy. `label`: LabelOf of the copy; `index`: index of the
+  /// copy.
   virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
+  /// Writes the lines at the end of a copy.
   virtual void EndCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
   /// Returns true if, in a job with one copy, its label is written once around all layers instead
   /// of in each layer.

@@ -57,7 +57,7 @@ class LayerWriter {
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
-  /// Writes the layer's fan.
+  /// Writes the command for the layer's fan speed.
   void WriteLayerFan(GcodeText& out);
 
   /// Appends the moves [first, last), shifted. May be called several times, one stretch after the
@@ -65,10 +65,10 @@ class LayerWriter {
   /// text before it, and the machine may skip the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
 
-  /// Begin and end a block (the paths of a copy). The text of a block does not depend on the text
-  /// before it, except for accelerations that are already set. EndBlock restores the fan and the
-  /// height with which the layer began.
+  /// Begins a block: the paths of a copy. The text of a block does not depend on the text before
+  /// it, except for accelerations that are already set.
   void BeginBlock(GcodeText& out);
+  /// Ends a block. Restores the fan speed and the height with which the layer began.
   void EndBlock(GcodeText& out);
 
   /// Tells the writer that custom G-code (a change of colour) has primed the filament. The next
@@ -82,7 +82,7 @@ class LayerWriter {
   ModeValues Modes() const;
 
   /// Forces feed rate and acceleration to be written again. Call this after inserted G-code that
-  /// may have set them. A fan that this G-code sets is not reset.
+  /// may have set them. A fan speed that this G-code sets is not reset.
   void Forget() {
     feed_rate_.Forget();
     acceleration_ = -1;

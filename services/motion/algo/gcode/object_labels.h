@@ -26,8 +26,9 @@ std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& opt
 /// instead of in each layer.
 bool LabelIsAroundAll(size_t copies, const MotionOptions& options);
 
-/// Write the lines before and after a copy; nothing if labels are off.
+/// Writes the lines before a copy; nothing if labels are off.
 void BeginCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out);
+/// Writes the lines after a copy; nothing if labels are off.
 void EndCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out);
 
 /// Writes the definitions of all copies for the head of the file.

@@ -13,9 +13,10 @@ struct Arc {
   Vector2 centre = Vector2::Zero();
   bool clockwise = false;
 
-  /// Return the distances of the arc's start and end from its centre. They are equal except for
-  /// rounding.
+  /// Returns the distance of the arc's start from its centre. StartRadius and EndRadius are equal
+  /// except for rounding.
   double StartRadius() const;
+  /// Returns the distance of the arc's end from its centre.
   double EndRadius() const;
   /// Returns the swept angle in radians, above 0 for both directions. A full circle if both ends
   /// are equal.

@@ -40,9 +40,10 @@ class PrintSpeeds {
   int32_t layer_;
 };
 
-/// Return the speeds of travels and of z moves, in mm/s. `first_layer`: true for travels in the
-/// first layer, which may have a speed of their own.
+/// Returns the speed of travels in mm/s. `first_layer`: true for travels in the first layer, which
+/// may have a speed of their own.
 double TravelSpeed(const MotionOptions& options, bool first_layer = false);
+/// Returns the speed of z moves in mm/s.
 double TravelSpeedZ(const MotionOptions& options);
 
 /// Returns a speed in mm/s as a feed rate of the G-code: whole mm/min, at least 1.

@@ -17,8 +17,8 @@ namespace slicefarm::slicing {
 /// Returns a REQUEST_MALFORMED error with this message.
 absl::Status Malformed(std::string_view message);
 
-/// Meshes of a job's files. It reads a file when a part of it is first requested, and frees the
-/// file's meshes after the last one is taken.
+/// Reader of the meshes of a job's files. Reads a file when the mesh of one of its parts is first
+/// requested, and frees the file's meshes after the last one is taken.
 class PartMeshes {
  public:
   /// `objects`: the objects of the job. Take must be called once for each of their parts. `source`

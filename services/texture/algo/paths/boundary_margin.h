@@ -19,8 +19,9 @@ class BoundaryMargin {
 
   /// Returns true if a point is at least the margin away from the boundary.
   bool Contains(const Eigen::Vector2d& map_mm) const;
-  /// Appends to `shares` candidates for the points where the line from `a` to `b` enters or leaves
-  /// the area. A candidate is a relative position on the line, from 0 to 1. The order is arbitrary.
+  /// Finds candidates for the points where the line from `a` to `b` enters or leaves the area, and
+  /// appends them to `shares`. A candidate is a relative position on the line, from 0 to 1. The
+  /// order is arbitrary.
   void Cuts(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::vector<double>* shares) const;
 
  private:

@@ -30,9 +30,9 @@ class Section {
   /// Returns true if a position of the tile is solid, by the winding number of the outlines.
   bool Contains(const Eigen::Vector2d& place_mm) const;
 
-  /// Appends to `shares` the relative positions, from 0 to 1, on the line from `a` to `b`, both in
-  /// the tile. They are the positions where the line crosses outlines. For a side along the line
-  /// they are both ends of the side. The order is arbitrary, and positions may occur twice. Cost:
+  /// Finds the points where the line from `a` to `b`, both in the tile, crosses outlines. Appends
+  /// their relative positions on the line, from 0 to 1, to `shares`. For a side along the line,
+  /// these are both ends of the side. The order is arbitrary, and positions may occur twice. Cost:
   /// O(1 + sides near the line).
   void Crossings(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                  std::vector<double>* shares) const;

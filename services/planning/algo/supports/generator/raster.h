@@ -19,9 +19,11 @@ struct PixelGrid {
   Point Centre(int32_t x, int32_t y) const {
     return {origin.x + x * pixel_nm + pixel_nm / 2, origin.y + y * pixel_nm + pixel_nm / 2};
   }
-  /// Return the index of the column (row) that contains the coordinate x (y). A coordinate outside
-  /// of the grid gets the nearest column (row).
+  /// Returns the index of the column that contains the coordinate `x`; outside of the grid, the
+  /// nearest column.
   int32_t Column(Coord x) const;
+  /// Returns the index of the row that contains the coordinate `y`; outside of the grid, the
+  /// nearest row.
   int32_t Row(Coord y) const;
   size_t size() const { return static_cast<size_t>(width) * height; }
 
@@ -39,7 +41,7 @@ class Bitmap {
   explicit Bitmap(const PixelGrid& grid) : grid_(grid), bytes_(grid.size(), 0) {}
 
   const PixelGrid& grid() const { return grid_; }
-  /// Return the bytes of a row.
+  /// Returns the bytes of row `y`, one per column.
   uint8_t* Row(int32_t y) { return bytes_.data() + static_cast<size_t>(y) * grid_.width; }
   const uint8_t* Row(int32_t y) const {
     return bytes_.data() + static_cast<size_t>(y) * grid_.width;

@@ -13,9 +13,9 @@ namespace slicefarm::slicing::threemf {
 /// items.
 using ItemsOfObject = std::map<ResourceId, std::vector<ProjectPlate::Member>>;
 
-/// Adds its plates to the project. Bambu Studio and OrcaSlicer arrange plates in one common
-/// coordinate system: in rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the right and then
-/// towards the front. The offset of a plate is subtracted from its instances.
+/// Adds to the project one plate for each of `plates`. Bambu Studio and OrcaSlicer arrange plates
+/// in one common coordinate system: in rows of ceil(sqrt(count)) plates, 1.2 beds apart, to the
+/// right and then towards the front. The offset of a plate is subtracted from its instances.
 ///
 /// If the bed's size is unknown, instances of the second and later plates get no position. A note
 /// is added for instances on no plate or on two plates.

@@ -57,8 +57,8 @@ class Archive {
  public:
   /// Opens an archive and keeps a view of `bytes`. Errors: MESH_TRUNCATED without a directory at
   /// the end; MESH_MALFORMED for damaged, encrypted and duplicate entries, unknown methods, and
-  /// names that lead out of the archive; MESH_TOO_LARGE beyond the limits on entries, expanded
-  /// bytes and their ratio.
+  /// names that lead out of the archive; MESH_TOO_LARGE beyond the limits (limits.h) on the number
+  /// of entries, the expanded bytes and the compression ratio.
   static absl::StatusOr<Archive> Open(std::string_view bytes);
 
   /// Returns the entries in the order of the directory.
