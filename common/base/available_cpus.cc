@@ -22,8 +22,8 @@ std::string Word(const std::string& path) {
   return word;
 }
 
-/// Returns the number of CPUs that the process's quota allows. In a container, the process's own
-/// cgroup is visible as the root of the hierarchy.
+/// Returns the number of CPUs that the quota of this program's cgroup allows, or nullopt without a
+/// quota. A container's own cgroup is visible as the root of the hierarchy.
 std::optional<int> Quota() {
   std::string quota;
   std::string period;

@@ -11,7 +11,7 @@ namespace {
 
 /// Junction deviation if the limits have none.
 constexpr double kDeviationMm = 0.01;
-/// Least ratio of the slowest to the fastest pace in a span.
+/// Smallest ratio of the slowest to the fastest pace in a span.
 constexpr double kAlike = 0.9;
 
 }  // namespace

@@ -5,7 +5,8 @@ namespace slicefarm::config {
 
 namespace {
 
-/// Choice number of slicing_mode that has no fill rule.
+/// Index of the choice of slicing_mode that is not a FillRule. The other indices are values of
+/// FillRule.
 constexpr int kCloseHoles = 3;
 
 void SetSlicingMode(ObjectSlicingOptions& object, const Value& value) {

@@ -19,8 +19,8 @@ inline constexpr int32_t kOnlyMesh = -1;
 /// Reference to one of the meshes of a file, or to some of its triangles.
 struct MeshRef {
   int32_t file = 0;
-  int32_t mesh = 0;             ///< number of the mesh in the order of the file, or kOnlyMesh
-  int64_t first_triangle = 0;   ///< first triangle in the order of the file
+  int32_t mesh = 0;            ///< index of the mesh in the order of the file, from 0; or kOnlyMesh
+  int64_t first_triangle = 0;  ///< first triangle in the order of the file
   int64_t triangle_count = -1;  ///< number of triangles; -1: all from first_triangle
 
   friend bool operator==(const MeshRef&, const MeshRef&) = default;

@@ -6,10 +6,11 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Layers of the job from the first to the last in which an object is printed.
+/// Layers of the job from the object's first layer to the last layer in which the object is
+/// printed.
 struct Extent {
   int32_t first = 0;
-  int32_t layers = 0;  ///< number of the object's own layers
+  int32_t layers = 0;  ///< number of layers of the object's own stack
   Coord top_nm = 0;
 };
 

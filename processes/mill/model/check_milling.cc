@@ -12,7 +12,7 @@
 namespace slicefarm {
 namespace {
 
-/// Number of the options with its allowed range, both ends included.
+/// Numeric option with its allowed range, both ends included.
 struct NumberRule {
   std::string_view setting;
   double got = 0;

@@ -17,7 +17,7 @@ struct MillTask {
 
   StepRange steps;
   MillPhase phase = MillPhase::kRoughing;
-  int32_t phase_first = 0;  ///< number of the range's first step within the phase
+  int32_t phase_first = 0;  ///< index of the range's first step within the phase, from 0
   int32_t weight = 0;
   Shared<MillInput> input;
 

@@ -25,8 +25,8 @@ constexpr double kChordMm = 0.2;
 constexpr double kPathShare = 1.0 / 800;
 /// Heights are whole micrometres.
 constexpr double kUmPerMm = 1000;
-/// Least length of toolpaths on a level. A ramp's chord that falls by less than a micrometre seems
-/// level, but is shorter.
+/// Smallest length of a toolpath that counts as level. A ramp's chord that falls by less than a
+/// micrometre seems level, but is shorter.
 constexpr double kLeastLevelMm = 1;
 
 /// Toolpath in x and y at one height, or a toolpath that changes its height.

@@ -39,7 +39,8 @@ Span SpanFromJson(const json& value) {
           value.at("facts")};
 }
 
-/// Number of an attempt at some work, and whether another attempt ran at its begin.
+/// Number of an attempt at some work, from 1. `copy`: true if an earlier attempt at the same work
+/// was still running when this one began.
 struct Attempt {
   int number = 1;
   bool copy = false;

@@ -33,7 +33,8 @@ bool WorkersDied(const absl::Status& status) {
   return cause != detail.metadata.end() && cause->second == ReasonName(Reason::kUnavailable);
 }
 
-/// Returns true if a stage that needs the whole job was lost. This has happened twice in this run.
+/// Returns true if the server of a stage was lost during a call for the whole job. The run then
+/// already repeated the call on another server, which was lost too.
 bool CallWasLost(const absl::Status& status) {
   return absl::IsUnavailable(status) && DetailOf(status).metadata.contains("lost");
 }

@@ -10,8 +10,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Largest distance along the edge, in spacings, between two ends that are joined. Over a longer
-/// distance the nozzle would drag along the edge.
+/// Largest distance along the region's boundary, in spacings, between two ends that are joined.
+/// Over a longer distance the nozzle would drag along the boundary.
 constexpr double kIroningLinkSpacings = 3;
 
 }  // namespace

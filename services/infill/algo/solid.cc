@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kLeastStretch = 0.85;
 constexpr double kMostStretch = 1.2;
-/// Largest distance along the edge between two ends that are joined, in spacings.
+/// Largest distance along the region's boundary between two ends that are joined, in spacings.
 constexpr double kMaxLinkSpacings = 8.0;
-/// Least length of a path, in widths. A shorter path covers less than the gaps beside the round
+/// Smallest length of a path, in widths. A shorter path covers less than the gaps beside the round
 /// ends of its neighbours.
 constexpr double kMinLengthWidths = 1.0;
 /// Distance of lines' ends from the boundary beside walls, as a share of the distance elsewhere:
@@ -35,7 +35,7 @@ constexpr double kLinkShare = 0.15;
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // in spacings
 
-/// Returns the distance of lines' ends from the region's edge.
+/// Returns the distance of lines' ends from the region's boundary.
 Coord EndDistance(Coord spacing, Coord overlap) {
   return std::max<Coord>(0, spacing / 2 - overlap);
 }
@@ -45,7 +45,7 @@ Coord EndDistance(Coord spacing, Coord overlap) {
 /// ends form the boundary.
 bool FitsWalls(const SolidFill& fill) { return fill.beside_walls && !IsBridge(fill.feature); }
 
-/// Returns the distance of straight lines' ends from the region's edge.
+/// Returns the distance of straight lines' ends from the region's boundary.
 Coord LineEndDistance(Coord spacing, const SolidFill& fill) {
   if (fill.anchored) return 0;
   const Coord full = EndDistance(spacing, fill.overlap_nm);
@@ -134,8 +134,8 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
 
 absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
-  // Lines along the edge are half a spacing from it in any case, side by side with the wall. None
-  // of their ends has to reach into the wall.
+  // Lines along the region's boundary are half a spacing from it in any case, side by side with the
+  // wall. None of their ends has to reach into the wall.
   const bool along_edge = InfoOf(fill.pattern).solid == SolidFillStyle::kAlongEdge;
   const Coord inset = along_edge ? 0 : EndDistance(std::llround(pitch), fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);

@@ -19,10 +19,10 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Largest distance of ends inside a region that are joined, in pitches, and the largest added
-/// length of a joint as a share of the distance. In an octree, ends at larger planes are beside
-/// each other along these planes. Where parts of a field meet, ends face each other, and the
-/// density must be correct at each point.
+/// Limits for joining two ends inside a region: their largest distance, in pitches, and the largest
+/// added length as a share of this distance. In an octree, ends at larger planes are beside each
+/// other along these planes. Where parts of a field meet, ends face each other, and the density
+/// must be correct at each point.
 constexpr double kReachInOctree = 8, kAddedInOctree = 0.9;
 constexpr double kReachInField = 4, kAddedInField = 0.25;
 /// Smallest length of a path of planned patterns or fields, in widths. A shorter path supports
@@ -40,8 +40,9 @@ absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiP
   return PatternOf(fill.pattern)(area, place);
 }
 
-/// Returns an island's area inset by `inset_nm` if a further inset by `half_nm` only shortens its
-/// edges: the island is then narrow nowhere.
+/// Returns an island's area inset by `inset_nm`, or nullopt if the island may be narrow somewhere.
+/// It is nowhere narrow if a further inset by `half_nm` changes the lengths of its edges, but not
+/// their number.
 std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord inset_nm,
                                          Coord half_nm) {
   const auto core = TryOffset({island}, -(inset_nm + half_nm));
@@ -57,9 +58,9 @@ std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord i
   return std::move(room->polygons[0]);
 }
 
-/// Returns the area for lines, `inset_nm` from the region's edge, without parts where beads along
-/// both sides would overlap. Corners of the remaining area are mitered, also beyond edges that
-/// disappear in the inset.
+/// Returns the area for lines, `inset_nm` from the region's boundary, without parts where beads
+/// along both sides would overlap. Corners of the remaining area are mitered, also beyond edges
+/// that disappear in the inset.
 MultiPolygon RoomFor(const MultiPolygon& region, Coord inset_nm, Coord width_nm) {
   const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(width_nm));
   MultiPolygon room, others;

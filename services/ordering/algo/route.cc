@@ -20,8 +20,8 @@ void Route::Enter(const RouteEdges& edges) {
   is_linkable_ = false;
 }
 
-/// Returns true if a link could only take its plastic from an inner loop, which the rules keep
-/// whole.
+/// Returns true if a link to `next` would shorten an inner loop although the rules forbid this
+/// (RouteEdges::whole_loops).
 bool Route::IsKeptWhole(const Path& next) const {
   const auto is_inner = [](const Path& path) { return path.feature == Feature::kPerimeter; };
   return edges_.whole_loops &&

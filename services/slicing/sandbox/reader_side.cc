@@ -24,8 +24,8 @@ constexpr int kNoRequestExit = 2;
 /// Exits without an answer, because the service has ended or has sent an invalid request.
 [[noreturn]] void EndUnheard() { _exit(kNoRequestExit); }
 
-/// Asks the system to kill this process rather than the service when memory runs out. If this is
-/// not allowed, the system decides.
+/// Asks the system to kill this reader rather than the service when memory runs out. If the system
+/// does not permit this request, it chooses a program itself.
 void StepForwardWhenMemoryRunsOut() {
   const Fd file(open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
   constexpr std::string_view kFirst = "1000";

@@ -209,8 +209,8 @@ class CountPlanner {
       around_[node] = CountsAround(static_cast<int>(node));
   }
 
-  /// Returns the ramp that begins at the node of a transition, for the edges with `count` beads:
-  /// the lower or the higher count of the transition.
+  /// Returns the ramp that begins at a node on the edges with `count` beads. Empty if the node has
+  /// no transition, or if `count` is neither the transition's lower nor its higher count.
   Ramp RampAt(int node, int count) const {
     const Range& range = around_[node];
     if (!range.IsTransition() || (count != range.low && count != range.high)) return {};
@@ -251,7 +251,9 @@ class CountPlanner {
     }
   }
 
-  /// Returns the ramp that is valid on this edge at the start of `half`.
+  /// Returns the ramp on the edge of `half` at the start of `half`: of `up_` if `up`, else of
+  /// `down_`. At the node of a transition, the ramp begins only on the edges with the matching
+  /// count.
   Ramp RampOn(int half, bool up) const {
     const int node = graph_.half_edges[half].from;
     const int count = edge_count_[half / 2];

@@ -126,7 +126,8 @@ absl::StatusOr<std::vector<ProfileRecord>> ProfilesOf(const std::string& tenant,
 absl::Status AddProfiles(const std::string& tenant, ProfileStore& profiles, Archive& archive) {
   const auto newest = ProfilesOf(tenant, profiles);
   if (!newest.ok()) return newest.status();
-  // Used as file name, because a profile name may be too long or an unsafe path, such as "..".
+  // The number is used in the file name, because a profile name may be too long or an unsafe path,
+  // such as "..".
   int64_t number = 0;
   for (const ProfileRecord& last : *newest) {
     ++number;
@@ -192,7 +193,8 @@ absl::Status EraseBlobs(const std::string& tenant, const TenantData& data,
     const size_t end = std::min(next + kPage, entries->size());
     std::set<std::string> digests;
     for (size_t i = next; i < end; ++i) digests.insert((*entries)[i].digest);
-    // Used by other tenants, because the tenant's own jobs are deleted.
+    // The blobs that are still referenced are used by other tenants: the tenant's own jobs are
+    // deleted.
     const auto used = data.jobs.Referenced(tenant, digests);
     if (!used.ok()) return used.status();
     for (; next < end; ++next) {

@@ -48,8 +48,8 @@ void WatchReads::Run() {
     Tenant& tenant = tenants_.at(name);
     const Wanted wanted = std::move(tenant.queue.front());
     tenant.queue.pop_front();
-    // Requests that come from now on need a new read, because events may be written after this
-    // read.
+    // Requests that come from now on need a new read, because this read may miss events that are
+    // written after its start.
     const std::vector<Done> waiting = std::move(tenant.waiting.extract(wanted).mapped());
     if (tenant.queue.empty()) {
       tenants_.erase(name);

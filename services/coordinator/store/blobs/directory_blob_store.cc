@@ -104,7 +104,8 @@ absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> DirectoryBlobStore::OpenAt(
   return store;
 }
 
-/// Removes unfinished files of the previous process, and uploads of blobs that are complete.
+/// Removes unfinished files of the previous run of the program, and uploads of blobs that are
+/// complete.
 absl::Status DirectoryBlobStore::RemoveLeftovers() const {
   namespace fs = std::filesystem;
   for (const auto& [part, all] : {std::pair("/tmp", true), std::pair("/uploads", false)}) {

@@ -282,8 +282,8 @@ absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::st
   return damaged;
 }
 
-/// Reads a blob and checks it against its name. Stores its bytes in `bytes`, unless it is null.
-/// Returns the size of the blob.
+/// Reads a blob and checks it against its name. If `bytes` is not null, the blob's bytes are stored
+/// there. Returns the size of the blob.
 absl::StatusOr<int64_t> PostgresBlobStore::Check(const std::string& digest, std::string* bytes) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const Key key = {tenant_, digest};

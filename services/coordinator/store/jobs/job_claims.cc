@@ -44,7 +44,8 @@ absl::StatusOr<std::optional<Candidate>> FindClaimable(SqlConnection& db, const 
   return candidate;
 }
 
-/// Locks the work: until the transaction ends, no other claim takes a job of this work.
+/// Locks all jobs with this action digest: until the transaction ends, no other claim takes one of
+/// them.
 absl::Status LockWork(SqlConnection& db, const std::string& action_digest) {
   const std::string_view lock = db.dialect().lock_work;
   if (lock.empty()) return absl::OkStatus();

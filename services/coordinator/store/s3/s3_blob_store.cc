@@ -167,8 +167,8 @@ absl::StatusOr<std::string> S3BlobStore::PutText(const SpooledText& text) {
   return digest;
 }
 
-/// Returns the digest of an object. Appends its bytes to `bytes`, unless it is null. Errors:
-/// DataLoss if the object is missing.
+/// Returns the digest of an object. If `bytes` is not null, the object's bytes are appended to it.
+/// Errors: DataLoss if the object is missing.
 absl::StatusOr<std::string> S3BlobStore::Digest(const S3Index::Found& found, std::string* bytes) {
   S3Reader reader(bucket_, found);
   Sha256 sha;

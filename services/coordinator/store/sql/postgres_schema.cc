@@ -82,7 +82,7 @@ absl::Status NoteTaken(SqlConnection& db, const PostgresMigration& step, int64_t
   return SqlQuery(db, "INSERT INTO slicefarm_migrations (name) VALUES (?)").Bind(step.name).Run();
 }
 
-/// Drops invalid indexes that a killed process left. They are of no use.
+/// Drops the invalid, useless indexes that remain if a program is killed while it creates an index.
 absl::Status DropHalves(SqlConnection& db) {
   std::vector<std::string> names;
   SqlQuery query(

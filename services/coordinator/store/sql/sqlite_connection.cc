@@ -11,7 +11,8 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr int kBusyTimeoutMs = 5000;
-/// A transaction blocks all other writers from its begin, so no other locks are needed.
+/// A transaction blocks all other writers from its first statement (BEGIN IMMEDIATE) on, so no
+/// other locks are needed.
 constexpr SqlDialect kSqliteDialect = {
     .begin = "BEGIN IMMEDIATE",
     .for_update = "",

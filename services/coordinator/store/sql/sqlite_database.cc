@@ -15,9 +15,9 @@ namespace {
 /// error in time.
 constexpr std::chrono::seconds kReaderPatience{5};
 
-/// Writes the log to disk in its current state. The previous process may have written the end of
-/// the log without a successful fsync. This is done before all other steps, so that no page is
-/// copied into the database that the log may lose in a power cut.
+/// Writes the log to disk in its current state. The previous run of the program may have written
+/// the end of the log without a successful fsync. This is done before all other steps, so that no
+/// page is copied into the database that the log may lose in a power cut.
 absl::Status SettleLog(SqliteConnection& db, const std::string& path) {
   SqlTransaction transaction(db);  // no other connection writes meanwhile
   if (!transaction.status().ok()) return transaction.status();

@@ -18,8 +18,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Least length of a piece of a graded line, in spacings. A shorter piece is not worth a start and
-/// an end.
+/// Smallest length of a piece of a graded line, in spacings. A shorter piece is not worth a start
+/// and an end.
 constexpr double kShortest = 4;
 /// Smallest density for which streamlines are laid out. Below it, beads would be several
 /// centimetres apart.
@@ -27,7 +27,7 @@ constexpr double kThinnest = 0.01;
 /// Side of the grid to which boxes of streamlines are extended, in mm. Layers of similar extent
 /// therefore have the same box.
 constexpr double kBoxMm = 8;
-/// Distance in nm within which a point is on a region's edge. Parts are cut out of their region
+/// Distance in nm within which a point is on a region's boundary. Parts are cut out of their region
 /// with an error of some nanometres.
 constexpr Coord kOnEdgeNm = 1'000;
 /// Size of the squares in which a region's edges are indexed.
@@ -94,7 +94,7 @@ EdgePlace PlaceOn(const EdgeIndex& edges, Point p) {
 }
 
 /// Returns a part without a margin of `free_nm` along its border with neighbour parts, so that
-/// curves along its edge keep this distance.
+/// curves along the part's boundary keep this distance from the neighbours.
 MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, double free_nm) {
   const MultiPolygon others = Difference(region, part);
   return others.empty() ? part : Difference(part, FastOffset(others, std::llround(free_nm)));

@@ -19,10 +19,10 @@ namespace {
 constexpr double kStepShare = 0.2;
 constexpr double kLongestStepMm = 1;
 constexpr double kShortestStepMm = 0.01;
-/// Least distance of a new line's start from other lines, as a share of the separation.
+/// Smallest distance of a new line's start from other lines, as a share of the separation.
 constexpr double kStartShare = 0.95;
-/// Least distance of a start in the middle of a remaining gap. Such a gap is wider than about 1.3
-/// separations.
+/// Smallest distance of a start in the middle of a remaining gap from other lines, as a share of
+/// the separation. Such a gap is wider than about 1.3 separations.
 constexpr double kGapShare = kEndShare;
 /// Smallest length of a line, in separations. A shorter line supports nothing.
 constexpr double kShortestLine = 1.5;
@@ -220,7 +220,7 @@ class Tracer {
       step = std::clamp(step, kShortestStepMm, std::min(kLongestStepMm, kStepShare * separation));
       const auto next = Advance(at, along, step);
       if (!next.has_value() || !InBox(next->to)) {
-        // The last point is outside of the box: the box's edge is not an edge of the region.
+        // The last point is outside of the box: the region does not end at the box's boundary.
         if (next.has_value()) Put(line, next->to, sign);
         return false;
       }

@@ -11,14 +11,14 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Least length of a flat part of the edge, in pitches along the lines. On a shorter part, the
-/// round ends of lines leave little empty, and each fitted end costs some extra moves.
+/// Smallest length of a flat part of the boundary, in pitches along the lines. On a shorter part,
+/// the round ends of lines leave little empty, and each fitted end costs some extra moves.
 constexpr double kLeastFlatPitches = 1.0;
-/// Largest slope of a flat edge.
+/// Largest slope of a flat part of the boundary, relative to the lines.
 constexpr double kSteepSlope = 0.5;
 /// Length of the space that the round end of a line fills, in pitches.
 constexpr double kEndPitches = 0.35;
-/// Least distance between corners of a strip, in pitches.
+/// Smallest distance between corners of a strip, in pitches.
 constexpr double kLeastStepPitches = 0.25;
 /// Widths of the narrowest and the widest strip, in pitches.
 constexpr double kNarrowest = 0.6;
@@ -45,7 +45,7 @@ FittedStrips::FittedStrips(const ScanLines& lines, const Options& options) : lin
   });
 }
 
-/// Returns the points along the edge from a crossing to the next one, in the frame.
+/// Returns the points along the boundary from a crossing to the next one, in the frame.
 std::vector<Vector2> FittedStrips::WayOf(int32_t from) const {
   const Crossing& a = lines_.crossings[from];
   const Crossing& b = lines_.crossings[a.next];
@@ -57,7 +57,7 @@ std::vector<Vector2> FittedStrips::WayOf(int32_t from) const {
   return way;
 }
 
-/// Returns the lower one of the two lines between which a part of the edge runs.
+/// Returns the lower one of the two lines between which a part of the boundary runs.
 int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& way) const {
   const Crossing& a = lines_.crossings[from];
   const int32_t other = lines_.crossings[a.next].line;
@@ -68,7 +68,8 @@ int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& way) c
   return highest.y() - v > v - lowest.y() ? a.line : a.line - 1;
 }
 
-/// Returns the piece of a line that is beside the whole part of the edge, or -1 if there is none.
+/// Returns the piece of a line that is beside the whole part of the boundary, or -1 if there is
+/// none.
 int32_t FittedStrips::PieceBeside(int32_t line, double from_u, double to_u) const {
   if (line < 0 || line >= lines_.LineCount()) return -1;
   const auto begin = lines_.order.begin() + lines_.line_begin[line];
@@ -90,7 +91,7 @@ std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
   FlatStretch flat{.way = WayOf(from)};
   std::vector<Vector2>& way = flat.way;
   const int32_t below = LineBelow(from, way);
-  // The region is to the left of its edge.
+  // The region is to the left of its boundary.
   flat.region_above = end->u > start->u;
   if (!flat.region_above) std::ranges::reverse(way);
   if (!std::ranges::is_sorted(way, {}, [](const Vector2& p) { return p.x(); })) return std::nullopt;
@@ -114,7 +115,8 @@ std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
   return flat;
 }
 
-/// Returns the distance from the edge to the far side of the strip of the line beside it.
+/// Returns the distance from the boundary to the far side of the strip of the line beside the
+/// boundary.
 double FittedStrips::RoomAt(const FlatStretch& flat, size_t i) const {
   return std::abs(flat.way[i].y() - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
 }
@@ -136,8 +138,8 @@ void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, double link
        Joined(std::move(edge), start->place / 2 == flat.piece, end->place / 2 == flat.piece)});
 }
 
-/// Returns the extra width of a strip along a flat part of the edge. At an end of another line it
-/// begins with 0, because the round end of the other line is there.
+/// Returns the extra width of a strip along a flat part of the boundary. At an end that belongs to
+/// another line, the extra width begins with 0, because the round end of that line is there.
 std::vector<FittedStrips::Knot> FittedStrips::Joined(std::vector<Knot> edge, bool own_start,
                                                      bool own_end) const {
   const double ramp = kEndPitches * lines_.pitch, step = kLeastStepPitches * lines_.pitch;

@@ -10,7 +10,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Least length of an end beside the edge, in widths. A shorter end is a turn.
+/// Smallest length of a piece's end beside the boundary, in widths. A shorter end is a turn.
 constexpr double kLeastLift = 0.7;
 /// Largest part of a piece that may be removed at each end.
 constexpr double kMostLift = 0.4;
@@ -49,15 +49,15 @@ class Lifter {
   }
 
  private:
-  /// Position where a lifted piece meets the edge.
+  /// Position where a lifted piece meets the boundary.
   struct Foot {
     double lifted_nm = 0;
     Point at;
     EdgePlace place;
   };
 
-  /// Returns the new foot of an end. The end is not lifted if the piece is beside the edge on both
-  /// sides of the end, or over too great a length.
+  /// Returns the new foot of an end. The end is not lifted if the piece is beside the boundary on
+  /// both sides of the end, or over too great a length.
   Foot Lift(EdgePlace place, Point end, int32_t piece, double length_nm) {
     if (place.ring < 0) return {};
     const auto ring = static_cast<size_t>(place.ring);

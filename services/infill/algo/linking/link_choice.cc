@@ -83,9 +83,9 @@ class Chooser {
       links_[static_cast<size_t>(flipped[i])] = !links_[static_cast<size_t>(flipped[i])];
   }
 
-  /// Grows the path of a loose end at that end. In each step it takes the neighbour's piece, with
-  /// the rest of that path, from another path. It stops when it meets the other path's loose end,
-  /// or a ring. Returns true if the number of paths is reduced; otherwise nothing changes.
+  /// Grows the path that ends at the loose end `end`, step by step (StepKind), until it joins a
+  /// path at a loose end or a ring. Steps before this take pieces from other paths or reverse a
+  /// part of the path. Returns true if the number of paths is reduced; otherwise nothing changes.
   bool Grow(int32_t end, Way first) {
     const int32_t tail = EndOfPath(end);
     const Way second = first == Way::kForward ? Way::kBackward : Way::kForward;

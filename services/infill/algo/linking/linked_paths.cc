@@ -129,7 +129,7 @@ class Assembler {
     return route;
   }
 
-  /// Returns the anchor of a loose end: a path along the edge that supports the end, in the
+  /// Returns the anchor of a loose end: a path along the boundary that supports the end, in the
   /// direction with more space. The path is empty if there is no space.
   Polyline Anchor(int32_t end) const {
     if (!ends_.IsOnEdge(end) || options_.anchor_nm <= 0) return {};
@@ -176,7 +176,7 @@ std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
   return nearer.size() <= paths.size() ? nearer : paths;
 }
 
-/// Returns the obstacles of a link across a region: the region's edge, and the lines as rings
+/// Returns the obstacles of a link across a region: the region's boundary, and the lines as rings
 /// without area.
 EdgeIndex Fences(const MultiPolygon& region, std::span<const Path> lines, Coord square_nm) {
   MultiPolygon fences = region;
@@ -201,7 +201,7 @@ std::vector<Path> FacingPaths(const MultiPolygon& region, const EdgeEnds& ends,
   paths.erase(closed, paths.end());
   const EdgeIndex fences =
       Fences(region, paths, std::max<Coord>(1, std::llround(options.facing_nm)));
-  // A link from edge to edge across a bay would cross no obstacle, so that its middle is tested
+  // A link across a bay of the boundary would cross no obstacle, so the link's middle is tested
   // too.
   const auto may_link = [&](Point a, Point b) {
     return !fences.Meets(a, b) && Covers(region, {(a.x + b.x) / 2, (a.y + b.y) / 2});

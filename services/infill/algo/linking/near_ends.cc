@@ -106,7 +106,7 @@ class Mover {
   const double max_link_nm_;
   Links links_;
   std::vector<int32_t> flipped_;  ///< flipped edge parts, in order
-  double least_ = 0;  ///< least sum of the distances between paths and the added length of links
+  double least_ = 0;              ///< smallest sum of path distances and added link lengths
 };
 
 }  // namespace

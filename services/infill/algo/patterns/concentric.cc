@@ -11,7 +11,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Half of the least distance between the sides of a loop, in spacings.
+/// Half of the smallest distance between the sides of a loop, in spacings.
 constexpr double kNarrow = 0.35;
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Least distance between smoothed lines, as a share of their pitch.
+/// Smallest distance between smoothed lines, as a share of their pitch.
 constexpr double kLeastPitchShare = 0.5;
 
 /// Positions of the lines of one layer, as distances from the axis.

@@ -23,7 +23,7 @@ constexpr int kAnchorLines = 3;
 /// Largest distance between two ends that are joined, in spacings.
 constexpr double kOverhangLinkSpacings = 1.6;
 
-/// Returns the edge of the area within a distance of a region.
+/// Returns the boundary of the area that is within a distance of a region.
 std::vector<Curve> LinesAround(const MultiPolygon& region, Coord distance_nm) {
   std::vector<Curve> curves;
   const auto add = [&](const Polygon& ring) { curves.push_back({ring, true}); };

@@ -123,7 +123,7 @@ MultiPolygon Exposed(const MultiPolygon& area, const MultiPolygon* layer,
   return WithoutSlivers(Difference(area, *layer), width_nm);
 }
 
-/// Least width of sparse infill between solid parts, in widths. A narrower part would have only
+/// Smallest width of sparse infill between solid parts, in widths. A narrower part would have only
 /// short bits of lines, so that it becomes solid.
 constexpr Coord kLeastSparseWidths = 4;
 
@@ -160,10 +160,9 @@ bool Meets(const MultiPolygon& region, const MultiPolygon* wanted) {
   return wanted == nullptr ? !region.empty() : !Intersection(*wanted, region).empty();
 }
 
-/// Returns the part of the fill area that all layers of `cover` cover. The search goes from far
-/// layers to near ones, because a far layer most often leaves all parts uncovered that a nearer one
-/// does. Returns an empty area as soon as the remaining part does not meet `wanted` (null: no such
-/// test).
+/// Returns the part of the fill area that all layers of `cover` cover. The farthest layer of each
+/// side is tested first, because it usually leaves the most uncovered. Returns an empty area as
+/// soon as the remaining part does not meet `wanted` (null: no such test).
 MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                          const Cover& cover, const SkinOptions& options,
                          const MultiPolygon* wanted = nullptr) {
@@ -202,7 +201,7 @@ MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare,
       core.empty() ? covered : Difference(covered, RoundOffset(core, to_corner_nm));
   EraseSpecks(narrow, width_nm);
   if (narrow.empty()) return {};
-  // Tiny slivers from rounding along the fill area's edge do not count as bare.
+  // Tiny slivers from rounding along the fill area's boundary do not count as bare.
   const MultiPolygon without_hairs = SmoothOffset(bare, -2 * kNoiseNm);
   narrow = Intersection(narrow, SmoothOffset(without_hairs, least_nm + 2 * kNoiseNm));
   EraseSpecks(narrow, width_nm);

@@ -158,7 +158,7 @@ std::vector<CellBlock> LargestBlocks(const CellCover& cover, uint32_t base) {
 }
 
 std::vector<Polygon> OutlineOf(const CellCover& cover) {
-  // Sides of cells at the edge that are already in a ring, by cell and direction.
+  // Sides of cells on the cover's outline that are already in a ring, by cell and direction.
   std::vector<char> open(4 * cover.inside.size(), 0);
   const auto at = [&](int32_t column, int32_t row, int path) -> char& {
     return open[4 * (static_cast<size_t>(row) * cover.columns + column) + path];
@@ -179,8 +179,8 @@ std::vector<Polygon> OutlineOf(const CellCover& cover) {
         int path = first_path;
         while (at(x, y, path) == 0) {
           at(x, y, path) = 1;
-          // The ring continues from the end of this side: along the cell's next side if it is an
-          // edge, else straight on, or to the right around the cell there.
+          // The ring continues from the end of this side: along the cell's next side if that is on
+          // the outline, else straight on, or to the right around the cell there.
           const Point ahead = kWays[path];
           const auto ahead_x = static_cast<int32_t>(ahead.x),
                      ahead_y = static_cast<int32_t>(ahead.y);

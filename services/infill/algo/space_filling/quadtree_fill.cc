@@ -79,7 +79,7 @@ std::vector<StepRing> BlockRings(const CellCover& cover, const CellCurve& curve)
 /// centres, not their width.
 std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing,
                                const CellCurve& curve) {
-  // The inset leaves space for a line along the edge, and for one around the cells.
+  // The inset leaves space for a line along the part's boundary, and for a line around the cells.
   const CellCover cover =
       CoverOf(FastOffset({part}, -(spacing + spacing / 2)), 2 * spacing, curve.base);
   const MultiPolygon cells = Union(OutlineOf(cover), FillRule::kNonZero);

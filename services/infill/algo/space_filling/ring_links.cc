@@ -37,10 +37,10 @@ constexpr double kSnap = 0.02;
 /// spacing, plus a weighted difference of its cuts.
 constexpr double kGoodFit = 0.1;
 constexpr double kCutsMatter = 0.5;
-/// Least length of the shorter cut as a share of the longer one, for rings with sharp bends.
+/// Smallest length of the shorter cut as a share of the longer one, for rings with sharp bends.
 constexpr double kLeastCut = 0.1;
 
-/// Least length, in spacings, of cuts that are as long as their links.
+/// Smallest length, in spacings, of cuts that are as long as their links.
 constexpr double kShortestApart = 0.25;
 
 struct Pass {
@@ -51,7 +51,8 @@ struct Pass {
   double worst = INFINITY;  ///< largest misfit of a bridge
 };
 
-/// Position on a ring that is near a ring of a lower number.
+/// Position on a ring that is near the ring `near`. The index `near` is lower than the ring's own
+/// index.
 struct Spot {
   int32_t near = 0;
   double place = 0;
@@ -62,7 +63,7 @@ struct Spot {
 struct Pair {
   int32_t a = 0;
   int32_t b = 0;
-  double misfit = 0;        ///< least difference between their distance and a spacing
+  double misfit = 0;        ///< smallest difference between their distance and a spacing
   std::vector<Spot> spots;  ///< positions on b, in order
 };
 
@@ -123,9 +124,9 @@ class Linker {
     }
   }
 
-  /// Returns the pairs of rings within reach of each other. They are sorted by the later ring's
-  /// number, then by the other ring's number from high to low. In passes over all steps, pairs
-  /// nearest to a spacing apart are first.
+  /// Returns the pairs of rings within reach of each other. They are sorted by the higher index,
+  /// then by the lower index in descending order. In passes over all steps, pairs with distances
+  /// nearest to a spacing are first.
   std::vector<Pair> Pairs(const Pass& pass) {
     std::vector<Pair> pairs;
     std::vector<Spot> spots;
@@ -147,8 +148,9 @@ class Linker {
     return pairs;
   }
 
-  /// Finds positions on a ring within reach of earlier rings that are not in its family. They are
-  /// sorted by the other ring's number from high to low, then in order along the ring.
+  /// Finds positions on ring `b` within reach of rings with a lower index that are not in its
+  /// family. The positions are sorted by the index of the other ring in descending order, then
+  /// along ring `b`.
   void FindSpots(int32_t b, const Pass& pass, std::vector<Spot>& spots) {
     spots.clear();
     std::vector<RingPlaces::NearRing> near;
@@ -172,7 +174,8 @@ class Linker {
       visit((static_cast<double>(i) + 0.5) * length / static_cast<double>(count));
   }
 
-  /// Returns the first good bridge between two rings, or the best one if none is good.
+  /// Returns the first good bridge between two rings (kGoodFit), or the bridge with the smallest
+  /// misfit if none is good.
   std::optional<Bridge> Find(const Pair& pair, const Pass& pass) const {
     // Cuts are measured on the longer ring, and transferred to the shorter one.
     const bool a_longer = places_.Length(pair.a) >= places_.Length(pair.b);

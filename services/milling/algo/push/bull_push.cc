@@ -8,9 +8,10 @@ namespace {
 
 constexpr int kMaxSteps = 80;
 
-/// Indicates in which direction of s the interval's end grows, by the sign of `value`. If `smooth`,
-/// `value` is the derivative times a positive factor. Otherwise the cutter does not reach the
-/// fiber, and `value` points back to the range where it does.
+/// Indicates by the sign of `value` in which direction along the edge the end of the gouged
+/// interval moves outwards. If `smooth`, `value` is the derivative times a positive factor.
+/// Otherwise the cutter at this position does not reach the fiber, and `value` points back to the
+/// range where it does.
 struct Slant {
   double value = 0;
   bool smooth = false;

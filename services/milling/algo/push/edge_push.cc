@@ -11,8 +11,8 @@ namespace {
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// Square of half the chord that the cutter's section at the contact's height cuts out of the
-/// fiber, if the cutter touches at s: c + b s + a s^2. `growth`: sign of the direction in which it
-/// grows, if a >= 0.
+/// fiber. It is c + b s + a s^2 if the cutter touches the edge at the position s. `growth`: sign of
+/// the direction of s in which the square grows, if a >= 0.
 struct HalfChord {
   double a = 0;
   double b = 0;

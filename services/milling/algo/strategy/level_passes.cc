@@ -17,8 +17,8 @@ constexpr double kLeastRingNm = 10'000;
 /// would multiply the points.
 constexpr Coord kRingChordNm = 2'000;
 
-/// Returns true if a part of an area's outer boundary is beside the stock, and not only along the
-/// part.
+/// Returns true if an area's outer boundary is somewhere on the boundary of `reach`. There the
+/// cutter can start beside the stock; elsewhere the boundary is along the part.
 bool ReachesOutside(const Polygon& outer, const MultiPolygon& reach) {
   const MultiPolygon inside = Offset(reach, -1'000);
   return std::any_of(outer.begin(), outer.end(), [&](Point p) {

@@ -149,7 +149,7 @@ void LayerWriter::EndBlock(GcodeText& out) {
 
 bool LayerWriter::HasBridgeFan(const Move& move) const {
   if (IsBridge(move.feature) || move.feature == Feature::kOverhangPerimeter) return true;
-  // If the limit is a fully supported bead, the outer walls get this fan, and no other bead.
+  // If the limit includes fully supported beads, only the outer walls get this fan speed.
   if (state_.cooled_rest >= kFullRest) return move.feature == Feature::kExternalPerimeter;
   return move.rest <= state_.cooled_rest;
 }

@@ -37,10 +37,10 @@ struct LayerState {
 };
 
 /// Writes moves as G-code, with the comments and modes that previewers and the firmware need:
-/// `;TYPE:`, `;WIDTH:`, `;HEIGHT:`, accelerations and fan, each only where it changes. Feed rates
-/// are written only where they change. A coordinate is left out if it equals the preceding one in
-/// the same call of Write. The toolpath's arcs are written as G2 and G3 with the sum of their
-/// filament.
+/// `;TYPE:`, `;WIDTH:`, `;HEIGHT:`, accelerations and fan speed, each only where it changes. Feed
+/// rates are written only where they change. A coordinate is left out if it equals the preceding
+/// one in the same call of Write. The toolpath's arcs are written as G2 and G3 with the sum of
+/// their filament.
 class LayerWriter {
  public:
   /// `firmware` and `materials` must outlive the writer. `materials`: mix of materials at each

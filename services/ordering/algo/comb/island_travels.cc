@@ -27,8 +27,8 @@ bool IsSeen(Feature feature) {
          feature == Feature::kTopSolidInfill;
 }
 
-/// Largest extra length in nm of a detour when the options request no detours. A retraction with
-/// its end takes as much time as 15 mm of travel, and leaves a mark.
+/// Largest extra length in nm of a detour when the options request no detours. A retraction and the
+/// restart after it take as much time as 15 mm of travel, and leave a mark.
 constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
 
 /// Longest hidden travel to a visible bead, in nm. After a longer travel the bead would begin with

@@ -7,7 +7,7 @@ namespace slicefarm::ordering {
 namespace {
 
 constexpr int32_t kLongestShift = 3;
-/// Number of nodes that are moved in memory in the time of judging one move.
+/// Reversing this many nodes takes as much time as judging one move.
 constexpr int32_t kNodesPerMove = 16;
 /// Smallest number of nodes for exchanges. In smaller tours, the moves alone find the best tour.
 constexpr int32_t kFewestForExchange = 8;

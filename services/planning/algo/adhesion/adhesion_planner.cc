@@ -27,8 +27,8 @@ constexpr int64_t kMaxSkirtPoints = 20'000'000;
 /// Merges regions that share a border.
 MultiPolygon Joined(const MultiPolygon& regions) { return OffsetTwice(regions, kGlueNm, -kGlueNm); }
 
-/// Merges the regions of the plate's brims. They are disjoint, because each region belongs to other
-/// objects.
+/// Merges the regions of the plate's brims. The regions are disjoint, because brims of different
+/// objects do not overlap.
 MultiPolygon WholeOf(const std::vector<Region>& regions) {
   MultiPolygon all;
   for (const Region& region : regions) Append(region.outlines, all);

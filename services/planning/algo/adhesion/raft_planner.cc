@@ -114,7 +114,8 @@ void RaftPlanner::Lift(RegionPlan& plan) const {
   plan.lifts_nm.assign(options_.objects.size(), 0);
   for (size_t i = 0; i < options_.objects.size(); ++i)
     plan.lifts_nm[i] = options_.objects[i].raft.heights.LiftNm();
-  // Supports rest directly on the raft. Their contact is never broken apart, so they need no gap.
+  // Supports rest directly on the raft. They are never separated from the raft, so they need no
+  // gap.
   for (AddedStack& added : plan.stacks) {
     if (added.stack.kind != StackKind::kSupport) continue;
     added.lift_nm = plan.lifts_nm[static_cast<size_t>(added.stack.object)];

@@ -16,7 +16,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Maximum height of a section: the maximum of layer_height, and the gap above a raft.
+/// Upper limit for the height of a section: for layer_height, and for the gap above a raft.
 constexpr Coord kHighestSectionNm = 10 * kNmPerMm;
 
 /// Returns the height above the bed below which an object may meet rafts and brims of the plate.
@@ -159,7 +159,7 @@ void ConflictPlanner::ComparePlaced(const Slice& slice, const std::vector<Placed
   std::vector<Polygon> rings;
   for (const Placed& other : others)
     for (Polygon& ring : Rings(other.outline)) rings.push_back(std::move(ring));
-  // Tests the union of all first, because there may be a thousand of them.
+  // Tests the union of all other slices first, because there may be a thousand of them.
   if (!MeetingOf(slice.outline, Union(rings, FillRule::kNonZero)).has_value()) return;
   for (const Placed& other : others) {
     const auto place = MeetingOf(slice.outline, other.outline);

@@ -8,7 +8,7 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Distance below which a point counts as on the edge.
+/// Distance in nm below which a point counts as on the region's boundary.
 constexpr double kOnEdgeNm = 1'000;
 /// A node is removed if it is nearer than this to the line between its neighbours, in nm.
 constexpr double kIdleNm = 10'000;

@@ -31,8 +31,8 @@ void AlongEdges(const MultiPolygon& outline, Coord step_nm, const Take& take) {
 /// Returns the middle of a layer's height, where the layer's lines are computed.
 Coord MiddleOf(const StackLayer& layer) { return layer.z_nm - layer.height_nm / 2; }
 
-/// Visits points of an area that may be narrower than the step: points along its edge, and a grid
-/// inside.
+/// Visits points of an area that may be narrower than the step: points along its boundary, and a
+/// grid inside.
 template <class Take>
 void Over(const MultiPolygon& area, Coord step_nm, const Take& take) {
   AlongEdges(area, step_nm, take);

@@ -14,8 +14,8 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// Limits of the header, larger than any program's files. They are needed because each property
-/// costs time per element.
+/// Limits of the header, larger than the headers of all known programs. They are needed because
+/// each property costs time per element.
 constexpr size_t kMaxElements = 64;
 constexpr size_t kMaxProperties = 256;
 

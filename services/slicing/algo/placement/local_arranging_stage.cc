@@ -59,8 +59,8 @@ int FewestPlates(const std::vector<ArrangeItem>& items, const ArrangeOptions& op
 }
 
 /// Arranges the items without rotation. If items are left over or the result needs more plates than
-/// the minimum, arranges them again with rotations. Returns the better of the two results: it
-/// places all items and needs fewer plates.
+/// the minimum, also arranges them with rotations. The second result is returned if it places all
+/// items, and on fewer plates than the first one if that places all too.
 absl::StatusOr<Arrangement> ArrangeAll(std::vector<ArrangeItem> items,
                                        const std::vector<FixedFootprint>& fixed,
                                        const ArrangeOptions& options, const CancelToken& cancel) {

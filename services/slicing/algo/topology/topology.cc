@@ -56,7 +56,8 @@ EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
 }
 
 /// Returns the missing faces. Three open half-edges that form a triangle give a face in the
-/// opposite direction, unless all three belong to one single face. Cost: O(open edges log).
+/// opposite direction, unless all three belong to one single face. Cost: O(h + n log n) for h
+/// half-edges, n of them open.
 std::vector<Triangle> MissingFaces(const IndexedMesh& mesh, const EdgeTable& table) {
   std::vector<bool> in_fan(table.twins.size());
   for (const uint32_t h : table.fans) in_fan[h] = true;

@@ -72,10 +72,10 @@ MultiPolygon OverALine(const MultiPolygon& sheet, Coord spacing_nm) {
   return small.empty() ? small : FastOffset(small, spacing_nm / 2);
 }
 
-/// Moves islands of the base to `top` if the base's lines may miss them: islands right under
-/// contacts that are narrower than the distance of lines. A full column always contains a line. An
-/// island with only a contact's outline may contain none, and the interface on it would be printed
-/// into the air.
+/// Moves islands of the base to `top` if the base's lines may miss them: islands that meet
+/// `contacts` and are narrower than the distance of the lines. A full column always contains a
+/// line. An island with only a contact's outline may contain none, and the interface on it would be
+/// printed into the air.
 void TakeNarrow(const MultiPolygon& contacts, Coord spacing_nm, MultiPolygon& base,
                 MultiPolygon& top) {
   MultiPolygon narrow;

@@ -71,7 +71,7 @@ class XmlParser {
   /// Returns true if the parser is between two tags: no tag, comment or similar is incomplete.
   bool AtBoundary() const;
 
-  /// Returns the number of the line being read.
+  /// Returns the number of the line being read, from 1.
   int64_t line() const;
   /// Returns `error` with the location (document and line) that the parser has reached.
   absl::Status Placed(const absl::Status& error) const;
