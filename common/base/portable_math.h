@@ -26,7 +26,6 @@ double Tan(double angle_rad);
 double Atan2(double y, double x);
 double Acos(double cosine);  ///< returns NaN outside [-1, 1]
 
-/// Hyperbolic functions and logarithm with the same bits on every machine.
 double Sinh(double x);
 double Asinh(double x);
 double Log1p(double x);  ///< returns log(1 + x): -infinity at -1, NaN below

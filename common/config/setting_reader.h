@@ -32,8 +32,8 @@ class ParsedTexts {
 /// notes on replaced values.
 class SettingReader {
  public:
-  /// Makes a reader. `tool`: index of the extruder; in lists with one item per extruder, its item
-  /// is used. `parsed` must outlive the reader.
+  /// Makes a reader. `tool`: index of the extruder; of a list with one item per extruder, the item
+  /// of this extruder is used. `parsed` must outlive the reader.
   SettingReader(Process process, size_t tool, ParsedTexts& parsed);
 
   /// Reads a setting. Errors: any error of Resolve that concerns a single setting.

@@ -97,7 +97,7 @@ class MemoryBudget {
   int64_t next_turn_ = 0;
   std::list<Waiter> waiting_;
   std::map<std::string, int64_t> by_tenant_;
-  /// memory that each job needed when it ended to free memory, by job id
+  /// memory that a job needed when its run ended to make room for other jobs; indexed by job id
   std::map<std::string, int64_t> needs_;
   Share* growing_ = nullptr;  ///< running job that waits for more memory
 };

@@ -4,7 +4,7 @@
 
 namespace slicefarm {
 
-/// PostgreSQL server of one test process, started by `deploy/postgres/server.sh`. The destructor
+/// PostgreSQL server of one test program, started by `deploy/postgres/server.sh`. The destructor
 /// stops the server.
 class PostgresServer {
  public:

@@ -83,8 +83,8 @@ class Farm {
 
   World& world_;
   std::vector<std::unique_ptr<Node>> nodes_;
-  /// result of the range that any worker made last; the answer to another range if answers are
-  /// mixed up
+  /// latest result of any worker; used as the answer for a later range if Variant::answers_mixed is
+  /// set
   RangeHashes last_made_;
 };
 

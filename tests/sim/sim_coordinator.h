@@ -34,7 +34,7 @@ class SimCoordinator {
   void Start();
   /// Kills the coordinator.
   void Kill();
-  /// Returns all jobs to the queue, ends, and starts again.
+  /// Puts all running jobs back into the queue, ends, and starts again.
   void Stop();
   /// Pauses the coordinator until the time `until_us`.
   void Pause(int64_t until_us) { process_.Pause(until_us); }

@@ -12,7 +12,7 @@ namespace slicefarm::coordinator::sim {
 
 /// Outcome of a simulation.
 struct Outcome {
-  std::optional<std::string> violation;  ///< first broken promise with its time
+  std::optional<std::string> violation;  ///< first violated rule of the farm, with its time
   Totals totals;
 };
 

@@ -32,7 +32,7 @@ struct World {
   SimBlobs blobs;
   /// Called after each write of a job to the store.
   std::function<void(const JobChange&)> changed = [](const JobChange&) {};
-  std::optional<std::string> violation;                     ///< first broken promise
+  std::optional<std::string> violation;                     ///< first violated rule of the farm
   std::function<void(const std::string& line)> trace = {};  ///< empty if no trace is requested
 
   /// Start of the simulation, in microseconds since 1970.
@@ -46,7 +46,7 @@ struct World {
     if (trace) trace(Stamp() + fmt::format(format, std::forward<Args>(args)...));
   }
 
-  /// Records a broken promise.
+  /// Records that a rule of the farm was violated, unless `violation` already has an earlier one.
   template <typename... Args>
   void Violated(fmt::format_string<Args...> format, Args&&... args) {
     if (violation) return;

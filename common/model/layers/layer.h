@@ -275,7 +275,7 @@ struct EdgeMove {
   int32_t x_um = 0;
   int32_t y_um = 0;
   int32_t z_um = 0;
-  int32_t filament = 0;           ///< extruded length in 1e-5 mm, relative
+  int32_t filament = 0;           ///< length of filament fed by this move, in 1e-5 mm
   int32_t feed_rate = 0;          ///< feed rate in mm/min
   double acceleration_mm_s2 = 0;  ///< acceleration; 0: the machine's current value
   /// Feature of a bead, which is a move in the plane that extrudes filament.

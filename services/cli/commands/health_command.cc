@@ -60,7 +60,7 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->capture_default_str()
       ->type_name("S");
   command->add_flag("--live", options->live,
-                    "Check only that the process runs, not that it is ready to serve");
+                    "Check only that the program runs, not that it is ready to serve");
   rpc::AddTlsOptions(*command, &options->security);
   command->footer(
       "Exit code 0: serving; 5: not serving, or no answer; 2: your own certificate cannot be used. "

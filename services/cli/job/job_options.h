@@ -72,7 +72,7 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options);
 /// Adds all job options to a command.
 void AddJobOptions(CLI::App& app, JobOptions& options);
 
-/// Adds `--presets`, which may be repeated, and returns it.
+/// Adds the option `--presets`, which may be given several times. Returns the option.
 CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources);
 
 /// Adds `--machine NAME`, which selects the process of the job and thereby its settings and

@@ -16,15 +16,16 @@ namespace slicefarm::infill {
 /// Data of a section that all its fill areas share.
 struct SectionView {
   Stack stack;
-  int32_t layer = 0;  ///< layer number in the stack
+  int32_t layer = 0;  ///< index of the layer in the stack
   Coord height_nm = 0;
   bool on_bed = false;
   const ObjectLayers& stacks;
   const MultiPolygon& carried;  ///< areas directly above supports
   Coord z_nm = 0;               ///< height of the layer's middle above the stack's bottom
 
-  /// Returns the outlines of the stack in its layer `own_layer`; with `row`, only of the region
-  /// with this index of settings. Null: the layer does not contain the stack or the region.
+  /// Returns the outlines of the stack in its layer `own_layer`. With `row`: only the outlines of
+  /// the region with this row of settings. Null: the layer does not contain the stack or the
+  /// region.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const;
 
   /// Returns the height of a layer of the stack, in nm; 0 if the stack has no such layer.
@@ -45,7 +46,7 @@ struct FillLineAngles {
   bool solid_planned = false;
 };
 
-/// Returns the directions of lines in a layer. `layer`: layer number in the stack.
+/// Returns the directions of lines in a layer. `layer`: index of the layer in the stack.
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer);
 
 }  // namespace slicefarm::infill

@@ -12,7 +12,7 @@ struct SolidFill {
   double angle_rad = 0;
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
-  int32_t layer = 0;  ///< layer number of the object
+  int32_t layer = 0;  ///< index of the layer in the object
   /// Distance by which lines may be nearer to the region's boundary than half a spacing. Beside
   /// walls, the ends of straight lines also cover about two thirds of the distance that remains to
   /// the boundary.

@@ -20,7 +20,7 @@ struct SparseFill {
   FillPattern pattern = FillPattern::kGrid;
   double density = 0.2;  ///< density in (0, 1]
   double angle_rad = 0;
-  int32_t layer = 0;  ///< layer number in the object
+  int32_t layer = 0;  ///< index of the layer in the object
   Coord z_nm = 0;     ///< height of the layer's middle above the object's bottom
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;

@@ -33,7 +33,7 @@ struct Limit {
 };
 
 /// Sets a resource limit. If the present hard limit is lower, uses the hard limit, because the
-/// process could not raise it.
+/// program could not raise it.
 absl::Status Set(const Limit& limit) {
   rlimit now = {};
   if (getrlimit(limit.resource, &now) != 0) return Refused(limit.name, errno);
@@ -44,13 +44,13 @@ absl::Status Set(const Limit& limit) {
 
 absl::Status SetLimits(const ReaderLimits& limits) {
   const Limit all[] = {
-      // The soft limit ends the process by SIGXCPU, which shows the reason; the hard limit by
+      // The soft limit ends the program by SIGXCPU, which shows the reason; the hard limit by
       // SIGKILL.
       {"RLIMIT_CPU", RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 1},
       {"RLIMIT_FSIZE", RLIMIT_FSIZE, 0, 0},
       {"RLIMIT_CORE", RLIMIT_CORE, 0, 0},
       {"RLIMIT_NPROC", RLIMIT_NPROC, 0, 0},
-      // With the limit 0, the process can open no further file or socket.
+      // With the limit 0, the program can open no further file or socket.
       {"RLIMIT_NOFILE", RLIMIT_NOFILE, 0, 0},
       {"RLIMIT_AS", RLIMIT_AS, limits.memory_bytes, limits.memory_bytes},
   };

@@ -5,7 +5,7 @@
 
 namespace slicefarm::slicing {
 
-/// Resources that one reader process may use.
+/// Resources that one run of the reader program may use.
 struct ReaderLimits {
   /// size of the address space, including the reader's program and the file
   int64_t memory_bytes = 0;

@@ -24,11 +24,11 @@ namespace {
 
 /// Longest time until a cancelled call is noticed.
 constexpr int kCancelPollMs = 5;
-/// Poll interval for the end of the process. The process ends within a fraction of this after it
+/// Poll interval for the end of the reader. The reader ends within a fraction of this after it
 /// closes stdout.
 constexpr int kEndPollMs = 1;
 /// Size of the pipe. With the usual 64 KiB, the system would switch more often between the two
-/// processes.
+/// programs.
 constexpr int kPipeBytes = 1 << 20;
 
 absl::Status CannotStart(std::string_view what, int error) {

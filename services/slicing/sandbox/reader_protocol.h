@@ -16,7 +16,7 @@
 
 namespace slicefarm::slicing {
 
-/// Head of a request. The protocol between the service and a reader process: the reader's stdin is
+/// Head of a request. The protocol between the service and a reader program: the reader's stdin is
 /// a request file, which contains this head and the bytes of the mesh. The reader's answer on
 /// stdout is a head, then the contents that the head announces. Both programs are of one build and
 /// on one machine, so structs are sent as bytes of memory.

@@ -80,8 +80,8 @@ void Write(const void* data, size_t size) {
 }
 
 /// Sets the time zone. libzip converts the times of an archive's entries to local time. Without a
-/// set time zone, the C library would open a file for each conversion, which the confined process
-/// cannot.
+/// set time zone, the C library would open a file for each conversion. The confined reader may open
+/// no file.
 void SettleTimeZone() {
   setenv("TZ", "UTC0", 1);
   tzset();

@@ -13,8 +13,8 @@ namespace slicefarm::slicing {
 using ReadFunction = std::function<absl::StatusOr<MeshFileContents>(
     std::string_view bytes, MeshFormat format, double coordinate_limit, ReadDepth depth)>;
 
-/// Main function of a reader process: reads a request on stdin, writes the answer to stdout and
-/// exits. The process confines itself before it calls `read`. Does not return.
+/// Main function of a reader program: reads a request on stdin, writes the answer to stdout and
+/// exits. The reader confines itself before it calls `read`. Does not return.
 [[noreturn]] void RunReader(const ReadFunction& read);
 
 }  // namespace slicefarm::slicing

@@ -60,7 +60,7 @@ std::span<char> BytesOf(std::vector<T>& values) {
   return {reinterpret_cast<char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// Reading of one mesh by a reader process.
+/// Reading of one mesh by a reader program.
 class Reading {
  public:
   Reading(ReaderProcess reader, const ReaderLimits& limits, const CancelToken& cancel)

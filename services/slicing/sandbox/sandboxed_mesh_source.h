@@ -21,8 +21,8 @@ struct SandboxOptions {
   ByteBudget* memory = nullptr;
 };
 
-/// Reads each mesh in a separate confined process, the reader (confinement.h). It ends with the
-/// call and is killed as soon as the call is cancelled. The reader's answer is checked before it is
+/// Reads each mesh in a separate confined program, the reader (confinement.h). The reader ends with
+/// the call and is killed as soon as the call is cancelled. Its answer is checked before it is
 /// used.
 ///
 /// Errors of Read: any error of ReadMeshFile, and
@@ -33,7 +33,8 @@ struct SandboxOptions {
 ///   MESH_READER_KILLED   Unavailable: the reader was killed from outside
 ///   UNAVAILABLE          the system cannot start a reader now
 ///   BUILD_MISMATCH       FailedPrecondition: the program has been replaced
-/// Cost besides the reading: a process (some milliseconds), a copy of the file and one of the mesh.
+/// Cost besides the reading: a program start (some milliseconds), a copy of the file and one of the
+/// mesh.
 class SandboxedMeshSource : public MeshSource {
  public:
   explicit SandboxedMeshSource(SandboxOptions options) : options_(std::move(options)) {}

@@ -51,7 +51,7 @@ class JobRunner {
   /// Stops claiming jobs, and waits until the running jobs have ended, for at most `patience`.
   void Drain(std::chrono::milliseconds patience);
 
-  /// Returns the running jobs to the queue. Returns when their states are written.
+  /// Puts the running jobs back into the queue, and waits until their states are written.
   void Stop();
 
  private:

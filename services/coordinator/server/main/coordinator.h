@@ -83,7 +83,7 @@ class Coordinator {
   /// Calls are answered meanwhile.
   void Drain(std::chrono::milliseconds patience) { runner_.Drain(patience); }
 
-  /// Returns the running jobs to the queue, and ends the calls that watch.
+  /// Puts the running jobs back into the queue, and ends the calls that watch jobs.
   void Stop();
 
   /// Returns the gRPC services of the coordinator.

@@ -9,11 +9,11 @@ namespace slicefarm::coordinator {
 /// Implements JobStore::ReadQueue in SQL.
 absl::StatusOr<QueueSnapshot> ReadQueue(SqlConnection& db, int64_t now_us);
 
-/// Returns the SQL for the waiting jobs; public for a test of its query plan.
+/// Returns the SQL that reads the waiting jobs; public for a test of its query plan.
 std::string WaitingSql(const SqlDialect& dialect);
-/// Returns the SQL for the held jobs; public for a test of its query plan.
+/// Returns the SQL that reads the held jobs; public for a test of its query plan.
 std::string HeldSql(const SqlDialect& dialect);
-/// Returns the SQL for the latest runs; public for a test of its query plan.
+/// Returns the SQL that reads the latest runs; public for a test of its query plan.
 std::string LatestRunsSql(const SqlDialect& dialect);
 
 }  // namespace slicefarm::coordinator

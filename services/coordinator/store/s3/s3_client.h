@@ -43,7 +43,7 @@ class S3Client {
   explicit S3Client(S3Options options) : options_(std::move(options)), http_(options_.http) {}
 
   /// Writes an object. `sha256`: digest of the body. The server compares it with the bytes that it
-  /// receives, so that no other bytes become the object. Errors: also errors of the body.
+  /// receives, so that no other bytes become the object. Errors: also errors of `body`.
   absl::Status Put(const std::string& key, const std::string& sha256, const BodySource& body);
 
   /// Returns `count` bytes from `offset` on; fewer if the object ends before. REQUIRES: count >= 1.

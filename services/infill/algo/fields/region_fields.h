@@ -44,8 +44,8 @@ class RegionFields {
 
   /// Returns the density and direction fields of a layer with its middle at `z_mm`; nullopt if the
   /// row has neither. `row`: row of the infill options, as index into FieldsOfRows; `object`: id of
-  /// the object; `own_layer`: layer number in the object. A direction field has two families of
-  /// lines, which consecutive layers use alternately. Layers that are filled together
+  /// the object; `own_layer`: index of the layer in the object. A direction field has two families
+  /// of lines, which consecutive layers use alternately. Layers that are filled together
   /// (every_layers) count as one. The result is valid until the next call. Errors:
   /// REQUEST_TOO_LARGE (see SurfaceDistances::Of).
   absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer,

@@ -39,8 +39,8 @@ class SurfaceDistances {
   /// Keeps a reference: `layers` must outlive this object.
   SurfaceDistances(std::span<const SlicedLayer> layers, int32_t object, double reach_mm);
 
-  /// Returns true if `layers` contains this layer of the object. `own_layer`: layer number in the
-  /// object.
+  /// Returns true if `layers` contains this layer of the object. `own_layer`: index of the layer in
+  /// the object.
   bool Has(int32_t own_layer) const { return sections_.contains(own_layer); }
   /// Returns the distances in a layer, at the height of its middle. Call it for the layers in
   /// ascending order: otherwise the outlines of some layers are processed several times. REQUIRES:
@@ -53,7 +53,7 @@ class SurfaceDistances {
   const Squares& Within(int32_t own_layer);
 
   double reach_mm_;
-  /// Sections of the object; the key is the layer number in the object.
+  /// Sections of the object; the key is the index of the layer in the object.
   std::map<int32_t, const ObjectSection*> sections_;
   int64_t first_x_ = 0, first_y_ = 0, width_ = 0, height_ = 0;
   std::map<int32_t, std::shared_ptr<const Squares>> within_;

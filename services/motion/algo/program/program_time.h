@@ -15,7 +15,8 @@ struct ProgramTime {
   double move_s = 0;     ///< time of all moves
   double dwell_s = 0;    ///< pauses of G4
   double heating_s = 0;  ///< waits for heat with a known rate
-  /// Printing time per feature, by the names in the slicer's comments ("None" without).
+  /// Printing time per feature. Keys: the names in the slicer's `;TYPE:` comments; "None" before
+  /// the first one.
   std::map<std::string, double> feature_s;
   double travel_s = 0;   ///< moves without printing
   double retract_s = 0;  ///< time of moves in which only the filament moves

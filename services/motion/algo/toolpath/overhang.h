@@ -59,10 +59,10 @@ enum class RestSteps {
 /// Divides the segments of a wall into pieces of at most about 1 mm.
 ///
 /// Consecutive pieces get one common share if their supported shares differ by at most 5 % of the
-/// width. It is the middle of their range. Without this, the speed of an evenly overhanging wall
-/// would flicker, because the chords of its curve are not exactly above the chords of the curve
-/// below. A share of 0 or of 1 is never averaged. Cost: one query of the layer below at each end of
-/// a piece.
+/// width. The common share is the middle of the range of these shares. Without this, the speed of
+/// an evenly overhanging wall would flicker, because the chords of its curve are not exactly above
+/// the chords of the curve below. A share of 0 or of 1 is never averaged. Cost: one query of the
+/// layer below at each end of a piece.
 std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
                                      std::span<const PathSegment> segments);
 

@@ -24,7 +24,7 @@ v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mes
 
 /// Makes all calls for a print: uploads the part, creates a job, watches the job and downloads the
 /// G-code. Each call begins when the previous one has succeeded. A failed job is an error of the
-/// request. Calls `done` with the first error.
+/// request. Calls `done` with the first error, or with success at the end.
 void StartPrint(Farm& farm, PrintOrder order, const CallContext& context, Done done);
 
 /// Returns the outcome of a request that ended with `status` in `step`.

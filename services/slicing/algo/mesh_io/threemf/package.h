@@ -27,7 +27,7 @@ struct Package {
   std::vector<ModelFile> files;
   std::vector<RawMesh> meshes;  ///< meshes of the objects, then meshes of the areas painted on them
 
-  /// Returns the object of a key.
+  /// Returns the object with this key.
   const ObjectResource& At(const ObjectKey& key) const {
     return files[key.file].objects[key.object];
   }
