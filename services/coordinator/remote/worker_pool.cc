@@ -33,7 +33,8 @@ ProcessSet ProcessesOf(const v1::WorkerInfo& info) {
 absl::Status CheckInfo(const v1::WorkerInfo& info) {
   if (info.build_id() != BuildId()) {
     return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
-                     "the worker is of build " + info.build_id());
+                     "the worker is of build " + info.build_id() + ", the coordinator of build " +
+                         std::string(BuildId()));
   }
   if (ProcessesOf(info).empty()) {
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
@@ -164,6 +165,8 @@ void WorkerPool::Dismiss(const MemberPtr& member) {
   Leave(member, "its address does not exist any more");
   std::unique_lock lock(mutex_);
   greeted_.wait(lock, [&] { return member->greetings == 0; });
+  lock.unlock();
+  runners_.Refuse(member->address, "");
 }
 
 void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
@@ -194,10 +197,10 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
                       const v1::WorkerInfo& info) {
   const absl::Status fit = status.ok() ? CheckInfo(info) : status;
   const bool absent = absl::IsDeadlineExceeded(status) || absl::IsUnavailable(status);
-  if (!fit.ok() && !absent && !absl::IsCancelled(status)) {
-    log_.Warn("worker refused",
-              {{"address", member->address}, {"error", std::string(fit.message())}});
-  }
+  const bool refused = !fit.ok() && !absent && !absl::IsCancelled(status);
+  const std::string why = refused ? std::string(fit.message()) : "";
+  if (refused) log_.Warn("worker refused", {{"address", member->address}, {"error", why}});
+  runners_.Refuse(member->address, why);
   if (status.ok()) Seat(member, fit.ok() ? info.slots() : 0, ProcessesOf(info));
   if (absl::IsDeadlineExceeded(status)) Leave(member, "it does not answer");
   Greet(member, absent ? kRetryDelay : options_.greet_every);

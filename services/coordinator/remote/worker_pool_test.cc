@@ -20,6 +20,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
 rpc::JsonLog NoLog() {
@@ -39,6 +40,15 @@ class FakeRunnerSet : public RunnerSet {
     const std::lock_guard lock(mutex_);
     EXPECT_EQ(runners_.erase(id), 1);
   }
+  void Refuse(const std::string& name, const std::string& why) override {
+    const std::lock_guard lock(mutex_);
+    refused_[name] = why;
+  }
+  std::string Refused(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = refused_.find(name);
+    return found == refused_.end() ? "" : found->second;
+  }
   std::vector<Runner> Current() const {
     const std::lock_guard lock(mutex_);
     std::vector<Runner> current;
@@ -54,6 +64,7 @@ class FakeRunnerSet : public RunnerSet {
  private:
   mutable std::mutex mutex_;
   std::map<RunnerId, Runner> runners_;
+  std::map<std::string, std::string> refused_;
   RunnerId next_ = 1;
 };
 
@@ -200,12 +211,14 @@ TEST_F(WorkerPoolTest, AWorkerThatFitsAgainJoinsAgain) {
   FakeReplica a;
   a.SetInfo("0123456789abcdef", 2);
   Start({a.address()});
-  while (a.calls() < 2) std::this_thread::yield();
+  while (runners_.Refused(a.address()).empty()) std::this_thread::yield();
+  EXPECT_THAT(runners_.Refused(a.address()), StartsWith("the worker is of build 0123456789abcdef"));
   a.Kill();
   EXPECT_THAT(runners_.Current(), IsEmpty());
   a.SetInfo(std::string(BuildId()), 4);
   a.Restart();
   EXPECT_EQ(runners_.Await(1)[0].slots, 4);
+  EXPECT_EQ(runners_.Refused(a.address()), "");
 }
 
 TEST_F(WorkerPoolTest, AWorkerIsARunnerOfTheProcessesThatItTells) {

@@ -113,6 +113,18 @@ void Dispatcher::Leave(RunnerId id) {
   work_.notify_all();
 }
 
+void Dispatcher::Refuse(const std::string& name, const std::string& why) {
+  Lock lock(mutex_);
+  refused_.erase(name);
+  if (!why.empty()) refused_.emplace(name, why);
+}
+
+std::string Dispatcher::Refusal() const {
+  Lock lock(mutex_);
+  if (refused_.empty()) return "";
+  return absl::StrCat(refused_.begin()->first, ": ", refused_.begin()->second);
+}
+
 /// Joins the threads of members that left and removes these members. Skips members with a running
 /// thread.
 void Dispatcher::Reap() {

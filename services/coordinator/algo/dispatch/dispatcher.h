@@ -44,10 +44,12 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
 
   RunnerId Join(Runner runner) override;
   void Leave(RunnerId id) override;
+  void Refuse(const std::string& name, const std::string& why) override;
 
   absl::Status Execute(const StageCall& call, std::span<const Task> tasks, const TakeResult& take,
                        const std::function<void(int32_t)>& weight_done) override;
   int Slots(Process process) const override;
+  std::string Refusal() const override;
 
   /// Returns the counts of range outcomes since the start of this object.
   DispatchCounts Counts() const;
@@ -83,6 +85,7 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   std::map<RunnerId, std::unique_ptr<Member>> members_;
   /// Runners that left but may still have running threads.
   std::vector<std::unique_ptr<Member>> left_;
+  std::map<std::string, std::string> refused_;  ///< name of a runner that may not join -> why
   RunnerId next_runner_ = 1;
   bool stopping_ = false;
 };

@@ -482,5 +482,15 @@ TEST(Dispatcher, WhatARunnerDiesOfTakesOthersWithItOnce) {
   EXPECT_LE(one.bystanders() + two.bystanders(), 1) << "what the first death took along";
 }
 
+TEST(Dispatcher, ReportsTheFirstRefusedRunner) {
+  Dispatcher dispatcher;
+  EXPECT_EQ(dispatcher.Refusal(), "");
+  dispatcher.Refuse("b:1", "of another build");
+  dispatcher.Refuse("a:1", "without slots");
+  EXPECT_EQ(dispatcher.Refusal(), "a:1: without slots");
+  dispatcher.Refuse("a:1", "");
+  EXPECT_EQ(dispatcher.Refusal(), "b:1: of another build");
+}
+
 }  // namespace
 }  // namespace slicefarm::coordinator::dispatcher_test

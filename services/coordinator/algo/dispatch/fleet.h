@@ -35,6 +35,9 @@ class Fleet : public RunnerSet {
 
   RunnerId Join(Runner runner) override;
   void Leave(RunnerId id) override;
+  void Refuse(const std::string& name, const std::string& why) override {
+    runners_.Refuse(name, why);
+  }
 
   /// Returns the runners and their current tasks, in the order in which the runners joined.
   std::vector<RunnerAtWork> Runners() const;

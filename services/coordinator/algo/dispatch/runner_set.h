@@ -36,6 +36,10 @@ class RunnerSet {
   /// Removes the runner. It gets no more ranges, and its unfinished ranges are given to other
   /// runners. Results that it still delivers are accepted.
   virtual void Leave(RunnerId id) = 0;
+
+  /// Records why the runner at `name` may not join, for messages about waiting jobs. An empty `why`
+  /// removes the record.
+  virtual void Refuse(const std::string& /*name*/, const std::string& /*why*/) {}
 };
 
 }  // namespace slicefarm::coordinator

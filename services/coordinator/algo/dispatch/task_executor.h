@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 
 #include "absl/status/statusor.h"
 #include "common/stage/task.h"
@@ -30,6 +31,10 @@ class TaskExecutor {
   /// Returns how many tasks of a process can run at once. A job is cut into tasks for this number
   /// of slots.
   virtual int Slots(Process process) const = 0;
+
+  /// Returns why runners may not join, as `ADDRESS: error` of the first one by address. Returns an
+  /// empty text if none is refused.
+  virtual std::string Refusal() const { return ""; }
 };
 
 }  // namespace slicefarm::coordinator

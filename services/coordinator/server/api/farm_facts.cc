@@ -40,8 +40,11 @@ void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
   const Process process = EnumFromProto<Process>(job.spec().process(), kProcessCount, "process")
                               .value_or(kDefaultProcess);
   if (executor.Slots(process) > 0) return;
-  job.set_waits_for(fmt::format("a worker: none that runs jobs of process {} is connected",
-                                ProcessName(process)));
+  std::string text =
+      fmt::format("a worker: none that runs jobs of process {} is connected", ProcessName(process));
+  if (const std::string refusal = executor.Refusal(); !refusal.empty())
+    text += fmt::format(". A worker is refused: {}", refusal);
+  job.set_waits_for(text);
   job.clear_estimated_end_time();
 }
 
