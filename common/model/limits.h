@@ -72,6 +72,7 @@ inline constexpr int64_t kMaxSurfaceTriangles = 1'000'000;
 inline constexpr int64_t kMaxSurfacePoints = 2'000'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;
+inline constexpr int32_t kMaxPlatePictures = 8;  ///< pictures for an archive, besides thumbnails
 inline constexpr int32_t kMaxThumbnailPx = 1'024;
 /// Size of a message between stages; a message contains one layer.
 inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;

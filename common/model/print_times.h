@@ -27,6 +27,8 @@ struct PrintTimes {
   double before_s = 0;
   std::vector<double> layer_s;
   double after_s = 0;
+  /// Part of the total time that belongs to each copy of the job: see CopyUse. The rest is shared.
+  std::vector<double> copy_s = {};
 
   double TotalS() const {
     const double printing_s = std::accumulate(feature_s.begin(), feature_s.end(), 0.0);

@@ -13,8 +13,11 @@ inline constexpr int kStackKindCount = 5;
 /// at the plate's origin. The copy is printed first and has no label.
 inline constexpr int32_t kPlateObject = -1;
 
-/// Structure that is built in layers: a part of an object, or a structure that planning adds. Each
-/// stack has its own layers.
+/// Number of a copy for structures and moves that belong to no copy, such as skirts and travels
+/// from one copy to another.
+inline constexpr int32_t kNoCopy = -1;
+
+/// Structure that is built in layers of its own: a part, or a structure that planning adds.
 struct Stack {
   /// unique id in the job; the stack of an object's part has the object's number, added stacks have
   /// higher ids

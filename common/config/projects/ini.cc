@@ -99,7 +99,8 @@ absl::Status CheckNotOrca(std::string_view text) {
                      "this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini; pass "
                      "it with --presets and choose its presets by name");
   }
-  if (HasLine(text, "; CONFIG_BLOCK_START")) {
+  // Programs in archives of slicefarm have such a block too, besides the quoted settings.
+  if (HasLine(text, "; CONFIG_BLOCK_START") && !HasLine(text, kQuoteBegin)) {
     return Malformed(
         1, fmt::format(
                "this is G-code of OrcaSlicer or Bambu Studio, which has other names for settings{}",

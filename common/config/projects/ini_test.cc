@@ -89,6 +89,15 @@ TEST(ReadIni, SaysWhatIsWrong) {
   ExpectRefused("solid cube\n facet normal 0 0 1\n", "line 1");
 }
 
+TEST(ReadIni, ReadsProgramsOfArchives) {
+  const auto settings = ReadIni(
+      "; HEADER_BLOCK_START\n; HEADER_BLOCK_END\n; CONFIG_BLOCK_START\n; wall_loops = 3\n"
+      "; CONFIG_BLOCK_END\nG28\n; prusaslicer_config = begin\n; perimeters = 3\n"
+      "; prusaslicer_config = end\n");
+  ASSERT_TRUE(settings.ok()) << settings.status();
+  EXPECT_THAT(*settings, testing::ElementsAre(Setting{"perimeters", "3", Source::kProfile}));
+}
+
 TEST(ReadIni, NamesTheLineInTheMetadata) {
   const auto settings = ReadIni("a = 1\n\nb\n");
   ASSERT_FALSE(settings.ok());

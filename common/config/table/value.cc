@@ -269,7 +269,8 @@ bool OnlyOurFormats(std::string_view text) {
 
 std::string PrintSizes(const std::vector<ThumbnailSize>& sizes) {
   std::string text;
-  for (const auto& [width, height, format] : sizes) {
+  for (const auto& [width, height, format, role] : sizes) {
+    if (role != PictureRole::kProgram) continue;
     text += fmt::format("{}{}x{}", text.empty() ? "" : ",", width, height);
     if (format == PictureFormat::kQoi) text += "/QOI";
     if (format == PictureFormat::kJpg) text += "/JPG";

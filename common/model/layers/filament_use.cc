@@ -5,9 +5,14 @@
 namespace slicefarm {
 
 FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options) {
+  return FilamentUseOf(
+      FeatureUse{.filament_mm = total.FilamentMm(), .volume_mm3 = total.VolumeMm3()}, options);
+}
+
+FilamentUse FilamentUseOf(const FeatureUse& total, const MotionOptions& options) {
   FilamentUse use;
-  use.length_mm = total.FilamentMm();
-  use.volume_mm3 = total.VolumeMm3();
+  use.length_mm = total.filament_mm;
+  use.volume_mm3 = total.volume_mm3;
   use.mass_g = use.volume_mm3 / 1000 * options.tool().filament_density_g_cm3;
   use.cost = use.mass_g / 1000 * options.tool().filament_cost_per_kg;
   return use;

@@ -17,7 +17,9 @@ struct FilamentUse {
   friend bool operator==(const FilamentUse&, const FilamentUse&) = default;
 };
 
-/// Returns the filament use of a print from its totals and the filament's settings.
+/// Return the filament use of a print, or of a part of it, from its totals and the filament's
+/// settings.
 FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options);
+FilamentUse FilamentUseOf(const FeatureUse& total, const MotionOptions& options);
 
 }  // namespace slicefarm

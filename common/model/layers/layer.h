@@ -214,12 +214,12 @@ struct PathBlock {
 
 /// Placement of one copy of a block on the plate.
 struct BlockVisit {
-  int32_t block = 0;  ///< index into OrderedLayer::blocks
-  int32_t copy = -1;  ///< index into the job's copies; -1: the block belongs to the plate
-  int32_t pass = 0;   ///< pass of the copy
-  Point shift;        ///< displacement from the object's origin to the copy's position
-  /// Intermediate points of the travel from the previous visit, in plate coordinates. Empty:
-  /// straight line. For the first visit of a pass, they are ignored.
+  int32_t block = 0;       ///< index into OrderedLayer::blocks
+  int32_t copy = kNoCopy;  ///< index into the job's copies; kNoCopy: the block is the plate's
+  int32_t pass = 0;        ///< pass of the copy
+  Point shift;             ///< displacement from the object's origin to the copy's position
+  /// Intermediate points of the travel from the previous visit, on the plate. Empty: straight line.
+  /// They are ignored for the first visit of a pass.
   std::vector<Point> corners = {};
 
   friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
@@ -251,6 +251,14 @@ struct FeatureUse {
   friend bool operator==(const FeatureUse&, const FeatureUse&) = default;
 };
 
+/// Totals of one copy in one layer: beads, travels within the copy, retractions and wipes.
+struct CopyUse {
+  int32_t copy = 0;  ///< index of the copy in the job
+  FeatureUse use;    ///< totals; the time includes travels
+
+  friend bool operator==(const CopyUse&, const CopyUse&) = default;
+};
+
 /// Totals of a program: time, length, filament and volume.
 struct ProgramStats {
   std::array<FeatureUse, kFeatureCount> features;  ///< totals per Feature
@@ -280,6 +288,7 @@ struct EdgeMove {
   double acceleration_mm_s2 = 0;  ///< acceleration; 0: the machine's current value
   /// Feature of a bead, which is a move in the plane that extrudes filament.
   Feature feature = Feature::kPerimeter;
+  int32_t copy = kNoCopy;  ///< copy to which the move belongs: see CopyUse
 
   friend bool operator==(const EdgeMove&, const EdgeMove&) = default;
 };
@@ -360,6 +369,7 @@ struct LayerProgram {
   Polygon footprint = {};
   /// Duration of the layer in the machine's silent mode, if MotionOptions has limits for it.
   double silent_time_s = 0;
+  std::vector<CopyUse> copies = {};  ///< totals by copy, sorted by copy
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };

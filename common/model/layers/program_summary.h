@@ -29,7 +29,8 @@ struct LayerSummary {
 /// Name and footprint of a copy of an object; the head of the file lists them for other programs.
 struct CopySummary {
   CopyName name;
-  Polygon footprint;  ///< convex hull on the plate
+  Polygon footprint;    ///< convex hull on the plate
+  FeatureUse use = {};  ///< sum over the layers: see CopyUse
 
   friend bool operator==(const CopySummary&, const CopySummary&) = default;
 };

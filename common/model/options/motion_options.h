@@ -37,6 +37,7 @@ struct WritingOptions {
   bool firmware_retraction = false;  ///< `use_firmware_retraction`: retracts by G10 and G11
   bool comments = false;     ///< `gcode_comments`: adds the purpose of each line as a comment
   bool binary = false;       ///< setting binary_gcode
+  bool archive = false;      ///< `gcode_3mf`: puts the G-code into a .gcode.3mf archive
   SharedText substitutions;  ///< setting gcode_substitutions, in the form of a config.ini
   std::string file_name;     ///< `output_filename_format`: template of the file's name
   /// Setting custom_gcode_per_print_z (height_code.h); empty: no codes.

@@ -76,21 +76,37 @@ struct MeshReport {
 /// File format of a picture.
 enum class PictureFormat : uint8_t { kPng, kQoi, kJpg };
 
-/// Size and format of a requested picture of the part.
+/// View and use of a picture of the plate.
+enum class PictureRole : uint8_t {
+  kProgram,  ///< isometric view of the parts, at the head of the G-code
+  // Pictures of a .gcode.3mf archive:
+  kPlate,  ///< isometric view of the parts
+  kUnlit,  ///< the same view without shades
+  kTop,    ///< view of the bed from above
+  kPick,   ///< the same view; the colour of a pixel is the id of the copy that covers it (PickId)
+};
+
+/// Size, format and role of a requested picture of the plate.
 struct ThumbnailSize {
   int32_t width_px = 0;
   int32_t height_px = 0;
   PictureFormat format = PictureFormat::kPng;
+  PictureRole role = PictureRole::kProgram;
 
   friend bool operator==(const ThumbnailSize&, const ThumbnailSize&) = default;
 };
 
-/// Picture of the part.
+/// Returns the id of a copy in pictures of the role kPick, and in the archive that has them. Red is
+/// the lowest byte of the id, then green and blue. Pixels without a copy are transparent.
+inline int32_t PickId(int32_t copy) { return copy + 1; }
+
+/// Picture of the plate.
 struct Thumbnail {
   int32_t width_px = 0;
   int32_t height_px = 0;
   std::string data;  ///< file content in the format `format`
   PictureFormat format = PictureFormat::kPng;
+  PictureRole role = PictureRole::kProgram;
 
   friend bool operator==(const Thumbnail&, const Thumbnail&) = default;
 };

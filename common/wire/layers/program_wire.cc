@@ -50,6 +50,7 @@ v1::EdgeMove ToProto(const EdgeMove& move) {
   proto.set_feed_rate(move.feed_rate);
   proto.set_acceleration_mm_s2(move.acceleration_mm_s2);
   proto.set_feature(EnumToProto<v1::Feature>(move.feature));
+  proto.set_copy(move.copy);
   return proto;
 }
 
@@ -58,9 +59,10 @@ absl::StatusOr<EdgeMove> FromProto(const v1::EdgeMove& proto) {
     return Malformed("acceleration_mm_s2, feed_rate", "not all are amounts");
   const auto feature = EnumFromProto<Feature>(proto.feature(), kFeatureCount, "feature");
   if (!feature.ok()) return feature.status();
+  if (proto.copy() < kNoCopy) return Malformed("copy", "is no copy");
   return EdgeMove{proto.x_um(),     proto.y_um(),      proto.z_um(),
                   proto.filament(), proto.feed_rate(), proto.acceleration_mm_s2(),
-                  *feature};
+                  *feature,         proto.copy()};
 }
 
 v1::LayerEdges ToProto(const LayerEdges& edges) {
@@ -129,6 +131,28 @@ absl::StatusOr<std::optional<ModeValues>> ModesAtEnd(const v1::LayerProgram& pro
   return values;
 }
 
+v1::CopyUse ToProto(const CopyUse& copy) {
+  v1::CopyUse proto;
+  proto.set_copy(copy.copy);
+  ToProto(copy.use, proto.mutable_use());
+  return proto;
+}
+
+/// Converts totals, which must be in ascending order of their copies.
+absl::StatusOr<std::vector<CopyUse>> FromProto(
+    const google::protobuf::RepeatedPtrField<v1::CopyUse>& protos) {
+  std::vector<CopyUse> copies;
+  for (const v1::CopyUse& proto : protos) {
+    const int32_t before = copies.empty() ? kNoCopy : copies.back().copy;
+    if (proto.copy() <= before || proto.copy() >= limits::kMaxObjects)
+      return Malformed("copies", "are not in the order of the job's copies");
+    const auto use = FromProto(proto.use());
+    if (!use.ok()) return Within("copies", static_cast<int>(copies.size()), use.status());
+    copies.push_back({proto.copy(), *use});
+  }
+  return copies;
+}
+
 v1::PrintTimes ToProto(const PrintTimes& times) {
   v1::PrintTimes proto;
   proto.mutable_feature_s()->Assign(times.feature_s.begin(), times.feature_s.end());
@@ -143,6 +167,7 @@ v1::PrintTimes ToProto(const PrintTimes& times) {
   proto.set_before_s(times.before_s);
   proto.mutable_layer_s()->Assign(times.layer_s.begin(), times.layer_s.end());
   proto.set_after_s(times.after_s);
+  proto.mutable_copy_s()->Assign(times.copy_s.begin(), times.copy_s.end());
   return proto;
 }
 
@@ -153,7 +178,8 @@ absl::StatusOr<PrintTimes> FromProto(const v1::PrintTimes& proto) {
       AreAmounts({proto.travel_s(), proto.retract_s(), proto.custom_s(), proto.dwell_s(),
                   proto.heating_s(), proto.before_s(), proto.after_s()}) &&
       std::ranges::all_of(proto.feature_s(), IsAmount) &&
-      std::ranges::all_of(proto.layer_s(), IsAmount);
+      std::ranges::all_of(proto.layer_s(), IsAmount) &&
+      std::ranges::all_of(proto.copy_s(), IsAmount);
   if (!amounts || proto.homings() < 0 || proto.heat_waits() < 0 || proto.tool_changes() < 0)
     return Malformed("times", "not all are amounts");
   PrintTimes times;
@@ -169,6 +195,7 @@ absl::StatusOr<PrintTimes> FromProto(const v1::PrintTimes& proto) {
   times.before_s = proto.before_s();
   times.layer_s.assign(proto.layer_s().begin(), proto.layer_s().end());
   times.after_s = proto.after_s();
+  times.copy_s.assign(proto.copy_s().begin(), proto.copy_s().end());
   return times;
 }
 
@@ -261,6 +288,7 @@ absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto) {
                                                             program.modes_at_end->end());
   proto->set_ends_retracted(program.ends_retracted);
   proto->set_silent_time_s(program.silent_time_s);
+  for (const CopyUse& copy : program.copies) *proto->add_copies() = ToProto(copy);
   if (absl::Status status = PackPoints(program.footprint, proto->mutable_footprint_xy_nm());
       !status.ok())
     return Within("footprint_xy_nm", status);
@@ -294,6 +322,8 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
   if (!modes_at_end.ok()) return modes_at_end.status();
   auto footprint = UnpackPoints(proto.footprint_xy_nm(), "footprint_xy_nm");
   if (!footprint.ok()) return footprint.status();
+  auto copies = FromProto(proto.copies());
+  if (!copies.ok()) return copies.status();
   return LayerProgram{*frame,
                       proto.pass(),
                       std::move(*proto.mutable_gcode()),
@@ -306,7 +336,8 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
                       *std::move(modes_at_end),
                       proto.ends_retracted(),
                       *std::move(footprint),
-                      proto.silent_time_s()};
+                      proto.silent_time_s(),
+                      *std::move(copies)};
 }
 
 v1::StageTimes ToProto(const StageTimes& times) {
@@ -357,6 +388,7 @@ absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
     *copy->mutable_name() = ToProto(summary.copies[i].name);
     absl::Status status = PackPoints(summary.copies[i].footprint, copy->mutable_footprint_xy_nm());
     if (!status.ok()) return Within("copies", i, status);
+    ToProto(summary.copies[i].use, copy->mutable_use());
   }
   proto->set_settings_text(summary.settings_text);
   return absl::OkStatus();
@@ -385,7 +417,9 @@ absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
     if (!name.ok()) return Within("copies", i, name.status());
     auto footprint = UnpackPoints(proto.copies(i).footprint_xy_nm(), "footprint_xy_nm");
     if (!footprint.ok()) return Within("copies", i, footprint.status());
-    summary.copies.push_back({*std::move(name), *std::move(footprint)});
+    const auto use = FromProto(proto.copies(i).use());
+    if (!use.ok()) return Within("copies", i, use.status());
+    summary.copies.push_back({*std::move(name), *std::move(footprint), *use});
   }
   summary.settings_text = proto.settings_text();
   return summary;

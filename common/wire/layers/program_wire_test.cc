@@ -48,7 +48,8 @@ LayerEdges DistinctEdges() {
   LayerEdges edges;
   auto& [head, approach, tail, acceleration] = edges;
   EdgeMove move;
-  auto& [x, y, z, filament, feed_rate, move_acceleration, feature] = move;
+  auto& [x, y, z, filament, feed_rate, move_acceleration, feature, copy] = move;
+  copy = 8;
   x = -301;
   y = 302;
   z = 303;
@@ -66,13 +67,14 @@ LayerEdges DistinctEdges() {
 LayerProgram DistinctProgram() {
   LayerProgram program;
   auto& [frame, pass, gcode, entry, exit, stats, edges, code_at, mode_lines, modes_at_end,
-         ends_retracted, footprint, silent_time] = program;
+         ends_retracted, footprint, silent_time, copies] = program;
   ends_retracted = false;
   code_at = {2, 5};
   mode_lines = {{1, 2, MachineMode::kFan, "M107"}, {4, 3, MachineMode::kPlace, "1 2"}};
   modes_at_end = {"M106 S9", "", "M204 T7", "3 4", "ready"};
   footprint = {{1, 2}, {3, -4}, {5, 6}};
   silent_time = 501;
+  copies = {{2, {71, 72, 73, 74}}, {5, {75, 76, 77, 78}}};
   edges = DistinctEdges();
   frame = kFrame;
   pass = 5;
@@ -101,11 +103,12 @@ ProgramSummary DistinctSummary() {
   empty = true;
   layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false, DistinctEdges(), 1}};
   total = DistinctStats();
-  thumbnails = {{16, 17, "\x89PNG", PictureFormat::kQoi}};
+  thumbnails = {{16, 17, "\x89PNG", PictureFormat::kQoi, PictureRole::kTop}};
   CopySummary copy;
-  auto& [name, footprint] = copy;
+  auto& [name, footprint, use] = copy;
   name = {"benchy", 4, 1, 3};
   footprint = {{1, 2}, {3, -4}, {5, 6}};
+  use = {51, 52, 53, 54};
   copies = {copy, {{"benchy", 4, 0, 2}, {}}};
   settings_text = "layer_height = 0.2\n";
   return summary;
@@ -114,7 +117,8 @@ ProgramSummary DistinctSummary() {
 PrintTimes DistinctTimesOfPrint() {
   PrintTimes times;
   auto& [feature, travel, retract, custom, dwell, heating, homings, heat_waits, tool_changes,
-         before, layer, after] = times;
+         before, layer, after, copies] = times;
+  copies = {61, 62};
   for (int i = 0; i < kFeatureCount; ++i) feature[i] = 20 + i;
   travel = 41;
   retract = 42;

@@ -58,9 +58,9 @@ absl::Status CheckSlicedObject(const ObjectSlicingOptions& object) {
 }
 
 absl::Status CheckThumbnails(const std::vector<ThumbnailSize>& thumbnails) {
-  absl::Status status =
-      CheckRange("thumbnails", static_cast<double>(thumbnails.size()), 0, limits::kMaxThumbnails);
-  for (const auto& [width, height, format] : thumbnails)
+  absl::Status status = CheckRange("thumbnails", static_cast<double>(thumbnails.size()), 0,
+                                   limits::kMaxThumbnails + limits::kMaxPlatePictures);
+  for (const auto& [width, height, format, role] : thumbnails)
     for (const int32_t px : {width, height})
       status.Update(CheckRange("thumbnails", px, 1, limits::kMaxThumbnailPx));
   return status;

@@ -15,10 +15,12 @@ namespace {
 using google::protobuf::RepeatedField;
 
 constexpr int kPictureFormats = 3;
+constexpr int kPictureRoles = 5;
 static_assert(v1::PICTURE_FORMAT_PNG == static_cast<int>(PictureFormat::kPng) + 1);
 static_assert(v1::PICTURE_FORMAT_QOI == static_cast<int>(PictureFormat::kQoi) + 1);
 static_assert(v1::PICTURE_FORMAT_JPG == static_cast<int>(PictureFormat::kJpg) + 1);
 static_assert(v1::PictureFormat_MAX == kPictureFormats);
+static_assert(v1::PictureRole_MAX == kPictureRoles);
 static_assert(v1::MESH_FORMAT_UNSPECIFIED == static_cast<int>(MeshFormat::kUnknown));
 static_assert(v1::MESH_FORMAT_STL == static_cast<int>(MeshFormat::kStl));
 static_assert(v1::MESH_FORMAT_OBJ == static_cast<int>(MeshFormat::kObj));
@@ -194,6 +196,7 @@ v1::Thumbnail ToProto(const Thumbnail& thumbnail) {
   proto.set_height_px(thumbnail.height_px);
   proto.set_data(thumbnail.data);
   proto.set_format(EnumToProto<v1::PictureFormat>(thumbnail.format));
+  proto.set_role(EnumToProto<v1::PictureRole>(thumbnail.role));
   return proto;
 }
 
@@ -201,7 +204,9 @@ absl::StatusOr<Thumbnail> FromProto(const v1::Thumbnail& proto) {
   if (proto.width_px() < 1 || proto.height_px() < 1) return Malformed("width_px", "is not a size");
   const auto format = EnumFromProto<PictureFormat>(proto.format(), kPictureFormats, "format");
   if (!format.ok()) return format.status();
-  return Thumbnail{proto.width_px(), proto.height_px(), proto.data(), *format};
+  const auto role = EnumFromProto<PictureRole>(proto.role(), kPictureRoles, "role");
+  if (!role.ok()) return role.status();
+  return Thumbnail{proto.width_px(), proto.height_px(), proto.data(), *format, *role};
 }
 
 }  // namespace slicefarm

@@ -152,7 +152,8 @@ TEST(MeshWire, RefusesAdviceThatNoOrientationHas) {
 }
 
 TEST(MeshWire, ThumbnailReturns) {
-  const Thumbnail thumbnail{32, 33, std::string("\x89PNG\0", 5), PictureFormat::kQoi};
+  const Thumbnail thumbnail{32, 33, std::string("\x89PNG\0", 5), PictureFormat::kQoi,
+                            PictureRole::kPick};
   EXPECT_EQ(*FromProto(ToProto(thumbnail)), thumbnail);
   EXPECT_FALSE(FromProto(v1::Thumbnail()).ok());
 }

@@ -11,6 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/gcode/archive/gcode_archive.h"
 #include "common/gcode/binary/binary_gcode.h"
 #include "common/gcode/substitutions.h"
 #include "common/geometry/rings/simplify.h"
@@ -24,6 +25,7 @@
 #include "processes/fdm/job/fdm_programs.h"
 #include "processes/fdm/job/fdm_report.h"
 #include "processes/fdm/job/pass_facts.h"
+#include "processes/fdm/job/plate_archive.h"
 #include "processes/fdm/job/print_estimate.h"
 #include "processes/fdm/task/fdm_shared.h"
 #include "processes/fdm/task/fdm_task.h"
@@ -116,10 +118,10 @@ RangeSplitOptions SplitOptionsOf(const FdmSettings& settings) {
   return options;
 }
 
-/// Returns the file in the format that the settings request.
+/// Returns the file in the format that the settings request. `plate`: facts for an archive.
 absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
                                      const std::vector<SpooledProgram>& programs,
-                                     const WritingOptions& writing,
+                                     const WritingOptions& writing, gcode::ArchivedPlate plate,
                                      std::unique_ptr<SpoolFile> spool, const StageCall& call) {
   const auto substitutions = gcode::Substitutions::Of(gcode::TextsOfList(writing.substitutions));
   if (!substitutions.ok())
@@ -129,13 +131,22 @@ absl::StatusOr<SpooledText> MakeFile(ProgramEnvelope frame,
         {{"setting", "gcode_substitutions"}});
   auto text =
       WholeProgram(std::move(frame), programs, *substitutions, std::move(spool), call.cancel);
-  if (!text.ok() || !writing.binary) return text;
-  // Binary G-code has its metadata before the text, and its blocks are compressed as a whole.
-  // Therefore the text and the file are in memory at the same time.
+  if (!text.ok() || (!writing.binary && !writing.archive)) return text;
+  // Binary G-code has its metadata before the text, and its blocks are compressed as a whole; an
+  // archive has the checksum of the text. Therefore the text and the file are in memory at the same
+  // time.
   if (absl::Status held = HoldMemory(call, JobMemory::Kind::kProgram, 2 * text->size()); !held.ok())
     return held;
-  const auto whole = text->Whole();
+  auto whole = text->Whole();
   if (!whole.ok()) return whole.status();
+  if (writing.archive) {
+    plate.gcode = *std::move(whole);
+    auto archive = gcode::GcodeArchive({std::move(plate)});
+    if (!archive.ok())
+      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                       std::string(archive.status().message()));
+    return SpooledText(*std::move(archive));
+  }
   auto file = gcode::BinaryGcode(*whole);
   if (file.ok()) return SpooledText(*std::move(file));
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
@@ -163,6 +174,20 @@ std::string WallWarning(const std::vector<LayerWarning>& warnings) {
       layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
 }
 
+/// Returns the division of the print into the shares of its copies.
+PrintShares SharesOf(const ProgramSummary& summary, const PrintTimes& times,
+                     const PrintShare& total, const MotionOptions& motion) {
+  std::vector<CopyName> names;
+  std::vector<PrintShare> shares;
+  for (size_t i = 0; i < summary.copies.size(); ++i) {
+    const CopySummary& copy = summary.copies[i];
+    names.push_back(copy.name);
+    const double time_s = i < times.copy_s.size() ? times.copy_s[i] : copy.use.time_s;
+    shares.push_back({time_s, FilamentUseOf(copy.use, motion)});
+  }
+  return DividePrint(names, std::move(shares), total);
+}
+
 void FillIn(JobReport& report, FdmReport& own, const ProgramSummary& summary,
             const ProgramEnvelope& frame, const MotionOptions& motion) {
   own.stats = summary.total;
@@ -180,6 +205,7 @@ void FillIn(JobReport& report, FdmReport& own, const ProgramSummary& summary,
   report.print_time_s = frame.times.TotalS();
   report.file_name = frame.file_name;
   report.filament = FilamentUseOf(summary.total, motion);
+  report.shares = SharesOf(summary, frame.times, {report.print_time_s, report.filament}, motion);
   own.file_name = report.file_name;
   own.filament = report.filament;
   for (const MeshReport& mesh : report.meshes) {
@@ -196,7 +222,7 @@ std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
   std::vector<CopySummary> summaries;
   for (size_t i = 0; i < names.size(); ++i)
     summaries.push_back(
-        {std::move(names[i]), SimplifyRing(copies[i].footprint, kOutlineToleranceNm)});
+        {std::move(names[i]), SimplifyRing(copies[i].footprint, kOutlineToleranceNm), {}});
   return summaries;
 }
 
@@ -281,7 +307,10 @@ class FdmJob : public PlannedJob {
     if (!programs.ok()) return programs.status();
 
     const MotionOptions motion = MotionOf(job_->settings);
-    ProgramSummary summary = SummaryOf(*programs);
+    auto summarized = SummaryOf(*programs);
+    if (!summarized.ok()) return summarized.status();
+    ProgramSummary& summary = *summarized;
+    std::vector<Thumbnail> pictures = TakePlatePictures(thumbnails_);
     summary.thumbnails = std::move(thumbnails_);
     auto frame = Timed(report_.stage_times[Stage::kMotion], [&] {
       const ScopedSpan span(call.spans, "frame");
@@ -294,15 +323,19 @@ class FdmJob : public PlannedJob {
     report_.own = std::make_unique<FdmReport>(std::move(own_));
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    auto file = MakeFile(*std::move(frame), *programs, motion.writing, std::move(spool_), call);
+    gcode::ArchivedPlate plate =
+        ArchivedPlateOf(summary, frame->times, report_, job_->settings, std::move(pictures));
+    auto file = MakeFile(*std::move(frame), *programs, motion.writing, std::move(plate),
+                         std::move(spool_), call);
     if (!file.ok()) return file.status();
     return JobOutput{*std::move(file), std::move(report_)};
   }
 
   /// Returns the data of these programs that the envelope needs, except thumbnails.
-  ProgramSummary SummaryOf(const std::vector<SpooledProgram>& programs) const {
+  absl::StatusOr<ProgramSummary> SummaryOf(const std::vector<SpooledProgram>& programs) const {
     ProgramSummary summary = Summarize(programs);
     summary.copies = SummarizeCopies(job_->facts.copies, copies_);
+    if (absl::Status added = AddCopyUses(programs, summary.copies); !added.ok()) return added;
     summary.settings_text = settings_text_;
     return summary;
   }
@@ -396,7 +429,9 @@ absl::StatusOr<LayerSamples> FdmProcess::Sample(const StageCall& call, PlannedPl
   }
   std::ranges::stable_sort(programs, {},
                            [](const SpooledProgram& spooled) { return spooled.program.pass; });
-  const auto frame = motion_.Envelope(call, job.SummaryOf(programs), motion);
+  const auto summary = job.SummaryOf(programs);
+  if (!summary.ok()) return summary.status();
+  const auto frame = motion_.Envelope(call, *summary, motion);
   if (!frame.ok()) return frame.status();
   samples.around_s += frame->times.TotalS();
   return samples;

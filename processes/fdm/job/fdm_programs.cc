@@ -145,6 +145,20 @@ ProgramSummary Summarize(const std::vector<SpooledProgram>& programs) {
   return summary;
 }
 
+absl::Status AddCopyUses(const std::vector<SpooledProgram>& programs,
+                         std::vector<CopySummary>& copies) {
+  for (const SpooledProgram& spooled : programs)
+    for (const CopyUse& copy : spooled.program.copies) {
+      const auto index = static_cast<size_t>(copy.copy);
+      if (index >= copies.size())
+        return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                         absl::StrCat("layer ", spooled.program.frame.index,
+                                      " came back with copy ", copy.copy, " of ", copies.size()));
+      copies[index].use.Add(copy.use);
+    }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
                                          const std::vector<SpooledProgram>& programs,
                                          const gcode::Substitutions& substitutions,

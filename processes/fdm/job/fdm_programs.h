@@ -35,6 +35,11 @@ absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProg
 /// Returns the data of the programs that the texts around the layers need (ProgramEnvelope).
 ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
 
+/// Adds the totals of copies in the programs to the copies of the job. Errors: INTERNAL if a
+/// program has a copy that the job does not have.
+absl::Status AddCopyUses(const std::vector<SpooledProgram>& programs,
+                         std::vector<CopySummary>& copies);
+
 /// Returns the whole text: head, prologue, prefixes and programs, epilogue, tail. `substitutions`
 /// apply layer by layer to the whole text except head and tail. The substituted text of layers is
 /// written to `spool`, which contains the programs. Errors:

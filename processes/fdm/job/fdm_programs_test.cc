@@ -80,6 +80,19 @@ TEST_F(FdmProgramsTest, RetractionsThatTheJoinLeavesOutAreNotCounted) {
   }
 }
 
+TEST_F(FdmProgramsTest, CopiesAreSummedOverLayers) {
+  LayerProgram first = Layer(0, "a"), second = Layer(1, "b");
+  first.copies = {{0, {1, 2, 3, 4}}, {1, {10, 20, 30, 40}}};
+  second.copies = {{1, {100, 200, 300, 400}}};
+  const auto programs = SpooledOf({first, second});
+  std::vector<CopySummary> copies(2);
+  ASSERT_TRUE(AddCopyUses(programs, copies).ok());
+  EXPECT_EQ(copies[0].use, (FeatureUse{1, 2, 3, 4}));
+  EXPECT_EQ(copies[1].use, (FeatureUse{110, 220, 330, 440}));
+  copies.resize(1);
+  EXPECT_EQ(DetailOf(AddCopyUses(programs, copies)).reason, Reason::kInternal);
+}
+
 TEST_F(FdmProgramsTest, SubstitutionsThatMakeLayersTooLongAreRefused) {
   struct Case {
     const char* name;

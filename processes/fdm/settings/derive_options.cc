@@ -77,6 +77,17 @@ void TakeClearance(JobRows& settings) {
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
 
+/// Requests the pictures of a .gcode.3mf archive, in the sizes of Bambu Studio.
+void TakePictures(JobRows& settings) {
+  if (!FdmOf(settings).machine.motion.writing.archive) return;
+  constexpr int32_t kLargePx = 512, kSmallPx = 128;
+  for (const auto& [role, px] :
+       {std::pair(PictureRole::kPlate, kLargePx), std::pair(PictureRole::kPlate, kSmallPx),
+        std::pair(PictureRole::kUnlit, kLargePx), std::pair(PictureRole::kTop, kLargePx),
+        std::pair(PictureRole::kPick, kLargePx)})
+    settings.slicing.thumbnails.push_back({px, px, PictureFormat::kPng, role});
+}
+
 /// Returns the material and speed data of auto_brim: the length at which a part warps, the
 /// adhesion, and the highest print speed. The material values are OrcaSlicer's.
 AutomaticBrim AutomaticBrimOf(const JobRows& settings) {
@@ -303,6 +314,7 @@ absl::Status DeriveOptions(const OptionSources& settling) {
   if (!code.ok()) return NamingOwnGcode(code.status(), settling.draft);
   if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
   TakeClearance(settings);
+  TakePictures(settings);
   TakeAdhesion(settings);
   if (absl::Status ok = TakeRoom(settings); !ok.ok()) return ok;
   TakeAdaptiveHeights(settings);

@@ -77,10 +77,11 @@ class OfFdm : public ProcessSettings {
   }
 
   /// Returns the file formats. The profile of a printer decides whether the printer reads binary
-  /// G-code; the file name does not matter.
+  /// G-code; the file name does not matter. A file name .gcode.3mf selects an archive.
   std::vector<FileFormat> FileFormats() const override {
     constexpr std::string_view kKey = "binary_gcode";
     return {
+        {.suffix = ".gcode.3mf", .key = "gcode_3mf", .value = "1", .alone = true},
         {.suffix = ".gcode", .key = kKey, .value = "0", .chosen_by_name = false},
         {.suffix = ".bgcode", .key = kKey, .value = "1", .alone = true, .chosen_by_name = false}};
   }

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/model/limits.h"
+#include "services/cli/console/choice_option.h"
 #include "services/cli/console/files.h"
 
 namespace slicefarm::cli {
@@ -16,8 +18,16 @@ constexpr std::string_view kFlavors = "klipper, marlin, rrf, prusabuddy, bambu, 
 
 }  // namespace
 
+void AddPlateOption(CLI::App& app, int& plate) {
+  app.add_option("--plate", plate, "Plate of a .gcode.3mf archive with several plates, from 1")
+      ->check(InRange(1, static_cast<int>(limits::kMaxProjectPlates)))
+      ->type_name("N");
+}
+
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
-  app.add_option("GCODE", options.gcode, "G-code file of any slicer")->required();
+  AddPlateOption(app, options.plate);
+  app.add_option("GCODE", options.gcode, "G-code file of any slicer: text, .bgcode or .gcode.3mf")
+      ->required();
   app.add_option("--flavor", options.flavor,
                  fmt::format("Firmware of the machine: {} (rrf: RepRapFirmware; jerk: slicefarm's "
                              "own motion planner, without a firmware)",
@@ -42,7 +52,7 @@ absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options) {
   if (file.firmware == nullptr) {
     return UnknownFlavor(options.flavor);
   }
-  auto gcode = ReadText(options.gcode, kMaxGcodeBytes);
+  auto gcode = ReadText(options.gcode, kMaxGcodeBytes, options.plate);
   if (!gcode.ok()) return gcode.status();
   file.gcode = *std::move(gcode);
   auto machine = ReadMachine(options.config, file.gcode);

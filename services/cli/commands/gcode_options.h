@@ -16,6 +16,7 @@ struct GcodeOptions {
   std::string gcode;
   std::string flavor;
   std::string config;
+  int plate = 0;  ///< number of the plate in an archive; 0: the only one
 };
 
 /// G-code file, with the firmware flavour and the machine for which it is made.
@@ -24,6 +25,9 @@ struct GcodeFile {
   const motion::Firmware* firmware = nullptr;
   MachineConfig machine;
 };
+
+/// Adds the option --plate, which selects a plate of an archive.
+void AddPlateOption(CLI::App& app, int& plate);
 
 /// Adds these options to a command.
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options);

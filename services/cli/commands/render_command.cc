@@ -33,6 +33,7 @@ struct RenderOptions {
   int size_px = 1200;
   bool travels = false;
   std::string flavor;
+  int plate = 0;  ///< number of the plate in an archive; 0: the only one
 };
 
 /// Returns the format from --format, or else from the end of the output's name.
@@ -86,7 +87,7 @@ absl::StatusOr<GcodeLayer> ReadAny(const RenderOptions& options, std::string_vie
 ExitCode Render(const RenderOptions& options) {
   const auto format = FormatOf(options);
   if (!format.ok()) return Fail(format.status());
-  const auto gcode = ReadText(options.gcode, kMostRenderedBytes);
+  const auto gcode = ReadText(options.gcode, kMostRenderedBytes, options.plate);
   if (!gcode.ok()) return Fail(gcode.status());
   const auto layer = ReadAny(options, *gcode);
   if (!layer.ok()) return Fail(layer.status());
@@ -106,8 +107,12 @@ void AddRender(CLI::App& app, CommandContext& context) {
                                          "Draw a layer of a G-code file, of a CLI file (Common "
                                          "Layer Interface) or of a milling program");
   const auto options = std::make_shared<RenderOptions>();
-  command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")
+  command
+      ->add_option(
+          "GCODE", options->gcode,
+          "G-code by slicefarm or PrusaSlicer (text, .bgcode or .gcode.3mf), or a CLI file")
       ->required();
+  AddPlateOption(*command, options->plate);
   command
       ->add_option("-l,--layer", options->layer,
                    "Layer to draw, counted from 0. For milling: a level, from the top down; "

@@ -15,10 +15,12 @@
 #include "common/config/process_settings.h"
 #include "common/config/table/settings_table.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/commands/slicing.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"
 #include "services/cli/job/job_options.h"
+#include "services/cli/job/joined_plates.h"
 #include "services/cli/job/output_name.h"
 #include "services/cli/job/summary.h"
 #include "services/cli/local/local_pipeline.h"
@@ -28,14 +30,6 @@
 
 namespace slicefarm::cli {
 namespace {
-
-constexpr int kMaxThreads = 256;
-
-struct SliceOptions {
-  JobOptions job;
-  std::string output;
-  int threads = 0;
-};
 
 int ThreadsOf(const SliceOptions& options) {
   if (options.threads > 0) return options.threads;
@@ -87,7 +81,8 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
     const std::string json = coordinator::ReportJson(
         output.report, {.settings_without_effect = config::TextsOf(resolved.no_effect),
                         .settings_digest = Sha256Hex(resolved.effective_text),
-                        .build_id = std::string(BuildId())});
+                        .build_id = std::string(BuildId()),
+                        .calibration_json = options.calibration_json});
     if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
   }
   return WriteFile(options.output, output.program);
@@ -167,19 +162,25 @@ bool IsOfPlate(ExitCode code) {
   return code == ExitCode::kBadSettings || code == ExitCode::kBadMesh || code == ExitCode::kUsage;
 }
 
-/// Makes the plates that can be made. Returns the first error's code.
+}  // namespace
+
 ExitCode SlicePlates(const SliceOptions& options, GivenModels models,
                      const std::vector<Setting>& settings, Interrupt& interrupt) {
   ExitCode first = ExitCode::kOk;
-  for (size_t i = 0; i < models.plates.size(); ++i) {
-    const bool last = i + 1 == models.plates.size();
+  const size_t plates = models.plates.size();
+  for (size_t i = 0; i < plates; ++i) {
+    const bool last = i + 1 == plates;
     std::vector<MeshFile> files = last ? std::move(models.files) : models.files;
     const ExitCode code = SlicePlate(options, std::move(files), models, settings, i, interrupt);
     if (first == ExitCode::kOk) first = code;
     if (code != ExitCode::kOk && !IsOfPlate(code)) return code;
   }
-  return first;
+  if (first != ExitCode::kOk) return first;
+  const absl::Status joined = JoinPlates(options.job, options.output, plates);
+  return joined.ok() ? ExitCode::kOk : Fail(joined);
 }
+
+namespace {
 
 ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
   if (absl::Status taken = TakeTexture(options.job); !taken.ok()) return Fail(taken);
@@ -204,6 +205,13 @@ ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
 
 }  // namespace
 
+void AddThreadsOption(CLI::App& app, int& threads) {
+  app.add_option("--threads", threads,
+                 "Number of threads; it does not change the result. Default: one per processor")
+      ->check(InRange(1, kMaxThreads))
+      ->type_name("N");
+}
+
 void AddSlice(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("slice", "Slice models or a project on this machine");
   const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
@@ -219,11 +227,7 @@ void AddSlice(CLI::App& app, CommandContext& context) {
           "--orient", options->job.texture.orient,
           "Direction of the texture's x axis at --anchor; `submit` has --set orient=X,Y,Z instead")
       ->type_name("X,Y,Z");
-  command
-      ->add_option("--threads", options->threads,
-                   "Number of threads; it does not change the result. Default: one per processor")
-      ->check(InRange(1, kMaxThreads))
-      ->type_name("N");
+  AddThreadsOption(*command, options->threads);
   std::string of_processes;
   for (const ProcessInfo& info : kProcesses)
     if (const std::string_view example = config::SettingsOf(info.process).Example();

@@ -24,6 +24,7 @@
 #include "services/cli/farm/server_options.h"
 #include "services/cli/farm/watch_bar.h"
 #include "services/cli/job/job_options.h"
+#include "services/cli/job/joined_plates.h"
 #include "services/cli/job/output_name.h"
 #include "services/cli/job/summary.h"
 #include "services/cli/models/given_models.h"
@@ -338,7 +339,9 @@ ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient&
     fmt::print(stderr, "job {0} is done; `slicefarm get {0} -o OUT.gcode` fetches it\n", job->id());
     return Fail(fetched.status());
   }
-  PrintSummary(options, *job, *fetched);
+  // Events have no shares of objects.
+  const auto whole = options.json ? client.GetJob(job->id()) : job;
+  PrintSummary(options, whole.ok() ? *whole : *job, *fetched);
   return ExitCode::kOk;
 }
 
@@ -354,7 +357,9 @@ ExitCode FetchAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs
                                                 : Fetch(one, jobs[i], client, interrupt);
     if (code != ExitCode::kOk) worst = code;
   }
-  return worst;
+  if (worst != ExitCode::kOk) return worst;
+  const absl::Status joined = JoinPlates(options.job, options.output, jobs.size());
+  return joined.ok() ? ExitCode::kOk : Fail(joined);
 }
 
 ExitCode Submit(SubmitOptions options, Interrupt& interrupt) {

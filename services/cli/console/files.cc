@@ -150,10 +150,15 @@ absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes)
   return *input;
 }
 
-absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes) {
+absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes, int plate) {
   auto text = ReadFile(path, max_bytes);
-  if (!text.ok() || !gcode::IsBinaryGcode(*text)) return text;
-  auto unpacked = gcode::TextOfBinaryGcode(*text);
+  if (!text.ok()) return text;
+  const bool archive = gcode::IsGcodeArchive(*text), binary = gcode::IsBinaryGcode(*text);
+  if (!archive && plate > 1)
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     fmt::format("{}: only a .gcode.3mf archive has a plate {}", path, plate));
+  if (!archive && !binary) return text;
+  auto unpacked = archive ? gcode::TextOfPlate(*text, plate) : gcode::TextOfBinaryGcode(*text);
   if (unpacked.ok()) return unpacked;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    fmt::format("{}: {}", path, std::string(unpacked.status().message())));

@@ -7,6 +7,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/base/spooled_text.h"
+#include "common/gcode/archive/gcode_archive.h"
 
 namespace slicefarm::cli {
 
@@ -18,9 +19,12 @@ constexpr int64_t kMaxConfigBytes = 512 << 20;
 /// REQUEST_TOO_LARGE above `max_bytes`, for a regular file before it is read.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
 
-/// Reads a text file. Binary G-code (.bgcode) is converted to text. Errors: as in ReadFile;
-/// REQUEST_MALFORMED for binary G-code that cannot be read.
-absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes);
+/// Reads a text file. Binary G-code (.bgcode) is converted to text; an archive (.gcode.3mf) gives
+/// the program of `plate`, which is kOnlyPlate, kFirstPlate or a number (gcode_archive.h). Errors:
+/// as in ReadFile; REQUEST_MALFORMED for a file that cannot be read, and for a plate that it does
+/// not have. A text has only plate 1.
+absl::StatusOr<std::string> ReadText(const std::string& path, int64_t max_bytes,
+                                     int plate = gcode::kFirstPlate);
 
 /// Returns the error with the file's name in front of its message.
 absl::Status InFile(const std::string& path, const absl::Status& status);

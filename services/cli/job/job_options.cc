@@ -33,7 +33,8 @@ absl::Status CheckText(const config::Setting& setting) {
                    fmt::format("{}: is not UTF-8 text", key), {{"setting", key}});
 }
 
-/// Adds the options that choose presets by name.
+}  // namespace
+
 void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
@@ -55,8 +56,6 @@ void AddPresetOptions(CLI::App& app, PresetOptions& options) {
       ->needs(sources)
       ->type_name("NAME");
 }
-
-}  // namespace
 
 void AddSettingOptions(CLI::App& app, SettingOptions& options) {
   app.add_option("-c,--config", options.config_files,
@@ -160,9 +159,10 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("--anchor", options.texture.anchor,
                  "Point on the surface where the texture's origin is placed, in mm")
       ->type_name("X,Y,Z");
-  app.add_option("--format", options.format,
-                 "Format of the output, regardless of its name and the settings: gcode, bgcode; "
-                 "for other machines cli, nc, ngc, svg, dxf, csv, stl, obj, png, map.png")
+  app.add_option(
+         "--format", options.format,
+         "Format of the output, regardless of its name and the settings: gcode, bgcode, gcode.3mf; "
+         "for other machines cli, nc, ngc, svg, dxf, csv, stl, obj, png, map.png")
       ->type_name("FORMAT");
   std::string features;
   for (const config::Allowance& each : config::Allowances())
@@ -268,9 +268,9 @@ absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& 
     AddFileFormat(output, options.process, *settings);
     return settings;
   }
-  auto format = FormatSetting(options.format, options.process);
+  auto format = FormatSettings(options.format, options.process);
   if (!format.ok()) return format.status();
-  settings->push_back(*std::move(format));
+  std::ranges::move(*format, std::back_inserter(*settings));
   return settings;
 }
 

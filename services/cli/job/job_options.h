@@ -72,7 +72,10 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options);
 /// Adds all job options to a command.
 void AddJobOptions(CLI::App& app, JobOptions& options);
 
-/// Adds the option `--presets`, which may be given several times. Returns the option.
+/// Adds the options that choose presets by name.
+void AddPresetOptions(CLI::App& app, PresetOptions& options);
+
+/// Adds `--presets`, which may be repeated, and returns it.
 CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources);
 
 /// Adds `--machine NAME`, which selects the process of the job and thereby its settings and
@@ -93,7 +96,7 @@ std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> setti
 /// Returns all settings of a job: GivenSettings, the fields, and the output format. The format is
 /// the one of --format; without --format, the one in the settings; without both, the one that fits
 /// the name of `output` (config::FileFormat). Errors: see GivenSettings, ReadFieldFile, CheckEnding
-/// and FormatSetting.
+/// and FormatSettings.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
 

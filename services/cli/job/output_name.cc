@@ -9,6 +9,7 @@
 
 #include "common/base/text.h"
 #include "common/config/process_settings.h"
+#include "common/config/table/settings_table.h"
 #include "common/config/table/suggest.h"
 #include "services/cli/job/job_options.h"
 
@@ -21,7 +22,6 @@ struct OtherFile {
 };
 
 constexpr OtherFile kOtherFiles[] = {
-    {".gcode.3mf", "an archive with G-code, as Bambu Studio makes it"},
     {".3mf .stl .obj .ply .amf .step .stp .iges .igs .off .gltf .glb", "a model"},
     {".slm .sli .sl1 .sl1s .ctb .cbddlp .photon .goo .pwmo .pws .lys", "a file of layers"},
     {".x3g .makerbot .ufp", "a file for another firmware"},
@@ -65,6 +65,12 @@ std::string_view ValueOf(std::string_view settings_text, std::string_view key) {
   return "";
 }
 
+/// Returns the default value of a setting.
+std::string_view StandardOf(std::string_view key, Process process) {
+  const int index = config::FindSetting(key, process);
+  return config::SettingsTable(process)[static_cast<size_t>(index)].standard;
+}
+
 absl::Status Contradiction(const std::string& output, std::string_view what,
                            std::string_view made) {
   return Malformed(
@@ -95,32 +101,38 @@ absl::Status CheckEnding(const std::string& output, Process process) {
 absl::Status CheckFormat(const std::string& output, Process process,
                          std::string_view settings_text) {
   const std::string name = LowerCase(output);
-  const auto is_made = [&](const config::FileFormat& format) {
-    return ValueOf(settings_text, format.key) == format.value;
-  };
-  const config::FileFormat* other = nullptr;
-  std::string made;
   const std::vector<config::FileFormat> formats = config::SettingsOf(process).FileFormats();
+  // The job makes the first format with a setting that has the format's value.
+  const auto made = std::ranges::find_if(formats, [&](const config::FileFormat& format) {
+    return ValueOf(settings_text, format.key) == format.value;
+  });
+  if (made == formats.end()) return absl::OkStatus();
+  const config::FileFormat* other = nullptr;
   for (const config::FileFormat& format : formats) {
-    if (is_made(format) && made.empty()) made = format.suffix;
     if (!name.ends_with(format.suffix)) continue;
-    if (is_made(format)) return absl::OkStatus();
+    if (format.key == made->key && format.value == made->value) return absl::OkStatus();
     other = &format;
   }
   if (other == nullptr) return absl::OkStatus();
-  return Contradiction(
-      output, fmt::format("{} = {}", other->key, other->value),
-      fmt::format("{} = {} (a file *{})", other->key, ValueOf(settings_text, other->key), made));
+  return Contradiction(output, fmt::format("{} = {}", other->key, other->value),
+                       fmt::format("{} = {} (a file *{})", made->key, made->value, made->suffix));
 }
 
-absl::StatusOr<config::Setting> FormatSetting(const std::string& format, Process process) {
+absl::StatusOr<std::vector<config::Setting>> FormatSettings(const std::string& format,
+                                                            Process process) {
   std::vector<std::string_view> names;
   const std::vector<config::FileFormat> formats = config::SettingsOf(process).FileFormats();
   for (const config::FileFormat& each : formats) {
     names.push_back(each.suffix.substr(1));
-    if (names.back() == format)
-      return config::Setting{std::string(each.key), std::string(each.value),
-                             config::Source::kRequest};
+    if (names.back() != format) continue;
+    std::vector<config::Setting> settings;
+    const auto set = [&](std::string_view key, std::string_view value) {
+      if (std::ranges::find(settings, key, &config::Setting::key) == settings.end())
+        settings.push_back({std::string(key), std::string(value), config::Source::kRequest});
+    };
+    set(each.key, each.value);
+    for (const config::FileFormat& other : formats) set(other.key, StandardOf(other.key, process));
+    return settings;
   }
   if (const ProcessInfo* owner = OwnerOf("." + format, /*any=*/true))
     return Malformed(

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
@@ -22,8 +23,10 @@ absl::Status CheckEnding(const std::string& output, Process process);
 absl::Status CheckFormat(const std::string& output, Process process,
                          std::string_view settings_text);
 
-/// Returns the setting that selects the output format (`--format`). `format`: the ending of the
-/// format's files without its dot. Errors: REQUEST_MALFORMED with the known formats.
-absl::StatusOr<config::Setting> FormatSetting(const std::string& format, Process process);
+/// Returns the settings that select the output format (`--format`): the setting of the format, and
+/// the default values of the settings of other formats. `format`: the ending of the format's files
+/// without its dot. Errors: REQUEST_MALFORMED with the known formats.
+absl::StatusOr<std::vector<config::Setting>> FormatSettings(const std::string& format,
+                                                            Process process);
 
 }  // namespace slicefarm::cli

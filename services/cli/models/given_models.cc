@@ -17,6 +17,7 @@
 #include "common/model/scene/placement.h"
 #include "services/cli/console/files.h"
 #include "services/cli/console/model_file.h"
+#include "services/cli/job/joined_plates.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/cli/models/preset_sources.h"
 #include "services/slicing/algo/mesh_reader/mesh_reader.h"
@@ -355,14 +356,6 @@ std::string NamedOutput(const JobOptions& options, const std::string& output,
       output.empty() ? std::filesystem::path(options.models.front()).parent_path()
                      : std::filesystem::path(output);
   return OutputOf(options, (folder / file_name).string(), plate);
-}
-
-std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate) {
-  if (!options.plates || path.empty()) return path;
-  const std::filesystem::path given(path);
-  const std::string name =
-      fmt::format("{}-{}{}", given.stem().string(), plate + 1, given.extension().string());
-  return (given.parent_path() / name).string();
 }
 
 absl::StatusOr<Project> ReadProject(const std::string& path, const MeshFile& file) {

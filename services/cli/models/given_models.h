@@ -68,11 +68,6 @@ absl::Status CheckOutputs(const JobOptions& options, const std::string& output);
 /// files.h.
 absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate);
 
-/// Returns the output file of the plate with the index `plate`. With --plates and the path
-/// `out.gcode`, it is `out-2.gcode` for index 1. Without --plates, it is `path`. An empty path
-/// stays empty.
-std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate);
-
 /// Returns the output file of a result. `file_name`: its name according to the settings. If
 /// `output` is a folder, the file is in this folder. If `output` is empty, the file is beside the
 /// first model. Otherwise the file is `output`, and `file_name` is not used. With --plates, the

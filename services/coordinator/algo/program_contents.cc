@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "absl/strings/escaping.h"
+#include "common/gcode/archive/gcode_archive.h"
 #include "common/gcode/binary/binary_format.h"
 
 namespace slicefarm::coordinator {
@@ -75,6 +76,31 @@ std::optional<std::string> LargestPicture(std::string_view beginning) {
   });
   if (!reader.Add(beginning).ok()) return std::nullopt;
   return largest;
+}
+
+/// Returns the largest PNG of a .gcode.3mf archive. Its pictures are its first members and not
+/// compressed, so the data after them may be missing.
+std::optional<std::string> LargestPictureOfArchive(std::string_view beginning) {
+  constexpr std::string_view kMark = "PK\x03\x04";
+  constexpr size_t kHeader = 30, kMethodAt = 8, kSizeAt = 18, kNameSizeAt = 26, kExtraSizeAt = 28;
+  const auto number = [&](size_t at, size_t bytes) {
+    size_t value = 0;
+    for (size_t i = bytes; i-- > 0;)
+      value = value << 8 | static_cast<unsigned char>(beginning[at + i]);
+    return value;
+  };
+  std::string_view largest;
+  for (size_t at = 0; at + kHeader <= beginning.size() && beginning.substr(at, 4) == kMark;) {
+    const size_t size = number(at + kSizeAt, 4), name_size = number(at + kNameSizeAt, 2);
+    const size_t data = at + kHeader + name_size + number(at + kExtraSizeAt, 2);
+    if (data > beginning.size() || size > beginning.size() - data) break;
+    const std::string_view name = beginning.substr(at + kHeader, name_size);
+    const bool shown = name.starts_with("Metadata/plate_") && name.ends_with(".png") &&
+                       name.find("no_light") == name.npos && number(at + kMethodAt, 2) == 0;
+    if (shown && size > largest.size()) largest = beginning.substr(data, size);
+    at = data + size;
+  }
+  return largest.empty() ? std::nullopt : std::optional<std::string>(largest);
 }
 
 ProgramJson ParsedReport(const std::string& report) {
@@ -155,6 +181,7 @@ std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<
 
 std::optional<std::string> LargestThumbnail(std::string_view beginning) {
   if (gcode::IsBinaryGcode(beginning)) return LargestPicture(beginning);
+  if (gcode::IsGcodeArchive(beginning)) return LargestPictureOfArchive(beginning);
   std::optional<std::string> largest;
   int64_t largest_area = 0;
   for (size_t at = 0; at < beginning.size();) {
@@ -193,7 +220,7 @@ std::string_view MediaTypeOf(std::string_view file_name) {
       {".gcode", "text/x.gcode"}, {".nc", "text/x.gcode"},   {".csv", "text/csv"},
       {".svg", "image/svg+xml"},  {".dxf", "image/vnd.dxf"}, {".stl", "model/stl"},
       {".obj", "model/obj"},      {".cli", "text/plain"},    {".json", "application/json"},
-      {".png", "image/png"}};
+      {".png", "image/png"},      {".3mf", "model/3mf"}};
   for (const auto& [ending, type] : kTypes)
     if (file_name.ends_with(ending)) return type;
   return "application/octet-stream";

@@ -51,8 +51,8 @@ class LayerScan {
 /// Returns the layers as JSON. `times_s`: one time per layer, or empty.
 std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<double>& times_s);
 
-/// Returns the bytes of the largest PNG thumbnail at the beginning of a program, text or binary
-/// G-code.
+/// Returns the bytes of the largest PNG thumbnail at the beginning of a program: text, binary
+/// G-code or a .gcode.3mf archive.
 std::optional<std::string> LargestThumbnail(std::string_view beginning);
 
 /// Returns the time of each layer from the key `times`.`layers_s` of a report; empty if the report

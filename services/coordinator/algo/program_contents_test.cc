@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/escaping.h"
+#include "common/gcode/archive/gcode_archive.h"
 #include "common/gcode/binary/binary_gcode.h"
 #include "common/model/scene/mesh.h"
 
@@ -94,6 +95,21 @@ TEST(LargestThumbnail, IsTheOneOfMostPixels) {
   EXPECT_EQ(LargestThumbnail("G1 X1\n"), std::nullopt);
   EXPECT_EQ(LargestThumbnail("; thumbnail begin 16x16 9\n; no base 64!\n; thumbnail end\n"),
             std::nullopt);
+}
+
+TEST(LargestThumbnail, OfAnArchiveIsThePlate) {
+  gcode::ArchivedPlate plate;
+  plate.gcode = "G28\n";
+  plate.pictures = {{"plate_#_small.png", "12"},
+                    {"plate_#.png", "123456"},
+                    {"plate_no_light_#.png", "1234567"},
+                    {"pick_#.png", "12345678"}};
+  const auto archive = gcode::GcodeArchive({plate});
+  ASSERT_TRUE(archive.ok()) << archive.status();
+  EXPECT_EQ(LargestThumbnail(*archive), "123456");
+  EXPECT_EQ(LargestThumbnail(archive->substr(0, archive->find("pick_1"))), "123456");
+  for (size_t size = 0; size < archive->size(); ++size) LargestThumbnail(archive->substr(0, size));
+  EXPECT_EQ(LargestThumbnail("PK\x03\x04"), std::nullopt);
 }
 
 TEST(Report, SaysHowLongLayersTakeAndWhatTheProgramIsCalled) {

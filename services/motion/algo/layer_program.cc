@@ -161,6 +161,13 @@ ProgramStats Moved(ProgramStats stats, Point shift) {
   return stats;
 }
 
+/// Returns the totals over all features, without a time.
+FeatureUse FilamentOf(const ProgramStats& stats) {
+  return {.length_mm = stats.ExtrudedMm(),
+          .filament_mm = stats.FilamentMm(),
+          .volume_mm3 = stats.VolumeMm3()};
+}
+
 double TravelMm(Point from, std::span<const Point> corners, Point to) {
   double length_nm = 0;
   for (const Point corner : corners) length_nm += Distance(std::exchange(from, corner), corner);
@@ -179,6 +186,7 @@ class PassProgram {
       if (place_of_.try_emplace(visit.block, paths_.size()).second)
         paths_.push_back(built[block].path);
       stats_.Add(Moved(built[block].stats, visit.shift));
+      if (visit.copy != kNoCopy) AddUse(visit.copy, FilamentOf(built[block].stats), copies_);
     }
     for (const BlockVisit& visit : visits) travels_.push_back(TravelTo(visit));
     for (size_t i = 1; i < visits.size(); ++i)
@@ -186,7 +194,9 @@ class PassProgram {
           TravelMm(ExitOf(visits[i - 1], built), visits[i].corners, EntryOf(visits[i], layer));
     const std::vector<Stretch> stretches = Stretches();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
-    AddTimes(stretches, SlowDown(CoolingOf(visits), stretches, timing, paths_), stats_);
+    const auto times = SlowDown(CoolingOf(visits), stretches, timing, paths_);
+    AddTimes(stretches, times, stats_);
+    AddCopyTimes(stretches, times, copies_);
     edges_ = EdgesOf(stretches);
     if (layer.frame.index == 0) footprint_ = FootprintOf(stretches);
     for (Point& corner : footprint_) corner = corner + options.tool().offset;
@@ -201,6 +211,7 @@ class PassProgram {
   const LayerEdges& edges() const { return edges_; }
   const Polygon& footprint() const { return footprint_; }
   double silent_time_s() const { return silent_time_s_; }
+  const std::vector<CopyUse>& copies() const { return copies_; }
 
   void Write(const CustomCode& code, const JobFacts& facts, LayerWriter& writer,
              std::vector<int64_t>& places, GcodeText& out) const {
@@ -263,8 +274,15 @@ class PassProgram {
     return travel;
   }
 
-  /// Returns the written stretches in their order. Copies after the first one need no move in z at
-  /// their start, unless travels rise.
+  /// Returns the copy to which the travel to a visit belongs. A travel from one copy to another
+  /// belongs to none. The print clock decides about the first travel of the layer.
+  int32_t TravelCopy(const BlockVisit& visit) const {
+    const bool stays = &visit == &visits_.front() || (&visit)[-1].copy == visit.copy;
+    return stays ? visit.copy : kNoCopy;
+  }
+
+  /// Returns the written stretches in their order. Copies after the first are already at their
+  /// height, unless travels rise.
   std::vector<Stretch> Stretches() const {
     std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {
@@ -272,12 +290,13 @@ class PassProgram {
       const Toolpath& travel = WayOf(visit);
       const ShiftUm shift = ShiftOf(visit);
       size_t first = &visit == &visits_.front() || Lifts() ? 0 : path.approach;
+      const int32_t arrives = TravelCopy(visit);
       if (!travel.moves.empty()) {
-        stretches.push_back({&path, first, path.approach, shift});
-        stretches.push_back({&travel, 0, travel.moves.size(), OnMachine({})});
+        stretches.push_back({&path, first, path.approach, shift, visit.copy, arrives});
+        stretches.push_back({&travel, 0, travel.moves.size(), OnMachine({}), arrives, arrives});
         first = path.approach;
       }
-      stretches.push_back({&path, first, path.moves.size(), shift});
+      stretches.push_back({&path, first, path.moves.size(), shift, visit.copy, arrives});
     }
     return stretches;
   }
@@ -313,6 +332,7 @@ class PassProgram {
   LayerEdges edges_;
   Polygon footprint_;
   double silent_time_s_ = 0;
+  std::vector<CopyUse> copies_;
 };
 
 /// Returns the moves of a layer that prints nothing. If the layer below ends without a retraction,
@@ -372,6 +392,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.edges = pass->edges();
     program.footprint = pass->footprint();
     program.silent_time_s = pass->silent_time_s();
+    program.copies = pass->copies();
     program.entry = EntryOf(visits.front(), layer) - options.tool().offset;
     program.exit = ExitOf(visits.back(), built) - options.tool().offset;
     program.ends_retracted = built[static_cast<size_t>(visits.back().block)].ends_retracted;

@@ -12,6 +12,7 @@
 #include "common/macro/job_code.h"
 #include "common/model/layers/filament_use.h"
 #include "common/model/options/motion_options.h"
+#include "services/motion/algo/firmware/bambu.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/extruder_words.h"
 #include "services/motion/algo/gcode/machine_setup.h"
@@ -103,7 +104,11 @@ PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, 
 /// Returns the comments at the beginning of the file that hosts and previewers read.
 std::string Head(const ProgramSummary& summary, const MotionOptions& options, double time_s) {
   GcodeText out;
-  FirmwareOf(options.flavor).WriteHead(FactsOf(summary, options, time_s), out);
+  const PrintFacts facts = FactsOf(summary, options, time_s);
+  const Firmware& firmware = FirmwareOf(options.flavor);
+  firmware.WriteHead(facts, out);
+  if (options.writing.archive && &firmware != &Bambu()) WriteHeaderBlock("", facts, out);
+  if (options.writing.archive) out << ArchiveConfigBlock(options, summary);
   out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails);
   return out.Take();
 }
@@ -206,7 +211,7 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   auto filled = FillIn(code, summary, text.changes, options, time_s, times.SilentS());
   if (!filled.ok()) return filled.status();
   text.head = Head(summary, options, time_s);
-  text.file_name = FileName(filled->file_name, options.writing.binary);
+  text.file_name = FileName(filled->file_name, options.writing);
   text.prologue = Prologue(summary, options, times, {filled->start, filled->start_filament});
   text.ways = PathsBetween(summary, options, text.prologue);
   for (size_t i = 0; i < text.changes.size(); ++i)

@@ -195,14 +195,18 @@ class SlicingRun {
 
   absl::Status Draw() {
     std::vector<SceneMesh> scene;
-    for (const PreparedObject& object : objects_)
+    int32_t copies = 0;
+    for (const PreparedObject& object : objects_) {
       for (const PreparedPart& part : object.parts) {
         if (part.input.role != PartRole::kSolid) continue;
         const bool solid = part.connected.closed && part.report.volume_mm3 > 0;
-        scene.push_back({&part.connected.mesh, object.shifts, solid});
+        scene.push_back({&part.connected.mesh, object.shifts, solid, copies});
       }
+      copies += static_cast<int32_t>(object.shifts.size());
+    }
     for (const ThumbnailSize& size : options_.thumbnails) {
-      absl::StatusOr<Thumbnail> thumbnail = RenderThumbnail(scene, size, call_.cancel);
+      absl::StatusOr<Thumbnail> thumbnail =
+          RenderThumbnail(scene, options_.bed, size, call_.cancel);
       if (!thumbnail.ok()) return thumbnail.status();
       job_.thumbnails.push_back(*std::move(thumbnail));
     }

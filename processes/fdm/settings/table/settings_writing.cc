@@ -36,6 +36,11 @@ std::vector<SettingSpec> WritingWords() {
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::comments>())),
       WritingFlag("binary_gcode", "0", "Write binary G-code (.bgcode), which Prusa printers read",
                   Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::binary>()),
+      WritingFlag(
+          "gcode_3mf", "0",
+          "Put the G-code into a .gcode.3mf archive with pictures and data of the plate, "
+          "which Bambu Lab's printers read over the network. binary_gcode then has no effect",
+          Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::archive>()),
       {.key = "gcode_substitutions",
        .kind = Kind::kSubstitutions,
        .doc = "Replacements in the text of the G-code, layer by layer: pattern, replacement, flags "

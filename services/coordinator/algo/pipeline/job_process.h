@@ -14,6 +14,7 @@
 #include "common/stage/slicing_stage.h"
 #include "common/stage/task.h"
 #include "services/coordinator/algo/dispatch/task_executor.h"
+#include "services/coordinator/algo/pipeline/print_shares.h"
 
 namespace slicefarm::coordinator {
 
@@ -43,7 +44,8 @@ struct JobReport {
   double object_height_mm = 0;
   double print_time_s = 0;
   std::string file_name;  ///< file name from the settings; empty if they give none
-  FilamentUse filament;   ///< used filament; empty if the process uses no filament
+  FilamentUse filament;   ///< empty if the process uses no filament
+  PrintShares shares;     ///< time and filament by copy; empty if the process does not divide them
   std::unique_ptr<ProcessReport>
       own;  ///< the process's own part of the report; null if it has none
   StageTimes stage_times;

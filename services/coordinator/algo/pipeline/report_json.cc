@@ -38,6 +38,30 @@ OrderedJson ToJson(const StageTimes& times) {
   return json;
 }
 
+OrderedJson ToJson(const PrintShare& share) {
+  return {{"time_s", share.time_s},
+          {"filament",
+           {{"mm", share.filament.length_mm},
+            {"mm3", share.filament.volume_mm3},
+            {"g", share.filament.mass_g},
+            {"cost", share.filament.cost}}}};
+}
+
+OrderedJson ToJson(const ObjectShares& object) {
+  OrderedJson json = {{"name", object.name}};
+  json.update(ToJson(object.Total()));
+  json["copies"] = OrderedJson::array();
+  for (const PrintShare& copy : object.copies) json["copies"].push_back(ToJson(copy));
+  return json;
+}
+
+void AddShares(const PrintShares& shares, OrderedJson& json) {
+  if (shares.objects.empty()) return;
+  json["objects"] = OrderedJson::array();
+  for (const ObjectShares& object : shares.objects) json["objects"].push_back(ToJson(object));
+  json["shared"] = ToJson(shares.shared);
+}
+
 }  // namespace
 
 std::string ReportJson(const JobReport& report, const ReportContext& context) {
@@ -49,6 +73,9 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["print_time_s"] = report.print_time_s;
   json["print_time"] = DurationText(report.print_time_s);
   if (report.own) report.own->AddTo(json);
+  AddShares(report.shares, json);
+  if (!context.calibration_json.empty())
+    json["calibration"] = OrderedJson::parse(context.calibration_json, nullptr, false);
   json["stage_times_s"] = ToJson(report.stage_times);
   json["warnings"] = report.warnings;
   json["notes"] = report.notes;

@@ -13,12 +13,14 @@ struct ReportContext {
   std::vector<std::string> settings_without_effect = {};
   std::string settings_digest = {};
   std::string build_id = {};
+  /// Table of a calibration print as JSON; empty for other prints.
+  std::string calibration_json = {};
 };
 
 /// Returns the report as JSON. Keys: `meshes`, `layers`, `object_height_mm`, `print_time_s`,
-/// `print_time`, the keys of ProcessReport, `stage_times_s`, `warnings`, `notes`,
-/// `settings_without_effect`, `settings_digest`, `build_id`. Replaces bytes of names that are no
-/// UTF-8.
+/// `print_time`, the keys of ProcessReport, `objects` and `shared` (PrintShares), `calibration`,
+/// `stage_times_s`, `warnings`, `notes`, `settings_without_effect`, `settings_digest`, `build_id`.
+/// Replaces bytes of names that are no UTF-8.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
 }  // namespace slicefarm::coordinator

@@ -41,6 +41,21 @@ TEST(ReportJson, HasWhatTheReportHas) {
   EXPECT_EQ(json["build_id"], "b");
 }
 
+TEST(ReportJson, HasTheSharesOfObjects) {
+  JobReport report;
+  report.shares = {{{"a", {{1, {2, 3, 4, 5}}, {10, {20, 30, 40, 50}}}}}, {7, {8, 9, 10, 11}}};
+  const auto json =
+      nlohmann::json::parse(ReportJson(report, {.calibration_json = R"({"kind":"flow"})"}));
+  ASSERT_EQ(json["objects"].size(), 1u);
+  EXPECT_EQ(json["objects"][0]["name"], "a");
+  EXPECT_EQ(json["objects"][0]["time_s"], 11);
+  EXPECT_EQ(json["objects"][0]["filament"]["g"], 44);
+  EXPECT_EQ(json["objects"][0]["copies"][1]["filament"]["mm"], 20);
+  EXPECT_EQ(json["shared"]["filament"]["cost"], 11);
+  EXPECT_EQ(json["calibration"]["kind"], "flow");
+  EXPECT_FALSE(nlohmann::json::parse(ReportJson({}, {})).contains("objects"));
+}
+
 TEST(ReportJson, SurvivesNamesThatAreNoText) {
   JobReport report;
   report.meshes = {{.name = "\xff\xfe\"\n"}};

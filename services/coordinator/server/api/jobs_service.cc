@@ -349,7 +349,7 @@ grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobR
                                  v1::Job* response) {
   auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
   if (job.ok()) *response = Tell(*std::move(job));
-  if (request->view() == v1::JOB_VIEW_BASIC) ClearSettings(*response->mutable_spec());
+  if (request->view() == v1::JOB_VIEW_BASIC) ClearDetails(*response);
   return rpc::ToGrpc(job.status());
 }
 
@@ -370,6 +370,7 @@ grpc::Status JobsService::BatchGetJobs(grpc::ServerContext* context,
       continue;
     }
     *outcome.mutable_job() = Tell(*std::move(job));
+    ClearDetails(*outcome.mutable_job());
     outcome.mutable_job()->clear_spec();
   }
   const auto bytes = static_cast<int64_t>(response->ByteSizeLong());

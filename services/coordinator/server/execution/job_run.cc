@@ -33,7 +33,9 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
   run.program = std::move(output.program);
   run.result.print_time_s = report.print_time_s;
   run.result.filament_mm = report.filament.length_mm;
+  run.result.filament_mm3 = report.filament.volume_mm3;
   run.result.filament_g = report.filament.mass_g;
+  run.result.shares = std::move(report.shares);
   run.result.layers = report.layer_count;
   run.result.warnings = std::move(report.warnings);
   return run;

@@ -11,6 +11,7 @@
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/mesh_wire.h"
 #include "common/wire/support/wire_error.h"
+#include "services/coordinator/server/messages/result_wire.h"
 #include "services/coordinator/server/messages/tenant_events.h"
 
 namespace slicefarm::coordinator {
@@ -33,20 +34,6 @@ absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {
 void SetTime(int64_t us, google::protobuf::Timestamp* time) {
   time->set_seconds(us / 1'000'000);
   time->set_nanos(static_cast<int32_t>(us % 1'000'000 * 1'000));
-}
-
-v1::JobResult ResultToProto(const JobResult& result) {
-  v1::JobResult proto;
-  proto.set_gcode_sha256(result.gcode_sha256);
-  proto.set_gcode_size(result.gcode_size);
-  proto.set_report_sha256(result.report_sha256);
-  proto.set_print_time_s(result.print_time_s);
-  proto.set_filament_mm(result.filament_mm);
-  proto.set_filament_g(result.filament_g);
-  proto.set_layers(result.layers);
-  proto.set_cached(result.cached);
-  *proto.mutable_cost() = ToProto(result.cost);
-  return proto;
 }
 
 absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
@@ -87,7 +74,7 @@ v1::Job SummaryToProto(const JobRecord& job) {
   if (job.state == JobState::kQueued && job.owner.empty() && job.owner_until_us > 0)
     SetTime(job.owner_until_us, proto.mutable_next_attempt_time());
   if (!job.result) return proto;
-  *proto.mutable_result() = ResultToProto(*job.result);
+  *proto.mutable_result() = ToProto(*job.result);
   proto.mutable_warnings()->Assign(job.result->warnings.begin(), job.result->warnings.end());
   return proto;
 }
@@ -160,6 +147,13 @@ void ClearSettings(v1::JobSpec& spec) {
   }
 }
 
+void ClearDetails(v1::Job& job) {
+  ClearSettings(*job.mutable_spec());
+  if (!job.has_result()) return;
+  job.mutable_result()->clear_objects();
+  job.mutable_result()->clear_shared();
+}
+
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority) {
   if (!v1::JobPriority_IsValid(priority)) {
     return Malformed("priority", "is not one of this version");
@@ -194,17 +188,6 @@ v1::JobError ToProto(const JobError& error) {
   proto.set_reason(error.reason);
   proto.set_message(error.message);
   proto.mutable_metadata()->insert(error.metadata.begin(), error.metadata.end());
-  return proto;
-}
-
-v1::Cost ToProto(const Cost& cost) {
-  v1::Cost proto;
-  proto.set_currency(cost.currency);
-  proto.set_setup(cost.setup);
-  proto.set_machine(cost.machine);
-  proto.set_energy(cost.energy);
-  proto.set_filament(cost.filament);
-  proto.set_total(cost.Total());
   return proto;
 }
 
@@ -304,7 +287,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
   for (const JobRecord& job : jobs) read_bytes += std::ssize(job.spec);
   for (const JobRecord& job : jobs) {
     v1::Job listed = ToProto(job);
-    ClearSettings(*listed.mutable_spec());
+    ClearDetails(listed);
     bytes += listed.ByteSizeLong();
     if (bytes > kMaxPageBytes && response.jobs_size() > 0) break;
     *response.add_jobs() = std::move(listed);
@@ -319,6 +302,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
 v1::Job ToProto(const JobRecord& job) {
   v1::Job proto = SummaryToProto(job);
   proto.mutable_spec()->ParseFromString(job.spec);
+  if (job.result) AddShares(*job.result, *proto.mutable_result());
   return proto;
 }
 

@@ -23,6 +23,8 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
 /// Removes all settings and the list of settings without effect. With them, lists of jobs would be
 /// too long.
 void ClearSettings(v1::JobSpec& spec);
+/// Removes the settings of the spec and the shares of the result, for the same reason.
+void ClearDetails(v1::Job& job);
 
 /// Converts a priority; unspecified means normal.
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority);
@@ -38,8 +40,6 @@ absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes);
 v1::JobState ToProto(JobState state);
 /// Converts the error of a failed job.
 v1::JobError ToProto(const JobError& error);
-/// Converts the cost of a job.
-v1::Cost ToProto(const Cost& cost);
 /// Converts the result of a preflight.
 v1::Preflight ToProto(const Preflight& preflight, const Cost& cost);
 
@@ -54,7 +54,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
 /// a field that cannot be changed.
 absl::StatusOr<JobChanging> FromProto(const v1::UpdateJobRequest& request);
 
-/// Converts a job with its spec.
+/// Converts a job with its spec and the shares of its result.
 v1::Job ToProto(const JobRecord& job);
 /// Converts an event. `job`: record of the event's job, which may be newer. The job in the answer
 /// has the state of the event and no spec.

@@ -1,6 +1,8 @@
 #include "services/coordinator/store/jobs/job_record.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
@@ -50,6 +52,44 @@ void TakeCost(const Json& json, Cost& cost) {
   Take(json, "filament", cost.filament);
 }
 
+/// Returns the amounts of a share as a list, because a job may have a thousand of them.
+Json ShareJson(const PrintShare& share) {
+  const FilamentUse& filament = share.filament;
+  return {share.time_s, filament.length_mm, filament.volume_mm3, filament.mass_g, filament.cost};
+}
+
+void TakeShare(const Json& json, PrintShare& share) {
+  std::array<double, 5> amounts = {};
+  try {
+    amounts = json.get<std::array<double, 5>>();
+  } catch (const Json::exception&) {
+    return;  // like Take
+  }
+  share = {amounts[0], {amounts[1], amounts[2], amounts[3], amounts[4]}};
+}
+
+Json SharesJson(const PrintShares& shares) {
+  Json json = {{"objects", Json::array()}, {"shared", ShareJson(shares.shared)}};
+  for (const ObjectShares& object : shares.objects) {
+    Json copies = Json::array();
+    for (const PrintShare& copy : object.copies) copies.push_back(ShareJson(copy));
+    json["objects"].push_back({{"name", object.name}, {"copies", std::move(copies)}});
+  }
+  return json;
+}
+
+void TakeShares(const Json& json, PrintShares& shares) {
+  if (!json.is_object()) return;
+  TakeShare(json.value("shared", Json::array()), shares.shared);
+  for (const Json& given : json.value("objects", Json::array())) {
+    if (!given.is_object()) continue;
+    ObjectShares& object = shares.objects.emplace_back();
+    Take(given, "name", object.name);
+    for (const Json& copy : given.value("copies", Json::array()))
+      TakeShare(copy, object.copies.emplace_back());
+  }
+}
+
 }  // namespace
 
 JobError JobErrorOf(const absl::Status& status) {
@@ -72,10 +112,12 @@ std::string ToJson(const JobResult& result) {
                {"report_sha256", result.report_sha256},
                {"print_time_s", result.print_time_s},
                {"filament_mm", result.filament_mm},
+               {"filament_mm3", result.filament_mm3},
                {"filament_g", result.filament_g},
                {"layers", result.layers},
                {"cached", result.cached},
                {"cost", CostJson(result.cost)},
+               {"shares", SharesJson(result.shares)},
                {"warnings", result.warnings}});
 }
 
@@ -102,10 +144,12 @@ absl::Status FromJson(const std::string& text, JobResult& result) {
   Take(json, "report_sha256", result.report_sha256);
   Take(json, "print_time_s", result.print_time_s);
   Take(json, "filament_mm", result.filament_mm);
+  Take(json, "filament_mm3", result.filament_mm3);
   Take(json, "filament_g", result.filament_g);
   Take(json, "layers", result.layers);
   Take(json, "cached", result.cached);
   TakeCost(json.value("cost", Json::object()), result.cost);
+  TakeShares(json.value("shares", Json::object()), result.shares);
   Take(json, "warnings", result.warnings);
   return absl::OkStatus();
 }

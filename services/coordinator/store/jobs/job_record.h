@@ -9,6 +9,7 @@
 #include "absl/status/status.h"
 #include "services/coordinator/algo/job_state.h"
 #include "services/coordinator/algo/pipeline/cost.h"
+#include "services/coordinator/algo/pipeline/print_shares.h"
 
 namespace slicefarm::coordinator {
 
@@ -33,11 +34,13 @@ struct JobResult {
   std::string report_sha256;
   double print_time_s = 0;
   double filament_mm = 0;
+  double filament_mm3 = 0;
   double filament_g = 0;
   int32_t layers = 0;
   /// True if the result was taken from the store and not computed for this job.
   bool cached = false;
-  Cost cost;  ///< cost by the rates at the end of the job
+  Cost cost;           ///< cost by the rates at the end of the job
+  PrintShares shares;  ///< time and filament by copy; empty in results of older versions
   std::vector<std::string> warnings;
 
   friend bool operator==(const JobResult&, const JobResult&) = default;

@@ -15,7 +15,10 @@ TEST(JobRecord, ResultsComeBack) {
   result.report_sha256 = "cd";
   result.print_time_s = 0.1;
   result.filament_mm = 1.0 / 3;
+  result.filament_mm3 = 2.0 / 3;
   result.filament_g = 1e-300;
+  result.shares = {{{"a \"part\"", {{0.1, {1.0 / 3, 2, 3, 1e-300}}, {}}}, {"b", {}}},
+                   {0.25, {4, 5, 6, 7}}};
   result.layers = 7;
   result.cached = true;
   result.cost = {"CHF", 1, 0.1, 1e-9, 1e9};

@@ -85,17 +85,7 @@ class BambuFirmware : public MarlinFirmware {
   }
 
   void WriteHead(const PrintFacts& facts, GcodeText& out) const override {
-    out << "; HEADER_BLOCK_START\n; BambuStudio 02.00.00.00\n; model printing time: "
-        << DurationText(facts.moves_s) << "; total estimated time: " << DurationText(facts.total_s)
-        << "\n; total layer number: ";
-    out.Integer(facts.layers) << "\n; total filament length [mm] : ";
-    out.Real(facts.filament_mm, 2) << "\n; total filament volume [cm^3] : ";
-    // Bambu Studio writes mm3 too, although the key says cm^3.
-    out.Real(facts.volume_mm3, 2) << "\n; total filament weight [g] : ";
-    out.Real(facts.mass_g, 2) << "\n; filament_density: ";
-    out.Real(facts.density_g_cm3, 2) << "\n; filament_diameter: ";
-    out.Real(facts.diameter_mm, 2) << "\n; max_z_height: ";
-    out.Real(facts.height_mm, 2) << "\n; filament: 1\n; HEADER_BLOCK_END\n\n";
+    WriteHeaderBlock("; BambuStudio 02.00.00.00\n", facts, out);
   }
 
   const CommentWords& comments() const override { return kComments; }
@@ -106,23 +96,23 @@ class BambuFirmware : public MarlinFirmware {
   void DefineCopies(std::span<const CopySummary> /*copies*/, std::span<const std::string> labels,
                     GcodeText& out) const override {
     out << "; model label id: ";
-    for (size_t i = 0; i < labels.size(); ++i) {
-      if (i > 0) out << ',';
-      out.Integer(static_cast<int64_t>(i));
-    }
+    for (size_t i = 0; i < labels.size(); ++i) out << (i > 0 ? "," : "") << labels[i];
     out << '\n';
   }
-  bool LabelsLast() const override { return false; }
-  /// A copy with an index beyond the mask gets no label, so the printer cannot skip it.
-  void BeginCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
-    if (index >= kMostLabels) return;
-    out << "; start printing object, unique label id: ";
-    out.Integer(static_cast<int64_t>(index)) << "\nM624 " << MaskOf(index) << '\n';
+  /// Returns the id by which the printer's screen and its network interface name the copy.
+  std::string LabelOf(std::string_view /*name*/, size_t index) const override {
+    return std::to_string(index);
   }
-  void EndCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
+  bool LabelsLast() const override { return false; }
+  /// Copies beyond the size of the mask cannot be skipped.
+  void BeginCopy(std::string_view label, size_t index, GcodeText& out) const override {
     if (index >= kMostLabels) return;
-    out << "; stop printing object, unique label id: ";
-    out.Integer(static_cast<int64_t>(index)) << "\nM625\n";
+    out << "; start printing object, unique label id: " << label << "\nM624 " << MaskOf(index)
+        << '\n';
+  }
+  void EndCopy(std::string_view label, size_t index, GcodeText& out) const override {
+    if (index >= kMostLabels) return;
+    out << "; stop printing object, unique label id: " << label << "\nM625\n";
   }
 
  protected:
@@ -136,6 +126,20 @@ class BambuFirmware : public MarlinFirmware {
 };
 
 }  // namespace
+
+void WriteHeaderBlock(std::string_view program, const PrintFacts& facts, GcodeText& out) {
+  out << "; HEADER_BLOCK_START\n"
+      << program << "; model printing time: " << DurationText(facts.moves_s)
+      << "; total estimated time: " << DurationText(facts.total_s) << "\n; total layer number: ";
+  out.Integer(facts.layers) << "\n; total filament length [mm] : ";
+  out.Real(facts.filament_mm, 2) << "\n; total filament volume [cm^3] : ";
+  // The value is in mm3 in spite of the key's unit, as in Bambu Studio.
+  out.Real(facts.volume_mm3, 2) << "\n; total filament weight [g] : ";
+  out.Real(facts.mass_g, 2) << "\n; filament_density: ";
+  out.Real(facts.density_g_cm3, 2) << "\n; filament_diameter: ";
+  out.Real(facts.diameter_mm, 2) << "\n; max_z_height: ";
+  out.Real(facts.height_mm, 2) << "\n; filament: 1\n; HEADER_BLOCK_END\n\n";
+}
 
 const Firmware& Bambu() {
   static const BambuFirmware firmware;

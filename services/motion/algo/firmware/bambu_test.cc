@@ -8,10 +8,10 @@ namespace {
 
 TEST(Bambu, LabelsAreBitsOfAMask) {
   GcodeText out;
-  Bambu().BeginCopy("a", 0, out);
-  Bambu().EndCopy("a", 0, out);
-  Bambu().BeginCopy("b", 9, out);
-  Bambu().BeginCopy("c", 64, out);  // outside the 64-bit mask
+  Bambu().BeginCopy(Bambu().LabelOf("a", 0), 0, out);
+  Bambu().EndCopy("0", 0, out);
+  Bambu().BeginCopy("9", 9, out);
+  Bambu().BeginCopy("64", 64, out);  // outside the 64-bit mask
   EXPECT_EQ(out.text(),
             "; start printing object, unique label id: 0\nM624 AQAAAAAAAAA=\n"
             "; stop printing object, unique label id: 0\nM625\n"

@@ -4,6 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/model/options/motion_options.h"
+#include "common/model/scene/mesh.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/text/comment_text.h"
 
@@ -13,7 +14,10 @@ std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& opt
   if (options.labels == ObjectLabels::kComments)
     return absl::StrCat(label, " id:", name.object, " copy ", name.copy);
   if (name.copies > 1) absl::StrAppend(&label, " (Instance ", name.copy + 1, ")");
-  return FirmwareOf(options.flavor).LabelOf(label, index);
+  // An archive names copies by their ids in its pictures.
+  const size_t number =
+      options.writing.archive ? static_cast<size_t>(PickId(static_cast<int32_t>(index))) : index;
+  return FirmwareOf(options.flavor).LabelOf(label, number);
 }
 
 bool LabelIsAroundAll(size_t copies, const MotionOptions& options) {

@@ -10,6 +10,7 @@
 
 #include "common/base/build_info.h"
 #include "common/base/duration_text.h"
+#include "common/gcode/archive/project_keys.h"
 #include "common/gcode/gcode_text.h"
 #include "common/macro/settings_text.h"
 #include "common/model/layers/filament_use.h"
@@ -106,16 +107,21 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
   return settings;
 }
 
-/// Writes the settings, sorted by key. A file made from the settings of another file therefore has
-/// the same order.
-void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, GcodeText& out) {
+/// Returns the settings ordered by key. So a file keeps this order if its settings are read back
+/// from it.
+std::map<std::string, std::string, std::less<>> AllSettings(const MotionOptions& options,
+                                                            const ProgramSummary& summary) {
   std::map<std::string, std::string, std::less<>> settings;
   for (const auto& [key, value] : macro::SettingLines(summary.settings_text))
     settings.emplace(CommentLine(key), CommentLine(value));
   for (const auto& [key, value] : KnownSettings(options, summary))
     if (!value.empty()) settings.emplace(key, value);
+  return settings;
+}
+
+void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, GcodeText& out) {
   out << "\n; prusaslicer_config = begin\n";
-  for (const auto& [key, value] : settings) Line(key, value, out);
+  for (const auto& [key, value] : AllSettings(options, summary)) Line(key, value, out);
   out << "; prusaslicer_config = end\n";
 }
 
@@ -152,6 +158,17 @@ std::string MetadataHead(const ProgramSummary& summary) {
     comma = ",";
   }
   out << "]}\n;\n";
+  return out.Take();
+}
+
+std::string ArchiveConfigBlock(const MotionOptions& options, const ProgramSummary& summary) {
+  const auto settings = AllSettings(options, summary);
+  GcodeText out;
+  out << "; CONFIG_BLOCK_START\n";
+  for (const gcode::ProjectKey& key : gcode::kProjectKeys)
+    if (const auto found = settings.find(key.key); found != settings.end())
+      Line(key.name, found->second, out);
+  out << "; CONFIG_BLOCK_END\n\n";
   return out.Take();
 }
 

@@ -1,16 +1,21 @@
 #include "services/motion/algo/macro/file_name.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include "common/base/text.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 namespace {
 
 constexpr size_t kMostNameBytes = 240;  // the limit of file systems is 255
-constexpr std::string_view kTextEnding = ".gcode";
+constexpr std::string_view kArchiveEnding = ".gcode.3mf";
 constexpr std::string_view kBinaryEnding = ".bgcode";
+constexpr std::string_view kTextEnding = ".gcode";
+constexpr std::string_view kEndings[] = {kArchiveEnding, kBinaryEnding, kTextEnding};
 
 /// Returns true if all file systems accept the character in a name.
 bool MayStandInName(char c) {
@@ -48,14 +53,17 @@ std::string ShortTime(double seconds) {
   return std::to_string(hours / 24) + "d" + std::to_string(hours % 24) + "h" + rest;
 }
 
-std::string FileName(std::string_view filled_in, bool binary) {
+std::string FileName(std::string_view filled_in, const WritingOptions& writing) {
   std::string name(Trim(filled_in));
   for (char& c : name)
     if (!MayStandInName(c)) c = '_';
-  std::string ending(binary ? kBinaryEnding : kTextEnding);
-  const std::string_view other = binary ? kTextEnding : kBinaryEnding;
-  if (EndsWithAnyCase(name, ending) || EndsWithAnyCase(name, other)) {
-    name.resize(name.rfind('.'));
+  std::string ending(writing.archive  ? kArchiveEnding
+                     : writing.binary ? kBinaryEnding
+                                      : kTextEnding);
+  const auto known = std::ranges::find_if(
+      kEndings, [&](std::string_view each) { return EndsWithAnyCase(name, each); });
+  if (known != std::end(kEndings)) {
+    name.resize(name.size() - known->size());
   } else if (const size_t dot = name.rfind('.');
              dot != std::string::npos && dot > 0 && dot + 1 < name.size()) {
     ending = name.substr(dot);

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "common/model/options/motion_options.h"
+
 namespace slicefarm::motion::file_name_test {
 namespace {
 
@@ -18,36 +20,51 @@ TEST(ShortTime, IsPrusaSlicers) {
     EXPECT_EQ(ShortTime(c.seconds), c.want) << c.seconds;
 }
 
+WritingOptions Text() { return {}; }
+WritingOptions Binary() {
+  WritingOptions writing;
+  writing.binary = true;
+  return writing;
+}
+WritingOptions Archive() {
+  WritingOptions writing = Binary();
+  writing.archive = true;
+  return writing;
+}
 TEST(FileName, NamesNoFolderAndEndsAsTheFileIs) {
   struct Case {
     const char* given;
-    bool binary;
+    WritingOptions writing;
     const char* want;
   };
   const Case cases[] = {
-      {"part.gcode", false, "part.gcode"},
-      {"part.gcode", true, "part.bgcode"},
-      {"part.BGCODE", false, "part.gcode"},
-      {"part_0.2mm_PLA_1h2m", false, "part_0.2mm_PLA_1h2m"},
-      {"part", true, "part.bgcode"},
-      {"part.gco", true, "part.gco"},
-      {"../../etc/passwd.gcode", false, ".._.._etc_passwd.gcode"},
-      {"a\\b:c*d?e\"f<g>h|i\nj", false, "a_b_c_d_e_f_g_h_i_j.gcode"},
-      {"", false, "print.gcode"},
-      {".gcode", true, "print.bgcode"},
-      {"..", false, "print.gcode"},
-      {" ä ", false, "ä.gcode"},
+      {"part.gcode", Text(), "part.gcode"},
+      {"part.gcode", Binary(), "part.bgcode"},
+      {"part.BGCODE", Text(), "part.gcode"},
+      {"part_0.2mm_PLA_1h2m", Text(), "part_0.2mm_PLA_1h2m"},
+      {"part", Binary(), "part.bgcode"},
+      {"part.gco", Binary(), "part.gco"},
+      {"../../etc/passwd.gcode", Text(), ".._.._etc_passwd.gcode"},
+      {"a\\b:c*d?e\"f<g>h|i\nj", Text(), "a_b_c_d_e_f_g_h_i_j.gcode"},
+      {"", Text(), "print.gcode"},
+      {".gcode", Binary(), "print.bgcode"},
+      {"..", Text(), "print.gcode"},
+      {"part.gcode", Archive(), "part.gcode.3mf"},
+      {"part.Gcode.3MF", Archive(), "part.gcode.3mf"},
+      {"part.gcode.3mf", Text(), "part.gcode"},
+      {"part", Archive(), "part.gcode.3mf"},
+      {" ä ", Text(), "ä.gcode"},
   };
-  for (const Case& c : cases) EXPECT_EQ(FileName(c.given, c.binary), c.want) << c.given;
+  for (const Case& c : cases) EXPECT_EQ(FileName(c.given, c.writing), c.want) << c.given;
 }
 
 TEST(FileName, IsShortEnoughForAnyFileSystem) {
   std::string umlauts;
   for (int i = 0; i < 200; ++i) umlauts += "ä";
-  const std::string name = FileName(umlauts + ".gcode", false);
+  const std::string name = FileName(umlauts + ".gcode", Text());
   EXPECT_LE(name.size(), 240u);
   EXPECT_TRUE(name.ends_with("ä.gcode"));
-  EXPECT_LE(FileName("a." + std::string(1000, 'b'), false).size(), 240u);
+  EXPECT_LE(FileName("a." + std::string(1000, 'b'), Text()).size(), 240u);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ PrintClock::PrintClock(const ProgramSummary& summary, const MotionOptions& optio
   times_.retract_s = total.retract_time_s;
   times_.travel_s = total.travel_time_s - total.retract_time_s;
   for (const LayerSummary& layer : summary.layers) times_.layer_s.push_back(layer.time_s);
+  for (const CopySummary& copy : summary.copies) times_.copy_s.push_back(copy.use.time_s);
 }
 
 void PrintClock::Read(std::string_view gcode, double& part_s) {
@@ -67,7 +68,7 @@ void PrintClock::ReadLine(std::string_view text, double& part_s) {
         double& kind_s = move.Prints()    ? times_.custom_s
                          : move.InSpace() ? times_.travel_s
                                           : times_.retract_s;
-        accounts_.push_back({&kind_s, &part_s});
+        accounts_.push_back({&kind_s, &part_s, CopySum(kNoCopy)});
         planner_->Add(motion::ToKinematic(move, firmware_, machine_.limits()));
       }
       break;
@@ -118,10 +119,19 @@ void PrintClock::AddLayer(size_t i) {
   set_mm_s2_ = edges.acceleration_mm_s2;
 }
 
+double* PrintClock::CopySum(int32_t copy) {
+  const auto index = static_cast<size_t>(copy);
+  return copy >= 0 && index < times_.copy_s.size() ? &times_.copy_s[index] : &shared_s_;
+}
+
 void PrintClock::QueueHead(const LayerEdges& edges, double& part_s) {
+  const auto approach = static_cast<size_t>(edges.approach);
+  // The travel to the layer belongs to a copy only if it begins in the same copy.
+  const int32_t left = at_.copy;
   for (size_t i = 1; i < edges.head.size(); ++i) {
     EdgeMove move = edges.head[i];
-    if (i < static_cast<size_t>(edges.approach)) {
+    if (i <= approach && move.copy != left) move.copy = kNoCopy;
+    if (i < approach) {
       move.x_um = at_.x_um;
       move.y_um = at_.y_um;
     }
@@ -141,7 +151,7 @@ void PrintClock::Queue(const EdgeMove& before, const EdgeMove& move, double set_
   double& kind_s = Prints(before, move)        ? times_.feature_s[static_cast<size_t>(move.feature)]
                    : kinematic->ExtruderOnly() ? times_.retract_s
                                                : times_.travel_s;
-  accounts_.push_back({&kind_s, &part_s});
+  accounts_.push_back({&kind_s, &part_s, CopySum(move.copy)});
   planner_->Add(*kinematic);
 }
 
@@ -150,6 +160,7 @@ void PrintClock::Stop(double sign) {
   for (size_t i = 0; i < profiles.size(); ++i) {
     *accounts_[i].kind_s += sign * profiles[i].time_s;
     *accounts_[i].part_s += sign * profiles[i].time_s;
+    *accounts_[i].copy_s += sign * profiles[i].time_s;
   }
   accounts_.clear();
 }
@@ -160,6 +171,7 @@ PrintTimes PrintClock::Finish() {
   const auto round_up = [](double& sum) { sum = std::max(0.0, sum); };
   std::ranges::for_each(times_.feature_s, round_up);
   std::ranges::for_each(times_.layer_s, round_up);
+  std::ranges::for_each(times_.copy_s, round_up);
   round_up(times_.travel_s);
   round_up(times_.retract_s);
   return std::move(times_);

@@ -49,6 +49,7 @@ class PrintClock {
   struct Account {
     double* kind_s;
     double* part_s;
+    double* copy_s;
   };
 
   void Read(std::string_view gcode, double& part_s);
@@ -60,8 +61,9 @@ class PrintClock {
   void Queue(std::span<const EdgeMove> travel, double set_mm_s2, double& part_s);
   void QueueHead(const LayerEdges& edges, double& part_s);
   void Queue(const EdgeMove& before, const EdgeMove& move, double set_mm_s2, double& part_s);
-  /// Plans the queued moves up to a standstill and adds their times. `sign`: -1 subtracts the
-  /// times.
+  /// Returns the sum for the time of a copy.
+  double* CopySum(int32_t copy);
+  /// Plans the queued moves and adds their times, multiplied by `sign`.
   void Stop(double sign = 1);
 
   const ProgramSummary& summary_;
@@ -73,6 +75,7 @@ class PrintClock {
   EdgeMove at_;
   double set_mm_s2_ = 0;  ///< acceleration that is set in the machine
   PrintTimes times_;
+  double shared_s_ = 0;  ///< time of moves that belong to no copy
 };
 
 }  // namespace slicefarm::motion

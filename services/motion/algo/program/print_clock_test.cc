@@ -1,7 +1,9 @@
 #include "services/motion/algo/program/print_clock.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "common/base/text.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/paths_test.h"
 #include "services/motion/algo/layer_program.h"
@@ -103,6 +105,66 @@ TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
   for (size_t i = 0; i + 1 < want.layer_s.size(); ++i)
     EXPECT_NEAR(got.layer_s[i], want.layer_s[i], tolerance) << i;
   EXPECT_NEAR(got.before_s, want.before_s, tolerance);
+}
+
+/// Returns the time of the lines between the labels of a copy.
+double TimeBetweenLabels(const std::string& gcode, const ProgramTime& time, int copy) {
+  const std::string begin = fmt::format("; printing object a id:0 copy {}", copy);
+  double sum_s = 0, before_s = 0;
+  bool within = false;
+  size_t line = 0;
+  for (const std::string_view text : Split(gcode, "\n")) {
+    if (line >= time.line_end_s.size()) break;
+    if (text == begin) within = true;
+    if (text.starts_with("; stop printing object")) within = false;
+    if (within) sum_s += time.line_end_s[line] - before_s;
+    before_s = time.line_end_s[line++];
+  }
+  return sum_s;
+}
+
+// The copies are printed in turn, so the travels to them belong to none of them.
+TEST_P(PrintClockTest, KnowsTheTimeOfEachCopy) {
+  MotionOptions options = Options(GetParam());
+  options.labels = ObjectLabels::kComments;
+  JobFacts facts;
+  facts.copies = {{"a", 0, 0, 2}, {"a", 0, 1, 2}};
+  ProgramSummary summary;
+  summary.copies = {{facts.copies[0], {}, {}}, {facts.copies[1], {}, {}}};
+  std::vector<LayerProgram> programs;
+  for (int32_t i = 0; i < 5; ++i) {
+    auto passes = ProgramLayer(Layer(i), facts, options, *LayerCode::Of(options));
+    ASSERT_TRUE(passes.ok()) << passes.status();
+    LayerProgram& program = programs.emplace_back(std::move(passes->front()));
+    summary.layers.push_back({.frame = program.frame,
+                              .entry = program.entry,
+                              .exit = program.exit,
+                              .time_s = program.stats.TimeS(),
+                              .edges = program.edges});
+    summary.total.Add(program.stats);
+    ASSERT_EQ(program.copies.size(), 2u);
+    EXPECT_EQ(program.copies[0].use.filament_mm, program.copies[1].use.filament_mm);
+    EXPECT_NEAR(2 * program.copies[0].use.filament_mm, program.stats.FilamentMm(), 1e-9);
+    for (const CopyUse& copy : program.copies)
+      summary.copies[static_cast<size_t>(copy.copy)].use.Add(copy.use);
+  }
+  const auto frame = FrameProgram(summary, options);
+  ASSERT_TRUE(frame.ok()) << frame.status();
+  std::string gcode = frame->prologue;
+  for (size_t i = 0; i < programs.size(); ++i)
+    gcode += frame->layer_prefixes[i] + programs[i].gcode;
+  gcode += frame->epilogue;
+  const ProgramTime time = TimeOfProgram(gcode, FirmwareOf(options.flavor),
+                                         {options.limits, options.tool().retraction, {}});
+  ASSERT_EQ(frame->times.copy_s.size(), 2u);
+  double sum_s = 0;
+  for (const int copy : {0, 1}) {
+    const double got_s = frame->times.copy_s[static_cast<size_t>(copy)];
+    EXPECT_GT(got_s, 1);
+    EXPECT_NEAR(got_s, TimeBetweenLabels(gcode, time, copy), 10 * GetParam().tolerance_s) << copy;
+    sum_s += got_s;
+  }
+  EXPECT_LT(sum_s, frame->times.TotalS());
 }
 
 INSTANTIATE_TEST_SUITE_P(

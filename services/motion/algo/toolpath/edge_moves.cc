@@ -13,8 +13,10 @@ namespace {
 std::vector<EdgeMove> AllMoves(std::span<const Stretch> stretches, MoveWalk& walk) {
   std::vector<EdgeMove> moves = {walk.at()};
   for (const Stretch& stretch : stretches)
-    for (size_t i = stretch.first; i < stretch.last; ++i)
+    for (size_t i = stretch.first; i < stretch.last; ++i) {
       moves.push_back(walk.Go(stretch.path->moves[i], stretch.shift));
+      moves.back().copy = i < stretch.FirstOwn() ? stretch.travel_copy : stretch.copy;
+    }
   return moves;
 }
 

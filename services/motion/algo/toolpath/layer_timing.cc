@@ -1,6 +1,7 @@
 #include "services/motion/algo/toolpath/layer_timing.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "common/base/portable_math.h"
 #include "common/gcode/gcode_text.h"
@@ -110,6 +111,27 @@ void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
       if (move.kind == MoveKind::kRetract || move.kind == MoveKind::kRestart)
         stats.retract_time_s += *time;
     }
+  }
+}
+
+void AddUse(int32_t copy, const FeatureUse& use, std::vector<CopyUse>& copies) {
+  auto found = std::ranges::lower_bound(copies, copy, {}, &CopyUse::copy);
+  if (found == copies.end() || found->copy != copy) found = copies.insert(found, {copy, {}});
+  found->use.Add(use);
+}
+
+void AddCopyTimes(std::span<const Stretch> stretches, std::span<const double> times,
+                  std::vector<CopyUse>& copies) {
+  const auto add = [&](int32_t copy, std::span<const double> of_moves) {
+    if (copy == kNoCopy || of_moves.empty()) return;
+    AddUse(copy, {.time_s = std::accumulate(of_moves.begin(), of_moves.end(), 0.0)}, copies);
+  };
+  for (const Stretch& stretch : stretches) {
+    const size_t own = stretch.FirstOwn() - stretch.first;
+    const size_t count = stretch.last - stretch.first;
+    add(stretch.travel_copy, times.first(own));
+    add(stretch.copy, times.subspan(own, count - own));
+    times = times.subspan(count);
   }
 }
 

@@ -42,4 +42,11 @@ class LayerTiming {
 void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
               ProgramStats& stats);
 
+/// Adds to the totals of a copy, which are sorted by copy. Inserts the copy if it is new.
+void AddUse(int32_t copy, const FeatureUse& use, std::vector<CopyUse>& copies);
+
+/// Adds the times of the stretches' moves to the copies to which the moves belong.
+void AddCopyTimes(std::span<const Stretch> stretches, std::span<const double> times,
+                  std::vector<CopyUse>& copies);
+
 }  // namespace slicefarm::motion

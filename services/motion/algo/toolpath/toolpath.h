@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "common/geometry/arc_fit.h"
+#include "common/model/layers/layer.h"
 #include "common/model/path.h"
 
 namespace slicefarm::motion {
@@ -103,6 +105,13 @@ struct Stretch {
   size_t first = 0;
   size_t last = 0;
   ShiftUm shift;
+  int32_t copy = kNoCopy;         ///< copy to which the moves belong: see CopyUse
+  int32_t travel_copy = kNoCopy;  ///< copy to which the moves up to Toolpath::approach belong
+
+  /// Returns the first move that belongs to `copy`; the moves before it belong to `travel_copy`.
+  size_t FirstOwn() const {
+    return path->approach == Toolpath::kNone ? first : std::clamp(path->approach + 1, first, last);
+  }
 };
 
 }  // namespace slicefarm::motion

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "common/base/error.h"
@@ -28,8 +29,8 @@ std::vector<Rgba> Pixels(const Thumbnail& thumbnail) {
   return pixels;
 }
 
-Thumbnail Render(const std::vector<SceneMesh>& scene, ThumbnailSize size) {
-  const auto thumbnail = RenderThumbnail(scene, size, {});
+Thumbnail Render(const std::vector<SceneMesh>& scene, ThumbnailSize size, const Polygon& bed = {}) {
+  const auto thumbnail = RenderThumbnail(scene, bed, size, {});
   EXPECT_TRUE(thumbnail.ok()) << thumbnail.status();
   return *thumbnail;
 }
@@ -113,11 +114,58 @@ TEST(RenderThumbnail, CopiesLookLikeObjectsOfTheirOwn) {
   EXPECT_NE(got, Pixels(Render({alone[0]}, {200, 150})));
 }
 
+// A bed of 100 mm with two cubes of 10 mm and one of 20 mm: a pixel is a millimetre.
+TEST(RenderThumbnail, PicksTheCopyBelowAPixel) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
+  const IndexedMesh large = *PlaceMesh(BoxMesh({0, 0, 0}, {20, 20, 20}));
+  const auto mm = [](Coord x, Coord y) { return Point{x * 1'000'000, y * 1'000'000}; };
+  const std::vector<Point> two = {mm(20, 20), mm(80, 20)}, one = {mm(50, 70)};
+  const Polygon bed = {mm(0, 0), mm(100, 0), mm(100, 100), mm(0, 100)};
+  const std::vector<SceneMesh> scene = {{&cube, two, true, 0}, {&large, one, true, 299}};
+  const ThumbnailSize size = {100, 100, PictureFormat::kPng, PictureRole::kPick};
+  const Thumbnail picture = Render(scene, size, bed);
+  EXPECT_EQ(picture.role, PictureRole::kPick);
+  const std::vector<Rgba> pixels = Pixels(picture);
+  const auto at = [&](int x, int y) { return pixels[(99 - y) * 100 + x]; };
+  EXPECT_EQ(at(20, 20), (Rgba{1, 0, 0, 255}));
+  EXPECT_EQ(at(80, 20), (Rgba{2, 0, 0, 255}));
+  EXPECT_EQ(at(50, 70), (Rgba{300 - 256, 1, 0, 255}));
+  EXPECT_EQ(at(50, 20), (Rgba{0, 0, 0, 0}));
+  std::map<Rgba, int> area;
+  for (const Rgba& pixel : pixels) ++area[pixel];
+  EXPECT_EQ(area.size(), 4u) << "a mean of two ids would be the id of a third copy";
+  EXPECT_EQ((area[{1, 0, 0, 255}]), 100);
+  EXPECT_EQ((area[{300 - 256, 1, 0, 255}]), 400);
+
+  const std::vector<Rgba> top =
+      Pixels(Render(scene, {100, 100, PictureFormat::kPng, PictureRole::kTop}, bed));
+  EXPECT_NEAR(CoveredShare(top), CoveredShare(pixels), 0.001);
+}
+
+TEST(RenderThumbnail, WhatIsBesideTheBedIsCutOff) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
+  const Polygon bed = {{-2'000'000, -2'000'000}, {2'000'000, -2'000'000}, {2'000'000, 2'000'000}};
+  const std::vector<Point> away = {{}, {100'000'000, 0}, {0, -100'000'000}};
+  for (const std::vector<Point>& centers : {kHere, away}) {
+    const std::vector<Rgba> pixels = Pixels(
+        Render({{&cube, centers, true}}, {16, 16, PictureFormat::kPng, PictureRole::kTop}, bed));
+    EXPECT_EQ(CoveredShare(pixels), 1);
+  }
+}
+
+TEST(RenderThumbnail, WithoutLightAllFacesAreAlike) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
+  const std::vector<Rgba> pixels =
+      Pixels(Render({{&cube, kHere, true}}, {32, 32, PictureFormat::kPng, PictureRole::kUnlit}));
+  EXPECT_EQ(pixels[8 * 32 + 16], pixels[22 * 32 + 22]);
+  EXPECT_EQ(pixels[8 * 32 + 16][3], 255);
+}
+
 TEST(RenderThumbnail, RefusesSenselessSizes) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
   const SceneMesh object{&cube, kHere, true};
   for (const ThumbnailSize& size : {ThumbnailSize{0, 10}, {10, -1}, {2049, 10}}) {
-    const auto thumbnail = RenderThumbnail({&object, 1}, size, {});
+    const auto thumbnail = RenderThumbnail({&object, 1}, {}, size, {});
     EXPECT_EQ(DetailOf(thumbnail.status()).reason, Reason::kSettingOutOfRange);
   }
   Render({object}, {1, 1});
