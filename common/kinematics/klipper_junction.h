@@ -13,7 +13,7 @@ KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
 /// Returns the greatest squared speed (mm^2/s^2) at Klipper's junction from `before` to `move`.
 ///
-/// It is the smallest of these limits, which depend on the directions:
+/// The result is the smallest of these limits, which depend on the directions:
 ///   junction deviation by the square corner velocity, v^2 = scv^2 (sqrt(2) - 1) s / (1 - s),
 ///   s the sine of half the angle between the moves;
 ///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;

@@ -30,9 +30,9 @@ std::string FileStem(std::string_view path);
 bool IsArchive(std::string_view bytes);
 
 /// Returns the files of an archive that may have presets (MayHavePresets), in the archive's order.
-/// Their paths begin with the archive's path. Errors: SETTING_MALFORMED for a damaged or encrypted
-/// archive; REQUEST_TOO_LARGE beyond the limits on files, bytes and compression. The limits are
-/// checked before any file is expanded.
+/// The paths of these files begin with the archive's path. Errors: SETTING_MALFORMED for a damaged
+/// or encrypted archive; REQUEST_TOO_LARGE beyond the limits on files, bytes and compression. The
+/// limits are checked before any file is expanded.
 absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive);
 
 }  // namespace slicefarm::config::presets

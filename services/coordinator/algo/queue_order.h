@@ -20,7 +20,7 @@ struct HeldPlace {
 
 /// Open job that no coordinator holds.
 struct WaitingJob {
-  int64_t number = 0;  ///< number of the job's record
+  int64_t number = 0;  ///< JobRecord::number of the job
   bool interactive = false;
 
   friend bool operator==(const WaitingJob&, const WaitingJob&) = default;
@@ -50,7 +50,7 @@ struct QueueSnapshot {
 
 /// Expected run of a job if no new job arrives and none is cancelled.
 struct ExpectedRun {
-  int64_t number = 0;  ///< number of the job's record
+  int64_t number = 0;  ///< JobRecord::number of the job
   int64_t start_us = 0;
   int64_t end_us = 0;
 

@@ -27,8 +27,8 @@ class LeaseTable {
   /// Removes the lease of a run that has ended.
   void Remove(const Lease& lease) { held_.erase(lease); }
 
-  /// Returns the leases of all runs that have not lost their job. A lost run writes nothing more.
-  /// Its lease must expire, so that the job can be claimed again.
+  /// Returns the leases of all runs that have not lost their job. A lost run writes nothing more,
+  /// and its lease must expire, so that the job can be claimed again.
   std::vector<Lease> ToRenew() const;
 
   /// Applies the store's answer to a renewal. `asked`: leases that were to be renewed until

@@ -16,9 +16,9 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Number of server threads. Each call occupies one. Uploads and downloads do so for long:
-/// TransferOptions limits them and leaves enough threads for other calls. CallLimits leaves some
-/// threads for other tenants.
+/// Number of server threads. Each call occupies one thread, uploads and downloads for a long time.
+/// TransferOptions limits uploads and downloads and leaves enough threads for other calls.
+/// CallLimits leaves some threads for other tenants.
 constexpr int kThreads = 512;
 constexpr TransferOptions kTransfers;
 constexpr CallLimits kCalls;

@@ -72,7 +72,7 @@ JobRecord RecordOf(const NewJob& job, int64_t now_us) {
   return record;
 }
 
-/// Inserts the job's row and sets the number of the record.
+/// Inserts the job's row and sets JobRecord::number to the number of the new row.
 absl::Status InsertJob(SqlConnection& db, JobRecord& job) {
   const bool apart = db.dialect().spec != "spec";
   SqlQuery insert(

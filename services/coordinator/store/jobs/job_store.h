@@ -99,8 +99,8 @@ struct ListQuery {
   int64_t created_from_us = 0;
   int64_t created_before_us = INT64_MAX;
   bool oldest_first = false;
-  /// Number of the last job of the previous page: the list begins after this job. 0: it begins at
-  /// its first job.
+  /// JobRecord::number of the last job of the previous page: the list begins after this job. 0: the
+  /// list begins with the first job.
   int64_t after_number = 0;
   int32_t limit = 50;
 };
@@ -108,7 +108,7 @@ struct ListQuery {
 /// Position of an event in the order of all events.
 struct EventPlace {
   int64_t time_us = 0;
-  int64_t number = -1;  ///< number of the job
+  int64_t number = -1;  ///< JobRecord::number of the event's job
   int64_t sequence = -1;
 
   friend auto operator<=>(const EventPlace&, const EventPlace&) = default;

@@ -50,8 +50,8 @@ class LinkChoice {
   /// possible end, which cannot happen if the region's rings do not cross.
   ///
   /// variant: 0 for the best end. 1 and 2 choose the next best ends of the same rank that make no
-  /// angle below 30 degrees. If the best cut ends at no corner, 1 and 2 choose a cut beside the
-  /// bisector. They do the same if a convex corner is the only candidate.
+  /// angle below 30 degrees. If the best cut ends at no corner, or if a convex corner is the only
+  /// candidate, 1 and 2 choose a cut beside the bisector.
   std::optional<Link> Choose(const CutRegion& region, CornerIndex from, int32_t variant = 0);
 
  private:

@@ -31,7 +31,7 @@ class DirectionField {
   explicit DirectionField(const StressField& stress);
 
   /// Returns the main direction at a point, as a unit vector; nullopt if the point is degenerate.
-  /// Its sign has no meaning.
+  /// The vector and its opposite mean the same direction.
   std::optional<Vector2> At(const PlaceMm& place_mm) const;
   /// Returns true if the field does not depend on the height.
   bool IsSameAtAllHeights() const { return cos2_.count[2] == 1; }

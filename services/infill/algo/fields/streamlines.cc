@@ -311,7 +311,8 @@ double LengthOf(const StreamLine& line) {
   return length;
 }
 
-/// Returns lines with the total length that the separations request: the best of several layouts.
+/// Returns lines with about the total length that the separations request: of several layouts, the
+/// one with the smallest difference from this length.
 absl::StatusOr<std::vector<StreamLine>> EvenLines(const StreamBox& box,
                                                   const DirectionField& directions,
                                                   const StreamOptions& options) {

@@ -79,7 +79,7 @@ class Ends {
     return end % 2 == 0 ? PieceOf(end).from : PieceOf(end).to;
   }
 
-  /// Returns all possible joints, the best first.
+  /// Returns all possible joints, sorted by rank.
   std::vector<Joint> Joints() const {
     std::vector<int32_t> inner;
     Box box;

@@ -54,7 +54,8 @@ class RingMatcher {
 
   bool IsLink(size_t place) const { return ring_.length_nm[place] <= max_link_nm_; }
 
-  /// Returns the best links among the edge parts from `first` up to, but not including, `last`.
+  /// Returns as many links as possible, and of these the shortest, among the edge parts from
+  /// `first` up to, but not including, `last`.
   Chosen OfChain(size_t first, size_t last) const {
     std::vector<ChainLinks> best(2);  // best[i + 1]: of the first i edge parts
     std::vector<bool> taken(2, false);

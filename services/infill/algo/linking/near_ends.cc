@@ -59,8 +59,8 @@ class Mover {
   }
 
  private:
-  /// Moves a loose end to the best position at most kReach links away. Returns the end that is then
-  /// loose.
+  /// Moves a loose end to the position, at most kReach links away, at which `least_` becomes
+  /// smallest. Returns the end that is then loose.
   int32_t Moved(int32_t end, bool forward) {
     const auto neighbour = [&](int32_t of) {
       return forward ? ends_.Next(of) : ends_.Previous(of);

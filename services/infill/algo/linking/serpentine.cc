@@ -162,7 +162,8 @@ class Walker {
     return {Link{crossing.next, true}, Link{crossing.previous, false}};
   }
 
-  /// Returns the best link to a piece that may be printed next.
+  /// Returns the link to a piece that may be printed next: of the links with the highest Rank, the
+  /// shortest.
   std::optional<Link> BestLink(int32_t from) const {
     std::optional<Link> best;
     int best_rank = 0;

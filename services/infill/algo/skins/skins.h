@@ -8,8 +8,8 @@
 namespace slicefarm::infill {
 
 /// Outlines of the layers above and below a fill area that decide its skins. Equality of outlines
-/// is tested by pointer. An outline equal to the outline of the fill area's own layer must
-/// therefore be the same pointer, and so must an outline equal to the next nearer one.
+/// is tested by pointer only. Therefore an outline must be the same pointer as an equal outline of
+/// the fill area's own layer or of the next nearer layer.
 struct Cover {
   std::vector<const MultiPolygon*> above;  ///< one per top solid layer, nearest first; nullptr: air
   std::vector<const MultiPolygon*>

@@ -144,8 +144,8 @@ std::optional<Coord> AskedAt(Coord bottom_nm, const std::vector<RangeInput>& ran
 }
 
 /// Dynamic program over all possible layer ends. For each end and each height of the last layer, it
-/// stores the best sequence of layers. The lowest layer is always allowed, so there is always a
-/// solution.
+/// stores the sequence of layers with the lowest cost. The lowest layer is always allowed, so there
+/// is always a solution.
 class Fitting {
  public:
   /// `most_nm`: the greatest allowed height of a layer.
@@ -224,8 +224,8 @@ class Fitting {
     return lowest ? Fit::kJump : Fit::kTooHigh;
   }
 
-  /// Returns the best end of the last layer: at the object's top, or less than half a layer away
-  /// from it.
+  /// Returns the end of the last layer with the lowest cost: at the object's top, or less than half
+  /// a layer away from it.
   Key Best() {
     Key best{0, 0};
     int64_t least = kNever;

@@ -69,8 +69,8 @@ enum class PackingOrder {
   kFromFront,   ///< farthest to the front, then farthest to the left
 };
 
-/// Packs greedily: each item goes to the first plate that has a free position for it. On that plate
-/// it goes to the best position of FreePlaces under `order`. Items that fit on no plate get no
+/// Packs greedily: each item goes to the first plate that has a free position for it. Of the free
+/// positions on that plate (FreePlaces), `order` decides. Items that fit on no plate get no
 /// position.
 ///
 /// Errors: CANCELLED. Cost: O(k m) per item, for the k parts with m corners each on the item's

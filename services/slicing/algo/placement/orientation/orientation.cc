@@ -236,8 +236,8 @@ absl::Status CheckOptions(const OrientationOptions& options) {
                    {{"setting", "overhang_deg"}});
 }
 
-/// Returns the best `count` orientations, best first, each one once. The input contains the current
-/// orientation twice if the object already rests on a face.
+/// Returns the `count` orientations with the lowest scores, in ascending order, each one once. The
+/// input contains the current orientation twice if the object already rests on a face.
 std::vector<PrintOrientation> Ranked(std::vector<PrintOrientation> all, size_t count) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.score < b.score; });

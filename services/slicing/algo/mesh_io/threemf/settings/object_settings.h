@@ -51,7 +51,7 @@ struct ModelSettings {
   std::vector<PlateSettings> plates;
   bool has_scripts = false;  ///< true if post_process was not empty; its scripts are dropped
 
-  /// Returns the settings of an object, or nullptr.
+  /// Returns the settings of an object, or nullptr if it has none.
   const ObjectSettings* Of(ResourceId object) const;
 };
 
