@@ -26,7 +26,7 @@ struct Expression {
     kOr,
     kChoice,   ///< conditional expression: parts are condition, value if true, value if false
     kCall,     ///< function call: `text` is the function's name, `parts` are its arguments
-    kPattern,  ///< argument of one_of that is a regular expression; it is the only part
+    kPattern,  ///< argument of one_of that is a regular expression, the only element of `parts`
   };
   Kind kind = Kind::kLiteral;
   std::string text = {};

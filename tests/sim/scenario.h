@@ -30,13 +30,14 @@ struct Variant {
   /// SweepOptions::keep_blobs_s. Must be longer than the longest time from the use of a blob to the
   /// record that refers to it.
   double keep_blobs_s = 90;
-  bool answers_mixed = false;        ///< workers answer with the layers of another range
-  bool every_answer_counts = false;  ///< all answers of a range count, not only the first
-  bool failures_untold = false;      ///< failures of ranges are not passed to FanOut
-  bool processes_untold = false;     ///< processes of workers are not passed to FanOut
-  bool cancels_unread = false;       ///< a claim ignores the job's cancel request
-  bool deadlines_unread = false;     ///< a claim ignores the job's deadline
-  /// suspected jobs (lost_runs.h) begin as if all coordinators were calm
+  bool answers_mixed = false;        ///< true: workers answer with the layers of another range
+  bool every_answer_counts = false;  ///< true: all answers of a range count, not only the first
+  bool failures_untold = false;      ///< true: failures of ranges are not passed to FanOut
+  /// true: the processes that workers can make are not passed to FanOut
+  bool processes_untold = false;
+  bool cancels_unread = false;    ///< true: a claim ignores the job's cancel request
+  bool deadlines_unread = false;  ///< true: a claim ignores the job's deadline
+  /// true: suspected jobs (lost_runs.h) begin as if all coordinators were calm
   bool calm_unasked = false;
 };
 

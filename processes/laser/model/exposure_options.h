@@ -193,7 +193,7 @@ struct ExposureOutput {
   double unit_mm = 0.001;     ///< CLI: unit of the coordinates ($$UNITS)
   double full_power_w = 400;  ///< G-code: laser power at the S value `full_power_s`
   double full_power_s = 1000;
-  /// G-code of grbl: uses M4, which reduces the power when the head is slower
+  /// G-code of grbl: true to use M4, which reduces the power when the head is slower
   bool dynamic_power = true;
   double recoat_s = 0;  ///< time before each layer for new powder or resin
   /// G-code: templates. They are inserted before all layers, before each layer's move in z, after

@@ -26,7 +26,7 @@ struct DrawingOptions {
   ImageFormat format = ImageFormat::kPng;
   ColourBy colour_by = ColourBy::kFeature;
   int size_px = 1200;    ///< length of the longer side of the part's picture
-  bool travels = false;  ///< draws travels as thin lines
+  bool travels = false;  ///< true to draw travels as thin lines
 };
 
 /// Returns the colour of a feature from the text of its `;TYPE:` comment; grey for unknown

@@ -72,9 +72,9 @@ struct JobUpdate {
   std::optional<JobResult> result = {};
   /// With QUEUED: time before which the job cannot be claimed again.
   int64_t claimable_from_us = 0;
-  bool retry = false;         ///< with QUEUED: the reason is a failed run
-  bool store_failed = false;  ///< with QUEUED: the reason is a failed store
-  bool deadly = false;        ///< with QUEUED: services probably died of the run
+  bool retry = false;         ///< with QUEUED: true if the reason is a failed run
+  bool store_failed = false;  ///< with QUEUED: true if the reason is a failed store
+  bool deadly = false;        ///< with QUEUED: true if services probably died of the run
   /// New value of JobRecord::lost_runs. With RUNNING it already counts this run, which is lost if
   /// it never writes again (LostRuns::After).
   int32_t lost_runs = 0;
@@ -92,7 +92,7 @@ struct JobChanging {
 /// condition matches every job.
 struct ListQuery {
   std::string tenant = {};
-  bool all_tenants = false;  ///< if true, `tenant` is ignored
+  bool all_tenants = false;  ///< true to list the jobs of all tenants; `tenant` is then ignored
   std::vector<JobState> states = {};
   std::map<std::string, std::string> labels = {};
   std::optional<Priority> priority = {};

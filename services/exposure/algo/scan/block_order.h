@@ -13,7 +13,7 @@ namespace slicefarm::exposure {
 struct ScanBlock {
   Point start, end;
   Point middle = {};        ///< middle of the block's box; used only by kAgainstGas
-  bool reversible = false;  ///< the block may be scanned from its end to its start
+  bool reversible = false;  ///< true if the block may be scanned from its end to its start
   bool odd = false;         ///< true for blocks of the second colour of the chequerboard
 };
 

@@ -20,7 +20,7 @@ struct StreamBox {
 /// Parameters of streamlines.
 struct StreamOptions {
   double z_mm = 0;
-  bool across = false;  ///< follow the family of directions perpendicular to the field's directions
+  bool across = false;  ///< true to follow the directions perpendicular to the field's
   /// Function that returns the requested distance between lines at a point, in mm. 0: no lines
   /// there.
   std::function<double(double x_mm, double y_mm)> separation_mm;

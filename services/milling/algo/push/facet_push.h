@@ -32,8 +32,8 @@ FacetNormal NormalOf(const std::array<FiberPoint, 3>& corners);
 
 /// Returns the contact with the inside of a triangle. A plane of a given slope touches the cutter
 /// at one height above the tip (Cutter::TouchHeight). At this height the triangle has a level line,
-/// and the contact is on this line. The cutter's axis is beside it, in the direction in which the
-/// triangle falls. Level and vertical triangles are touched only by their edges. Cost: 15 ns.
+/// and the contact is on this line. Seen from above, the cutter's axis is downhill of the contact.
+/// Level and vertical triangles are touched only by their edges. Cost: 15 ns.
 FacetContact PushFacet(const Cutter& cutter, const std::array<FiberPoint, 3>& corners,
                        const FacetNormal& normal);
 

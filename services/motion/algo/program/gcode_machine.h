@@ -112,7 +112,7 @@ class GcodeMachine {
   double unit_mm_ = 1;
   bool relative_ = false;
   bool relative_filament_ = false;
-  bool retracted_ = false;  ///< retracted by G10
+  bool retracted_ = false;  ///< true after a retraction by G10
   double speed_mm_s_ = 0;   ///< last feed rate (F) in mm/s, before the factor of M220
   double speed_factor_ = 1;
   double flow_factor_ = 1;

@@ -30,9 +30,9 @@ inline constexpr Coord kEdgeNm = 8'000;
 /// requested distance (README.md has figures).
 class Clearance {
  public:
-  /// Prepares for layers of support up to the height `top_nm`. `problem` and `options` must outlive
-  /// this object. The object is unusable after a cancellation. Cost: two offsets of each layer, on
-  /// `threads` threads.
+  /// Computes the obstacles for layers of support up to the height `top_nm`. `problem` and
+  /// `options` must outlive this object. The object is unusable after a cancellation. Cost: two
+  /// offsets of each layer, on `threads` threads.
   Clearance(const SupportProblem& problem, const SupportOptions& options, Coord top_nm, int threads,
             const CancelToken& cancel = {});
 
