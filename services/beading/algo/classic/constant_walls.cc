@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/grown_area.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 
@@ -56,6 +58,15 @@ MultiPolygon Residue(const MultiPolygon& region, const MultiPolygon& core, Coord
   return Difference(region, Regrown(core, radius_nm + kSafetyNm));
 }
 
+/// Returns true if discs of `radius_nm` around `core` certainly reach all of `area` except for
+/// parts that are together smaller than `least_area_nm2`. If the core still has a ring for each
+/// ring of the area, no part between two discs is lost, so that the growth does not overlap itself.
+bool ReachesMost(const PolygonWithHoles& area, const MultiPolygon& core, Coord radius_nm,
+                 double least_area_nm2) {
+  if (core.size() != 1 || core[0].holes.size() != area.holes.size()) return false;
+  return Area(area) - LeastGrownArea(core[0], radius_nm) < least_area_nm2;
+}
+
 }  // namespace
 
 WallPlan WallPlan::Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
@@ -91,10 +102,11 @@ IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& pl
   return walls;
 }
 
-NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm) {
+NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm, double least_area_nm2) {
   const Coord half = width_nm / 2;
   if (IsWideThroughout({area}, half)) return {};
   const MultiPolygon core = FastOffset({area}, -half);
+  if (ReachesMost(area, core, half, least_area_nm2)) return {};
   return {Residue({area}, core, half), core.empty()};
 }
 

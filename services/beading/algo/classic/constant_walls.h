@@ -61,9 +61,12 @@ struct NarrowParts {
   bool are_all = false;  ///< true if the area is narrow everywhere
 };
 
-/// Returns the parts of `area` that are narrower than `width_nm`: the parts that no disc of this
-/// diameter within `area` covers. They end 5 um before the covered area. Cost: O(n), n points, if
-/// `area` is wide everywhere; otherwise a few polygon sweeps.
-NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm);
+/// Returns the parts of `area` that are narrower than `width_nm`. Nothing is returned if the area
+/// is not narrow everywhere and its narrow parts are together smaller than `least_area_nm2`.
+/// Invariant: these parts, and the area that discs of diameter `width_nm` reach within `area`, tile
+/// `area`, except for 5 um along their common edges. Cost: O(n), n points, if `area` is wide
+/// everywhere; otherwise a few polygon sweeps.
+NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm,
+                            double least_area_nm2 = 0);
 
 }  // namespace slicefarm::beading

@@ -131,6 +131,21 @@ TEST(NarrowParts, AWideAreaHasNone) {
   EXPECT_TRUE(FindNarrowParts(Island("(0 0, 9 0, 9 9, 0 9)"), 800'000).parts.empty());
 }
 
+// The neck of 1.6 mm2 is the only narrow part; a tip has 0.4 mm2.
+TEST(NarrowParts, SmallOnesCanBeLeftOut) {
+  const PolygonWithHoles neck =
+      Island("(0 0, 5 0, 5 2.3, 9 2.3, 9 0, 14 0, 14 5, 9 5, 9 2.7, 5 2.7, 5 5, 0 5)");
+  EXPECT_FALSE(FindNarrowParts(neck, 800'000, 1e12).parts.empty());
+  const PolygonWithHoles loop =
+      Island("(0 0, 9 0, 9 0.5, 5 0.5, 5 5, 0 5) (0.3 0.3, 0.3 1, 1 1, 1 0.3)");
+  EXPECT_FALSE(FindNarrowParts(loop, 800'000, 1e12).parts.empty());
+  const PolygonWithHoles finger = Island("(0 0, 5 0, 5 2.3, 9 2.3, 9 2.7, 5 2.7, 5 5, 0 5)");
+  EXPECT_FALSE(FindNarrowParts(finger, 800'000, 1e12).parts.empty());
+  const PolygonWithHoles tip = Island("(0 0, 5 0, 5 2.3, 6 2.3, 6 2.7, 5 2.7, 5 5, 0 5)");
+  EXPECT_FALSE(FindNarrowParts(tip, 800'000).parts.empty());
+  EXPECT_TRUE(FindNarrowParts(tip, 800'000, 1e12).parts.empty());
+}
+
 TEST(NarrowParts, AStripIsOne) {
   const PolygonWithHoles strip = Island("(0 0, 9 0, 9 0.7, 0 0.7)");
   const NarrowParts narrow = FindNarrowParts(strip, 800'000);

@@ -58,7 +58,7 @@ std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOp
 /// infill.
 MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions& options,
                              std::vector<Path>& paths) {
-  const NarrowParts narrow = FindNarrowParts(area, options.max_width_nm);
+  const NarrowParts narrow = FindNarrowParts(area, options.max_width_nm, kLeastNeckNm2);
   const double least = narrow.are_all ? kLeastDotNm2 : kLeastNeckNm2;
   MultiPolygon taken;
   for (const PolygonWithHoles& part : narrow.parts) {

@@ -189,12 +189,37 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   return sparse.region();
 }
 
-/// Returns the narrow parts of `covered` that are beside `bare`, the parts that are not covered.
-/// Only widths decide, so noise in the operands moves the result by no more than the noise. An area
-/// in a right angle belongs to the wide area that ends there: the centre of a disc is sqrt(2) radii
-/// from the corner.
+/// Cosine of 92 degrees. At a corner that turns by less, a disc around the inset's corner with 1.44
+/// times the inset's distance as its radius reaches the outline's corner.
+constexpr double kLeastBluntCosine = -0.035;
+
+bool IsBlunt(const Polygon& ring) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point at = ring[i];
+    const Point in = at - ring[i == 0 ? ring.size() - 1 : i - 1];
+    const Point out = ring[i + 1 == ring.size() ? 0 : i + 1] - at;
+    if (Cross(in, out) > 0 && Dot(in, out) < kLeastBluntCosine * Norm(in) * Norm(out)) return false;
+  }
+  return true;
+}
+
+/// Returns true if discs of 1.5 radii around the region's inset by a radius certainly cover the
+/// region: each edge of the inset is one of the region's, and no corner is sharp.
+bool IsWide(const MultiPolygon& region, Coord radius_nm) {
+  return std::all_of(region.begin(), region.end(), [&](const PolygonWithHoles& island) {
+    const auto inset = TryOffset({island}, -radius_nm);
+    if (!inset) return false;
+    const PolygonWithHoles& core = inset->polygons.front();
+    return IsBlunt(core.outer) && std::all_of(core.holes.begin(), core.holes.end(), IsBlunt);
+  });
+}
+
+/// Returns the narrow parts of `covered` beside `bare`. Only widths decide, so that noise in the
+/// operands moves the result by no more than the noise. An area in a right angle belongs to the
+/// wide area that ends there: the centre of a disc is sqrt(2) radii from the corner.
 MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
   const Coord least_nm = kLeastSparseWidths * width_nm;
+  if (IsWide(Simplify(covered, kNoiseNm), least_nm / 2)) return {};
   const MultiPolygon core = SmoothOffset(covered, -least_nm / 2);
   const Coord to_corner_nm = least_nm / 2 * 3 / 2;
   MultiPolygon narrow =
