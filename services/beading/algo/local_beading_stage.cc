@@ -32,9 +32,10 @@ class Surroundings {
     for (auto& [id, stack] : stacks_) stack.neighbours.emplace(std::move(stack.layers));
   }
 
-  SectionPlace PlaceOf(const SlicedLayer& layer, const ObjectSection& section) const {
+  SectionPlace PlaceOf(const SlicedLayer& layer, const ObjectSection& section,
+                       IslandMemo& memo) const {
     return {section, layer.frame.index == 0, *stacks_.at(section.stack.id).neighbours,
-            index_.at(&section)};
+            index_.at(&section), &memo};
   }
 
  private:
@@ -50,11 +51,13 @@ class LocalBeading : public BeadingStage {
     std::vector<WalledLayer> walled;
     walled.reserve(static_cast<size_t>(neighbourhood.range.size()));
     const Surroundings surroundings(neighbourhood.layers);
+    IslandMemo memo;
     for (const SlicedLayer& layer : neighbourhood.layers) {
       if (!neighbourhood.range.Contains(layer.frame.index)) continue;
-      auto result = WallLayer(layer, surroundings, *regions, call.cancel);
+      auto result = WallLayer(layer, surroundings, *regions, call.cancel, memo);
       if (!result.ok()) return result.status();
       walled.push_back(*std::move(result));
+      memo.NextLayer();
     }
     return walled;
   }
@@ -63,13 +66,13 @@ class LocalBeading : public BeadingStage {
   static absl::StatusOr<WalledLayer> WallLayer(const SlicedLayer& layer,
                                                const Surroundings& surroundings,
                                                std::span<const BeadingOptions> regions,
-                                               const CancelToken& cancel) {
+                                               const CancelToken& cancel, IslandMemo& memo) {
     if (absl::Status ok = CheckRegions(layer, regions.size()); !ok.ok()) return ok;
     WalledLayer walled;
     walled.frame = layer.frame;
     for (const ObjectSection& section : layer.sections) {
       if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
-      auto result = WallSection(surroundings.PlaceOf(layer, section), regions, cancel);
+      auto result = WallSection(surroundings.PlaceOf(layer, section, memo), regions, cancel);
       if (!result.ok()) return result.status();
       walled.plain_islands += result->plain_islands;
       walled.sections.push_back(std::move(result->walled));

@@ -35,15 +35,39 @@ absl::Status CheckWidths(bool on_bed, Coord external_nm, Coord inner_nm, Coord h
 /// Makes walls of islands by one plan, with variable or constant width.
 class PlanWaller {
  public:
-  /// `deciding_radius`: see VariableWallOptions; may be empty.
+  /// `deciding_radius`: see VariableWallOptions. `memo` may be null.
   PlanWaller(const WallPlan& plan, const BeadingOptions& options, Coord height_nm,
-             std::function<double(double, double, double)> deciding_radius)
-      : plan_(plan), gap_options_{options.min_gap_width_nm, options.max_gap_width_nm, height_nm} {
+             IslandMemo::RadiusOf deciding_radius, IslandMemo* memo)
+      : plan_(plan),
+        options_(options),
+        gap_options_{options.min_gap_width_nm, options.max_gap_width_nm, height_nm},
+        deciding_radius_(std::move(deciding_radius)),
+        memo_(memo) {
     if (options.generator == WallGenerator::kArachne && plan.perimeters > 0)
-      arachne_.emplace(options, plan_, gap_options_, std::move(deciding_radius));
+      arachne_.emplace(options, plan_, gap_options_,
+                       memo_ == nullptr ? deciding_radius_ : memo_->Noting(deciding_radius_));
   }
 
   absl::StatusOr<IslandBeads> Wall(const PolygonWithHoles& outline, const CancelToken& cancel,
+                                   int32_t& plain_islands) const {
+    if (memo_ == nullptr) return Make(outline, cancel, plain_islands);
+    IslandKey key{&options_, plan_, gap_options_.layer_height_nm, outline};
+    if (const KnownIsland* known = memo_->Find(key, deciding_radius_)) {
+      plain_islands += known->plain_islands;
+      return known->beads;
+    }
+    int32_t plain = 0;
+    absl::StatusOr<IslandBeads> beads = Make(outline, cancel, plain);
+    if (beads.ok()) memo_->Keep(std::move(key), {*beads, plain});
+    plain_islands += plain;
+    return beads;
+  }
+
+  const WallPlan& plan() const { return plan_; }
+  const GapFillOptions& gap_options() const { return gap_options_; }
+
+ private:
+  absl::StatusOr<IslandBeads> Make(const PolygonWithHoles& outline, const CancelToken& cancel,
                                    int32_t& plain_islands) const {
     if (arachne_) {
       auto island = arachne_->Make(outline, cancel);
@@ -54,12 +78,11 @@ class PlanWaller {
     return MakeClassicIsland(outline, plan_, gap_options_, cancel);
   }
 
-  const WallPlan& plan() const { return plan_; }
-  const GapFillOptions& gap_options() const { return gap_options_; }
-
- private:
   WallPlan plan_;
+  const BeadingOptions& options_;
   GapFillOptions gap_options_;
+  IslandMemo::RadiusOf deciding_radius_;
+  IslandMemo* memo_;
   std::optional<ArachneIslands> arachne_;
 };
 
@@ -108,7 +131,7 @@ class IslandWaller {
     plan.gap_fill = options_.gap_fill && gap_fill;
     plan.least_tip_nm = options_.least_tip_nm;
     plan.thin_walls = options_.thin_walls || options_.generator == WallGenerator::kArachne;
-    return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius());
+    return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius(), place_.memo);
   }
 
   /// Returns the outlines of the layer above; nullptr if there is no such layer.
@@ -162,7 +185,7 @@ class IslandWaller {
     return island;
   }
 
-  std::function<double(double, double, double)> DecidingRadius() const {
+  IslandMemo::RadiusOf DecidingRadius() const {
     const auto band = static_cast<double>(options_.transition_deviation_nm);
     return [&neighbours = place_.neighbours, index = place_.index, band](double x, double y,
                                                                          double radius_nm) {

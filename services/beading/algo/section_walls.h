@@ -6,6 +6,7 @@
 #include "common/base/cancel_token.h"
 #include "common/model/layers/layer.h"
 #include "services/beading/algo/arachne/neighbour_outlines.h"
+#include "services/beading/algo/island_memo.h"
 
 namespace slicefarm {
 struct BeadingOptions;
@@ -20,6 +21,7 @@ struct SectionPlace {
   bool on_bed = false;  ///< true in the plate's first layer, which has its own bead widths
   const NeighbourOutlines& neighbours;  ///< outlines of the section's stack
   size_t index = 0;                     ///< index of the section's layer in `neighbours`
+  IslandMemo* memo = nullptr;           ///< islands of this layer and the one before; may be null
 };
 
 /// Result of WallSection.

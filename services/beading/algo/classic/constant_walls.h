@@ -25,7 +25,9 @@ struct WallPlan {
   /// omitted.
   Coord least_tip_nm = 0;
 
-  /// Returns a plan with these walls; the spacings follow from the layer height.
+  friend bool operator==(const WallPlan&, const WallPlan&) = default;
+
+  /// Returns the plan of walls with these widths.
   static WallPlan Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
                        Coord layer_height_nm);
 };
