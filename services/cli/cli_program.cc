@@ -43,11 +43,10 @@ constexpr char kFooter[] =
     "(--patience S waits): quota, queue or disk";
 
 constexpr AddCommand kCommands[] = {
-    AddSlice,     AddSubmit, AddInspect,    AddWatch,   AddList,
-    AddGet,       AddCancel,    AddDelete, AddTrace,      AddWebhook, AddUpdate,
-    AddArtifacts, AddEvents,    AddMeshes, AddUsage,      AddCaller,  AddTenant,
-    AddProfile,   AddPresets,   AddRender, AddTime,       AddCheck,   AddSettings,
-    AddHealth,    AddToken,     AddHelp,   AddCompletion, AddVersion};
+    AddSlice,  AddSubmit,   AddInspect, AddWatch,   AddList,      AddGet,        AddCancel,
+    AddDelete, AddTrace,    AddWebhook, AddUpdate,  AddArtifacts, AddEvents,     AddMeshes,
+    AddUsage,  AddCaller,   AddTenant,  AddProfile, AddPresets,   AddRender,     AddTime,
+    AddCheck,  AddSettings, AddHealth,  AddToken,   AddHelp,      AddCompletion, AddVersion};
 
 }  // namespace
 

@@ -38,7 +38,7 @@ struct ArchivedPlate {
   double filament_mm = 0;
   double filament_g = 0;
   std::string filament_type;
-  std::string filament_colour;  ///< as #RRGGBB
+  std::string filament_colour;  ///< colour in the form #RRGGBB
   std::string filament_id;      ///< id of the filament at its maker, such as `GFA00`; may be empty
   std::string printer_model;    ///< name of the printer, such as `Bambu Lab X1 Carbon`
   double nozzle_mm = 0;

@@ -10,9 +10,9 @@ namespace slicefarm::cli {
 
 /// Each function of this file adds its subcommand. `app` and `context` must outlive the parsing and
 /// the run of the command.
-void AddSlice(CLI::App& app, CommandContext& context);      ///< defined in slice_command.cc
-void AddSubmit(CLI::App& app, CommandContext& context);     ///< defined in submit_command.cc
-void AddInspect(CLI::App& app, CommandContext& context);    ///< defined in inspect_command.cc
+void AddSlice(CLI::App& app, CommandContext& context);    ///< defined in slice_command.cc
+void AddSubmit(CLI::App& app, CommandContext& context);   ///< defined in submit_command.cc
+void AddInspect(CLI::App& app, CommandContext& context);  ///< defined in inspect_command.cc
 /// Defined in job_commands.cc, like the next six.
 void AddWatch(CLI::App& app, CommandContext& context);
 void AddList(CLI::App& app, CommandContext& context);
