@@ -277,8 +277,8 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const SettingValues:
                                            ? "the first value"
                                            : fmt::format("the value of extruder {}", tool_ + 1),
                                        entry.written);
-  // A profile has values for all extruders, and the printing extruder is known. No machine here
-  // uses the silent mode.
+  // A profile has values for all extruders, and the printing extruder is known. No machine of
+  // slicefarm uses the silent mode.
   if (spec.list == List::kPerExtruder && entry.requested) {
     Warn(text);
   } else {

@@ -34,7 +34,7 @@ struct Timed {
   double seconds = 0;
 };
 
-/// Returns the best of some rounds.
+/// Returns the pieces, and the shortest time of some rounds.
 Timed Decomposed(const MultiPolygon& islands, DecomposeMethod method) {
   Timed timed{absl::UnknownError(""), std::numeric_limits<double>::infinity()};
   const DecomposeOptions options = {.method = method,

@@ -38,7 +38,7 @@ double CpuSeconds() {
   return seconds;
 }
 
-/// Prints the least time of a few runs. Returns false if a run failed.
+/// Prints the shortest time of a few runs. Returns false if a run failed.
 template <typename Work>
 bool Measure(const std::string& what, const std::string& bytes, const Work& work) {
   using Clock = std::chrono::steady_clock;

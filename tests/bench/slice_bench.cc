@@ -106,8 +106,8 @@ void Print(const std::string& prefix, const Result& r) {
 
 }  // namespace
 
-/// Prints the best times of a few runs on one thread, for a torus and for one with all vertices
-/// exactly on the planes. Fails unless every layer has closed loops only.
+/// Prints the shortest times of a few runs on one thread, for a torus and for a torus with all
+/// vertices exactly on the planes. Fails unless every layer has closed loops only.
 int BenchSlice() {
   bool sound = true;
   for (const bool on_planes : {false, true}) {

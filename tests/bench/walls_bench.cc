@@ -58,8 +58,8 @@ std::vector<Segment> Segments(const Boundary& boundary) {
   return segments;
 }
 
-/// Returns the outline as MakeVariableWalls prepares it for diagrams: rounded to um, or to nm if um
-/// make a side cross another one.
+/// Returns the outline as MakeVariableWalls prepares it for diagrams: rounded to um, or to nm if
+/// sides would cross after rounding to um.
 Outline Prepare(MultiPolygon islands) {
   Outline outline;
   for (const PolygonWithHoles& island : islands) {
@@ -132,7 +132,7 @@ Times RunRound(const std::vector<Outline>& outlines, const MultiPolygon& ring) {
   return times;
 }
 
-/// Returns the best time of each method over all rounds.
+/// Returns the shortest time of each method over all rounds.
 Times Best(const std::vector<Outline>& outlines) {
   const MultiPolygon ring = {beading::WavyRing(kPoints)};
   Times best = RunRound(outlines, ring);

@@ -140,7 +140,7 @@ milling::TriangleMesh Waves() {
 struct TimedWaterline {
   size_t loops = 0;
   size_t points = 0;
-  double seconds = 0;  ///< the best time of some rounds
+  double seconds = 0;  ///< shortest time of some rounds
 };
 
 TimedWaterline Timed(const milling::TriangleMesh& mesh, const Cutter& cutter,

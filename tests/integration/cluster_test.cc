@@ -218,7 +218,8 @@ TEST_F(ClusterTest, TheSchemaIsMadeBesideWhoWorks) {
   EXPECT_EQ(away.Wait(), 1);
 }
 
-// Models an upgrade and its reversal. The newer build's part is its migration of the schema.
+// Models an upgrade and its reversal. Of the newer build, the test has only the migration of the
+// schema.
 TEST_F(ClusterTest, ABuildGoesOnAndStartsAgainBesideTheSchemaOfANewerOne) {
   const std::string id = Running(*a_);
   {

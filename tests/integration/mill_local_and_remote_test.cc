@@ -22,7 +22,7 @@
 namespace slicefarm::mill_local_and_remote_test {
 namespace {
 
-/// Compares placing and milling in this process with the same behind a socket, and with a worker
+/// Compares placing and milling in this program with the same behind a socket, and with a worker
 /// that mills.
 class MillLocalAndRemote : public testing::Test {
  protected:

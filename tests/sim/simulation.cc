@@ -144,7 +144,7 @@ class Simulation {
     });
   }
 
-  /// Returns a random time within the next `most_us`, but not after the begin of the quiet time.
+  /// Returns a random time within the next `most_us`, but not after the start of the quiet time.
   int64_t UntilUs(int64_t most_us) {
     return std::min(world_.events.now_us() + world_.random.Between(50'000, most_us),
                     world_.scenario.quiet_from_us);

@@ -342,8 +342,8 @@ class OrcaReader {
     return std::nullopt;
   }
 
-  /// Returns the replacement of a placeholder. A setting that has an effect here is referred to by
-  /// its name, because another setting of the job may override its value.
+  /// Returns the replacement of a placeholder. A setting that has an effect in slicefarm is
+  /// referred to by its name, because another setting of the job may override its value.
   std::optional<Placeholder> MeaningOf(std::string_view name) const {
     if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
     if (name == "during_print_exhaust_fan_speed_num") return ExhaustFan();

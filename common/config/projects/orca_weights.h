@@ -4,7 +4,7 @@
 
 namespace slicefarm::config {
 
-/// Importance of a setting of OrcaSlicer or Bambu Studio that has no effect here.
+/// Importance of a setting of OrcaSlicer or Bambu Studio that has no effect in slicefarm.
 enum class OrcaWeight {
   kPrint,    ///< change of the part, its material or its temperatures: needs a warning
   kDetail,   ///< any other change: needs a line in the report

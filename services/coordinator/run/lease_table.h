@@ -52,8 +52,8 @@ class LeaseTable {
   };
 
   int64_t lease_us_;
-  /// Runs by lease. A job may have two leases here: it was given up and claimed again before the
-  /// first run ended.
+  /// Runs by lease. A job has two leases in the table if it was given up and claimed again before
+  /// its first run ended.
   std::map<Lease, Held> held_;
 };
 

@@ -336,7 +336,7 @@ class PassProgram {
 };
 
 /// Returns the moves of a layer that prints nothing. If the layer below ends without a retraction,
-/// the filament is retracted here, because the layer above may begin far away.
+/// this layer retracts the filament, because the layer above may begin far away.
 BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
   ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
   if (layer.begins_ready) builder.BeginAsLeft();

@@ -32,7 +32,7 @@ struct DiskCall {
 /// errors.
 enum class Lie { kNone, kFiles, kDirectories };
 
-/// Intercepts the C library's file calls of this process, including SQLite, for all files below a
+/// Intercepts the C library's file calls of this program, including SQLite, for all files below a
 /// directory during its lifetime. Records the changes in their order, and lets selected calls fail.
 /// No call waits for the disk: an fsync is recorded but not made.
 ///

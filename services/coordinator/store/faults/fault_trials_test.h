@@ -63,11 +63,11 @@ void ExpectErrorsAreSeenTo(const TrialOptions& options);
 
 /// Cuts the power after each change of the disk in a life, for each of the seeds 1 .. `seeds`.
 /// Expects that Check finds no violations then, nor after a second cut during the check. Prints and
-/// records counts as above.
+/// records counts as ExpectErrorsAreSeenTo does.
 void ExpectPowerCutsAreSurvived(TrialOptions options, int64_t seeds);
 
-/// Expects that power cuts on a lying disk break a promise. So these trials detect a store that
-/// does not sync; here, its fsyncs have no effect.
+/// Expects that power cuts break a promise if fsync has no effect on the files or directories of
+/// `lie`. So these trials detect a store that does not sync.
 void ExpectNoticed(Lie lie, TrialOptions options);
 
 }  // namespace slicefarm::coordinator

@@ -66,8 +66,8 @@ bool TakeNumber(std::string_view& text, double& value) {
   const char* from = text.data();
   const char* const end = from + text.size();
   if (from != end && *from == '+') ++from;
-  // Accepts only digits, a point and a sign, because from_chars would also read "inf", "1e5" and
-  // the like.
+  // Accepts only digits, a point and a sign, because from_chars would also read texts such as "inf"
+  // and "1e5".
   const char* to = from;
   if (to != end && *to == '-') ++to;
   while (to != end && (absl::ascii_isdigit(*to) || *to == '.')) ++to;

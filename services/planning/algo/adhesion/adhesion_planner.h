@@ -53,7 +53,7 @@ class AdhesionPlanner : public Planner {
     MultiPolygon on_bed;  ///< outlines of the object's part and supports on the bed
     MultiPolygon raft;    ///< outlines of the object's raft on the bed
     Polygon hull;  ///< convex hull of the object's outlines in the layers that the skirt reaches
-    Coord height_nm = 0;  ///< height of the object's part so far
+    Coord height_nm = 0;  ///< height of the object's part, as far as its layers have been seen
   };
 
   bool HasRaft(int32_t object) const;

@@ -45,7 +45,7 @@ struct BrimObject {
 /// - outer_only gives a pin in the frame's hole no brim. inner_only and outer_and_inner give the
 ///   pin its ring.
 /// - An object with a raft gets no brim.
-/// - Different here: the region has exactly the requested width.
+/// - Different in slicefarm: the region has exactly the requested width.
 absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
                                                       const MultiPolygon& bed,
                                                       const CancelToken& cancel = {});

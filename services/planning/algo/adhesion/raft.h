@@ -43,7 +43,7 @@ struct RaftLayer {
 ///   0.2 | 0.5 | 0.8 | 1.1 | 1.4. The part's first layer ends at 0.5, 0.8, 1.1, 1.4, 1.7.
 /// - Expansions with support_material_style snug: 1.5, 2.0 and 4.5 mm.
 /// - With style grid PrusaSlicer rounds B up to a grid of about 3 mm, so a setting of 1.5 or 2 mm
-///   gives 4.5 mm. This rounding is not used here.
+///   gives 4.5 mm. slicefarm does not round.
 std::vector<RaftLayer> RaftUnder(const MultiPolygon& carried, const RaftOptions& options);
 
 }  // namespace slicefarm::planning

@@ -50,13 +50,14 @@ class SkirtReach {
 /// lines of this width and height have no spacing. Cost: O(n log n) for n points, and O(k) for a
 /// loop around k points of the hull. Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width
 /// 0.4, height 0.2 (spacing 0.357):
-/// - As here: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6 loops with a
-///   total of 22.3 mm of filament, and the same six on each layer of skirt_height.
-/// - As here: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.
-/// - As here: with draft_shield limited or enabled, the distance is measured from the part. Brim
-///   lines that would overlap the shield are left out.
+/// - Same in slicefarm: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6
+///   loops with a total of 22.3 mm of filament, and the same six on each layer of skirt_height.
+/// - Same in slicefarm: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.
+/// - Same in slicefarm: with draft_shield limited or enabled, the distance is measured from the
+/// part.
+///   Brim lines that would overlap the shield are left out.
 /// - Different: PrusaSlicer's first centre line is distance + spacing from the hull (6.357). So the
-///   inner side is 0.157 farther out than skirt_distance says. Here the inner side is at
+///   inner side is 0.157 farther out than skirt_distance says. In slicefarm the inner side is at
 ///   skirt_distance.
 std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
                              const SkirtOptions& options);

@@ -8,10 +8,10 @@
 
 namespace slicefarm::slicing {
 
-/// Returns Union(loops, rule) for loops that do not touch each other or themselves, as a sound mesh
-/// gives them. Such loops need no clipping: only the holes are assigned to islands. Returns nullopt
-/// if two edges meet anywhere but at their common corner, or if the check would take too long. The
-/// caller then uses Union.
+/// Returns Union(loops, rule) for loops that do not touch each other or themselves, such as the
+/// loops of a mesh without defects. These loops need no clipping: only the holes are assigned to
+/// islands. Returns nullopt if two edges meet anywhere but at their common corner, or if the check
+/// would take too long. The caller then uses Union.
 ///
 /// A sweep by x tests each edge against the edges that overlap its x-range. At the first corner of
 /// each loop, it sums the winding number of the edges below. All tests are exact. REQUIRES: each

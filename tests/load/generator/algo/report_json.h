@@ -8,8 +8,8 @@
 namespace slicefarm::load {
 
 /// Returns the runs as JSON in the form of ghz's reports, so that readers of ghz's reports can read
-/// it. One run is an object; several runs are an array of objects. Durations are in nanoseconds
-/// where ghz uses them.
+/// them. One run is an object; several runs are an array of objects. Durations are in nanoseconds
+/// where ghz uses nanoseconds.
 ///
 /// In contrast to ghz, latencies cover all started requests, including failed ones, and count from
 /// the intended start. Values that ghz does not have use names of their own; tests/load lists them.

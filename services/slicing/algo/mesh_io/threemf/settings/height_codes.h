@@ -11,8 +11,8 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// Codes at heights of the print. The key is the number of the plate, from 1. A bed of PrusaSlicer
-/// is a plate here.
+/// Codes at heights of the print. The key is the number of the plate, from 1. The beds of a
+/// PrusaSlicer project count as plates.
 using PlateHeightCodes = std::map<int64_t, std::vector<HeightCode>>;
 
 /// Reads Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml or Metadata/custom_gcode_per_layer.xml.

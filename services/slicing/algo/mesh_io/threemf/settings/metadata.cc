@@ -28,8 +28,8 @@ constexpr Names kOrcaNames = {"Metadata/project_settings.config", "Metadata/mode
                               "Metadata/custom_gcode_per_layer.xml",
                               "Metadata/layer_heights_profile.txt"};
 
-/// File of a slicer that has no effect here. `mark`: text that the file contains if the feature is
-/// in use. `words`: description for the user.
+/// File of a slicer that has no effect in slicefarm. `mark`: text that the file contains if the
+/// feature is in use. `words`: description for the user.
 struct Idle {
   std::string_view name;
   std::string_view mark;

@@ -29,8 +29,8 @@ struct Metadata {
 absl::StatusOr<Metadata> ReadMetadata(const Archive& archive);
 
 /// Returns a description of each file in the archive that would change the print in its slicer but
-/// has no effect here. The descriptions use terms familiar to users of slicers. Pictures of the
-/// parts and the position of a wipe tower are not listed. Errors: any error of Archive.
+/// has no effect in slicefarm. The descriptions use terms familiar to users of slicers. Pictures of
+/// the parts and the position of a wipe tower are not listed. Errors: any error of Archive.
 absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archive);
 
 }  // namespace slicefarm::slicing::threemf
