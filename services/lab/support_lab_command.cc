@@ -160,9 +160,9 @@ void AddSupportLab(CLI::App& app, cli::CommandContext& context) {
       ->capture_default_str();
   command->add_flag("--build-plate-only", options->how.bed_only,
                     "Generate only supports that stand on the bed");
-  command->add_option("--every", options->every, "Interval of layers with a picture; 0: none")
+  command->add_option("--every", options->every, "Draw every Nth layer; 0: no layer")
       ->type_name("N");
-  command->add_option("--threads", options->threads, "Threads")
+  command->add_option("--threads", options->threads, "Number of threads")
       ->check(cli::InRange(1, 1024))
       ->capture_default_str()
       ->type_name("N");

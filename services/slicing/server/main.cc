@@ -27,11 +27,12 @@ int main(int argc, char** argv) {
                         "MiB of memory for the meshes and outlines of all calls together", 64,
                         1 << 30);
   command_line.AddCount("--reader-memory", &reader_memory_mib,
-                        "MiB of memory for all processes that read meshes together", 64, 1 << 30);
+                        "MiB of memory for all mesh readers together (--mesh-sandbox)", 64,
+                        1 << 30);
   command_line.AddChoice(
       "--mesh-sandbox", &sandbox_name,
-      "Isolation of the code that reads meshes. off: in this process. limits: a process for each "
-      "mesh, with resource limits. strict: as limits, and without system calls",
+      "Isolation of the code that reads meshes. off: none. limits: each mesh is read by a separate "
+      "program with resource limits. strict: as limits, and with only a few system calls",
       slicefarm::slicing::MeshSandboxNames());
   if (const auto code = command_line.Parse(argc, argv)) return *code;
 

@@ -13,9 +13,9 @@ namespace slicefarm::slicing {
 
 /// Isolation of the code that reads meshes.
 enum class MeshSandbox {
-  kOff,     ///< meshes are read in the service's own process
-  kLimits,  ///< a separate process per mesh, with resource limits
-  kStrict,  ///< like kLimits, with system calls denied too
+  kOff,     ///< meshes are read in the service itself
+  kLimits,  ///< each mesh is read by a separate program with resource limits
+  kStrict,  ///< like kLimits, and with only a few system calls (Confinement::kStrict)
 };
 
 /// Returns the values of --mesh-sandbox: off, limits, strict.

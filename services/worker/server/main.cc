@@ -40,9 +40,10 @@ int main(int argc, char** argv) {
   slicefarm::rpc::StageCommandLine command_line("worker", "the layer stages in one process",
                                                 &flags);
   command_line.AddCount("--slots", &flags.max_concurrent,
-                        "Ranges worked on at once; 0: one for each core", 0, 1024);
-  command_line.AddChoices("--processes", &names, "Whose ranges it makes, by commas; default: all",
-                          all);
+                        "Number of ranges made at the same time; 0: one for each core", 0, 1024);
+  command_line.AddChoices(
+      "--processes", &names,
+      "Manufacturing processes that the worker serves, separated by commas; default: all", all);
   if (const auto code = command_line.Parse(argc, argv)) return *code;
 
   const auto beading = slicefarm::beading::MakeLocalBeading();

@@ -154,7 +154,7 @@ absl::StatusOr<DistanceMap> SurfaceDistances::Of(int32_t own_layer) {
   const double z_mm = ToMm(own.z_nm) - ToMm(own.height_nm) / 2;
   std::vector<float> least(static_cast<size_t>(width_ * height_),
                            static_cast<float>(reach_mm_ * reach_mm_));
-  // Air begins at the end of the last available layer, if it is within reach at all.
+  // Air begins at the end of the last available layer, if this end is within reach at all.
   const auto air_below = [&](double away_mm) {
     for (float& square : least) square = std::min(square, static_cast<float>(away_mm * away_mm));
   };

@@ -74,7 +74,8 @@ class Walker {
   }
 
   /// Calls visit(upper piece) for all links of a piece to pieces on the line above that are not
-  /// beside it, as in a slanted tip. Without these links the tip would begin separately.
+  /// beside the piece, for example in a slanted tip. Without these links the tip would begin
+  /// separately.
   template <typename Visit>
   void ForEachSlantedLink(int32_t piece, Visit visit) const {
     for (const int32_t place : {2 * piece, 2 * piece + 1}) {
