@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Planner with one backward and one forward pass over the moves. It moves as fast as the junctions
-/// allow. Each firmware only gives its rules.
+/// Planner with one backward and one forward pass over the moves. The moves are as fast as the
+/// junctions allow. A derived class only adds the rules of its firmware.
 class TwoPassPlanner : public Planner {
  public:
   /// Rules of a firmware.

@@ -36,7 +36,7 @@ class FdmProcess : public JobProcess {
         motion_(motion),
         spool_directory_(std::move(spool_directory)) {}
 
-  /// Returns a process over these stages, or null if a stage is missing.
+  /// Returns a process that uses these stages; null if a stage is missing.
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kFdm; }

@@ -21,7 +21,7 @@ class MillProcess : public JobProcess {
               std::string spool_directory = "")
       : placing_(placing), milling_(milling), spool_directory_(std::move(spool_directory)) {}
 
-  /// Returns a process over these stages, or null if a stage is missing.
+  /// Returns a process that uses these stages; null if a stage is missing.
   static std::unique_ptr<JobProcess> Over(const Stages& stages, const std::string& spool_directory);
 
   Process process() const override { return Process::kMill; }

@@ -63,8 +63,9 @@ LocalModel ModelOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 /// Source: Rabinovich et al., "Scalable Locally Injective Mappings", ACM TOG 36 (2017).
 LocalModel ProxyOf(const Eigen::Matrix2d& jacobian, const RestTriangle& rest);
 
-/// Returns a shape between `rest` and the triangle's present shape. Measured from it, the energy of
-/// each of the two stretches is at most half of `bound`. REQUIRES: det J > 0, bound >= 4.
+/// Returns a shape between `rest` and the triangle's present shape. Measured from the returned
+/// shape, the energy of each of the two stretches is at most half of `bound`. REQUIRES: det J > 0,
+/// bound >= 4.
 RestTriangle NearerRest(const RestTriangle& rest, const Eigen::Matrix2d& jacobian, double bound);
 
 }  // namespace slicefarm::texture
