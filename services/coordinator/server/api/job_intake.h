@@ -23,11 +23,10 @@ namespace slicefarm::coordinator {
 /// Request for a job, with its tenant and the limits of the tenant.
 struct Submission {
   std::string tenant = {};
-  /// largest number of open jobs; like the next two, a limit of the tenant
-  int64_t max_open_jobs = limits::kMaxOpenJobs;
-  int64_t max_kept_jobs = INT64_MAX;
-  int64_t max_kept_bytes = INT64_MAX;
-  std::string request_id;  ///< already checked
+  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< largest number of open jobs of the tenant
+  int64_t max_kept_jobs = INT64_MAX;             ///< largest number of stored jobs of the tenant
+  int64_t max_kept_bytes = INT64_MAX;            ///< largest number of stored bytes of the tenant
+  std::string request_id;                        ///< already checked
   /// Digest of the request as received; two requests with equal content have equal digests.
   std::string spec_digest;
   std::string spec;  ///< request in the form that is stored
