@@ -23,6 +23,20 @@ NO_SETTINGS = {"type", "name", "inherits", "from", "instantiation", "setting_id"
                "is_custom_defined", "renamed_from", "base_id", "user_id", "updated_time", "url", "alias"}
 NOT_OF_JOBS = {"compatible_printers", "compatible_printers_condition", "compatible_prints", "compatible_prints_condition"}
 ADDED = {"curr_bed_type", "printer_settings_id", "print_settings_id", "filament_settings_id"}
+# Names and values of older versions that newer ones read.
+RENAMED = {"bridge_fan_speed": "overhang_fan_speed", "chamber_temperatures": "chamber_temperature", "cooling": "slow_down_for_layer_cooling",
+           "counterbole_hole_bridging": "counterbore_hole_bridging", "initial_layer_flow_ratio": "bottom_solid_infill_flow_ratio",
+           "ironing_direction": "ironing_angle", "sparse_infill_anchor": "infill_anchor", "sparse_infill_anchor_max": "infill_anchor_max",
+           "support_material_angle": "support_angle", "support_material_enforce_layers": "enforce_support_layers",
+           "thumbnail_size": "thumbnails", "tool_change_gcode": "change_filament_gcode", "wall_infill_order": "wall_sequence",
+           "wiping_volume": "prime_volume"}
+NEW_VALUES = {("draft_shield", "limited"): "disabled", ("ensure_vertical_shell_thickness", "0"): "ensure_moderate",
+              ("ensure_vertical_shell_thickness", "1"): "ensure_all", ("support_base_pattern", "none"): "hollow",
+              ("support_type", "hybrid(auto)"): "tree(auto)", ("support_type", "normal"): "normal(manual)",
+              ("support_type", "tree"): "tree(manual)", ("timelapse_type", "2"): "0"}
+WALLS = {"infill/inner wall/outer wall": "inner wall/outer wall", "infill/outer wall/inner wall": "outer wall/inner wall",
+         "inner wall/outer wall/infill": "inner wall/outer wall", "inner-outer-inner wall/infill": "inner-outer-inner wall",
+         "outer wall/inner wall/infill": "outer wall/inner wall"}
 KINDS = {"machine": "printer", "process": "process", "filament": "filament"}
 
 
@@ -32,6 +46,19 @@ def escaped(text):
 
 def orca_value(value):
     return json.dumps(value, ensure_ascii=False, separators=(",", ":")) if isinstance(value, list) else escaped(value)
+
+
+def modern(preset):
+    """The preset with the names and values of newer versions; of an old and a new name the new one counts."""
+    new = {}
+    for key, value in preset.items():
+        key_now = RENAMED.get(key, key)
+        if key_now != key and key_now in preset:
+            continue
+        if isinstance(value, str):
+            value = NEW_VALUES.get((key_now, value), WALLS.get(value, value) if key_now == "wall_sequence" else value)
+        new[key_now] = value
+    return new
 
 
 def valid(value):
@@ -76,7 +103,7 @@ class Orca:
             if above is None:
                 return None
             whole.update(above)
-        whole.update({key: value for key, value in preset.items() if valid(value)})
+        whole.update({key: value for key, value in modern(preset).items() if valid(value)})
         return whole
 
     def jobs(self, rng, count, machines):

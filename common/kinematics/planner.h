@@ -25,6 +25,13 @@ class Planner {
   /// Sets the limits of moves that are added from now on.
   void SetLimits(const MachineLimits& limits) { limits_ = limits; }
 
+  /// Sets the jerk in x and y, or Klipper's square corner velocity, of moves that are added from
+  /// now on.
+  void SetJerk(double jerk_mm_s) {
+    limits_.max_jerk_mm_s[kX] = limits_.max_jerk_mm_s[kY] = jerk_mm_s;
+    limits_.square_corner_velocity_mm_s = jerk_mm_s;
+  }
+
   /// Returns the move after step 1.
   virtual KinematicMove Limited(const KinematicMove& move) const = 0;
 

@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/projects/orca_legacy.h"
 #include "common/config/table/value.h"
 
 namespace slicefarm::config::presets {
@@ -143,8 +144,12 @@ OrcaFile ReadOrcaFile(const std::string& path, FlatJson json, bool of_vendor) {
   if (of_vendor)
     std::ranges::move(ListItems(members.Raw("include")), std::back_inserter(preset.parents));
   preset.complete = members.Text("is_custom_defined") == "1";
-  for (Setting& member : json.members)
-    if (!IsOneOf(member.key, kNoSettings)) preset.settings.push_back(std::move(member));
+  for (Setting& member : json.members) {
+    if (IsOneOf(member.key, kNoSettings)) continue;
+    Setting setting = Modernized(member);
+    const bool replaced = setting.key != member.key && members.Has(setting.key);
+    if (!replaced) preset.settings.push_back(std::move(setting));
+  }
   return file;
 }
 

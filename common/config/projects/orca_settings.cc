@@ -14,7 +14,9 @@
 
 #include "common/base/text.h"
 #include "common/config/projects/orca_dialect.h"
+#include "common/config/projects/orca_gcode.h"
 #include "common/config/projects/orca_mesh.h"
+#include "common/config/projects/orca_pairs.h"
 #include "common/config/projects/orca_percent.h"
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_weights.h"
@@ -124,7 +126,8 @@ class OrcaReader {
     if (advance != by_key_.end() && IsOn("enable_pressure_advance"))
       if (const auto first = FirstOf(advance->second->value); first && !first->empty())
         Set("pressure_advance", *first, advance->second->source);
-    TakeAuxiliaryFan();
+    TakeAddedGcode();
+    TakePairedSettings();
   }
 
  private:
@@ -141,40 +144,19 @@ class OrcaReader {
   void TakeDialect() {
     for (const Setting& setting : DialectOf(Lookup()))
       Set(setting.key, setting.value, setting.source);
-    TakeFirstLayerScan();
   }
 
-  /// Adds the inspection of the first layer before the second one, on machines with a scanner.
-  /// Source: the G-code of Bambu Studio 2.4.
-  void TakeFirstLayerScan() {
-    if (!IsBambuMachine(Lookup()) || !IsOn("scan_first_layer")) return;
-    known_.insert("scan_first_layer");
-    const std::string code = Given("layer_gcode");
-    const bool open_end = !code.empty() && !code.ends_with("\\n");
-    Set("layer_gcode",
-        code + (open_end ? "\\n" : "") +
-            "{if layer_num==1}M976 S1 P1 ; scan model before printing 2nd layer\\nM400 P100\\n"
-            "{endif}",
-        by_key_.find("scan_first_layer")->second->source);
+  /// Adds the lines that the project's program writes because of settings for fans and cameras.
+  void TakeAddedGcode() {
+    for (const AddedGcode& added : AddedGcodeOf(Lookup()))
+      Set(added.key, WithGcode(Given(added.key), added),
+          by_key_.find(added.because)->second->source);
   }
 
-  /// Converts the speed of the fan beside the bed, if the machine has one: off on the first layers,
-  /// then a constant speed. PrusaSlicer has no such setting, so the fan is switched by the G-code
-  /// of layers and of the end. Source: the G-code of OrcaSlicer 2.3 and Bambu Studio 2.
-  void TakeAuxiliaryFan() {
-    const auto fan = by_key_.find("additional_cooling_fan_speed");
-    if (fan == by_key_.end()) return;
-    known_.insert("additional_cooling_fan_speed");
-    if (by_key_.contains("auxiliary_fan")) known_.insert("auxiliary_fan");
-    const double percent = NumberOf("additional_cooling_fan_speed", filament_).value_or(0);
-    if (!IsOn("auxiliary_fan") || !(percent > 0)) return;
-    const double off = NumberOf("close_fan_the_first_x_layers", filament_).value_or(0);
-    const Source source = fan->second->source;
-    const std::string on = fmt::format("{{if layer_num=={}}}M106 P2 S{}\\n{{endif}}",
-                                       std::max(0, static_cast<int>(off)),
-                                       static_cast<int>(255 * std::min(percent, 100.0) / 100));
-    Set("layer_gcode", on + Given("layer_gcode"), source);
-    Set("end_gcode", "M106 P2 S0\\n" + Given("end_gcode"), source);
+  /// Converts settings that follow from several settings.
+  void TakePairedSettings() {
+    for (const PairedSetting& paired : PairedSettingsOf(Lookup()))
+      Set(paired.key, paired.value, by_key_.find(paired.because)->second->source);
   }
 
   /// Returns the converted value of a setting so far, or an empty text.
@@ -194,19 +176,20 @@ class OrcaReader {
     return "";
   }
 
-  /// Converts slope lifts, which rise by z_hop at travel_slope (default 3 degrees). Other kinds of
-  /// lift become vertical lifts.
+  /// Converts slope lifts, which rise by z_hop at travel_slope (default 3 degrees), and automatic
+  /// lifts, which are slopes where the nozzle meets nothing and steeper elsewhere. Spiral lifts
+  /// become vertical lifts.
   void TakeSlopes() {
     const std::string type = LiftType();
     for (const std::string_view key : {"z_hop_types", "filament_z_hop_types", "travel_slope"}) {
       const auto found = by_key_.find(key);
       if (found == by_key_.end()) continue;
       known_.emplace(key);
-      if (type != "Normal Lift" && type != "Slope Lift" && key != "travel_slope")
-        inexact_.emplace(key);
+      if (type == "Spiral Lift" && key != "travel_slope") inexact_.emplace(key);
     }
-    if (type != "Slope Lift") return;
+    if (type != "Slope Lift" && type != "Auto Lift") return;
     constexpr Source kSource = Source::kProfile;
+    if (type == "Auto Lift") Set("travel_lift_before_obstacle", "1", kSource);
     Set("travel_ramping_lift", "1", kSource);
     Set("travel_slope", PrintNumber(NumberOf("travel_slope").value_or(3)), kSource);
     for (const auto& [from, to] : {std::pair{"z_hop", "travel_max_lift"},

@@ -15,12 +15,10 @@ struct Weighty {
 
 constexpr Weighty kWeighty[] = {
     // Settings that change the material or sizes.
-    {"print_flow_ratio", "1"},
     {"hole_to_polyhole", "0"},
     {"make_overhang_printable", "0"},
     {"zaa_enabled", "0"},
     {"precise_z_height", "0"},
-    {"elefant_foot_compensation_layers", "1|0"},
     {"interlocking_beam", "0"},
     // Settings that change walls and infill.
     {"alternate_extra_wall", "0"},
@@ -28,23 +26,24 @@ constexpr Weighty kWeighty[] = {
     {"fill_multiline", "1"},
     {"top_surface_density", "100%|100"},
     {"bottom_surface_density", "100%|100"},
-    {"bridge_density", "100%|100"},
-    {"internal_bridge_density", "100%|100"},
     {"fuzzy_skin_first_layer", "0"},
     {"fuzzy_skin_noise_type", "classic"},
-    {"overhang_reverse", "0"},
     {"skirt_type", "combined"},
-    {"spiral_mode_smooth", "0"},
     {"print_order", "default"},
     // Settings for temperatures, fans and the machine.
-    {"activate_air_filtration", "0"},
     {"resonance_avoidance", "0"},
     {"change_extrusion_role_gcode", ""},
     {"process_change_extrusion_role_gcode", ""},
     {"filament_change_extrusion_role_gcode", ""},
+    {"timelapse_type", "0"},
     {"file_start_gcode", ""},
     {"post_process", ""},
 };
+
+/// Settings that only the windows and checks of OrcaSlicer read, and settings that it ignores.
+constexpr std::string_view kOfProgram[] = {
+    "adaptive_layer_height", "nozzle_temperature_range_high", "nozzle_temperature_range_low",
+    "temperature_vitrification", "tree_support_adaptive_layer_height"};
 
 /// Returns true if `value`, or each of its items if it is a list, requests nothing.
 bool AllNeutral(std::string_view value, std::string_view neutral) {
@@ -58,6 +57,7 @@ bool AllNeutral(std::string_view value, std::string_view neutral) {
 }  // namespace
 
 OrcaWeight WeightOf(std::string_view key, std::string_view value) {
+  if (std::ranges::find(kOfProgram, key) != std::end(kOfProgram)) return OrcaWeight::kNothing;
   const auto* const found = std::find_if(std::begin(kWeighty), std::end(kWeighty),
                                          [&](const Weighty& each) { return each.key == key; });
   if (found == std::end(kWeighty)) return OrcaWeight::kDetail;

@@ -13,12 +13,13 @@ TEST(WeightOf, DependsOnTheValue) {
     const char* value;
     OrcaWeight weight;
   };
-  for (const Case& c : {Case{"print_flow_ratio", "1", OrcaWeight::kNothing},
-                        Case{"print_flow_ratio", "0.95", OrcaWeight::kPrint},
+  for (const Case& c : {Case{"fill_multiline", "1", OrcaWeight::kNothing},
+                        Case{"fill_multiline", "2", OrcaWeight::kPrint},
                         Case{"top_surface_density", R"(["100%", "100%"])", OrcaWeight::kNothing},
                         Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
                         Case{"file_start_gcode", "", OrcaWeight::kNothing},
                         Case{"file_start_gcode", R"(["G28"])", OrcaWeight::kPrint},
+                        Case{"temperature_vitrification", "60", OrcaWeight::kNothing},
                         Case{"nozzle_volume", "92", OrcaWeight::kDetail}})
     EXPECT_EQ(WeightOf(c.key, c.value), c.weight) << c.key << " = " << c.value;
 }

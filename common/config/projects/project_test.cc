@@ -64,12 +64,12 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
                       {"brim_type", "painted"},
                       {"hole_to_polyhole", "0"},
                       {"sparse_infill_pattern", "crosszag"}};
-  project.objects[1].settings = {{"print_flow_ratio", "0.95"}, {"sparse_infill_pattern", "grid"}};
+  project.objects[1].settings = {{"fill_multiline", "2"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
               ElementsAre("brim_type = painted", "sparse_infill_pattern = crosszag",
-                          "b: print_flow_ratio = 0.95", "no_such"));
+                          "b: fill_multiline = 2", "no_such"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 

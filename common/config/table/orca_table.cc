@@ -13,6 +13,7 @@ namespace {
 constexpr OrcaRow kRows[] = {
     {"support_filament", "support_material_extruder"},
     {"support_interface_filament", "support_material_interface_extruder"},
+    {"support_interface_loop_pattern", "support_material_interface_contact_loops"},
     {"enable_prime_tower", "wipe_tower"},
     {"prime_tower_width", "wipe_tower_width"},
     {"prime_tower_brim_width", "wipe_tower_brim_width"},
@@ -144,6 +145,9 @@ constexpr OrcaChoice kChoices[] = {
     {"ironing_type", "top", "top"},
     {"ironing_type", "topmost", "topmost"},
     {"ironing_type", "solid", "solid"},
+    {"ironing_pattern", "rectilinear", "rectilinear"},
+    {"ironing_pattern", "zig-zag", "rectilinear"},
+    {"ironing_pattern", "concentric", "concentric"},
     {"brim_type", "no_brim", "no_brim"},
     {"brim_type", "outer_only", "outer_only"},
     {"brim_type", "inner_only", "inner_only"},
@@ -231,13 +235,10 @@ constexpr OrcaVariable kVariables[] = {
 
 // Default values of OrcaSlicer 2.2. Source: PrintConfig.
 constexpr OrcaStandard kStandards[] = {
-    {"activate_air_filtration", "0"},
-    {"enable_pressure_advance", "0"},
-    {"filament_notes", ""},
-    {"print_sequence", "by layer"},
-    {"printer_notes", ""},
-    {"scan_first_layer", "0"},
-    {"support_air_filtration", "1"},
+    {"activate_air_filtration", "0"}, {"curr_bed_type", "High Temp Plate"},
+    {"enable_pressure_advance", "0"}, {"filament_notes", ""},
+    {"print_sequence", "by layer"},   {"printer_notes", ""},
+    {"scan_first_layer", "0"},        {"support_air_filtration", "1"},
     {"timelapse_type", "0"},
 };
 

@@ -3,6 +3,24 @@
 
 namespace slicefarm::config {
 
+namespace {
+
+/// Returns the field of best_object_pos, a point of shares.
+Field PlaceField() {
+  return Convert<JobSlicingOptions>(
+      [](JobSlicingOptions& row, const Value& value) {
+        const auto point = ParsePoint(value.text);
+        if (!point.ok()) return;
+        row.best_x = ToMm(point->x);
+        row.best_y = ToMm(point->y);
+      },
+      [](const JobSlicingOptions& row) {
+        return Value{.text = PrintPoint({FromMm(row.best_x), FromMm(row.best_y)})};
+      });
+}
+
+}  // namespace
+
 std::vector<SettingSpec> PlateSettings() {
   return {
       {.key = "bed_shape",
@@ -27,6 +45,13 @@ std::vector<SettingSpec> PlateSettings() {
        .standard = "6",
        .doc = "Distance between copies that are arranged automatically",
        .field = Bind<&JobSlicingOptions::part_distance_nm>()},
+      {.key = "best_object_pos",
+       .kind = Kind::kPoint,
+       .standard = "0.5x0.5",
+       .doc = "Place of arranged parts on the bed: shares of its width and depth, from 0 to 1; "
+              "0.5x0.5: in the middle",
+       .field = PlaceField(),
+       .orca = {{"best_object_pos"}}},
   };
 }
 

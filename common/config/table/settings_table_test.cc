@@ -331,8 +331,8 @@ TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
     regions += spec.scope() == Scope::kRegion;
     objects += spec.scope() == Scope::kObject;
   }
-  EXPECT_EQ(regions, 86);
-  EXPECT_EQ(objects, 64);
+  EXPECT_EQ(regions, 110);
+  EXPECT_EQ(objects, 73);
 }
 
 TEST(SettingsTable, EverySettingHasAKindAndAGroup) {

@@ -206,6 +206,7 @@ struct PathBlock {
   /// the area (LooksBelow); otherwise empty.
   MultiPolygon below = {};
   MultiPolygon carried = {};  ///< SectionPlan::carried, set if motion needs `below`
+  MultiPolygon curled = {};   ///< SectionPlan::curled, set if motion slows walls above it
   /// SectionPlan::spiral, the turn that the only path follows
   std::optional<SpiralTurn> spiral = {};
 
@@ -286,6 +287,7 @@ struct EdgeMove {
   int32_t filament = 0;           ///< length of filament fed by this move, in 1e-5 mm
   int32_t feed_rate = 0;          ///< feed rate in mm/min
   double acceleration_mm_s2 = 0;  ///< acceleration; 0: the machine's current value
+  double jerk_mm_s = 0;           ///< jerk in x and y; 0: the machine's current value
   /// Feature of a bead, which is a move in the plane that extrudes filament.
   Feature feature = Feature::kPerimeter;
   int32_t copy = kNoCopy;  ///< copy to which the move belongs: see CopyUse
@@ -316,8 +318,9 @@ enum class MachineMode : uint8_t {
   kTravelAcceleration,  ///< acceleration of travels, if the firmware has a separate one
   kPlace,               ///< position of the nozzle
   kFilament,            ///< state of the filament: retracted or ready to print
+  kJerk,                ///< jerk in x and y, or square corner velocity
 };
-inline constexpr int kMachineModes = 5;
+inline constexpr int kMachineModes = 6;
 
 /// Values of MachineMode::kFilament.
 inline constexpr std::string_view kReady = "ready", kRetracted = "retracted";

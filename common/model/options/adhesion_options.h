@@ -25,9 +25,9 @@ struct SkirtOptions {
   int32_t loops = 0;
   /// `skirt_distance`: distance from the parts to the inner side of the first loop
   Coord distance_nm = 6'000'000;
-  /// `min_skirt_length`: minimum length of filament for the skirt on each layer
-  Coord min_length_nm = 0;
-  int32_t height_layers = 1;  ///< `skirt_height`: number of layers with the skirt
+  double speed_mm_s = 0;      ///< setting skirt_speed; 0: the speed of supports
+  Coord min_length_nm = 0;    ///< `min_skirt_length`: minimum length of filament on each layer
+  int32_t height_layers = 1;  ///< `skirt_height`: number of layers
   DraftShield draft_shield = DraftShield::kDisabled;  ///< setting draft_shield
   Coord width_nm = 400'000;   ///< `first_layer_extrusion_width`: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer

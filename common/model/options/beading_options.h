@@ -19,7 +19,14 @@ enum class OneWallOnTop : uint8_t {
   kSurfaces,  ///< areas without material above them; the inner walls are led around these areas
 };
 
-/// Walls that get a rough (fuzzy) surface.
+/// Parts of the infill's area that get gap fill because they are too narrow for infill lines.
+enum class GapFillTarget : uint8_t {
+  kEverywhere,
+  kTopBottom,  ///< parts with nothing above or below them
+  kNowhere,
+};
+
+/// Walls that get a rough surface.
 enum class FuzzySkin : uint8_t {
   kNone,
   kContours,  ///< `fuzzy_skin = external`: the outermost walls of outer rings only
@@ -45,10 +52,11 @@ struct BeadingOptions {
   Coord inner_width_nm = 450'000;     ///< setting perimeter_extrusion_width
   /// `first_layer_extrusion_width`: width of all walls of layer 0
   Coord first_layer_width_nm = 450'000;
-  bool gap_fill = true;             ///< setting gap_fill_enabled
-  Coord min_gap_width_nm = 80'000;  ///< `gap_fill_min_width`: narrower gaps remain empty
-  /// largest width of a gap that gap fill fills; wider gaps get infill
-  Coord max_gap_width_nm = 800'000;
+  bool gap_fill = true;                                   ///< setting gap_fill_enabled
+  GapFillTarget gap_target = GapFillTarget::kEverywhere;  ///< setting gap_fill_target
+  Coord min_gap_width_nm = 80'000;   ///< `gap_fill_min_width`: narrower gaps remain empty
+  Coord min_gap_length_nm = 0;       ///< `gap_fill_min_length`: shorter gaps remain empty
+  Coord max_gap_width_nm = 800'000;  ///< width above which the infill fills a gap
   bool thin_walls = true;  ///< `thin_walls`: used by kClassic; kArachne always prints thin walls
   /// Minimum length of thin-wall beads in islands that have walls, for kClassic. Shorter beads are
   /// left out. Set for supports, to drop the beads in their pointed ends.
@@ -62,8 +70,14 @@ struct BeadingOptions {
   Coord min_bead_width_nm = 340'000;        ///< setting min_bead_width
   Coord max_bead_width_nm = 800'000;        ///< setting max_bead_width
   bool lock_outer_width = false;            ///< setting lock_outer_width
-  /// Class of the region. The regions of an object with the same class are united before their
-  /// walls are computed.
+  /// `precise_outer_wall`: the wall beside an outer wall is laid against it without pressing it
+  /// outwards
+  bool precise_outer = false;
+  Coord min_top_width_nm = 0;  ///< `min_width_top_surface`: narrower top surfaces keep their walls
+  /// `initial_layer_min_bead_width`: min_bead_width_nm of layer 0; 0: min_bead_width_nm
+  Coord first_layer_min_bead_nm = 0;
+  /// Class of the region. Regions of an object with the same class get their walls together, as if
+  /// they were one region.
   int32_t wall_class = 0;
 
   friend bool operator==(const BeadingOptions&, const BeadingOptions&) = default;

@@ -26,8 +26,8 @@ struct IroningOptions {
   IroningType type = IroningType::kTop;  ///< setting ironing_type
   double flow = 0.15;  ///< `ironing_flowrate`: share of the plastic that would fill the layer
   Coord spacing_nm = 100'000;  ///< `ironing_spacing`: distance of the ironing lines
-  /// `ironing_inset`: distance from the surface's boundary; 0: half the nozzle diameter
-  Coord inset_nm = 0;
+  Coord inset_nm = 0;          ///< `ironing_inset`: distance from the part's edge; 0: half a nozzle
+  bool concentric = false;     ///< `ironing_pattern`: lines along the edge
 
   friend bool operator==(const IroningOptions&, const IroningOptions&) = default;
 };
@@ -62,6 +62,8 @@ struct InfillOptions {
   FillPattern bottom_pattern = FillPattern::kMonotonic;  ///< setting bottom_fill_pattern
   /// Setting fill_angle. The angle of solid layers changes by 90 degrees from layer to layer.
   double angle_rad = 0.78539816339744831;
+  double solid_angle_rad =
+      -1;  ///< `solid_fill_angle`: angle_rad of solid infill; below 0: angle_rad
   /// `fill_angle_template`, `solid_fill_angle_template`: canonical texts (fill_angles.h). Empty: no
   /// template.
   SharedText angle_template = {};
@@ -72,6 +74,8 @@ struct InfillOptions {
   Coord first_layer_width_nm = 450'000;  ///< setting first_layer_extrusion_width
   /// `infill_overlap`: length by which the ends of lines extend into the walls
   Coord overlap_nm = 112'500;
+  /// `top_bottom_infill_overlap`: overlap_nm of top and bottom surfaces; below 0: overlap_nm
+  Coord surface_overlap_nm = -1;
   double solid_below_area_mm2 =
       0;  ///< `solid_infill_below_area`: regions of sparse infill with a smaller area become solid
   /// `infill_anchor`: length by which a line without a link is extended along the wall
@@ -90,8 +94,10 @@ struct InfillOptions {
   bool thick_bridges = true;
   /// `bottom_solid_infill_flow_ratio`: factor on the plastic of bottom skins
   double bottom_flow = 1;
-  Coord walls_nm = 0;  ///< total thickness of the walls around the infill
-  /// `over_bridge_speed`: true if solid infill over bridges is a feature of its own
+  double bridge_density = 1;  ///< `bridge_density`: share of a bridge's area under its lines
+  double internal_bridge_density = 1;  ///< setting internal_bridge_density
+  Coord walls_nm = 0;                  ///< total thickness of the walls around the infill
+  /// `over_bridge_speed`: solid infill over bridges is a separate feature
   bool over_bridges = false;
   /// `internal_bridge_speed`: true if bridges over sparse infill are a feature of their own
   bool internal_bridges = false;

@@ -49,6 +49,21 @@ struct WritingOptions {
   friend bool operator==(const WritingOptions&, const WritingOptions&) = default;
 };
 
+/// Greatest change of speed at a corner (jerk). Klipper has the square corner velocity instead.
+struct JerkOptions {
+  /// `perimeter_jerk`, `infill_jerk`, ...: jerk in x and y per Feature. 0: default_jerk.
+  std::array<double, kFeatureCount> feature_mm_s = {};
+  double default_mm_s = 0;      ///< setting default_jerk; 0: no command sets the jerk
+  double first_layer_mm_s = 0;  ///< setting first_layer_jerk; 0: the feature's jerk
+  double travel_mm_s = 0;       ///< setting travel_jerk; 0: the jerk set last
+  /// Setting first_layer_travel_jerk; 0: first_layer_jerk, or travel_jerk without it.
+  double first_layer_travel_mm_s = 0;
+  /// `default_junction_deviation`: junction deviation of Marlin; 0: no command sets it.
+  double junction_deviation_mm = 0;
+
+  friend bool operator==(const JerkOptions&, const JerkOptions&) = default;
+};
+
 /// Machine settings for motion planning and G-code.
 struct MachineMotion {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< setting gcode_flavor
@@ -96,6 +111,22 @@ struct MachineMotion {
   /// `travel_short_distance_acceleration`: acceleration of travels to outer walls that are too
   /// short for a retraction. 0: the acceleration of all travels.
   double short_travel_acceleration_mm_s2 = 0;
+  /// `first_layer_travel_acceleration`: acceleration of travels in the first layer; 0: as other
+  /// travels.
+  double first_layer_travel_acceleration_mm_s2 = 0;
+  /// `accel_to_decel`: acceleration of short moves relative to that of long ones (Klipper); 0: no
+  /// command sets it.
+  double accel_to_decel = 0;
+
+  JerkOptions jerk;
+
+  /// `slowdown_for_curled_perimeters`: walls above curled edges are slower
+  bool slow_curled = false;
+  bool clockwise = false;    ///< JobOrder::clockwise
+  double fan_speedup_s = 0;  ///< `fan_speedup_time`: time by which the fan starts before its beads
+  bool fan_speedup_all = false;  ///< fan_speedup_overhangs = 0: speedup for all faster fans
+  /// max_volumetric_extrusion_rate_slope_segment_length: length of beads with one flow
+  double flow_segment_mm = 1;
   double seam_gap_mm = 0;  ///< `seam_gap_distance`: length of the gap at the end of a closed path
 
   std::string printer_model;  ///< setting printer_model
@@ -162,9 +193,10 @@ inline bool CoolsByRest(const CoolingOptions& cooling) {
 /// (PathBlock::below).
 inline bool LooksBelow(const MotionOptions& options) {
   return options.tool().cooling.dynamic_fan || CoolsByRest(options.tool().cooling) ||
+         options.slow_curled ||
          (options.tool().retraction.ramping && options.tool().retraction.before_obstacles) ||
          std::ranges::any_of(options.speeds, [](const RegionMotion& region) {
-           return region.dynamic_overhangs || region.bridging_walls;
+           return region.dynamic_overhangs || region.bridging_walls || region.reversal.on;
          });
 }
 

@@ -37,7 +37,9 @@ struct TravelOptions {
   double max_detour_ratio = 0;
   /// `retract_layer_change`: retracts between layers even if the travel is hidden
   bool retract_layer_change = false;
-  /// Area that travels must not leave: `bed_shape` without `bed_exclude_area`. Empty: no area is
+  /// `avoid_crossing_curled_overhangs`: travels avoid SectionPlan::curled
+  bool avoid_curled = false;
+  /// bed_shape without bed_exclude_area: area that travels do not leave. Empty: no area is
   /// excluded.
   MultiPolygon room = {};
 

@@ -37,8 +37,9 @@ struct JobPlanOptions {
   bool objects_may_overlap = false;  ///< setting objects_may_overlap
   /// `avoid_crossing_curled_overhangs`: planning computes SectionPlan::curled
   bool avoid_curled = false;
-  /// Area outside of which planning adds no structures: `bed_shape` without `bed_exclude_area`.
-  /// Empty: no limit.
+  bool slow_curled = false;  ///< MachineMotion::slow_curled, which needs the same areas
+  /// bed_shape without bed_exclude_area: area outside of which planning adds nothing. Empty: no
+  /// limit.
   MultiPolygon bed;
 
   friend bool operator==(const JobPlanOptions&, const JobPlanOptions&) = default;

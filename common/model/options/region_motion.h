@@ -27,12 +27,34 @@ struct ScarfOptions {
   bool entire_loop = false;    ///< `scarf_seam_entire_loop`: the scarf is as long as the loop
   /// `scarf_seam_start_height`: start height as a share of the layer height
   double start_height_ratio = 0;
-  double length_mm = 20;  ///< setting scarf_seam_length
-  /// `scarf_seam_max_segment_length`: longest segment of a scarf with the same flow
-  double max_segment_mm = 1;
+  double length_mm = 20;       ///< setting scarf_seam_length
+  double max_segment_mm = 1;   ///< `scarf_seam_max_segment_length`: longest segment with one flow
+  int32_t least_segments = 1;  ///< `scarf_seam_steps`: least number of segments of a scarf
+  /// scarf_seam_speed: highest speed of a scarf; 0: speed_ratio applies.
+  double speed_mm_s = 0;
+  /// Used if scarf_seam_speed is a percentage: share of the wall's speed.
+  double speed_ratio = 1;
+  double flow = 1;  ///< scarf_seam_flow_ratio
 
   friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
 };
+
+/// Direction of walls over air: reversed in every second layer.
+struct OverhangReversal {
+  bool on = false;          ///< setting overhang_reverse
+  bool inner_only = false;  ///< `overhang_reverse_internal_only`: outer walls keep their direction
+  /// `overhang_reverse_threshold`: least overhang of a reversed wall; 0: all walls.
+  double threshold_mm = 0;
+
+  friend bool operator==(const OverhangReversal&, const OverhangReversal&) = default;
+};
+
+/// Returns one value for each feature.
+constexpr std::array<double, kFeatureCount> ForAllFeatures(double value) {
+  std::array<double, kFeatureCount> values = {};
+  values.fill(value);
+  return values;
+}
 
 /// Speeds, scarf seams and bridges of one region.
 struct RegionMotion {
@@ -49,8 +71,16 @@ struct RegionMotion {
   bool bridging_walls = false;
   double bridge_flow = 1;           ///< setting bridge_flow_ratio
   double internal_bridge_flow = 0;  ///< setting internal_bridge_flow; 0: bridge_flow
-  /// `thick_bridges`: bridge beads are round, with the nozzle's diameter
-  bool thick_bridges = true;
+  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+  /// external_perimeter_flow_ratio, perimeter_flow_ratio, ...: factor on the plastic per Feature.
+  std::array<double, kFeatureCount> flow = ForAllFeatures(1);
+  double first_layer_flow = 1;  ///< first_layer_flow_ratio: further factor in the first layer
+  /// skirt_speed: speed of skirts in all layers; 0: the speed of supports. Set in the skirt's row.
+  double skirt_speed_mm_s = 0;
+  bool wipe_on_loops = false;  ///< `wipe_on_loops`: a move inwards at the end of outer walls
+  /// `wipe_before_external_loop`: a move inwards before outer walls.
+  bool wipe_before_outer = false;
+  OverhangReversal reversal;
 
   friend bool operator==(const RegionMotion&, const RegionMotion&) = default;
 };

@@ -39,8 +39,10 @@ struct ObjectSlicingOptions {
   /// elephant foot compensation.
   bool on_bed = true;
   Coord elephant_foot_nm = 0;  ///< `elefant_foot_compensation`: shrinks the first layer on the bed
-  /// Smallest width that the elephant foot compensation leaves of a narrow area. PrusaSlicer uses
-  /// width + spacing of the first layer's outer wall.
+  /// `elefant_foot_compensation_layers`: layers over which the compensation fades out
+  int32_t elephant_foot_layers = 1;
+  /// Smallest width of a part that elephant_foot_nm leaves. PrusaSlicer uses width + spacing of the
+  /// first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
   /// Height of the object's bottom above the bed; included when the build height is checked.
   Coord lift_nm = 0;
@@ -71,6 +73,10 @@ struct JobSlicingOptions {
   std::vector<Polygon> excluded = {};
   Coord max_print_height_nm = 0;  ///< setting max_print_height; 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< setting thumbnails
+  /// `best_object_pos`: place of a single part and of arranged parts on the bed, as shares of its
+  /// width and depth
+  double best_x = 0.5;
+  double best_y = 0.5;
   Coord part_distance_nm = 6'000'000;  ///< `duplicate_distance`: distance between arranged copies
   /// Distance that is used instead of `part_distance_nm` if it is greater. With complete_objects it
   /// is extruder_clearance_radius. With brims it leaves part_distance_nm between the brims.

@@ -68,6 +68,16 @@ struct SupportOptions {
   Coord spacing_nm = 2'500'000;
   /// Setting support_material_interface_spacing.
   Coord interface_spacing_nm = 0;
+  /// Setting support_material_bottom_interface_spacing; below 0: interface_spacing_nm.
+  Coord bottom_interface_spacing_nm = -1;
+  Coord expansion_nm = 0;  ///< `support_material_expansion`: growth of columns in x and y
+  /// `support_material_max_bridge_length`: longer bridges are supported; 0: unlimited
+  Coord max_bridge_nm = 0;
+  /// `support_material_critical_only`: supports only islands in the air and cantilevers
+  bool critical_only = false;
+  /// `support_material_threshold_overlap`: share of the outer wall's width that must rest on the
+  /// layer below, if threshold_rad is 0; below 0: by the style
+  double threshold_overlap = -1;
   SupportPattern pattern = SupportPattern::kRectilinear;  ///< setting support_material_pattern
   /// setting support_material_interface_pattern
   InterfacePattern interface_pattern = InterfacePattern::kRectilinear;
@@ -93,8 +103,9 @@ enum class SupportRow : uint8_t {
   kBranch,       ///< branch with a wall of one loop
   kThickBranch,  ///< branch with a wall of two loops
   kInterface,
+  kBottomInterface,
 };
-inline constexpr int kSupportRowCount = 5;
+inline constexpr int kSupportRowCount = 6;
 
 /// Indices into the job's tables of region settings, indexed by SupportRow.
 using SupportRows = std::array<int32_t, kSupportRowCount>;

@@ -72,6 +72,9 @@ struct CoolingOptions {
   double overhang_fan_share = 1;
   /// `support_material_interface_fan_speed`; -1: the layer's fan speed
   int32_t interface_fan_percent = -1;
+  bool bridge_fan = true;  ///< `enable_overhang_bridge_fan`: bridges have a fan of their own
+  /// `dont_slow_down_outer_wall`: outer walls keep their speed in short layers
+  bool keep_outer_walls = false;
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };

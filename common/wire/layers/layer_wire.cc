@@ -304,6 +304,10 @@ absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
     status = ToProto(block.carried, proto->mutable_carried());
     if (!status.ok()) return Within("carried", status);
   }
+  if (!block.curled.empty()) {
+    status = ToProto(block.curled, proto->mutable_curled());
+    if (!status.ok()) return Within("curled", status);
+  }
   if (block.below.empty()) return status;
   status = ToProto(block.below, proto->mutable_below());
   return status.ok() ? status : Within("below", status);
@@ -329,6 +333,9 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
   if (!carried.ok()) return Within("carried", carried.status());
   block->carried = *std::move(carried);
+  absl::StatusOr<MultiPolygon> curled = FromProto(proto.curled());
+  if (!curled.ok()) return Within("curled", curled.status());
+  block->curled = *std::move(curled);
   if (proto.has_spiral()) block->spiral = FromProto(proto.spiral());
   return block;
 }

@@ -101,7 +101,7 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [stack, layer, height, paths, travels, leave, below, carried, spiral] = first;
+  auto& [stack, layer, height, paths, travels, leave, below, carried, curled, spiral] = first;
   stack = kRaftStack;
   layer = 2;
   height = 150'000;
@@ -116,6 +116,7 @@ OrderedLayer Ordered() {
   route = {true, {{7, 8}}};
   below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
   carried = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
+  curled = *ParseMultiPolygon("(2 1, 3 1, 3 2)");
   spiral = {{1, 2}, Point{3, 4}, true, false};
   BlockVisit visit;
   auto& [block, copy, pass, shift, turns] = visit;

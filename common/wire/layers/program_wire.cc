@@ -20,7 +20,7 @@
 namespace slicefarm {
 
 static_assert(v1::MACHINE_MODE_FAN == static_cast<int>(MachineMode::kFan) + 1);
-static_assert(v1::MACHINE_MODE_FILAMENT == static_cast<int>(MachineMode::kFilament) + 1);
+static_assert(v1::MACHINE_MODE_JERK == static_cast<int>(MachineMode::kJerk) + 1);
 static_assert(v1::MachineMode_MAX == kMachineModes);
 
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto) {
@@ -49,20 +49,22 @@ v1::EdgeMove ToProto(const EdgeMove& move) {
   proto.set_filament(move.filament);
   proto.set_feed_rate(move.feed_rate);
   proto.set_acceleration_mm_s2(move.acceleration_mm_s2);
+  proto.set_jerk_mm_s(move.jerk_mm_s);
   proto.set_feature(EnumToProto<v1::Feature>(move.feature));
   proto.set_copy(move.copy);
   return proto;
 }
 
 absl::StatusOr<EdgeMove> FromProto(const v1::EdgeMove& proto) {
-  if (!IsAmount(proto.acceleration_mm_s2()) || proto.feed_rate() < 0)
-    return Malformed("acceleration_mm_s2, feed_rate", "not all are amounts");
+  if (!IsAmount(proto.acceleration_mm_s2()) || !IsAmount(proto.jerk_mm_s()) ||
+      proto.feed_rate() < 0)
+    return Malformed("acceleration_mm_s2, jerk_mm_s, feed_rate", "not all are amounts");
   const auto feature = EnumFromProto<Feature>(proto.feature(), kFeatureCount, "feature");
   if (!feature.ok()) return feature.status();
   if (proto.copy() < kNoCopy) return Malformed("copy", "is no copy");
-  return EdgeMove{proto.x_um(),     proto.y_um(),      proto.z_um(),
-                  proto.filament(), proto.feed_rate(), proto.acceleration_mm_s2(),
-                  *feature,         proto.copy()};
+  return EdgeMove{proto.x_um(),      proto.y_um(),      proto.z_um(),
+                  proto.filament(),  proto.feed_rate(), proto.acceleration_mm_s2(),
+                  proto.jerk_mm_s(), *feature,          proto.copy()};
 }
 
 v1::LayerEdges ToProto(const LayerEdges& edges) {

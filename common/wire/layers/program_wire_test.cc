@@ -48,7 +48,7 @@ LayerEdges DistinctEdges() {
   LayerEdges edges;
   auto& [head, approach, tail, acceleration] = edges;
   EdgeMove move;
-  auto& [x, y, z, filament, feed_rate, move_acceleration, feature, copy] = move;
+  auto& [x, y, z, filament, feed_rate, move_acceleration, jerk, feature, copy] = move;
   copy = 8;
   x = -301;
   y = 302;
@@ -56,6 +56,7 @@ LayerEdges DistinctEdges() {
   filament = -304;
   feed_rate = 305;
   move_acceleration = 306;
+  jerk = 308;
   feature = Feature::kGapFill;
   head = {move, {}, {}};
   approach = 2;
@@ -71,7 +72,7 @@ LayerProgram DistinctProgram() {
   ends_retracted = false;
   code_at = {2, 5};
   mode_lines = {{1, 2, MachineMode::kFan, "M107"}, {4, 3, MachineMode::kPlace, "1 2"}};
-  modes_at_end = {"M106 S9", "", "M204 T7", "3 4", "ready"};
+  modes_at_end = {"M106 S9", "", "M204 T7", "3 4", "ready", "M205 X9 Y9"};
   footprint = {{1, 2}, {3, -4}, {5, 6}};
   silent_time = 501;
   copies = {{2, {71, 72, 73, 74}}, {5, {75, 76, 77, 78}}};

@@ -79,6 +79,9 @@ absl::Status CheckWalls(const BeadingOptions& walls) {
                                   {"transition_deviation_nm", walls.transition_deviation_nm},
                                   {"min_feature_nm", walls.min_feature_nm},
                                   {"min_bead_width_nm", walls.min_bead_width_nm},
+                                  {"min_gap_length_nm", walls.min_gap_length_nm},
+                                  {"min_top_width_nm", walls.min_top_width_nm},
+                                  {"first_layer_min_bead_nm", walls.first_layer_min_bead_nm},
                                   {"max_bead_width_nm", walls.max_bead_width_nm}}));
   status.Update(CheckAboveZero("transition_angle", walls.transition_angle));
   status.Update(CheckRange("transition_angle", walls.transition_angle, 0, kMaxTransitionAngle));
@@ -120,6 +123,8 @@ absl::Status CheckInfill(const InfillOptions& infill) {
   status.Update(CheckAboveZero("bridge_flow", infill.bridge_flow));
   status.Update(CheckAboveZero("top_flow", infill.top_flow));
   status.Update(CheckAboveZero("bottom_flow", infill.bottom_flow));
+  status.Update(CheckAboveZero("bridge_density", infill.bridge_density));
+  status.Update(CheckAboveZero("internal_bridge_density", infill.internal_bridge_density));
   status.Update(CheckNoLessThanZero("internal_bridge_flow", infill.internal_bridge_flow));
   status.Update(CheckNoLessThanZero("ironing.flow", infill.ironing.flow));
   return status;
@@ -129,6 +134,13 @@ absl::Status CheckSpeeds(const RegionMotion& speeds) {
   absl::Status status = CheckAboveZero("bridge_flow", speeds.bridge_flow);
   status.Update(CheckNoLessThanZero("internal_bridge_flow", speeds.internal_bridge_flow));
   status.Update(CheckNoLessThanZero("small_perimeter_radius_mm", speeds.small_perimeter_radius_mm));
+  for (const double flow : speeds.flow) status.Update(CheckAboveZero("flow", flow));
+  status.Update(CheckAboveZero("first_layer_flow", speeds.first_layer_flow));
+  status.Update(CheckNoLessThanZero("skirt_speed_mm_s", speeds.skirt_speed_mm_s));
+  status.Update(CheckNoLessThanZero("reversal.threshold_mm", speeds.reversal.threshold_mm));
+  status.Update(CheckAboveZero("scarf.least_segments", speeds.scarf.least_segments));
+  status.Update(CheckAboveZero("scarf.flow", speeds.scarf.flow));
+  status.Update(CheckNoLessThanZero("scarf.speed_mm_s", speeds.scarf.speed_mm_s));
   for (const double speed : speeds.speed_mm_s)
     status.Update(CheckNoLessThanZero("speed_mm_s", speed));
   for (const double speed : speeds.overhang_speed_mm_s)

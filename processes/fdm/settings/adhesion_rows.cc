@@ -41,6 +41,13 @@ JobRows BrimRow(JobRows settings) {
   return settings;
 }
 
+JobRows SkirtRow(JobRows settings) {
+  const double speed_mm_s = FdmOf(settings).machine.plan.skirt.speed_mm_s;
+  JobRows row = BrimRow(std::move(settings));
+  FdmOf(row).region.motion.skirt_speed_mm_s = speed_mm_s;
+  return row;
+}
+
 JobRows RaftRow(JobRows settings, int32_t layer) {
   const RaftOptions& raft = FdmOf(settings).object.raft;
   const SupportOptions& support = FdmOf(settings).object.support;

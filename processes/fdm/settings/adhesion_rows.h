@@ -13,6 +13,9 @@ namespace slicefarm::config::fdm {
 /// region.
 JobRows BrimRow(JobRows settings);
 
+/// Returns the row of the skirt: a brim's, with the skirt's own speed.
+JobRows SkirtRow(JobRows settings);
+
 /// Returns the row of a raft layer, which has straight lines:
 ///
 ///   layer        density                           direction: support_material_angle

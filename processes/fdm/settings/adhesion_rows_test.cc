@@ -47,6 +47,12 @@ TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
   EXPECT_TRUE(FdmOf(row).region.order.towards_holes);
 }
 
+TEST(SkirtRow, HasItsOwnSpeed) {
+  const JobRows job = Resolved({{"skirt_speed", "45"}, {"skirts", "1"}});
+  EXPECT_EQ(FdmOf(SkirtRow(job)).region.motion.skirt_speed_mm_s, 45);
+  EXPECT_EQ(FdmOf(BrimRow(job)).region.motion.skirt_speed_mm_s, 0);
+}
+
 struct Layer {
   double density, turn;
   int32_t walls;

@@ -62,8 +62,9 @@ void DeriveWidths(SettingValues& draft) {
 }
 
 void DeriveVariableWalls(SettingValues& draft) {
-  for (const std::string_view key : {"wall_transition_length", "wall_transition_filter_deviation",
-                                     "min_feature_size", "min_bead_width", "max_bead_width"}) {
+  for (const std::string_view key :
+       {"wall_transition_length", "wall_transition_filter_deviation", "min_feature_size",
+        "min_bead_width", "max_bead_width", "first_layer_min_bead_width"}) {
     TakePercentage(draft, key);
   }
 }
@@ -234,8 +235,12 @@ absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
   RaiseTo(draft, "outline_resolution", "resolution");
   DeriveWidths(draft);
   DeriveVariableWalls(draft);
-  for (const std::string_view key : {"infill_overlap", "infill_anchor", "infill_anchor_max"})
+  for (const std::string_view key :
+       {"infill_overlap", "infill_anchor", "infill_anchor_max", "top_bottom_infill_overlap",
+        "min_width_top_surface", "overhang_reverse_threshold"})
     TakePercentage(draft, key);
+  // OrcaSlicer: without bridging walls there is no threshold.
+  if (draft.Number("overhangs") == 0) draft.SetNumber("overhang_reverse_threshold", 0);
   DeriveSpeeds(draft);
   DeriveAccelerations(draft);
   DeriveLimits(draft);

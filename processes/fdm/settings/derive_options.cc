@@ -182,13 +182,14 @@ void TakeWalls(JobRows& settings) {
 
 /// Sets the first hollow layer of a vase. Its bottom has the requested number of layers, and at
 /// least one.
-void TakeVase(JobRows& settings) {
+void TakeVase(const SettingValues& draft, JobRows& settings) {
   int32_t& hollow_from = settings.object.hollow_from;
   if (hollow_from == 0) return;
   const BeadingOptions& walls = FdmOf(settings).region.walls;
   hollow_from = std::max(1, BottomLayers(settings));
-  FdmOf(settings).object.spiral = {.width_nm = walls.external_width_nm,
-                                   .blends = walls.fuzzy == FuzzySkin::kNone};
+  FdmOf(settings).object.spiral = {
+      .width_nm = walls.external_width_nm,
+      .blends = walls.fuzzy == FuzzySkin::kNone && draft.Number("spiral_vase_smooth") != 0};
 }
 
 /// Sets the halo of a density field: the number of layers above and below that a density depends on
@@ -250,8 +251,16 @@ std::optional<std::string> TakeEveryLayers(JobRows& settings) {
                      asked, most);
 }
 
-/// Prints each inner wall that gets a scarf as a loop of its own. A wall that is printed in one
-/// path with the next wall has no seam for a scarf.
+/// Lays inner walls against outer walls as usual if they are printed after them: then nothing
+/// presses the outer walls outwards.
+void TakePreciseWalls(JobRows& settings) {
+  const WallOrder& order = FdmOf(settings).region.order;
+  if (order.external_perimeters_first || order.inner_outer_inner)
+    FdmOf(settings).region.walls.precise_outer = false;
+}
+
+/// Makes inner walls with a scarf separate loops. A wall that is printed in one path with the next
+/// wall has no seam for a scarf.
 void TakeInnerScarfs(JobRows& settings) {
   const ScarfOptions& scarf = FdmOf(settings).region.motion.scarf;
   FdmOf(settings).region.order.whole_loops =
@@ -321,8 +330,9 @@ absl::Status DeriveOptions(const OptionSources& settling) {
   TakeWalls(settings);
   TakeSupports(settings);
   TakeShells(settling.draft, settings);
-  TakeVase(settings);
+  TakeVase(settling.draft, settings);
   TakeInnerScarfs(settings);
+  TakePreciseWalls(settings);
   if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).region.infill); !ok.ok()) return ok;
   if (auto note = TakeEveryLayers(settings))

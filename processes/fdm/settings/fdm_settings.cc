@@ -22,6 +22,7 @@ constexpr SettingGroup kGroups[] = {
     {"seams", SeamSettings},       {"infill", InfillSettings},   {"adhesion", AdhesionSettings},
     {"supports", SupportSettings}, {"speed", SpeedSettings},     {"filament", FilamentSettings},
     {"machine", MachineSettings},  {"travel", TravelSettings},   {"output", WritingSettings},
+    {"flow", FlowSettings},
 };
 
 class OfFdm : public ProcessSettings {

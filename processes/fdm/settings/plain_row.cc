@@ -19,6 +19,11 @@ void MakePlain(BeadingOptions& beading) {
   beading.one_on_top = OneWallOnTop::kNowhere;
   beading.extra_perimeters = false;
   beading.fuzzy = FuzzySkin::kNone;
+  beading.precise_outer = false;
+  beading.gap_target = GapFillTarget::kEverywhere;
+  beading.min_gap_length_nm = 0;
+  beading.min_top_width_nm = 0;
+  beading.first_layer_min_bead_nm = 0;
 }
 
 void FillAlike(double density, double angle_rad, InfillOptions& infill) {
@@ -40,6 +45,9 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.over_bridges = infill.internal_bridges = false;
   infill.internal_bridge_flow = 0;
   infill.bottom_flow = 1;
+  infill.bridge_density = infill.internal_bridge_density = 1;
+  infill.surface_overlap_nm = -1;
+  infill.solid_angle_rad = -1;
   infill.interface_shells = false;
   infill.ironing = {};
   infill.small_area_flow = false;

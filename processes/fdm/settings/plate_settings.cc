@@ -66,7 +66,7 @@ absl::Status AddAdhesionRows(JobRows& object, RegionRows& rows) {
 absl::Status FinishPlate(const JobRows& job, RegionRows& rows, JobSettings& plate) {
   JobPlanOptions& plan = FdmOf(plate).machine.plan;
   if (plan.skirt.loops > 0) {
-    const absl::StatusOr<int32_t> row = rows.RowOf(BrimRow(job));
+    const absl::StatusOr<int32_t> row = rows.RowOf(SkirtRow(job));
     if (!row.ok()) return row.status();
     plan.skirt_settings = *row;
   }

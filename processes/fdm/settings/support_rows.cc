@@ -21,6 +21,12 @@ FillPattern PatternOf(SupportPattern pattern) {
   return FillPattern::kAlignedRectilinear;
 }
 
+/// Returns the gap between lines of an interface.
+Coord SpacingOf(const SupportOptions& support, SupportRow row) {
+  const bool own = row == SupportRow::kBottomInterface && support.bottom_interface_spacing_nm >= 0;
+  return own ? support.bottom_interface_spacing_nm : support.interface_spacing_nm;
+}
+
 /// Minimum length of tips at the ragged side of a support column. If a shorter tip is left out, the
 /// object above it is within this distance of the column's other beads.
 constexpr Coord kLeastTipNm = 1 * kNmPerMm;
@@ -49,10 +55,11 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
       FillAlike(0, angle_rad, infill);
       return;
     case SupportRow::kInterface:
+    case SupportRow::kBottomInterface:
       // A loop ends exactly at the region's edge, and fits into narrow strips without space for
       // crossing lines.
       beading.perimeters = 1;
-      FillAlike(density(support.interface_spacing_nm), angle_rad + std::numbers::pi / 2, infill);
+      FillAlike(density(SpacingOf(support, row)), angle_rad + std::numbers::pi / 2, infill);
       if (support.interface_pattern == InterfacePattern::kConcentric)
         infill.pattern = infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
             FillPattern::kConcentric;

@@ -12,7 +12,7 @@ namespace slicefarm::config::fdm {
 ///   first layer   raft_first_layer_density   at support_material_angle, in a loop
 ///   base          by its spacing             at support_material_angle; in a loop with a sheath
 ///   branches      0                          one loop or two loops
-///   interface     by its spacing             at support_material_angle + 90 degrees
+///   interfaces    by their spacing            at support_material_angle + 90 degrees
 JobRows SupportRegionRow(JobRows settings, SupportRow row);
 
 }  // namespace slicefarm::config::fdm

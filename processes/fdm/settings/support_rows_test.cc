@@ -56,8 +56,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Base", SupportRow::kBase, 1, kSpacing / (kSpacing + 2.1), 0},
                     Case{"Branch", SupportRow::kBranch, 1, 0, 0},
                     Case{"ThickBranch", SupportRow::kThickBranch, 2, 0, 0},
-                    Case{"Interface", SupportRow::kInterface, 1, kSpacing / (kSpacing + 0.1), 1}),
+                    Case{"Interface", SupportRow::kInterface, 1, kSpacing / (kSpacing + 0.1), 1},
+                    Case{"Bottom", SupportRow::kBottomInterface, 1, kSpacing / (kSpacing + 0.1),
+                         1}),
     [](const auto& info) { return info.param.name; });
+
+TEST(SupportRegionRow, TheBottomHasItsOwnSpacing) {
+  const JobRows dense = Resolved({{"support_material_interface_spacing", "0.5"},
+                                  {"support_material_bottom_interface_spacing", "0"}});
+  const auto density = [&](SupportRow row) {
+    return FdmOf(SupportRegionRow(dense, row)).region.infill.density;
+  };
+  EXPECT_LT(density(SupportRow::kInterface), 0.6);
+  EXPECT_EQ(density(SupportRow::kBottomInterface), 1);
+}
 
 TEST(SupportRegionRow, TheSheathMayBeLeftOut) {
   const JobRows bare = Resolved({{"support_material_with_sheath", "0"}});

@@ -27,18 +27,22 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
           all.layers.subspan(static_cast<size_t>(kept.first), static_cast<size_t>(kept.size()))};
 }
 
-/// Adds the outlines below to the blocks for which motion needs them: all blocks if `looks` is
-/// true, and turns of a spiral. `plans`: one per layer.
-void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> plans, bool looks,
-              std::vector<OrderedLayer>& ordered) {
+/// Adds the outlines below to the blocks for which motion needs them: all blocks if motion looks
+/// below, and turns of a spiral. Adds curled areas if motion slows down above them. `plans`: one
+/// per layer.
+void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> plans,
+              const MotionOptions& motion, std::vector<OrderedLayer>& ordered) {
+  const bool looks = LooksBelow(motion);
   const ObjectLayers stacks(sliced);
   for (size_t i = 0; i < ordered.size(); ++i) {
     for (PathBlock& block : ordered[i].blocks) {
       if (!block.stack.IsPart() || block.layer == 0 || !(looks || block.spiral)) continue;
       if (const ObjectSection* below = stacks.Find(block.stack.id, block.layer - 1))
         block.below = OutlineOf(*below);
-      if (const SectionPlan* plan = FindPlan(block.stack.id, plans[i].sections))
-        block.carried = plan->carried;
+      const SectionPlan* plan = FindPlan(block.stack.id, plans[i].sections);
+      if (plan == nullptr) continue;
+      block.carried = plan->carried;
+      if (motion.slow_curled) block.curled = plan->curled;
     }
   }
 }
@@ -115,7 +119,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
     return ordering_.Order(call, *std::move(filled), task.plans, jobs.ordering);
   });
   if (!ordered.ok()) return ordered.status();
-  AddBelow(task.layers, task.plans, LooksBelow(jobs.motion->options), *ordered);
+  AddBelow(task.layers, task.plans, jobs.motion->options, *ordered);
   auto programs = Timed(result.times[Stage::kMotion],
                         [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -36,11 +37,11 @@ absl::Status CheckWidths(bool on_bed, Coord external_nm, Coord inner_nm, Coord h
 class PlanWaller {
  public:
   /// `deciding_radius`: see VariableWallOptions. `memo` may be null.
-  PlanWaller(const WallPlan& plan, const BeadingOptions& options, Coord height_nm,
+  PlanWaller(const WallPlan& plan, const BeadingOptions& options, const GapFillOptions& gap_options,
              IslandMemo::RadiusOf deciding_radius, IslandMemo* memo)
       : plan_(plan),
         options_(options),
-        gap_options_{options.min_gap_width_nm, options.max_gap_width_nm, height_nm},
+        gap_options_(gap_options),
         deciding_radius_(std::move(deciding_radius)),
         memo_(memo) {
     if (options.generator == WallGenerator::kArachne && plan.perimeters > 0)
@@ -105,6 +106,7 @@ class IslandWaller {
     if (absl::Status ok = CheckWidths(place.on_bed, waller.external_, waller.inner_, height);
         !ok.ok())
       return ok;
+    waller.FindExposed();
     waller.usual_.emplace(waller.Waller(waller.perimeters_, waller.external_));
     return waller;
   }
@@ -126,12 +128,46 @@ class IslandWaller {
         inner_(place.on_bed ? options.first_layer_width_nm : options.inner_width_nm),
         perimeters_(PerimetersOf(place, options)) {}
 
-  PlanWaller Waller(int32_t perimeters, Coord outermost_nm, bool gap_fill = true) const {
+  PlanWaller Waller(int32_t perimeters, Coord outermost_nm, bool gap_fill = true,
+                    bool inside = false) const {
     WallPlan plan = WallPlan::Make(perimeters, outermost_nm, inner_, place_.section.height_nm);
+    if (!inside) plan.apart_nm = Apart();
+    if (place_.on_bed) plan.min_bead_nm = options_.first_layer_min_bead_nm;
+    plan.min_top_nm = options_.min_top_width_nm;
     plan.gap_fill = options_.gap_fill && gap_fill;
     plan.least_tip_nm = options_.least_tip_nm;
     plan.thin_walls = options_.thin_walls || options_.generator == WallGenerator::kArachne;
-    return PlanWaller(plan, options_, place_.section.height_nm, DecidingRadius(), place_.memo);
+    // With gap fill in exposed areas only, walls depend on all of the neighbouring layers.
+    IslandMemo* memo = exposed_ ? nullptr : place_.memo;
+    return PlanWaller(plan, options_, GapOptions(), DecidingRadius(), memo);
+  }
+
+  /// Returns the distance that precise_outer_wall adds between the outermost wall and the next one:
+  /// their round sides touch instead of overlapping.
+  Coord Apart() const {
+    const Coord height = place_.section.height_nm;
+    if (!options_.precise_outer) return 0;
+    return (external_ - Spacing(external_, height) + inner_ - Spacing(inner_, height)) / 2;
+  }
+
+  GapFillOptions GapOptions() const {
+    return {.min_width_nm = options_.min_gap_width_nm,
+            .max_width_nm = options_.max_gap_width_nm,
+            .layer_height_nm = place_.section.height_nm,
+            .min_length_nm = options_.min_gap_length_nm,
+            .narrow_parts = options_.gap_target != GapFillTarget::kNowhere,
+            .among = exposed_ ? exposed_.get() : nullptr};
+  }
+
+  /// Finds the areas of the section with nothing above or below them, if gap fill is only for these
+  /// areas.
+  void FindExposed() {
+    const MultiPolygon* below =
+        place_.section.layer > 0 ? place_.neighbours.At(place_.index, -1) : nullptr;
+    if (options_.gap_target != GapFillTarget::kTopBottom || Above() == nullptr || below == nullptr)
+      return;
+    exposed_ = std::make_shared<const MultiPolygon>(
+        Difference(OutlineOf(place_.section), Intersection(*Above(), *below)));
   }
 
   /// Returns the outlines of the layer above; nullptr if there is no such layer.
@@ -166,7 +202,8 @@ class IslandWaller {
     if (!island.ok()) return island;
     TopParts parts = Parts(island->fill_area);
     island->fill_area = std::move(parts.top);
-    const PlanWaller inner_waller = Waller(perimeters - 1, inner_);
+    const PlanWaller inner_waller =
+        Waller(perimeters - 1, inner_, /*gap_fill=*/true, /*inside=*/true);
     if (options_.gap_fill) {
       auto narrow = FillNarrowParts(inner_waller.gap_options(), cancel, island->fill_area);
       if (!narrow.ok()) return narrow.status();
@@ -175,7 +212,7 @@ class IslandWaller {
     // The following beads tile: no space is needed for the round side of an outermost bead.
     const WallPlan& plan = inner_waller.plan();
     const Coord round = (plan.external_width_nm - plan.external_spacing_nm) / 2;
-    for (const PolygonWithHoles& rest : FastOffset(parts.covered, round)) {
+    for (const PolygonWithHoles& rest : FastOffset(parts.covered, round - Apart())) {
       absl::StatusOr<IslandBeads> inner = inner_waller.Wall(rest, cancel, plain_islands);
       if (!inner.ok()) return inner;
       MakeInner(inner->walls);
@@ -199,6 +236,8 @@ class IslandWaller {
   Coord inner_;
   int32_t perimeters_;
   std::optional<PlanWaller> usual_;
+  /// Areas with nothing above or below, for gap fill; null: gap fill is everywhere or nowhere.
+  std::shared_ptr<const MultiPolygon> exposed_;
 };
 
 /// Regions that share their walls.

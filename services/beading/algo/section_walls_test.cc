@@ -202,5 +202,56 @@ TEST(WallSection, AHollowSectionHasOneWallAndNothingInside) {
     EXPECT_TRUE(island.fill_areas.empty());
 }
 
+/// Returns the distance of the first wall from the second along y = 10 mm, from the left.
+double ApartMm(const BeadingOptions& options) {
+  double first = 1e9, second = 1e9;
+  const WalledSection walled = Walled(Halves(), {options, options});
+  for (const Path& wall : walled.islands[0].walls) {
+    const double x = ToMm(Bounds(wall.points).min.x);
+    if (wall.inset == 0) first = std::min(first, x);
+    if (wall.inset == 1) second = std::min(second, x);
+  }
+  return second - first;
+}
+
+TEST(WallSection, PreciseOuterWallsTouchTheNextWall) {
+  for (const WallGenerator generator : {WallGenerator::kArachne, WallGenerator::kClassic}) {
+    BeadingOptions options;
+    options.generator = generator;
+    EXPECT_NEAR(ApartMm(options), 0.4071, 1e-3) << "beads overlap by a tenth";
+    options.precise_outer = true;
+    EXPECT_NEAR(ApartMm(options), 0.45, 1e-3) << "full widths";
+  }
+}
+
+/// Returns the number of beads of gap fill in a section with a strip 0.6 mm wide inside its walls.
+/// `above`: outlines of the layer above; null: nothing.
+int64_t GapBeads(GapFillTarget target, const MultiPolygon* above, const MultiPolygon* below) {
+  const ObjectSection section{
+      0,  3, 9, 200'000, {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 30 0, 30 2.3, 0 2.3)")}},
+      {}, 0, {}};
+  BeadingOptions options;
+  options.generator = WallGenerator::kClassic;
+  options.perimeters = 2;
+  options.gap_target = target;
+  const NeighbourOutlines neighbours({below, &OutlineOf(section), above});
+  const auto result = WallSection({section, false, neighbours, 1}, {{options}}, {});
+  EXPECT_TRUE(result.ok()) << result.status();
+  int64_t beads = 0;
+  for (const WalledIsland& island : result->walled.islands)
+    beads += std::ranges::count(island.walls, Feature::kGapFill, &Path::feature);
+  return beads;
+}
+
+TEST(WallSection, NarrowPartsAreFilledWhereAskedFor) {
+  const MultiPolygon wide = MakePolygonsOrDie("(-9 -9, 39 -9, 39 9, -9 9)");
+  EXPECT_GT(GapBeads(GapFillTarget::kEverywhere, &wide, &wide), 0);
+  EXPECT_EQ(GapBeads(GapFillTarget::kNowhere, nullptr, &wide), 0);
+  EXPECT_EQ(GapBeads(GapFillTarget::kTopBottom, &wide, &wide), 0);
+  EXPECT_GT(GapBeads(GapFillTarget::kTopBottom, nullptr, &wide), 0);
+  const MultiPolygon half = MakePolygonsOrDie("(-9 -9, 15 -9, 15 9, -9 9)");
+  EXPECT_GT(GapBeads(GapFillTarget::kTopBottom, &half, &wide), 0);
+}
+
 }  // namespace
 }  // namespace slicefarm::beading::section_walls_test

@@ -11,7 +11,7 @@ namespace slicefarm::beading {
 TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const MultiPolygon* below,
                    const WallPlan& plan) {
   TopParts parts{Difference(inside, above), {}};
-  const Coord least = plan.inner_width_nm / 4;
+  const Coord least = std::max(plan.inner_width_nm / 4, plan.min_top_nm / 2);
   const Coord reach = std::max(plan.external_spacing_nm, plan.inner_width_nm);
   if (!parts.top.empty() && below != nullptr)
     if (const MultiPolygon bridges = Difference(parts.top, *below); !bridges.empty())

@@ -14,13 +14,11 @@ struct TopParts {
   MultiPolygon covered;  ///< remaining parts, which get inner walls along their boundary
 };
 
-/// Divides `inside`, the area inside an outermost wall, into the parts that are visible from above
-/// and the covered parts. `above`: outlines of the layer above. `below`: outlines of the layer
-/// below; null: the bed. `plan`: widths of the walls.
-///
-/// Parts over air count as covered, because inner walls have to support their infill. Top surfaces
-/// narrower than half an inner wall also count as covered. The boundary of a top surface is hidden
-/// by the outermost wall of the layer above.
+/// Divides `inside` into the parts that `above`, the outlines of the layer above, covers or leaves
+/// visible. Areas over air count as covered, because inner walls have to support their infill. The
+/// wall beside a top surface is under the outermost wall of the layer above, which hides it. Top
+/// surfaces narrower than half an inner wall, or than WallPlan::min_top_nm, also count as covered.
+/// `below`: outlines of the layer below; null: the bed.
 ///
 /// Cost: O(n log n), n points; only one difference if nothing is visible from above.
 TopParts PartByTop(const MultiPolygon& inside, const MultiPolygon& above, const MultiPolygon* below,

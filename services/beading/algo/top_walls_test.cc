@@ -63,5 +63,16 @@ TEST(MakeInner, LeavesGapFillAlone) {
   EXPECT_EQ(walls[1].inset, Path().inset);
 }
 
+TEST(PartByTop, NarrowTopSurfacesKeepTheirWallsIfAskedFor) {
+  const MultiPolygon inside = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
+  const MultiPolygon above = MakePolygonsOrDie("(-1 -1, 19 -1, 19 21, -1 21)");
+  WallPlan plan = Plan();
+  EXPECT_NEAR(Mm2(PartByTop(inside, above, nullptr, plan).top), 20, 0.5);
+  plan.min_top_nm = 1'350'000;
+  EXPECT_TRUE(PartByTop(inside, above, nullptr, plan).top.empty());
+  plan.min_top_nm = 900'000;
+  EXPECT_NEAR(Mm2(PartByTop(inside, above, nullptr, plan).top), 20, 0.5);
+}
+
 }  // namespace
 }  // namespace slicefarm::beading::top_walls_test

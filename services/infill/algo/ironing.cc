@@ -1,11 +1,13 @@
 #include "services/infill/algo/ironing.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/scan_lines.h"
 #include "services/infill/algo/linking/serpentine.h"
+#include "services/infill/algo/space_filling/depth_rings.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -16,13 +18,39 @@ constexpr double kIroningLinkSpacings = 3;
 
 }  // namespace
 
+namespace {
+
+Coord WidthOf(const IroningFill& fill) {
+  const auto strip =
+      static_cast<Coord>(fill.ironing.flow * static_cast<double>(fill.ironing.spacing_nm));
+  return std::max<Coord>(1, WidthToFill(strip, fill.height_nm));
+}
+
+absl::StatusOr<FillGroup> IronedLoops(MultiPolygon area, const IroningFill& fill) {
+  for (const PolygonWithHoles& island : area)
+    if (absl::Status ok = CheckRingSpacing(island, fill.ironing.spacing_nm); !ok.ok()) return ok;
+  FillGroup group{.keep_order = true, .paths = {}};
+  for (; !area.empty(); area = FastOffset(area, -fill.ironing.spacing_nm)) {
+    ForEachRing(area, [&](const Polygon& ring) {
+      Path& path = group.paths.emplace_back();
+      path.feature = Feature::kIroning;
+      path.closed = true;
+      path.points = ring;
+      path.widths_nm = {WidthOf(fill)};
+    });
+  }
+  return group;
+}
+
+}  // namespace
+
 absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningFill& fill) {
   const MultiPolygon area = FastOffset(region, -fill.ironing.spacing_nm / 2);
+  if (fill.ironing.concentric) return IronedLoops(area, fill);
   const auto spacing = static_cast<double>(fill.ironing.spacing_nm);
   const auto lines = CutLines(area, {fill.angle_rad, 0, spacing});
   if (!lines.ok()) return lines.status();
-  const auto strip = static_cast<Coord>(fill.ironing.flow * spacing);
-  const Coord width = std::max<Coord>(1, WidthToFill(strip, fill.height_nm));
+  const Coord width = WidthOf(fill);
   FillGroup group{.keep_order = true, .paths = {}};
   for (SerpentinePath& line :
        Serpentine(*lines, {.monotonic = true,

@@ -15,11 +15,12 @@ struct IroningFill {
   IroningOptions ironing = {};
 };
 
-/// Returns lines that pass close together over a printed region. Their plastic is `flow` times the
-/// plastic that would fill the layer: section of a bead = flow * spacing * height. The lines end
-/// half a spacing inside the region's boundary and are joined back and forth. The group keeps its
-/// order, and the ordering service prints it after all other paths of the island. Errors:
-/// REQUEST_TOO_LARGE (see CutLines). Cost: the cost of CutLines.
+/// Returns lines that pass over a printed region again, close together, with `flow` of the plastic
+/// that would fill the layer: section of a bead = flow * spacing * height. The lines end half a
+/// spacing inside the region's boundary and are joined back and forth, or are loops along it, from
+/// the outside to the inside. The group keeps its order.
+/// The ordering service prints it after all other paths of the island. Errors: REQUEST_TOO_LARGE
+/// (see CutLines and CheckRingSpacing). Cost: the cost of CutLines, or an offset for each loop.
 absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningFill& fill);
 
 }  // namespace slicefarm::infill

@@ -57,5 +57,24 @@ TEST(IronedLines, TooManyLinesAreRefused) {
   EXPECT_EQ(DetailOf(group.status()).reason, Reason::kRequestTooLarge);
 }
 
+TEST(IronedLines, LoopsGiveTheSameFlow) {
+  const MultiPolygon region = P("(0 0, 30 0, 30 20, 0 20) (10 5, 10 15, 20 15, 20 5)");
+  IroningFill fill{.ironing = {.enabled = true, .flow = 0.15, .concentric = true}};
+  const auto group = IronedLines(region, fill);
+  ASSERT_TRUE(group.ok());
+  EXPECT_TRUE(group->keep_order);
+  double volume = 0;
+  for (const Path& path : group->paths) {
+    EXPECT_EQ(path.feature, Feature::kIroning);
+    EXPECT_TRUE(path.closed);
+    volume += ToMm(PathLength(path)) * SectionMm2(path.WidthAt(0), fill.height_nm);
+  }
+  EXPECT_NEAR(volume / (0.15 * Area(region) * 1e-12 * 0.2), 1, 0.03);
+  ExpectInside(group->paths, Offset(region, -49'000));
+  fill.ironing.spacing_nm = 1'000;
+  EXPECT_EQ(DetailOf(IronedLines(P("(0 0, 2000 0, 2000 2000, 0 2000)"), fill).status()).reason,
+            Reason::kRequestTooLarge);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::ironing_test

@@ -99,18 +99,24 @@ class RegionFill {
       over_sparse = *std::move(bridges);
     }
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
-    absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
-                                      options_.top_width_nm, options_.top_flow, fills);
+    const Coord surface_overlap_nm =
+        options_.surface_overlap_nm >= 0 ? options_.surface_overlap_nm : options_.overlap_nm;
+    absl::Status status =
+        AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
+                    options_.top_width_nm, options_.top_flow, surface_overlap_nm, fills);
     if (status.ok()) status = AppendBridges(skins.bridge, fills);
     if (status.ok()) status = AppendSparseBridges(over_sparse, fills);
     const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                            double flow) {
+                            double flow, Coord overlap_nm) {
       if (status.ok())
-        status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, flow, fills);
+        status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, flow, overlap_nm,
+                             fills);
     };
-    append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern, options_.bottom_flow);
-    append(skins.over_bridge, Feature::kSolidOverBridge, inner, 1);
-    append(skins.solid, Feature::kSolidInfill, inner, cover_.on_bed ? options_.bottom_flow : 1);
+    append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern, options_.bottom_flow,
+           surface_overlap_nm);
+    append(skins.over_bridge, Feature::kSolidOverBridge, inner, 1, options_.overlap_nm);
+    append(skins.solid, Feature::kSolidInfill, inner, cover_.on_bed ? options_.bottom_flow : 1,
+           cover_.on_bed ? surface_overlap_nm : options_.overlap_nm);
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
     if (status.ok() && bare && fill_area.role == Role::kSupport && fills.groups.empty())
       AppendMiddle(skins.sparse, PlainDensity(field), fills);
@@ -149,9 +155,10 @@ class RegionFill {
   }
 
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                           Coord width_nm, double flow, Fills& fills) const {
+                           Coord width_nm, double flow, Coord overlap_nm, Fills& fills) const {
     for (const PolygonWithHoles& region : regions) {
-      auto group = SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm));
+      auto group =
+          SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm), overlap_nm);
       if (!group.ok()) return group.status();
       if (!flows_.empty())
         for (Path& path : group->paths) ThinShortLines(flows_, view_.height_nm, path);
@@ -198,8 +205,9 @@ class RegionFill {
                                       .ironing = options_.ironing});
     if (!group.ok()) return group.status();
     Append(*std::move(group),
-           {Feature::kIroning, FillPattern::kMonotonic, Area(ironed), view_.height_nm,
-            options_.ironing.flow},
+           {Feature::kIroning,
+            options_.ironing.concentric ? FillPattern::kConcentric : FillPattern::kMonotonic,
+            Area(ironed), view_.height_nm, options_.ironing.flow},
            fills);
     return absl::OkStatus();
   }
@@ -214,12 +222,20 @@ class RegionFill {
   /// strand, because strands hang below their layer and would weld to the support.
   BridgeBead BridgeBeadOf(bool carried) const {
     if (!options_.thick_bridges || carried)
-      return {Width(options_.solid_width_nm), options_.bridge_flow};
-    return ThreadBead(options_.bridge_flow);
+      return LineBead(options_.bridge_flow, options_.bridge_density);
+    return ThreadBead(options_.bridge_flow, options_.bridge_density);
   }
-  BridgeBead ThreadBead(double flow) const {
+  /// Returns the bead of a bridge's line as high as the layer. `density`: share of the bridge under
+  /// its lines.
+  BridgeBead LineBead(double flow, double density) const {
+    const Coord width_nm = Width(options_.solid_width_nm);
+    if (density >= 1) return {width_nm, flow};
+    const auto spacing_nm = static_cast<double>(Spacing(width_nm, view_.height_nm));
+    return {WidthForSpacing(std::llround(spacing_nm / density), view_.height_nm), flow * density};
+  }
+  BridgeBead ThreadBead(double flow, double density) const {
     const double thread_nm = static_cast<double>(options_.nozzle_nm) * std::sqrt(flow);
-    const double spacing_nm = thread_nm + kThreadGapNm;
+    const double spacing_nm = (thread_nm + kThreadGapNm) / density;
     const double room = spacing_nm * static_cast<double>(view_.height_nm);
     return {WidthForSpacing(std::llround(spacing_nm), view_.height_nm),
             std::numbers::pi / 4 * thread_nm * thread_nm / room};
@@ -241,10 +257,9 @@ class RegionFill {
         asked.pattern = std::nullopt;
         lines = OverhangLines(region, *below, bead.width_nm);
       } else {
-        auto solid =
-            SolidLines(region, asked.feature, options_.bottom_pattern,
-                       span ? span->angle_rad : SolidAngle(options_.bottom_pattern), bead.width_nm,
-                       /*anchored=*/true);
+        auto solid = SolidLines(region, asked.feature, options_.bottom_pattern,
+                                span ? span->angle_rad : SolidAngle(options_.bottom_pattern),
+                                bead.width_nm, options_.overlap_nm, /*anchored=*/true);
         if (!solid.ok()) return solid.status();
         lines = *std::move(solid);
       }
@@ -278,8 +293,8 @@ class RegionFill {
   BridgeBead InternalBridgeBead() const {
     const double flow =
         options_.internal_bridge_flow > 0 ? options_.internal_bridge_flow : options_.bridge_flow;
-    if (options_.thick_internal_bridges) return ThreadBead(flow);
-    return {Width(options_.solid_width_nm), flow};
+    if (options_.thick_internal_bridges) return ThreadBead(flow, options_.internal_bridge_density);
+    return LineBead(flow, options_.internal_bridge_density);
   }
 
   /// Appends bridges between the lines of the sparse infill below.
@@ -289,9 +304,9 @@ class RegionFill {
     const Feature feature = own ? Feature::kInternalBridge : Feature::kBridgeInfill;
     for (const PolygonWithHoles& region : bridges.regions) {
       const auto span = BridgeAngle(region, bridges.bearers, options_.solid_width_nm);
-      auto lines =
-          SolidLines(region, feature, FillPattern::kRectilinear,
-                     span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear), bead.width_nm);
+      auto lines = SolidLines(region, feature, FillPattern::kRectilinear,
+                              span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear),
+                              bead.width_nm, options_.overlap_nm);
       if (!lines.ok()) return lines.status();
       ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines->paths);
       Append(*std::move(lines),
@@ -332,14 +347,14 @@ class RegionFill {
 
   absl::StatusOr<FillGroup> SolidLines(const PolygonWithHoles& region, Feature feature,
                                        FillPattern pattern, double angle_rad, Coord width_nm,
-                                       bool anchored = false) const {
+                                       Coord overlap_nm, bool anchored = false) const {
     return FillSolid(region, {.feature = feature,
                               .pattern = pattern,
                               .angle_rad = angle_rad,
                               .width_nm = width_nm,
                               .height_nm = view_.height_nm,
                               .layer = view_.layer,
-                              .overlap_nm = options_.overlap_nm,
+                              .overlap_nm = overlap_nm,
                               .beside_walls = view_.stack.IsPart(),
                               .anchored = anchored});
   }

@@ -690,5 +690,48 @@ TEST(FillSection, BridgesOverSparseInfillHaveTheirOwnFlow) {
   EXPECT_NEAR(volume(Feature::kInternalBridge), 0.64 * 18 * 18 * 0.2, 0.05 * 18 * 18 * 0.2);
 }
 
+/// Returns the bounds of the beads of a feature in the left half of a layer of the prism.
+Box BoundsOf(int32_t layer, Feature feature, const InfillOptions& options) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  const auto filled = FillPlain(Halves(layer), false, objects, {options, options});
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  Box box;
+  for (const Path& path : PathsOf(*filled))
+    if (path.settings == 0 && path.feature == feature) box.Add(Bounds(path.points));
+  return box;
+}
+
+TEST(FillSection, TopAndBottomSurfacesHaveTheirOverlap) {
+  InfillOptions options;
+  options.overlap_nm = 100'000;
+  InfillOptions more = options;
+  more.surface_overlap_nm = 300'000;
+  const auto grown = [&](int32_t layer, Feature feature) {
+    return BoundsOf(layer, feature, options).min.x - BoundsOf(layer, feature, more).min.x;
+  };
+  EXPECT_GT(grown(9, Feature::kTopSolidInfill), 30'000);
+  EXPECT_GT(grown(0, Feature::kSolidInfill), 30'000);
+  EXPECT_EQ(grown(8, Feature::kSolidInfill), 0) << "inside the part";
+}
+
+TEST(FillSection, SolidLinesHaveTheirDirection) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  InfillOptions options;
+  options.top_pattern = FillPattern::kMonotonicLines;
+  options.solid_angle_rad = 0;
+  const auto filled = FillPlain(Halves(9), false, objects, {options, options});
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  int lines = 0;
+  for (const Path& path : PathsOf(*filled)) {
+    if (path.feature != Feature::kTopSolidInfill) continue;
+    const Point along = path.points[1] - path.points[0];
+    EXPECT_LT(std::min(std::abs(along.x), std::abs(along.y)), 10'000) << "along an axis";
+    ++lines;
+  }
+  EXPECT_GT(lines, 10);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::section_fill_test

@@ -70,8 +70,10 @@ Cover CoverOf(const SectionView& view, const InfillOptions& options, std::option
 
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {
   const auto sparse = PlannedAngle(options.angle_template, options.angle_rad, layer);
-  const auto solid = PlannedAngle(options.solid_angle_template, options.angle_rad, layer);
-  return {sparse.value_or(options.angle_rad), solid.value_or(options.angle_rad), sparse.has_value(),
+  const double solid_rad =
+      options.solid_angle_rad >= 0 ? options.solid_angle_rad : options.angle_rad;
+  const auto solid = PlannedAngle(options.solid_angle_template, solid_rad, layer);
+  return {sparse.value_or(options.angle_rad), solid.value_or(solid_rad), sparse.has_value(),
           solid.has_value()};
 }
 

@@ -105,7 +105,8 @@ absl::Status CheckOptions(const MotionOptions& options) {
   const RetractionOptions& retraction = options.tool().retraction;
   const CoolingOptions& cooling = options.tool().cooling;
   for (const Named& named :
-       {Named{"filament_diameter", options.tool().filament_diameter_mm, kMaxLengthMm},
+       {Named{"max_volumetric_extrusion_rate_slope_segment_length", options.flow_segment_mm},
+        Named{"filament_diameter", options.tool().filament_diameter_mm, kMaxLengthMm},
         Named{"extrusion_multiplier", options.tool().extrusion_multiplier}}) {
     if (!(named.value > 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
@@ -120,6 +121,14 @@ absl::Status CheckOptions(const MotionOptions& options) {
         Named{"travel_slope", retraction.ramp_slope_deg, 90},
         Named{"seam_gap_distance", options.seam_gap_mm, kMaxLengthMm},
         Named{"travel_short_distance_acceleration", options.short_travel_acceleration_mm_s2},
+        Named{"first_layer_travel_acceleration", options.first_layer_travel_acceleration_mm_s2},
+        Named{"accel_to_decel", options.accel_to_decel},
+        Named{"default_jerk", options.jerk.default_mm_s},
+        Named{"first_layer_jerk", options.jerk.first_layer_mm_s},
+        Named{"travel_jerk", options.jerk.travel_mm_s},
+        Named{"first_layer_travel_jerk", options.jerk.first_layer_travel_mm_s},
+        Named{"fan_speedup_time", options.fan_speedup_s},
+        Named{"default_junction_deviation", options.jerk.junction_deviation_mm},
         Named{"cooling_perimeter_transition_distance", cooling.transition_mm},
         Named{"retract_before_wipe", retraction.before_wipe, 1},
         Named{"wipe_distance", retraction.wipe_distance_mm, kMaxLengthMm},

@@ -107,7 +107,8 @@ bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
 }
 
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
-  const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2};
+  const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2,
+                             options.flow_segment_mm};
   const double filament_mm2 = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
                               options.tool().filament_diameter_mm;
   std::vector<BuiltBlock> built;
@@ -117,8 +118,11 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
     std::optional<LayerBelow> carried;
     if (below && !block.carried.empty()) carried.emplace(block.carried);
+    std::optional<LayerBelow> curled;
+    if (below && !block.curled.empty()) curled.emplace(block.curled);
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
-                            below ? &*below : nullptr, carried ? &*carried : nullptr);
+                            below ? &*below : nullptr, carried ? &*carried : nullptr,
+                            curled ? &*curled : nullptr);
     if (BeginsReady(block, layer)) builder.BeginAsLeft();
     if (block.spiral && block.paths.size() == 1) {
       builder.AddTurn(block.paths.front(), *block.spiral, block.below);
@@ -371,6 +375,8 @@ LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   state.overhang_fan_percent = OverhangFanPercent(cooling, index, state.fan_percent);
   state.cooled_rest = CooledRest(cooling);
   state.interface_fan_percent = InterfaceFanPercent(cooling, index);
+  state.fan_early_s = options.fan_speedup_s;
+  state.fan_early_all = options.fan_speedup_all;
   return state;
 }
 

@@ -140,6 +140,7 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   WriteStart(options, start, out);
   if (options.tool().pressure_advance > 0)
     firmware.WritePressureAdvance(options.tool().pressure_advance, out);
+  WriteLayerLimits(options, out);
   ExtruderWords extruder(options);
   extruder.WriteCanonicalState(out);
   firmware.WriteLayersBegin(out);

@@ -198,7 +198,7 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   WorkBudget budget{options.improvement_moves};
   LayerVisits(ordered, copies).Add(plan.entry, budget);
   WorkBudget sights{kSightsOfCopies};
-  KeepOffCurled(plan, sights, ordered);
+  if (options.travel.avoid_curled) KeepOffCurled(plan, sights, ordered);
   KeepInRoom(options.travel.room, ordered);
   return ordered;
 }

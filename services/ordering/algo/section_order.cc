@@ -192,7 +192,8 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   OutsideTravels outside(section, options.travel);
   std::optional<IslandEdges> left;
   std::optional<CurlAvoidance> curled;
-  if (!plan.curled.empty()) curled.emplace(plan.curled, RoomOf(section));
+  if (options.travel.avoid_curled && !plan.curled.empty())
+    curled.emplace(plan.curled, RoomOf(section));
   for (size_t i = 0; i < visits.size(); ++i) {
     const bool is_first = i == 0, is_last = i + 1 == visits.size();
     const std::optional<Point> next =

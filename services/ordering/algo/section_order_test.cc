@@ -229,7 +229,9 @@ TEST(OrderSection, KeepsOffWhatHasCurledUp) {
   WorkBudget budget{100'000};
   const PathBlock straight = OrderSection(section, plan, {}, budget);
   plan.curled = MakePolygonsOrDie("(29.5 3, 30.5 3, 30.5 19, 29.5 19)");
-  const PathBlock round = OrderSection(section, plan, {}, budget);
+  OrderingOptions avoids;
+  avoids.travel.avoid_curled = true;
+  const PathBlock round = OrderSection(section, plan, avoids, budget);
   EXPECT_EQ(round.paths, straight.paths);
   const CurlAvoidance routes(plan.curled, {});
   int met = 0;

@@ -79,7 +79,8 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
   if (SpiralPlanner::IsNeeded(options))
     planners_.push_back(std::make_unique<SpiralPlanner>(options, copies));
-  if (options.avoid_curled) planners_.push_back(std::make_unique<CurlPlanner>(options));
+  if (options.avoid_curled || options.slow_curled)
+    planners_.push_back(std::make_unique<CurlPlanner>(options));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
   if (!options.objects_may_overlap)
     planners_.push_back(std::make_unique<ConflictPlanner>(options, copies, object_names));

@@ -140,4 +140,69 @@ inline constexpr Need kCombinedByNumber{
     "automatic_infill_combination = 0", nullptr,
     [](const SettingValues& draft) { return !Combines(draft); }};
 
+inline constexpr Need kDefaultJerk{"default_jerk above 0", [](const JobRows& s) {
+                                     return FdmOf(s).machine.motion.jerk.default_mm_s > 0;
+                                   }};
+inline constexpr Need kJunctionDeviation{
+    "gcode_flavor = marlin2 and machine_max_junction_deviation above 0", [](const JobRows& s) {
+      const MachineMotion& motion = FdmOf(s).machine.motion;
+      const bool marlin2 =
+          motion.flavor == GcodeFlavor::kMarlin2 || motion.flavor == GcodeFlavor::kPrusaBuddy;
+      return marlin2 && motion.limits.junction_deviation_mm > 0;
+    }};
+inline constexpr Need kMarlinOrJerk{
+    "a gcode_flavor of Marlin, or default_jerk above 0", [](const JobRows& s) {
+      const MachineMotion& motion = FdmOf(s).machine.motion;
+      return motion.flavor != GcodeFlavor::kKlipper || motion.jerk.default_mm_s > 0;
+    }};
+inline constexpr Need kDynamicOverhangs{"enable_dynamic_overhang_speeds = 1", [](const JobRows& s) {
+                                          return FdmOf(s).region.motion.dynamic_overhangs;
+                                        }};
+inline constexpr Need kFlowSlope{
+    "max_volumetric_extrusion_rate_slope_positive or _negative above 0", [](const JobRows& s) {
+      const MachineMotion& motion = FdmOf(s).machine.motion;
+      return motion.flow_rise_mm3_s2 > 0 || motion.flow_fall_mm3_s2 > 0;
+    }};
+inline constexpr Need kOverhangReverse{
+    .what = "overhang_reverse = 1",
+    .met = [](const JobRows& s) { return FdmOf(s).region.motion.reversal.on; },
+    .only_requested = true};
+inline constexpr Need kFanSpeedup{"fan_speedup_time above 0", [](const JobRows& s) {
+                                    return FdmOf(s).machine.motion.fan_speedup_s > 0;
+                                  }};
+inline constexpr Need kElephantFoot{"elefant_foot_compensation above 0",
+                                    [](const JobRows& s) { return s.object.elephant_foot_nm > 0; }};
+inline constexpr Need kScarfSeam{"a scarf_seam_placement other than nowhere", [](const JobRows& s) {
+                                   return FdmOf(s).region.motion.scarf.placement !=
+                                          ScarfPlacement::kNowhere;
+                                 }};
+inline constexpr Need kInnerWallsFirst{
+    "external_perimeters_first = 0 and inner_outer_inner = 0", [](const JobRows& s) {
+      const WallOrder& order = FdmOf(s).region.order;
+      return !order.external_perimeters_first && !order.inner_outer_inner;
+    }};
+inline constexpr Need kOneWallOnTop{.what = "top_one_perimeter_type = top",
+                                    .met =
+                                        [](const JobRows& s) {
+                                          return FdmOf(s).region.walls.one_on_top ==
+                                                 OneWallOnTop::kSurfaces;
+                                        },
+                                    .only_requested = true};
+inline constexpr Need kArachne{"perimeter_generator = arachne", [](const JobRows& s) {
+                                 return FdmOf(s).region.walls.generator == WallGenerator::kArachne;
+                               }};
+inline constexpr Need kGapFill{"gap_fill_enabled = 1",
+                               [](const JobRows& s) { return FdmOf(s).region.walls.gap_fill; }};
+inline constexpr Need kColumnSupports{
+    "support_material = 1 and a support_material_style of columns", [](const JobRows& s) {
+      const SupportOptions& support = FdmOf(s).object.support;
+      return support.on && support.style != SupportStyle::kTree;
+    }};
+inline constexpr Need kSkippedBridges{"dont_support_bridges = 1", [](const JobRows& s) {
+                                        return FdmOf(s).object.support.skip_bridges;
+                                      }};
+inline constexpr Need kNoThreshold{"support_material_threshold = 0", [](const JobRows& s) {
+                                     return FdmOf(s).object.support.threshold_rad <= 0;
+                                   }};
+
 }  // namespace slicefarm::config::fdm::needs

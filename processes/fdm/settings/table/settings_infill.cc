@@ -1,3 +1,4 @@
+#include <numbers>
 #include <utility>
 
 #include "processes/fdm/settings/table/needs.h"
@@ -79,6 +80,14 @@ std::vector<SettingSpec> IroningSettings() {
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::inset_nm>(),
        .orca = {{"ironing_inset"}},
        .needs = {&needs::kIroning}},
+      {.key = "ironing_pattern",
+       .kind = Kind::kChoice,
+       .standard = "rectilinear",
+       .doc = "Lines of ironing. rectilinear: straight. concentric: along the edges",
+       .choices = {{"rectilinear", 0}, {"concentric", 1}},
+       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::concentric>(),
+       .orca = {{"ironing_pattern", OrcaValue::kChoice}},
+       .needs = {&needs::kIroning}},
   };
 }
 
@@ -116,6 +125,17 @@ SettingSpec SolidLayers(std::string_view key, std::string_view doc, Field field)
           .min = 0,
           .max = 1000,
           .standard = "3",
+          .doc = doc,
+          .field = field};
+}
+
+SettingSpec BridgeDensity(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key,
+          .kind = Kind::kPercent,
+          .unit = "%",
+          .min = 10,
+          .max = 100,
+          .standard = "100%",
           .doc = doc,
           .field = field};
 }
@@ -199,6 +219,23 @@ std::vector<SettingSpec> InfillSettings() {
               "layer to layer",
        .field = Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::angle_rad>(),
        .orca = {{"infill_direction"}}},
+      {.key = "solid_fill_angle",
+       .unit = "degrees",
+       .min = -1,
+       .max = 360,
+       .standard = "-1",
+       .doc = "Direction of solid infill lines in even layers, from the x axis; -1: fill_angle",
+       .field = Convert<RegionRow>(
+           [](RegionRow& row, const Value& value) {
+             row.infill.solid_angle_rad =
+                 value.number < 0 ? -1 : value.number * std::numbers::pi / 180;
+           },
+           [](const RegionRow& row) {
+             const double angle_rad = row.infill.solid_angle_rad;
+             return Value{.number =
+                              angle_rad < 0 ? -1 : Quantise(angle_rad * 180 / std::numbers::pi)};
+           }),
+       .orca = {{"solid_infill_direction"}}},
       Orca({"sparse_infill_rotate_template"},
            AnglesByLayer("fill_angle_template",
                          "Directions of sparse infill lines, a list that repeats over the layers. "
@@ -220,6 +257,23 @@ std::vector<SettingSpec> InfillSettings() {
        .relative_to = "perimeter_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::overlap_nm>(),
        .orca = {{"infill_wall_overlap", OrcaValue::kPercent}}},
+      {.key = "top_bottom_infill_overlap",
+       .kind = Kind::kNumberOrPercent,
+       .unit = "mm",
+       .min = -1,
+       .max = 5,
+       .standard = "-1",
+       .doc = "Overlap of the lines of top and bottom surfaces with the walls; -1: infill_overlap",
+       .relative_to = "perimeter_extrusion_width",
+       .field = Convert<RegionRow>(
+           [](RegionRow& row, const Value& value) {
+             row.infill.surface_overlap_nm = value.number < 0 ? -1 : FromMm(value.number);
+           },
+           [](const RegionRow& row) {
+             const Coord overlap = row.infill.surface_overlap_nm;
+             return Value{.number = overlap < 0 ? -1 : Quantise(ToMm(overlap))};
+           }),
+       .orca = {{"top_bottom_infill_wall_overlap", OrcaValue::kPercent}}},
       {.key = "infill_anchor",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -277,6 +331,18 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Bind<&RegionRow::infill, &InfillOptions::bridge_flow>(),
        .also = Bind<&RegionRow::motion, &RegionMotion::bridge_flow>(),
        .orca = {{"bridge_flow"}}},
+      Orca({"bridge_density"},
+           BridgeDensity(
+               "bridge_density",
+               "Share of a bridge's area under its lines; less: more air "
+               "between the lines. 100%: line beside line",
+               Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::bridge_density>())),
+      Orca({"internal_bridge_density"},
+           BridgeDensity("internal_bridge_density",
+                         "Share of the area of bridges over sparse infill under their lines; 100%: "
+                         "line beside line",
+                         Bind<Scale::kPercent, &RegionRow::infill,
+                              &InfillOptions::internal_bridge_density>())),
       {.key = "top_solid_infill_flow_ratio",
        .min = 0.1,
        .max = 2,

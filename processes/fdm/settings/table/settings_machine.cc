@@ -29,11 +29,12 @@ std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
       Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
             Bind<&MachineRow::motion, &MachineMotion::limits,
                  &MachineLimits::max_acceleration_mm_s2, kAxis>()),
-      Needing({&needs::kMarlin}, Limit(keys[2], "mm/s", 0, 100'000, standards[2],
-                                       "Largest instantaneous change of speed of this axis at "
-                                       "corners (Marlin's classic jerk)",
-                                       Bind<&MachineRow::motion, &MachineMotion::limits,
-                                            &MachineLimits::max_jerk_mm_s, kAxis>())),
+      Needing({kAxis == kX || kAxis == kY ? &needs::kMarlinOrJerk : &needs::kMarlin},
+              Limit(keys[2], "mm/s", 0, 100'000, standards[2],
+                    "Largest instantaneous change of speed of this axis at "
+                    "corners (Marlin's classic jerk)",
+                    Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s,
+                         kAxis>())),
   };
 }
 
@@ -194,6 +195,28 @@ std::vector<SettingSpec> Machine() {
        .standard = "0",
        .doc = "Report progress and remaining time to the printer before each layer (M73)",
        .field = Bind<&MachineRow::motion, &MachineMotion::progress>()},
+      {.key = "fan_speedup_time",
+       .unit = "s",
+       .min = 0,
+       .max = 60,
+       .standard = "0",
+       .doc = "Time by which a faster fan speed is set before the lines that need it, within the "
+              "lines of a copy in one layer",
+       .field = Bind<&MachineRow::motion, &MachineMotion::fan_speedup_s>(),
+       .orca = {{"fan_speedup_time"}}},
+      {.key = "fan_speedup_overhangs",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Apply fan_speedup_time to bridges and overhangs only; 0: to all faster fan speeds",
+       .field = Convert<MachineRow>(
+           [](MachineRow& row, const Value& value) {
+             row.motion.fan_speedup_all = value.number == 0;
+           },
+           [](const MachineRow& row) {
+             return Value{.number = row.motion.fan_speedup_all ? 0.0 : 1.0};
+           }),
+       .orca = {{"fan_speedup_overhangs"}},
+       .needs = {&needs::kFanSpeedup}},
       {.key = "gcode_label_objects",
        .kind = Kind::kChoice,
        .standard = "disabled",

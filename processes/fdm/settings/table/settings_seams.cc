@@ -1,8 +1,33 @@
 #include "common/config/table/value.h"
+#include "processes/fdm/settings/table/needs.h"
 #include "processes/fdm/settings/table/settings_sections.h"
 
 namespace slicefarm::config::fdm {
 namespace {
+
+/// Returns the speed of scarfs: mm/s, or a percentage of the wall's speed.
+SettingSpec ScarfSpeed() {
+  const auto set = [](RegionRow& row, const Value& value) {
+    row.motion.scarf.speed_mm_s = value.percent ? 0 : value.number;
+    row.motion.scarf.speed_ratio = value.percent && value.number > 0 ? value.number / 100 : 1;
+  };
+  const auto get = [](const RegionRow& row) -> Value {
+    const ScarfOptions& scarf = row.motion.scarf;
+    if (scarf.speed_mm_s != 0) return {.number = scarf.speed_mm_s};
+    return {.number = Quantise(scarf.speed_ratio * 100), .percent = true};
+  };
+  return {.key = "scarf_seam_speed",
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm/s",
+          .min = 1,
+          .max = 10'000,
+          .standard = "100%",
+          .doc = "Highest speed of a scarf",
+          .percent_of = "the speed of the wall",
+          .field = Convert<RegionRow>(set, get),
+          .orca = {{"scarf_joint_speed"}},
+          .needs = {&needs::kScarfSeam}};
+}
 
 std::vector<SettingSpec> ScarfSettings() {
   const auto placement = [](ScarfPlacement place) { return static_cast<int>(place); };
@@ -55,6 +80,24 @@ std::vector<SettingSpec> ScarfSettings() {
        .standard = "1",
        .doc = "Longest segment of constant flow in a scarf; smaller: smoother",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::max_segment_mm>()},
+      {.key = "scarf_seam_steps",
+       .kind = Kind::kInteger,
+       .min = 1,
+       .max = 1000,
+       .standard = "1",
+       .doc = "Least number of segments of a scarf",
+       .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::least_segments>(),
+       .orca = {{"seam_slope_steps"}},
+       .needs = {&needs::kScarfSeam}},
+      ScarfSpeed(),
+      {.key = "scarf_seam_flow_ratio",
+       .min = 0.1,
+       .max = 2,
+       .standard = "1",
+       .doc = "Flow of scarfs relative to the flow that fills the layer; 1: the same",
+       .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::flow>(),
+       .orca = {{"scarf_joint_flow_ratio"}},
+       .needs = {&needs::kScarfSeam}},
       {.key = "scarf_seam_on_inner_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -29,6 +29,9 @@ std::vector<SettingSpec> InfillSettings();    ///< defined in settings_infill.cc
 std::vector<SettingSpec> AdhesionSettings();  ///< defined in settings_adhesion.cc
 std::vector<SettingSpec> SupportSettings();   ///< defined in settings_supports.cc
 std::vector<SettingSpec> SpeedSettings();     ///< defined in settings_speed.cc
+/// Accelerations and jerks, a part of SpeedSettings; defined in settings_dynamics.cc.
+std::vector<SettingSpec> DynamicsSettings();
+std::vector<SettingSpec> FlowSettings();      ///< defined in settings_flow.cc
 std::vector<SettingSpec> FilamentSettings();  ///< defined in settings_filament.cc
 std::vector<SettingSpec> MachineSettings();   ///< defined in settings_machine.cc
 std::vector<SettingSpec> TravelSettings();    ///< defined in settings_travel.cc

@@ -14,6 +14,18 @@ std::vector<SettingSpec> SlicingSettings() {
               "spreading under the weight of the part",
        .field = Bind<&ObjectSlicingOptions::elephant_foot_nm>(),
        .orca = {{"elefant_foot_compensation"}}},
+      {.key = "elefant_foot_compensation_layers",
+       .kind = Kind::kInteger,
+       .unit = "layers",
+       .min = 1,
+       .max = 100,
+       .standard = "1",
+       .doc =
+           "Number of layers over which elefant_foot_compensation falls evenly to 0; 1: only the "
+           "first layer shrinks",
+       .field = Bind<&ObjectSlicingOptions::elephant_foot_layers>(),
+       .orca = {{"elefant_foot_compensation_layers"}},
+       .needs = {&needs::kElephantFoot}},
       {.key = "counterbore_hole_bridging",
        .kind = Kind::kChoice,
        .standard = "none",

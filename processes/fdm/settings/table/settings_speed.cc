@@ -5,17 +5,10 @@ namespace slicefarm::config::fdm {
 namespace {
 
 constexpr double kMaxSpeed = 10'000;
-constexpr double kMaxAcceleration = 1e6;
 
 template <Feature kFeature>
 Field SpeedOf() {
   return Bind<&RegionRow::motion, &RegionMotion::speed_mm_s, static_cast<int>(kFeature)>();
-}
-
-template <Feature kFeature>
-Field AccelerationOf() {
-  return Bind<&MachineRow::motion, &MachineMotion::acceleration_mm_s2,
-              static_cast<int>(kFeature)>();
 }
 
 SettingSpec Speed(std::string_view key, std::string_view standard, std::string_view doc,
@@ -36,17 +29,6 @@ SettingSpec RelativeSpeed(std::string_view key, std::string_view standard, std::
   spec.kind = Kind::kNumberOrPercent;
   spec.relative_to = to;
   return spec;
-}
-
-SettingSpec Acceleration(std::string_view key, std::string_view doc, Field field, Field also = {}) {
-  return {.key = key,
-          .unit = "mm/s2",
-          .min = 0,
-          .max = kMaxAcceleration,
-          .standard = "0",
-          .doc = doc,
-          .field = field,
-          .also = also};
 }
 
 /// Returns a speed setting: mm/s, or a percentage of the speed of each feature.
@@ -92,6 +74,16 @@ std::vector<SettingSpec> Overhangs() {
        .doc = "Slow overhanging walls down to overhang_speed_0 to _3, interpolated between them",
        .field = Bind<&RegionRow::motion, &RegionMotion::dynamic_overhangs>(),
        .orca = {{"enable_overhang_speed"}}},
+      {.key = "slowdown_for_curled_perimeters",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc =
+           "Slow walls down to overhang_speed_2 above edges that have probably curled up by more "
+           "than 0.1 mm",
+       .field = Bind<&MachineRow::motion, &MachineMotion::slow_curled>(),
+       .also = Bind<&MachineRow::plan, &JobPlanOptions::slow_curled>(),
+       .orca = {{"slowdown_for_curled_perimeters"}},
+       .needs = {&needs::kDynamicOverhangs}},
       Orca({"overhang_4_4_speed"},
            OverhangSpeed<0>("overhang_speed_0", "15",
                             "Speed of walls that overhang completely; 0: not slowed down")),
@@ -269,6 +261,16 @@ std::vector<SettingSpec> Speeds() {
                 "Largest increase of the flow per second along a path; fast lines before or "
                 "after slower ones are slowed down to keep it. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_rise_mm3_s2>()),
+      {.key = "max_volumetric_extrusion_rate_slope_segment_length",
+       .unit = "mm",
+       .min = 0.1,
+       .max = 100,
+       .standard = "1",
+       .doc = "Length of lines of constant flow where max_volumetric_extrusion_rate_slope_positive "
+              "and _negative change the flow; smaller: smoother, and more G-code",
+       .field = Bind<&MachineRow::motion, &MachineMotion::flow_segment_mm>(),
+       .orca = {{"max_volumetric_extrusion_rate_slope_segment_length"}},
+       .needs = {&needs::kFlowSlope}},
       FlowSlope("max_volumetric_extrusion_rate_slope_negative",
                 "Largest decrease of the flow per second along a path; fast lines before or "
                 "after slower ones are slowed down to keep it. 0: no limit",
@@ -276,87 +278,11 @@ std::vector<SettingSpec> Speeds() {
   };
 }
 
-/// Returns the field for the acceleration of walls over air and of bridges over sparse infill.
-Field OtherBridgesAcceleration() {
-  constexpr auto kWalls = static_cast<size_t>(Feature::kOverhangPerimeter);
-  constexpr auto kInternal = static_cast<size_t>(Feature::kInternalBridge);
-  return Convert<MachineRow>(
-      [](MachineRow& row, const Value& value) {
-        row.motion.acceleration_mm_s2[kWalls] = row.motion.acceleration_mm_s2[kInternal] =
-            value.number;
-      },
-      [](const MachineRow& row) { return Value{.number = row.motion.acceleration_mm_s2[kWalls]}; });
-}
-
-std::vector<SettingSpec> Accelerations() {
-  return {
-      Orca({"default_acceleration"},
-           Acceleration("default_acceleration",
-                        "Acceleration of lines for which the acceleration setting is 0; 0: no "
-                        "accelerations are written at all",
-                        Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
-      Orca({"inner_wall_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration("perimeter_acceleration",
-                                "Acceleration of inner walls; 0: default_acceleration",
-                                AccelerationOf<Feature::kPerimeter>()))),
-      Orca({"outer_wall_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration("external_perimeter_acceleration",
-                                "Acceleration of outer walls; 0: perimeter_acceleration",
-                                AccelerationOf<Feature::kExternalPerimeter>()))),
-      Orca({"sparse_infill_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration("infill_acceleration",
-                                "Acceleration of sparse infill; 0: default_acceleration",
-                                AccelerationOf<Feature::kInternalInfill>()))),
-      Orca({"internal_solid_infill_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration("solid_infill_acceleration",
-                                "Acceleration of solid infill; 0: infill_acceleration",
-                                AccelerationOf<Feature::kSolidInfill>(),
-                                AccelerationOf<Feature::kSolidOverBridge>()))),
-      Orca({"top_surface_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration("top_solid_infill_acceleration",
-                                "Acceleration of top surfaces; 0: solid_infill_acceleration",
-                                AccelerationOf<Feature::kTopSolidInfill>()))),
-      Orca({"bridge_acceleration", OrcaValue::kPercentOf, "outer_wall_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration(
-                       "bridge_acceleration", "Acceleration of bridges; 0: default_acceleration",
-                       AccelerationOf<Feature::kBridgeInfill>(), OtherBridgesAcceleration()))),
-      Orca({"initial_layer_acceleration"},
-           Needing(
-               {&needs::kDefaultAcceleration},
-               Acceleration(
-                   "first_layer_acceleration",
-                   "Acceleration of all extrusion in the first layer; 0: as in other layers",
-                   Bind<&MachineRow::motion, &MachineMotion::first_layer_acceleration_mm_s2>()))),
-      Acceleration("first_layer_acceleration_over_raft",
-                   "Acceleration of all extrusion in an object's first layer on a raft; 0: as in "
-                   "other layers",
-                   Bind<&MachineRow::motion, &MachineMotion::over_raft_acceleration_mm_s2>()),
-      Needing({&needs::kTravelAcceleration},
-              Acceleration(
-                  "travel_short_distance_acceleration",
-                  "Acceleration of travels that lead to an outer wall and are shorter than "
-                  "retract_before_travel; 0: travel_acceleration",
-                  Bind<&MachineRow::motion, &MachineMotion::short_travel_acceleration_mm_s2>())),
-      Orca({"travel_acceleration"},
-           Needing({&needs::kDefaultAcceleration},
-                   Acceleration(
-                       "travel_acceleration",
-                       "Acceleration of travels; 0: machine_max_acceleration_travel",
-                       Bind<&MachineRow::motion, &MachineMotion::travel_acceleration_mm_s2>()))),
-  };
-}
-
 }  // namespace
 
 std::vector<SettingSpec> SpeedSettings() {
   std::vector<SettingSpec> settings = Speeds();
-  for (auto part : {Overhangs(), Accelerations()})
+  for (auto part : {Overhangs(), DynamicsSettings()})
     for (SettingSpec& spec : part) settings.push_back(std::move(spec));
   return settings;
 }

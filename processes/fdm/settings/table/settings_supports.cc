@@ -46,6 +46,44 @@ std::vector<SettingSpec> Where() {
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::threshold_rad>(),
        .orca = {{"support_threshold_angle"}},
        .needs = {&needs::kSupports}},
+      {.key = "support_material_threshold_overlap",
+       .kind = Kind::kPercent,
+       .unit = "%",
+       .min = -1,
+       .max = 100,
+       .standard = "-1",
+       .doc =
+           "Least share of the outer wall's width on the layer below that needs no support, with "
+           "support_material_threshold = 0; larger: more supports. -1: 50, and 33 for organic "
+           "supports",
+       .field = Convert<ObjectRow>(
+           [](ObjectRow& row, const Value& value) {
+             row.support.threshold_overlap = value.number < 0 ? -1 : value.number / 100;
+           },
+           [](const ObjectRow& row) {
+             const double share = row.support.threshold_overlap;
+             return Value{.number = share < 0 ? -1 : Quantise(share * 100)};
+           }),
+       .orca = {{"support_threshold_overlap"}},
+       .needs = {&needs::kNoThreshold, &needs::kSupports}},
+      {.key = "support_material_critical_only",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc =
+           "Support only islands that start in the air and overhangs with a place more than 3 mm "
+           "beyond the layer below, besides enforcers",
+       .field = Bind<&ObjectRow::support, &SupportOptions::critical_only>(),
+       .needs = {&needs::kSupports}},
+      {.key = "support_material_expansion",
+       .unit = "mm",
+       .min = -10,
+       .max = 10,
+       .standard = "0",
+       .doc = "Growth of the supported area in x and y, for the styles grid and snug; below 0: it "
+              "shrinks",
+       .field = Bind<&ObjectRow::support, &SupportOptions::expansion_nm>(),
+       .orca = {{"support_expansion"}},
+       .needs = {&needs::kColumnSupports}},
       {.key = "support_material_enforce_layers",
        .kind = Kind::kInteger,
        .unit = "layers",
@@ -71,6 +109,15 @@ std::vector<SettingSpec> Where() {
        .field = Bind<&ObjectRow::support, &SupportOptions::skip_bridges>(),
        .orca = {{"bridge_no_support"}},
        .needs = {&needs::kSupports}},
+      {.key = "support_material_max_bridge_length",
+       .unit = "mm",
+       .min = 0,
+       .max = 10'000,
+       .standard = "0",
+       .doc = "Length of the longest bridge that dont_support_bridges leaves without support; 0: "
+              "bridges of any length",
+       .field = Bind<&ObjectRow::support, &SupportOptions::max_bridge_nm>(),
+       .needs = {&needs::kSkippedBridges, &needs::kSupports}},
       {.key = "support_material_contact_distance",
        .unit = "mm",
        .min = 0,
@@ -155,6 +202,23 @@ std::vector<SettingSpec> Lines() {
        .field = Bind<&ObjectRow::support, &SupportOptions::interface_spacing_nm>(),
        .orca = {{"support_interface_spacing"}},
        .needs = {&needs::kRaftOrSupports}},
+      {.key = "support_material_bottom_interface_spacing",
+       .unit = "mm",
+       .min = -1,
+       .max = 100,
+       .standard = "-1",
+       .doc = "Gap between lines of the dense layers at the bottom of a support; 0: none. -1: "
+              "support_material_interface_spacing",
+       .field = Convert<ObjectRow>(
+           [](ObjectRow& row, const Value& value) {
+             row.support.bottom_interface_spacing_nm = value.number < 0 ? -1 : FromMm(value.number);
+           },
+           [](const ObjectRow& row) {
+             const Coord gap = row.support.bottom_interface_spacing_nm;
+             return Value{.number = gap < 0 ? -1 : Quantise(ToMm(gap))};
+           }),
+       .orca = {{"support_bottom_interface_spacing"}},
+       .needs = {&needs::kSupports}},
       {.key = "support_material_interface_pattern",
        .kind = Kind::kChoice,
        .standard = "rectilinear",

@@ -230,11 +230,26 @@ std::vector<SettingSpec> Travels() {
        .field = Bind<&MachineRow::motion, &MachineMotion::wipe_as_printed>(),
        .orca = {{"role_based_wipe_speed"}},
        .needs = {&needs::kWipe}},
+      {.key = "wipe_on_loops",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Move inwards to the edge of the line at the end of outer walls, before the travel "
+              "begins; loops with a scarf have no such move",
+       .field = Bind<&RegionRow::motion, &RegionMotion::wipe_on_loops>(),
+       .orca = {{"wipe_on_loops"}}},
+      {.key = "wipe_before_external_loop",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "End travels to outer walls at the inner edge of the line, so that the filament that "
+              "is pushed back does not thicken the start of the wall",
+       .field = Bind<&RegionRow::motion, &RegionMotion::wipe_before_outer>(),
+       .orca = {{"wipe_before_external_loop"}}},
       {.key = "avoid_crossing_curled_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Plan travels around overhangs that have probably curled up",
-       .field = Bind<&MachineRow::plan, &JobPlanOptions::avoid_curled>()},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::avoid_curled>(),
+       .also = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_curled>()},
   };
 }
 

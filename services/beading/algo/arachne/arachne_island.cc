@@ -23,7 +23,8 @@ StrategyOptions ForStrategy(const BeadingOptions& options, const WallPlan& plan,
   StrategyOptions strategy;
   strategy.outer_width_nm = plan.external_spacing_nm;
   strategy.inner_width_nm = plan.inner_spacing_nm;
-  strategy.min_width_nm = strategy.min_split_width_nm = spacing(options.min_bead_width_nm);
+  strategy.min_width_nm = strategy.min_split_width_nm =
+      spacing(plan.min_bead_nm > 0 ? plan.min_bead_nm : options.min_bead_width_nm);
   strategy.max_width_nm = spacing(options.max_bead_width_nm);
   strategy.margin_nm = (plan.external_width_nm - plan.external_spacing_nm) / 2;
   strategy.min_feature_nm = std::max<Coord>(1, options.min_feature_nm - 2 * strategy.margin_nm);
@@ -31,6 +32,7 @@ StrategyOptions ForStrategy(const BeadingOptions& options, const WallPlan& plan,
   strategy.transition_length_nm = options.transition_length_nm;
   strategy.lock_outer_width = options.lock_outer_width;
   strategy.max_walls = plan.perimeters;
+  strategy.apart_nm = plan.apart_nm;
   return strategy;
 }
 

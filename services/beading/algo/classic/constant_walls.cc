@@ -95,7 +95,8 @@ IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& pl
       if (inset == 0 || plan.gap_fill)
         AppendGaps(Residue(region, core, fit + to_centre), inset == 0, walls.gaps);
     }
-    region = FastOffset(centre, -spacing / 2);
+    const bool has_next = inset == 0 && plan.perimeters > 1;
+    region = FastOffset(centre, -spacing / 2 - (has_next ? plan.apart_nm : 0));
     walls.centre_lines.push_back(std::move(centre));
   }
   walls.fill_area = std::move(region);

@@ -15,11 +15,14 @@ struct WallPlan {
   Coord inner_width_nm = 0;
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
-  /// true to fill gaps between walls; gaps along the outline depend on `thin_walls`
-  bool gap_fill = false;
-  /// Treatment of parts that are too thin for two outermost walls side by side. True: these parts
-  /// are returned as gaps and get one bead. False, as in PrusaSlicer: parts at least
-  /// external_width_nm wide get a wall that overlaps itself, and narrower parts are not printed.
+  /// distance of the outermost wall from the next one, in addition to their spacings
+  Coord apart_nm = 0;
+  Coord min_bead_nm = 0;  ///< width of the narrowest bead of a wall; 0: min_bead_width
+  Coord min_top_nm = 0;   ///< width of the narrowest top surface that inner walls go around
+  bool gap_fill = false;  ///< true to search for gaps between walls
+  /// If true, parts too thin for two outermost walls get one bead. If false, they get a loop that
+  /// overlaps itself, as in PrusaSlicer, if one wall fits. Otherwise they would not be printed at
+  /// all.
   bool thin_walls = false;
   /// Smallest length of a bead in a gap, in nm, if the island also has walls. Shorter beads are
   /// omitted.

@@ -162,5 +162,22 @@ TEST(ConstantWalls, FirstWidthAloneIsExternal) {
   EXPECT_NEAR(Mm2(walls.centre_lines[1]), second * second, 1e-3);
 }
 
+TEST(ConstantWalls, TheOutermostMayStandApart) {
+  WallPlan plan = Plan(3);
+  plan.apart_nm = 50'000;
+  const IslandWalls walls = MakeConstantWalls(Island("(0 0, 20 0, 20 20, 0 20)"), plan);
+  ASSERT_EQ(walls.centre_lines.size(), 3u);
+  const double spacing = 0.407080;
+  const double outer = 20 - 0.45, second = outer - 2 * (spacing + 0.05);
+  EXPECT_NEAR(Mm2(walls.centre_lines[0]), outer * outer, 1e-3);
+  EXPECT_NEAR(Mm2(walls.centre_lines[1]), second * second, 1e-3);
+  const double third = second - 2 * spacing;
+  EXPECT_NEAR(Mm2(walls.centre_lines[2]), third * third, 1e-3);
+  plan.perimeters = 1;
+  const double inside = outer - spacing;
+  EXPECT_NEAR(Mm2(MakeConstantWalls(Island("(0 0, 20 0, 20 20, 0 20)"), plan).fill_area),
+              inside * inside, 1e-3);
+}
+
 }  // namespace
 }  // namespace slicefarm::beading::constant_walls_test

@@ -48,9 +48,12 @@ std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOp
   // Simplifying can make rings cross. The region without simplification may still work.
   if (lines.empty()) lines = MedialAxis(gap.region, axis);
   std::vector<Path> paths;
-  for (ThickLine& line : lines)
-    if (Area(line) >= least_area_nm2)
-      paths.push_back(MakePath(std::move(line), gap.along_outline, options));
+  for (ThickLine& line : lines) {
+    if (Area(line) < least_area_nm2) continue;
+    Path path = MakePath(std::move(line), gap.along_outline, options);
+    if (PathLength(path) >= static_cast<double>(options.min_length_nm))
+      paths.push_back(std::move(path));
+  }
   return paths;
 }
 
@@ -61,12 +64,17 @@ MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions&
   const NarrowParts narrow = FindNarrowParts(area, options.max_width_nm, kLeastNeckNm2);
   const double least = narrow.are_all ? kLeastDotNm2 : kLeastNeckNm2;
   MultiPolygon taken;
+  bool are_all = narrow.are_all;
   for (const PolygonWithHoles& part : narrow.parts) {
+    if (options.among != nullptr && Intersection({part}, *options.among).empty()) {
+      are_all = false;
+      continue;
+    }
     std::vector<Path> beads = FillGap({part, false}, least, options);
     if (!beads.empty()) taken.push_back(part);
     std::ranges::move(beads, std::back_inserter(paths));
   }
-  if (narrow.are_all) return {};
+  if (are_all) return {};
   return taken.empty() ? MultiPolygon{area} : Difference({area}, taken);
 }
 
@@ -87,6 +95,7 @@ absl::StatusOr<std::vector<Path>> FillNarrowParts(const GapFillOptions& options,
                                                   const CancelToken& cancel,
                                                   MultiPolygon& fill_area) {
   std::vector<Path> paths;
+  if (!options.narrow_parts) return paths;
   MultiPolygon left;
   for (const PolygonWithHoles& area : fill_area) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;

@@ -14,6 +14,10 @@ struct GapFillOptions {
   Coord min_width_nm = 80'000;   ///< smallest width of a gap that is filled
   Coord max_width_nm = 800'000;  ///< largest width of a bead; a wider gap gets a bead of this width
   Coord layer_height_nm = 200'000;
+  Coord min_length_nm = 0;   ///< smallest length of a bead; shorter ones are left out
+  bool narrow_parts = true;  ///< FillNarrowParts fills parts; false: it leaves all to the infill
+  /// Areas that a part must meet to be filled by FillNarrowParts; null: all parts are filled.
+  const MultiPolygon* among = nullptr;
 };
 
 /// Smallest area of a bead in a gap between walls, or in a fill area that is narrow everywhere. A
@@ -25,8 +29,9 @@ inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
 inline constexpr double kLeastNeckNm2 = 2 * kNmPerMm * kNmPerMm;
 
 /// Returns beads of variable width along the middle of each gap (see MedialAxis). Between walls,
-/// the bead's rectangle fills the gap. Along an outline, the whole bead stays within the gap. A
-/// bead that covers less than kLeastDotNm2 is not worth its travel and is omitted.
+/// the bead's rectangle fills the gap. Along an outline, the bead stays inside. A bead that covers
+/// less than kLeastDotNm2 is not worth its travel and is left out, as is one that is shorter than
+/// the options allow.
 ///
 /// Paths have Feature::kGapFill and one width per point (a single width if all are equal), in no
 /// particular order. Errors: Cancelled.

@@ -116,5 +116,29 @@ TEST(NarrowFillAreas, StopsWhenCancelled) {
   EXPECT_TRUE(absl::IsCancelled(paths.status()));
 }
 
+TEST(GapFill, ShortBeadsAreLeftOutIfAskedFor) {
+  const Gap gap = {MakePolygonsOrDie("(0 0, 3 0, 3 0.4, 0 0.4)")[0], false};
+  GapFillOptions options;
+  options.min_length_nm = 2 * kNmPerMm;
+  EXPECT_EQ(FillGaps({gap}, options, {})->size(), 1u);
+  options.min_length_nm = 4 * kNmPerMm;
+  EXPECT_TRUE(FillGaps({gap}, options, {})->empty());
+}
+
+TEST(NarrowFillAreas, AreLeftToTheInfillIfAskedFor) {
+  const MultiPolygon strips =
+      MakePolygonsOrDie("(0 0, 9 0, 9 0.6, 0 0.6); (20 0, 29 0, 29 0.6, 20 0.6)");
+  GapFillOptions options;
+  options.narrow_parts = false;
+  MultiPolygon area = strips;
+  EXPECT_TRUE(FillNarrowParts(options, {}, area)->empty());
+  EXPECT_EQ(area, strips);
+  options.narrow_parts = true;
+  const MultiPolygon right = MakePolygonsOrDie("(19 0, 30 0, 30 5, 19 5)");
+  options.among = &right;
+  EXPECT_EQ(FillNarrowParts(options, {}, area)->size(), 1u);
+  EXPECT_EQ(area, MultiPolygon{strips[0]});
+}
+
 }  // namespace
 }  // namespace slicefarm::beading::gap_fill_test

@@ -36,6 +36,11 @@ Beading LimitedStrategy::Compute(Coord thickness_nm, int count) const {
   for (int i = half; i < max_count_; ++i) beading.locations_nm[i] += added;
   beading.thickness_nm = thickness_nm;
   beading.left_over_nm += added;
+  const Coord apart = std::clamp<Coord>(added / 2, 0, apart_nm_);
+  for (int i = 1; i < half; ++i) {
+    beading.locations_nm[i] += apart;
+    beading.locations_nm[max_count_ - 1 - i] -= apart;
+  }
   if (half > 0) AddMarkers(half, true, &beading);
   return beading;
 }
@@ -67,6 +72,7 @@ double LimitedStrategy::TransitionAnchor(int lower_count) const {
 std::vector<Coord> LimitedStrategy::Kinks() const {
   std::vector<Coord> kinks = parent_->Kinks();
   kinks.push_back(parent_->OptimalThickness(max_count_));
+  if (apart_nm_ > 0) kinks.push_back(kinks.back() + 2 * apart_nm_);
   std::sort(kinks.begin(), kinks.end());
   return kinks;
 }

@@ -11,11 +11,14 @@ namespace slicefarm::beading {
 /// boundary. The count max_count + 1 represents these thicker parts: `max_count` beads of optimal
 /// width with an area between the halves.
 ///
+/// Where something is left over, the beads except the outermost ones are moved inwards by
+/// `apart_nm`, or by as much as is left over.
+///
 /// REQUIRES: max_count is even.
 class LimitedStrategy : public BeadingStrategy {
  public:
-  LimitedStrategy(int max_count, std::unique_ptr<const BeadingStrategy> parent)
-      : max_count_(max_count), parent_(std::move(parent)) {}
+  LimitedStrategy(int max_count, std::unique_ptr<const BeadingStrategy> parent, Coord apart_nm = 0)
+      : max_count_(max_count), parent_(std::move(parent)), apart_nm_(apart_nm) {}
 
   Beading Compute(Coord thickness_nm, int count) const override;
   int OptimalCount(Coord thickness_nm) const override;
@@ -28,6 +31,7 @@ class LimitedStrategy : public BeadingStrategy {
  private:
   int max_count_;
   std::unique_ptr<const BeadingStrategy> parent_;
+  Coord apart_nm_;
 };
 
 }  // namespace slicefarm::beading

@@ -94,5 +94,16 @@ TEST(Limited, KeepsWhatStrategiesPromise) {
   }
 }
 
+TEST(Limited, TheOutermostStandApartWhereThereIsInfill) {
+  const LimitedStrategy apart{4, std::make_unique<DistributedStrategy>(DistributedOptions{}),
+                              50 * kUm};
+  ExpectBeadings(
+      apart,
+      {{"Thick", 5000, 5, {400, 400, 0, 0, 400, 400}, {200, 650, 850, 4150, 4350, 4800}},
+       {"Full", 1600, 4, {400, 400, 0, 400, 400}, {200, 600, 800, 1000, 1400}},
+       {"LittleIsLeft", 1640, 5, {400, 400, 0, 0, 400, 400}, {200, 620, 820, 820, 1020, 1440}}});
+  ExpectSums(apart);
+}
+
 }  // namespace
 }  // namespace slicefarm::beading::limited_strategy_test

@@ -60,7 +60,8 @@ std::unique_ptr<const BeadingStrategy> MakeStrategy(const StrategyOptions& optio
     strategy =
         std::make_unique<InnerWallInsetStrategy>(options.inner_inset_nm, std::move(strategy));
   if (options.max_walls > 0)
-    strategy = std::make_unique<LimitedStrategy>(2 * options.max_walls, std::move(strategy));
+    strategy = std::make_unique<LimitedStrategy>(2 * options.max_walls, std::move(strategy),
+                                                 options.apart_nm);
   if (options.margin_nm > 0)
     strategy = std::make_unique<MarginStrategy>(options.margin_nm, std::move(strategy));
   return strategy;

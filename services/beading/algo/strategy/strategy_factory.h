@@ -22,6 +22,9 @@ struct StrategyOptions {
   bool lock_outer_width = false;
   Coord outer_inset_nm = 0;
   Coord inner_inset_nm = 0;
+  /// distance of the outermost bead from the next one, in addition to their widths, where there is
+  /// infill
+  Coord apart_nm = 0;
   Coord margin_nm = 0;  ///< width of the stripe along the outline where no bead is laid out
   int max_walls = 0;  ///< largest number of walls on either side; 0: no limit, walls fill the part
 };

@@ -66,6 +66,11 @@ class BambuFirmware : public MarlinFirmware {
                          GcodeText& out) const override {
     WriteM204(print_mm_s2, out);
   }
+  /// Writes all axes, as Bambu Studio does.
+  void WriteJerk(std::span<const double, 4> jerk_mm_s, GcodeText& out) const override {
+    LimitCommand("M205", out).SetAxes(jerk_mm_s);
+  }
+  bool HasJunctionDeviation() const override { return false; }
   double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const override {
     KinematicMove printing = move;
     if (!move.ExtruderOnly()) printing.ratio[kE] = 1;

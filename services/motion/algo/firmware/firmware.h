@@ -113,6 +113,17 @@ class Firmware {
   /// false.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
+  /// Writes the acceleration of printing together with that of moves too short to cruise (Klipper).
+  virtual void WriteAccelToDecel(double /*print_mm_s2*/, double /*to_decel_mm_s2*/,
+                                 GcodeText& /*out*/) const {}
+  /// Writes Klipper's minimum_cruise_ratio.
+  virtual void WriteCruiseRatio(double /*ratio*/, GcodeText& /*out*/) const {}
+  /// Writes the jerk in x and y, in mm/s. `jerk_mm_s`: of x, y, z and e.
+  virtual void WriteJerk(std::span<const double, 4> jerk_mm_s, GcodeText& out) const = 0;
+  /// Returns true if the firmware has a junction deviation (Marlin 2).
+  virtual bool HasJunctionDeviation() const { return false; }
+  virtual void WriteJunctionDeviation(double /*deviation_mm*/, GcodeText& /*out*/) const {}
+
   /// Writes pressure advance (linear advance), in the firmware's own unit.
   virtual void WritePressureAdvance(double value, GcodeText& out) const;
   /// Writes the progress. `percent`: 0 to 100; `left_min`: minutes left; `layer`: number of the

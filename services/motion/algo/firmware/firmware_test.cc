@@ -25,5 +25,34 @@ TEST(FindFirmware, ByItsNames) {
   EXPECT_EQ(FindFirmware("smoothie"), nullptr);
 }
 
+TEST(Firmware, JerkByFlavour) {
+  const auto text = [](GcodeFlavor flavor) {
+    GcodeText out;
+    FirmwareOf(flavor).WriteJerk(std::array<double, 4>{9, 9, 0.4, 2.5}, out);
+    return out.Take();
+  };
+  EXPECT_EQ(text(GcodeFlavor::kMarlin2), "M205 X9 Y9\n");
+  EXPECT_EQ(text(GcodeFlavor::kMarlinLegacy), "M205 X9 Y9\n");
+  EXPECT_EQ(text(GcodeFlavor::kPrusaBuddy), "M205 X9 Y9\n");
+  EXPECT_EQ(text(GcodeFlavor::kRepRapFirmware), "M566 X540 Y540\n");
+  EXPECT_EQ(text(GcodeFlavor::kBambu), "M205 X9 Y9 Z0.4 E2.5\n");
+  EXPECT_EQ(text(GcodeFlavor::kKlipper), "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=9\n");
+}
+
+TEST(Firmware, ReadsTheJerkThatItWrites) {
+  for (const GcodeFlavor flavor : {GcodeFlavor::kMarlin2, GcodeFlavor::kRepRapFirmware,
+                                   GcodeFlavor::kBambu, GcodeFlavor::kKlipper}) {
+    const Firmware& firmware = FirmwareOf(flavor);
+    GcodeText out;
+    firmware.WriteJerk(std::array<double, 4>{9, 9, 0.4, 2.5}, out);
+    MachineLimits limits;
+    const std::string text = out.Take();
+    firmware.ApplyLimits(ParseGcodeLine(std::string_view(text).substr(0, text.find('\n'))), limits);
+    const bool klipper = flavor == GcodeFlavor::kKlipper;
+    EXPECT_EQ(klipper ? limits.square_corner_velocity_mm_s : limits.max_jerk_mm_s[0], 9)
+        << firmware.name();
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::firmware_test

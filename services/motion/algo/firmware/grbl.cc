@@ -43,6 +43,7 @@ class GrblFirmware : public Firmware {
   void WriteLimits(const MachineLimits& /*limits*/, GcodeText& /*out*/) const override {}
   bool HasTravelAcceleration() const override { return false; }
   void WriteAcceleration(double /*print*/, double /*travel*/, GcodeText& /*out*/) const override {}
+  void WriteJerk(std::span<const double, 4> /*jerk*/, GcodeText& /*out*/) const override {}
   void WritePressureAdvance(double /*value*/, GcodeText& /*out*/) const override {}
   std::string LabelOf(std::string_view name, size_t /*index*/) const override {
     return std::string(name);

@@ -95,6 +95,17 @@ void DefineCopy(const CopySummary& copy, const std::string& label, GcodeText& ou
   out << '\n';
 }
 
+/// Reads MINIMUM_CRUISE_RATIO, or its older form ACCEL_TO_DECEL, which is the acceleration of moves
+/// without a cruise.
+void ReadCruiseRatio(const GcodeLine& line, MachineLimits& limits) {
+  auto ratio = line.NamedNumber("MINIMUM_CRUISE_RATIO");
+  const auto to_decel = line.NamedNumber("ACCEL_TO_DECEL");
+  const double accel = limits.max_acceleration_extruding_mm_s2;
+  if (!ratio && to_decel && *to_decel > 0 && accel > 0)
+    ratio = 1 - std::min(1.0, *to_decel / accel);
+  if (ratio && *ratio >= 0 && *ratio < 1) limits.minimum_cruise_ratio = *ratio;
+}
+
 class KlipperFirmware : public Firmware {
  public:
   std::string_view name() const override { return "klipper"; }
@@ -139,8 +150,7 @@ class KlipperFirmware : public Firmware {
       ReadLimit(line.NamedNumber("ACCEL"), limits.max_acceleration_extruding_mm_s2);
       if (const auto corner = line.NamedNumber("SQUARE_CORNER_VELOCITY"); corner && *corner >= 0)
         limits.square_corner_velocity_mm_s = *corner;
-      const auto ratio = line.NamedNumber("MINIMUM_CRUISE_RATIO");
-      if (ratio && *ratio >= 0 && *ratio < 1) limits.minimum_cruise_ratio = *ratio;
+      ReadCruiseRatio(line, limits);
     }
   }
 
@@ -155,6 +165,19 @@ class KlipperFirmware : public Firmware {
   void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
                          GcodeText& out) const override {
     WriteM204(print_mm_s2, out);
+  }
+
+  /// Writes ACCEL_TO_DECEL, which versions before 2024 need with each acceleration.
+  void WriteAccelToDecel(double print_mm_s2, double to_decel_mm_s2, GcodeText& out) const override {
+    LimitCommand("SET_VELOCITY_LIMIT", out)
+        .Set("ACCEL=", print_mm_s2)
+        .Set("ACCEL_TO_DECEL=", to_decel_mm_s2);
+  }
+  void WriteCruiseRatio(double ratio, GcodeText& out) const override {
+    LimitCommand("SET_VELOCITY_LIMIT", out).SetEven0("MINIMUM_CRUISE_RATIO=", ratio);
+  }
+  void WriteJerk(std::span<const double, 4> jerk_mm_s, GcodeText& out) const override {
+    LimitCommand("SET_VELOCITY_LIMIT", out).Set("SQUARE_CORNER_VELOCITY=", jerk_mm_s[kX]);
   }
 
   void WritePressureAdvance(double value, GcodeText& out) const override {

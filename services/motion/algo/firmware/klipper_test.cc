@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace slicefarm::motion::klipper_test {
 namespace {
 
@@ -39,6 +41,27 @@ TEST(Klipper, RefusesThickBeads) {
 }
 
 TEST(Klipper, LabelsAreOneWord) { EXPECT_EQ(Klipper().LabelOf("my part.stl", 3), "my_part_stl-3"); }
+
+TEST(Klipper, CornersAndCruises) {
+  GcodeText out;
+  Klipper().WriteJerk(std::array<double, 4>{9, 9, 0.4, 2.5}, out);
+  Klipper().WriteAccelToDecel(3000, 1500, out);
+  Klipper().WriteCruiseRatio(0.5, out);
+  Klipper().WriteCruiseRatio(0, out);
+  EXPECT_EQ(out.text(),
+            "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=9\n"
+            "SET_VELOCITY_LIMIT ACCEL=3000 ACCEL_TO_DECEL=1500\n"
+            "SET_VELOCITY_LIMIT MINIMUM_CRUISE_RATIO=0.5\n"
+            "SET_VELOCITY_LIMIT MINIMUM_CRUISE_RATIO=0\n");
+}
+
+TEST(Klipper, ReadsBothFormsOfTheCruise) {
+  MachineLimits limits;
+  Klipper().ApplyLimits(ParseGcodeLine("SET_VELOCITY_LIMIT ACCEL=3000 ACCEL_TO_DECEL=900"), limits);
+  EXPECT_NEAR(limits.minimum_cruise_ratio, 0.7, 1e-9);
+  Klipper().ApplyLimits(ParseGcodeLine("SET_VELOCITY_LIMIT MINIMUM_CRUISE_RATIO=0.2"), limits);
+  EXPECT_EQ(limits.minimum_cruise_ratio, 0.2);
+}
 
 }  // namespace
 }  // namespace slicefarm::motion::klipper_test

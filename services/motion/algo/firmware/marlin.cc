@@ -42,6 +42,7 @@ class LegacyFirmware : public MarlinFirmware {
     return AccelerationOr(limits.max_acceleration_extruding_mm_s2, 0);
   }
   bool HasTravelAcceleration() const override { return false; }
+  bool HasJunctionDeviation() const override { return false; }
   void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
                          GcodeText& out) const override {
     WriteM204(print_mm_s2, out);
@@ -122,6 +123,14 @@ void MarlinFirmware::WriteAccelerationLimits(const MachineLimits& limits, GcodeT
 void MarlinFirmware::WriteAcceleration(double print_mm_s2, double travel_mm_s2,
                                        GcodeText& out) const {
   WriteM204(print_mm_s2, travel_mm_s2, out);
+}
+
+void MarlinFirmware::WriteJerk(std::span<const double, 4> jerk_mm_s, GcodeText& out) const {
+  LimitCommand("M205", out).Set("X", jerk_mm_s[kX]).Set("Y", jerk_mm_s[kY]);
+}
+
+void MarlinFirmware::WriteJunctionDeviation(double deviation_mm, GcodeText& out) const {
+  LimitCommand("M205", out).Set("J", deviation_mm);
 }
 
 const Firmware& Marlin2() {

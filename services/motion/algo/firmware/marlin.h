@@ -20,6 +20,9 @@ class MarlinFirmware : public NumberedObjects {
   void WriteLimits(const MachineLimits& limits, GcodeText& out) const override;
   bool HasTravelAcceleration() const override { return true; }
   void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override;
+  void WriteJerk(std::span<const double, 4> jerk_mm_s, GcodeText& out) const override;
+  bool HasJunctionDeviation() const override { return true; }
+  void WriteJunctionDeviation(double deviation_mm, GcodeText& out) const override;
 
  protected:
   /// Writes the acceleration limits as M204.

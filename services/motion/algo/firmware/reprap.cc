@@ -98,6 +98,11 @@ class RepRapFirmware : public NumberedObjects {
   void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override {
     WriteM204(print_mm_s2, travel_mm_s2, out);
   }
+  void WriteJerk(std::span<const double, 4> jerk_mm_s, GcodeText& out) const override {
+    LimitCommand("M566", out)
+        .Set("X", jerk_mm_s[kX] / kPerMinute)
+        .Set("Y", jerk_mm_s[kY] / kPerMinute);
+  }
 };
 
 }  // namespace

@@ -32,6 +32,17 @@ double LengthUm(const Toolpath& path, size_t index) {
   return Hypot(to.x_um - from.x_um, to.y_um - from.y_um);
 }
 
+/// Returns the time of a move at its full speed.
+double TimeS(const Toolpath& path, size_t index) {
+  const Move& to = path.moves[index];
+  if (index == 0 || to.feed_rate <= 0) return 0;
+  const Move& from = path.moves[index - 1];
+  const double um = MovesInPlane(to.kind) ? Hypot(to.x_um - from.x_um, to.y_um - from.y_um)
+                                          : std::abs(to.z_um - from.z_um);
+  const double filament_um = std::abs(to.filament) * 1000.0 / kFilamentUnitsPerMm;
+  return std::max(um, MovesInPlane(to.kind) ? 0 : filament_um) / kUmPerMm * 60 / to.feed_rate;
+}
+
 /// Returns the text of `out` from `begin` on as a mode line. Its value is the text itself.
 ModeLine LineSince(size_t begin, MachineMode mode, const GcodeText& out) {
   std::string line = out.text().substr(begin);
@@ -73,6 +84,11 @@ ModeValues LayerWriter::Modes() const {
     if (told != -1) WriteAcceleration(mode, told, line);
     value(mode) = line.Take();
   }
+  if (jerk_ != -1) {
+    GcodeText line;
+    firmware_.WriteJerk(accelerations_.jerks.OfAxes(jerk_), line);
+    value(MachineMode::kJerk) = line.Take();
+  }
   if (at_) value(MachineMode::kPlace) = PlaceText(*at_);
   return values;
 }
@@ -108,8 +124,9 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   Move move = path.moves[arc.last - 1];
   move.filament = 0;
   for (size_t i = arc.first; i < arc.last; ++i) move.filament += path.moves[i].filament;
-  Describe(move, kSeenLengthUm, out);
+  Describe(move, kSeenLengthUm, FanAhead(path, arc.first), out);
   SetAcceleration(move, out);
+  SetJerk(move, out);
   out << (arc.clockwise ? "G2 X" : "G3 X");
   out.Micrometers(move.x_um + shift.x) << " Y";
   out.Micrometers(move.y_um + shift.y) << " I";
@@ -163,6 +180,21 @@ int32_t LayerWriter::FanFor(const Move& move) const {
       std::lround(ByRest(*state_.overhang_fan_percent, state_.fan_percent, move.rest)));
 }
 
+/// Returns the fastest fan of the beads that follow within fan_early_s. As in OrcaSlicer, the time
+/// is that of moves at full speed.
+int32_t LayerWriter::FanAhead(const Toolpath& path, size_t index) const {
+  if (state_.fan_early_s <= 0) return FanFor(path.moves[index]);
+  int32_t percent = -1;
+  double time_s = 0;
+  for (size_t i = index; i < path.moves.size() && time_s <= state_.fan_early_s; ++i) {
+    const Move& move = path.moves[i];
+    const bool counts = i == index || state_.fan_early_all || HasBridgeFan(move);
+    if (move.kind == MoveKind::kPrint && counts) percent = std::max(percent, FanFor(move));
+    time_s += TimeS(path, i);
+  }
+  return percent;
+}
+
 void LayerWriter::SetFan(int32_t percent, GcodeText& out) {
   if (percent != fan_percent_) WriteFan(percent, out);
   fan_percent_ = percent;
@@ -198,8 +230,10 @@ bool LayerWriter::WriteByFirmware(const Move& move, GcodeText& out) {
 void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, GcodeText& out) {
   const Move& move = path.moves[index];
   CountAnew(move, out);
+  if (move.kind != MoveKind::kPrint && state_.fan_early_s > 0)
+    SetFan(std::max(fan_percent_, FanAhead(path, index)), out);
   if (move.kind == MoveKind::kPrint) {
-    Describe(move, LengthUm(path, index), out);
+    Describe(move, LengthUm(path, index), FanAhead(path, index), out);
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
     mix_.SetFor({mm(move.x_um + shift.x + state_.to_plate.x),
                  mm(move.y_um + shift.y + state_.to_plate.y), mm(move.z_um)},
@@ -210,6 +244,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   const bool climbs =
       (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) && move.z_um != z_um_;
   SetAcceleration(move, out);
+  SetJerk(move, out);
   const size_t begin = out.text().size();
   out << "G1";
   if (MovesInPlane(move.kind)) WritePlace({move.x_um + shift.x, move.y_um + shift.y}, out);
@@ -241,14 +276,15 @@ void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
   if (feed_rate_.Changes(move.feed_rate)) (out << " F").Integer(move.feed_rate);
 }
 
-void LayerWriter::Describe(const Move& move, double length_um, GcodeText& out) {
+void LayerWriter::Describe(const Move& move, double length_um, int32_t fan_percent,
+                           GcodeText& out) {
   const auto type = static_cast<int32_t>(move.feature);
   if (type != type_) {
     type_ = type;
     width_um_ = -1;
     out << firmware_.comments().feature << firmware_.WordsOf(move.feature) << '\n';
   }
-  SetFan(FanFor(move), out);
+  SetFan(fan_percent, out);
   if (width_um_ == -1 || IsSeen(move.width_um - width_um_, length_um)) {
     width_um_ = move.width_um;
     out << firmware_.comments().width;
@@ -279,7 +315,21 @@ void LayerWriter::SetAcceleration(MachineMode mode, float value, float& told, Gc
 
 void LayerWriter::WriteAcceleration(MachineMode mode, float value, GcodeText& out) const {
   const bool of_travel = mode == MachineMode::kTravelAcceleration;
+  if (accelerations_.to_decel > 0)
+    return firmware_.WriteAccelToDecel(value, value * accelerations_.to_decel, out);
   firmware_.WriteAcceleration(of_travel ? 0 : value, of_travel ? value : 0, out);
+}
+
+/// Writes the jerk of beads and, if they have their own, of travels.
+void LayerWriter::SetJerk(const Move& move, GcodeText& out) {
+  const Jerks& jerks = accelerations_.jerks;
+  const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
+  const bool sets = move.kind == MoveKind::kPrint || (of_travel && jerks.travel > 0);
+  if (!jerks.told || !sets || move.jerk_mm_s == jerk_) return;
+  const size_t begin = out.text().size();
+  firmware_.WriteJerk(jerks.OfAxes(move.jerk_mm_s), out);
+  if (std::exchange(jerk_, move.jerk_mm_s) == -1)
+    mode_lines_.push_back(LineSince(begin, MachineMode::kJerk, out));
 }
 
 }  // namespace slicefarm::motion

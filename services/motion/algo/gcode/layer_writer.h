@@ -32,8 +32,10 @@ struct LayerState {
   std::optional<OverhangFans> overhang_fan_percent = {};
   /// Walls with at most this supported share, in percent, get bridge_fan_percent; -1: no wall does.
   int32_t cooled_rest = -1;
-  int32_t interface_fan_percent = -1;  ///< fan speed for support interfaces; -1: fan_percent
-  ShiftUm to_plate = {};               ///< shift from G-code coordinates to plate coordinates
+  int32_t interface_fan_percent = -1;  ///< fan for support interfaces; -1: fan_percent
+  double fan_early_s = 0;              ///< time by which a faster fan starts before its beads
+  bool fan_early_all = false;  ///< true: every faster fan starts early; false: that of bridges
+  ShiftUm to_plate = {};       ///< shift from G-code coordinates to plate coordinates
 };
 
 /// Writes moves as G-code, with the comments and modes that previewers and the firmware need:
@@ -81,12 +83,13 @@ class LayerWriter {
   /// Returns the modes after the written text. An empty value: this text has not set the mode.
   ModeValues Modes() const;
 
-  /// Forces feed rate and acceleration to be written again. Call this after inserted G-code that
-  /// may have set them. A fan speed that this G-code sets is not reset.
+  /// Forces feed rate, acceleration and jerk to be written again, after inserted G-code that may
+  /// have set them. A fan set by this G-code stays.
   void Forget() {
     feed_rate_.Forget();
     acceleration_ = -1;
     travel_acceleration_ = -1;
+    jerk_ = -1;
   }
 
   /// Forces the next travel to write its height, after inserted G-code that moves in z.
@@ -103,12 +106,14 @@ class LayerWriter {
   void WriteEnd(const Move& move, std::string_view comment, GcodeText& out);
   bool HasBridgeFan(const Move& move) const;
   int32_t FanFor(const Move& move) const;
+  int32_t FanAhead(const Toolpath& path, size_t index) const;
   void SetFan(int32_t percent, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);
-  void Describe(const Move& move, double length_um, GcodeText& out);
+  void Describe(const Move& move, double length_um, int32_t fan_percent, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
   void SetAcceleration(MachineMode mode, float value, float& told, GcodeText& out);
   void WriteAcceleration(MachineMode mode, float value, GcodeText& out) const;
+  void SetJerk(const Move& move, GcodeText& out);
   void FeedRate(const Move& move, GcodeText& out);
 
   const Firmware& firmware_;
@@ -130,8 +135,9 @@ class LayerWriter {
   bool pulled_ = false;
   bool primed_ = false;
   float acceleration_ = -1;
-  float travel_acceleration_ = -1;  ///< acceleration of travels alone; -1: not written
-  bool approached_ = false;         ///< true after the first move in x and y
+  float travel_acceleration_ = -1;  ///< travels' own acceleration; -1: not written
+  float jerk_ = -1;
+  bool approached_ = false;  ///< the first move in the plane was written
   std::vector<ModeLine> mode_lines_;
 };
 

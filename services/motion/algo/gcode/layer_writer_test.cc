@@ -284,5 +284,92 @@ TEST(LayerWriter, AccelerationsByFlavour) {
             AccelerationsOnly(GcodeFlavor::kKlipper, travel));
 }
 
+std::vector<Move> WithJerk(std::vector<Move> moves, float travel_mm_s) {
+  for (Move& move : moves)
+    move.jerk_mm_s = move.kind == MoveKind::kTravel                ? travel_mm_s
+                     : move.feature == Feature::kExternalPerimeter ? 7
+                                                                   : 9;
+  return moves;
+}
+
+TEST(LayerWriter, JerkWhereItChanges) {
+  Accelerations told;
+  told.jerks.told = true;
+  const std::vector<Move> moves =
+      WithJerk({Travel(0), Print(1'000, Feature::kPerimeter), Travel(2'000),
+                Print(3'000, Feature::kPerimeter), Print(4'000, Feature::kExternalPerimeter)},
+               9);
+  const auto jerks = [&](const std::vector<Move>& written) {
+    const std::string text = Written(written, GcodeFlavor::kMarlin2, told);
+    std::string lines;
+    for (size_t at = text.find("M205"); at != std::string::npos; at = text.find("M205", at + 1))
+      lines += text.substr(at, text.find('\n', at) - at) + ";";
+    return lines;
+  };
+  EXPECT_EQ(jerks(moves), "M205 X9 Y9;M205 X7 Y7;");
+  told.jerks.travel = 12;
+  EXPECT_EQ(jerks(WithJerk(moves, 12)),
+            "M205 X12 Y12;M205 X9 Y9;M205 X12 Y12;M205 X9 Y9;M205 X7 Y7;");
+  told.jerks.told = false;
+  EXPECT_EQ(jerks(moves), "");
+}
+
+TEST(LayerWriter, TheFirstJerkIsAMode) {
+  Accelerations told;
+  told.jerks.told = true;
+  Toolpath path;
+  path.moves = WithJerk({Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)}, 9);
+  GcodeText out;
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kKlipper), told, {});
+  writer.Write(path, 0, 2, {}, out);
+  const std::vector<ModeLine> lines = writer.TakeModeLines();
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].mode, MachineMode::kJerk);
+  EXPECT_EQ(lines[0].value, "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=9\n");
+  EXPECT_EQ(writer.Modes()[static_cast<size_t>(MachineMode::kJerk)], lines[0].value);
+}
+
+TEST(LayerWriter, AccelerationsOfShortMoves) {
+  Accelerations told;
+  told.told = true;
+  told.to_decel = 0.5;
+  EXPECT_NE(Written({Print(1'000, Feature::kPerimeter)}, GcodeFlavor::kKlipper, told)
+                .find("SET_VELOCITY_LIMIT ACCEL=1000 ACCEL_TO_DECEL=500\n"),
+            std::string::npos);
+}
+
+// A bead of 1 mm at 30 mm/s takes 33 ms.
+TEST(LayerWriter, AFasterFanStartsEarly) {
+  std::vector<Move> moves;
+  for (int i = 1; i <= 5; ++i)
+    moves.push_back(Print(i * 1'000, i == 5 ? Feature::kBridgeInfill : Feature::kPerimeter));
+  LayerState state{.height_um = 200, .fan_percent = 35, .bridge_fan_percent = 100};
+  const auto before_fan = [&](const char* fan) {
+    const std::string text = Written(moves, GcodeFlavor::kMarlin2, {}, state);
+    const size_t at = text.find(fan);
+    EXPECT_NE(at, std::string::npos);
+    EXPECT_EQ(text.find(fan, at + 1), std::string::npos);
+    return text.substr(0, at);
+  };
+  EXPECT_NE(before_fan("M106 S255").find("X4"), std::string::npos);
+  state.fan_early_s = 0.07;
+  const std::string early = before_fan("M106 S255");
+  EXPECT_NE(early.find("X2"), std::string::npos);
+  EXPECT_EQ(early.find("X3"), std::string::npos);
+}
+
+TEST(LayerWriter, OtherFansStartEarlyIfAllDo) {
+  LayerState state{.height_um = 200, .fan_percent = 0, .bridge_fan_percent = 100};
+  state.interface_fan_percent = 60;
+  state.fan_early_s = 10;
+  const std::vector<Move> moves = {Print(1'000, Feature::kSupport),
+                                   Print(2'000, Feature::kSupportInterface)};
+  EXPECT_GT(Written(moves, GcodeFlavor::kMarlin2, {}, state).find("M106 S153"),
+            Written(moves, GcodeFlavor::kMarlin2, {}, state).find("X1"));
+  state.fan_early_all = true;
+  EXPECT_LT(Written(moves, GcodeFlavor::kMarlin2, {}, state).find("M106 S153"),
+            Written(moves, GcodeFlavor::kMarlin2, {}, state).find("X1"));
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::layer_writer_test

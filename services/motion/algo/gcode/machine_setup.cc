@@ -50,6 +50,32 @@ void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& 
   out.Lines(code.filament);
 }
 
+namespace {
+
+/// Returns the junction deviation of the layers, within the machine's limit; 0: none is set. As in
+/// OrcaSlicer, a machine without a limit has none.
+double JunctionDeviationOf(const MotionOptions& options) {
+  if (!FirmwareOf(options.flavor).HasJunctionDeviation()) return 0;
+  return std::min(options.jerk.junction_deviation_mm, options.limits.junction_deviation_mm);
+}
+
+bool SetsCruiseRatio(const MotionOptions& options) {
+  return options.flavor == GcodeFlavor::kKlipper && options.accel_to_decel > 0;
+}
+
+double CruiseRatio(const MotionOptions& options) {
+  return 1 - std::min(1.0, options.accel_to_decel);
+}
+
+}  // namespace
+
+void WriteLayerLimits(const MotionOptions& options, GcodeText& out) {
+  const Firmware& firmware = FirmwareOf(options.flavor);
+  if (const double mm = JunctionDeviationOf(options); mm > 0)
+    firmware.WriteJunctionDeviation(mm, out);
+  if (SetsCruiseRatio(options)) firmware.WriteCruiseRatio(CruiseRatio(options), out);
+}
+
 MachineLimits LimitsAfterStart(const MotionOptions& options) {
   const Firmware& firmware = FirmwareOf(options.flavor);
   MachineLimits limits = options.limits;
@@ -60,6 +86,8 @@ MachineLimits LimitsAfterStart(const MotionOptions& options) {
         firmware.ApplyLimits(line, limits);
     }
   }
+  if (const double mm = JunctionDeviationOf(options); mm > 0) limits.junction_deviation_mm = mm;
+  if (SetsCruiseRatio(options)) limits.minimum_cruise_ratio = CruiseRatio(options);
   if (options.default_acceleration_mm_s2 > 0)
     limits.max_acceleration_extruding_mm_s2 = options.limits.max_acceleration_extruding_mm_s2;
   return limits;

@@ -37,9 +37,13 @@ struct StartCode {
 /// waits. Source: PrusaSlicer.
 void WriteStart(const MotionOptions& options, const StartCode& code, GcodeText& out);
 
-/// Returns the machine limits during the layers: limits in the start G-code (M201,
-/// SET_VELOCITY_LIMIT, ...) override the settings. Accelerations that the layers' own G-code sets
-/// do not change. Lines of the start G-code that contain a template are ignored.
+/// Writes the limits that the settings give the layers: default_junction_deviation and
+/// accel_to_decel. Write it after the start G-code.
+void WriteLayerLimits(const MotionOptions& options, GcodeText& out);
+
+/// Returns the limits of the layers: WriteLayerLimits, and limits in the start G-code (M201,
+/// SET_VELOCITY_LIMIT, ...) override the settings. Accelerations that the layers set themselves
+/// stay as in the settings. Lines with templates are ignored.
 MachineLimits LimitsAfterStart(const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -86,5 +86,28 @@ TEST(LimitsAfterStart, StartGcodeHoldsOverTheSettings) {
   EXPECT_EQ(LimitsAfterStart(options).square_corner_velocity_mm_s, 8);
 }
 
+TEST(WriteLayerLimits, OnlyThoseOfTheFirmware) {
+  const auto text = [](const MotionOptions& options) {
+    GcodeText out;
+    WriteLayerLimits(options, out);
+    return out.Take();
+  };
+  MotionOptions options;
+  EXPECT_EQ(text(options), "");
+  options.accel_to_decel = 0.3;
+  options.jerk.junction_deviation_mm = 0.02;
+  EXPECT_EQ(text(options), "") << "the machine has no junction deviation";
+  options.limits.junction_deviation_mm = 0.013;
+  EXPECT_EQ(text(options), "M205 J0.013\n");
+  options.limits.junction_deviation_mm = 0.05;
+  EXPECT_EQ(text(options), "M205 J0.02\n");
+  EXPECT_EQ(LimitsAfterStart(options).junction_deviation_mm, 0.02);
+  options.flavor = GcodeFlavor::kMarlinLegacy;
+  EXPECT_EQ(text(options), "");
+  options.flavor = GcodeFlavor::kKlipper;
+  EXPECT_EQ(text(options), "SET_VELOCITY_LIMIT MINIMUM_CRUISE_RATIO=0.7\n");
+  EXPECT_NEAR(LimitsAfterStart(options).minimum_cruise_ratio, 0.7, 1e-9);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::machine_setup_test

@@ -152,6 +152,7 @@ void PrintClock::Queue(const EdgeMove& before, const EdgeMove& move, double set_
                    : kinematic->ExtruderOnly() ? times_.retract_s
                                                : times_.travel_s;
   accounts_.push_back({&kind_s, &part_s, CopySum(move.copy)});
+  if (move.jerk_mm_s > 0) planner_->SetJerk(move.jerk_mm_s);
   planner_->Add(*kinematic);
 }
 

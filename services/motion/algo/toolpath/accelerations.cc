@@ -50,6 +50,8 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
   }
   if (result.told_travel) {
     result.travel = options.travel_acceleration_mm_s2;
+    if (ground == Ground::kBed && options.first_layer_travel_acceleration_mm_s2 > 0)
+      result.travel = options.first_layer_travel_acceleration_mm_s2;
     result.short_travel = options.short_travel_acceleration_mm_s2;
   } else if (firmware.HasTravelAcceleration()) {
     result.travel = limits.max_acceleration_travel_mm_s2;
@@ -58,6 +60,8 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
     result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});
   result.one = !firmware.HasTravelAcceleration();
   result.wipe_travels = WipesAreTravels(firmware);
+  if (options.flavor == GcodeFlavor::kKlipper) result.to_decel = options.accel_to_decel;
+  result.jerks = JerksFor(options, ground);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "common/model/layers/layer.h"
 #include "common/model/path.h"
+#include "services/motion/algo/toolpath/jerks.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm {
@@ -12,7 +13,8 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Acceleration of each kind of move, in mm/s^2.
+/// Acceleration and jerk of each kind of move, in mm/s^2 and mm/s. `told` decides if the G-code
+/// sets them.
 ///
 /// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, even if
 /// features have settings. The values are then the machine limits, which the firmware uses. `told`:
@@ -32,6 +34,9 @@ struct Accelerations {
   bool told_travel = false;
   bool one = false;  ///< true if travels and prints share one value in the machine
   bool wipe_travels = false;
+  /// acceleration of short moves, which do not cruise, relative to `print`; 0: not set (Klipper)
+  double to_decel = 0;
+  Jerks jerks;
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
   /// Returns the acceleration of a travel. `before`: acceleration that was set last.

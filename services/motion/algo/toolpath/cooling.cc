@@ -27,6 +27,7 @@ enum class Beads : uint8_t { kAll, kInner, kSurface };
 struct FullSpeeds {
   std::vector<int32_t> feed_rates;
   std::vector<bool> inner;  ///< true for beads of Beads::kInner
+  bool keeps_outer_walls = false;
 };
 
 /// Returns true for the inner beads. Beads that end no more than `transition_mm` before a surface
@@ -57,12 +58,16 @@ Layer FullSpeedsOf(const CoolingOptions& cooling, std::span<const Toolpath> path
     FullSpeeds& own = layer.emplace_back();
     own.feed_rates.reserve(path.moves.size());
     for (const Move& move : path.moves) own.feed_rates.push_back(move.feed_rate);
+    own.keeps_outer_walls = cooling.keep_outer_walls;
     if (cooling.consistent_surface) own.inner = InnerBeads(path, cooling.transition_mm);
   }
   return layer;
 }
 
-bool IsAmong(Beads beads, const FullSpeeds& full, size_t move) {
+/// Returns true if a move is one of the beads to slow down.
+bool IsAmong(Beads beads, const FullSpeeds& full, std::span<const Move> moves, size_t move) {
+  if (moves[move].kind != MoveKind::kPrint) return false;
+  if (full.keeps_outer_walls && moves[move].feature == Feature::kExternalPerimeter) return false;
   return beads == Beads::kAll || full.inner[move] == (beads == Beads::kInner);
 }
 
@@ -71,7 +76,7 @@ bool IsAmong(Beads beads, const FullSpeeds& full, size_t move) {
 void SetSpeeds(const FullSpeeds& full, Beads beads, double share, int32_t least, Toolpath& path) {
   for (size_t i = 0; i < full.feed_rates.size(); ++i) {
     Move& move = path.moves[i];
-    if (move.kind != MoveKind::kPrint || !IsAmong(beads, full, i)) continue;
+    if (!IsAmong(beads, full, path.moves, i)) continue;
     const int32_t rate = full.feed_rates[i];
     const auto slowed = static_cast<int32_t>(std::lround(rate * share));
     move.feed_rate = std::max(slowed, std::min(least, rate));
@@ -87,9 +92,8 @@ int32_t FastestBead(const Layer& full, Beads beads, std::span<const Toolpath> pa
   int32_t fastest = 0;
   for (size_t p = 0; p < paths.size(); ++p)
     for (size_t i = 0; i < paths[p].moves.size(); ++i)
-      if (const Move& move = paths[p].moves[i];
-          move.kind == MoveKind::kPrint && IsAmong(beads, full[p], i))
-        fastest = std::max(fastest, move.feed_rate);
+      if (IsAmong(beads, full[p], paths[p].moves, i))
+        fastest = std::max(fastest, paths[p].moves[i].feed_rate);
   return fastest;
 }
 
@@ -199,6 +203,7 @@ int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double la
 }
 
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent) {
+  if (!cooling.bridge_fan) return fan_percent;
   return std::max(fan_percent, Grown(cooling, layer_index, cooling.bridge_fan_percent));
 }
 

@@ -244,5 +244,39 @@ TEST(OverhangFanPercent, IsNoLessThanTheFan) {
   EXPECT_EQ(*OverhangFanPercent(cooling, 5, 70), (OverhangFans{100, 70, 70, 70}));
 }
 
+TEST(SlowDown, OuterWallsKeepTheirSpeedIfAskedFor) {
+  CoolingOptions cooling;
+  cooling.slowdown_below_layer_time_s = 30;
+  cooling.min_print_speed_mm_s = 1;
+  cooling.keep_outer_walls = true;
+  Toolpath path = Squares(2);
+  for (size_t i = path.moves.size() / 2; i < path.moves.size(); ++i)
+    path.moves[i].feature = Feature::kPerimeter;
+  const Toolpath full = path;
+  EXPECT_NEAR(Slowed(cooling, path), 30, 0.1);
+  int kept = 0, slowed = 0;
+  for (size_t i = 0; i < path.moves.size(); ++i) {
+    if (path.moves[i].kind != MoveKind::kPrint) continue;
+    const bool outer = path.moves[i].feature == Feature::kExternalPerimeter;
+    EXPECT_EQ(path.moves[i].feed_rate == full.moves[i].feed_rate, outer) << i;
+    ++(outer ? kept : slowed);
+  }
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(slowed, 0);
+  Toolpath outer_only = Squares(1);
+  const Toolpath before = outer_only;
+  Slowed(cooling, outer_only);
+  EXPECT_EQ(outer_only.moves, before.moves) << "nothing else to slow down";
+}
+
+TEST(BridgeFanPercent, IsTheLayersFanWithoutABridgeFan) {
+  CoolingOptions cooling;
+  cooling.disable_fan_first_layers = 0;
+  cooling.bridge_fan_percent = 100;
+  EXPECT_EQ(BridgeFanPercent(cooling, 5, 40), 100);
+  cooling.bridge_fan = false;
+  EXPECT_EQ(BridgeFanPercent(cooling, 5, 40), 40);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::cooling_test

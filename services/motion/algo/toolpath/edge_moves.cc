@@ -31,6 +31,7 @@ const EdgeMove& MoveWalk::Go(const Move& move, ShiftUm shift) {
   at_.filament = move.filament;
   at_.feed_rate = move.feed_rate;
   at_.feature = move.feature;
+  at_.jerk_mm_s = move.jerk_mm_s;
   const double own = move.acceleration_mm_s2;
   at_.acceleration_mm_s2 = own > 0 ? own : acceleration_mm_s2_;
   const bool of_filament = move.kind == MoveKind::kRetract || move.kind == MoveKind::kRestart;

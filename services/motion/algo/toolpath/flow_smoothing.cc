@@ -11,9 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-constexpr double kFlowPieceMm = 1;
-
-/// Piece of a bead. q2 values are squared flows, in (mm^3/s)^2.
+/// Piece of a bead. Flows are squared, in (mm^3/s)^2.
 struct Piece {
   size_t move = 0;
   double volume_mm3 = 0;
@@ -68,7 +66,7 @@ class Smoother {
         Hypot(move.x_um - before.x_um, move.y_um - before.y_um) / static_cast<double>(kUmPerMm);
     const double volume = static_cast<double>(move.filament) / kFilamentUnitsPerMm * filament_mm2_;
     const double flow = volume * SpeedOf(move.feed_rate) / length_mm;
-    const auto count = std::max<int64_t>(1, std::llround(length_mm / kFlowPieceMm));
+    const auto count = std::max<int64_t>(1, std::llround(length_mm / slopes_.piece_mm));
     const Piece piece = {i, volume / static_cast<double>(count), flow * flow, flow * flow};
     pieces_.insert(pieces_.end(), static_cast<size_t>(count), piece);
   }

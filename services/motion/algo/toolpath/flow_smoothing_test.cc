@@ -83,5 +83,15 @@ TEST(SmoothFlow, TravelsPartBeads) {
   EXPECT_EQ(path.moves, before.moves);
 }
 
+TEST(SmoothFlow, LongerPiecesAreFewer) {
+  size_t before = 1000;
+  for (const double piece_mm : {0.5, 1.0, 3.0}) {
+    Toolpath path = Beads({20, 100, 30});
+    SmoothFlow({3, 3, piece_mm}, kFilamentMm2, path);
+    EXPECT_LT(path.moves.size(), before);
+    before = path.moves.size();
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::flow_smoothing_test

@@ -52,7 +52,7 @@ std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
       } else if (&stretch == &stretches.front() && i - 1 == first.approach) {
         PlanRun();
       } else if (const auto kinematic = ToKinematic(before, walk.at(), 0)) {
-        Queue(*kinematic, times_.size() - 1);
+        Queue(*kinematic, walk.at().jerk_mm_s, times_.size() - 1);
       }
     }
   }
@@ -60,7 +60,9 @@ std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
   return times_;
 }
 
-void LayerTiming::Queue(const KinematicMove& move, size_t place) {
+/// Queues a move. `jerk_mm_s`: its jerk in x and y; 0: unchanged.
+void LayerTiming::Queue(const KinematicMove& move, double jerk_mm_s, size_t place) {
+  if (jerk_mm_s > 0) planner_->SetJerk(jerk_mm_s);
   planner_->Add(move);
   run_.push_back(place);
 }
@@ -86,7 +88,7 @@ void LayerTiming::QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveA
              {(end.x() - at.x()) * scale, (end.y() - at.y()) * scale, 0, filament_mm * scale},
              speed,
              to.acceleration_mm_s2},
-            times_.size() - 1);
+            to.jerk_mm_s, times_.size() - 1);
     at = end;
   }
 }

@@ -27,7 +27,7 @@ class LayerTiming {
   std::span<const double> Times(std::span<const Stretch> stretches);
 
  private:
-  void Queue(const KinematicMove& move, size_t place);
+  void Queue(const KinematicMove& move, double jerk_mm_s, size_t place);
   void QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveArc& arc, int64_t filament);
   void PlanRun();
 

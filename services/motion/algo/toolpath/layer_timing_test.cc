@@ -133,5 +133,42 @@ TEST(AddTimes, ByFeatureAndTravel) {
   EXPECT_DOUBLE_EQ(stats.TimeS(), std::accumulate(times.begin(), times.end(), 0.0));
 }
 
+/// Returns a square of 10 mm at 100 mm/s with this jerk.
+Toolpath Square(float jerk_mm_s) {
+  Toolpath path;
+  Move move;
+  move.feed_rate = 6'000;
+  move.acceleration_mm_s2 = 1000;
+  move.jerk_mm_s = jerk_mm_s;
+  path.approach = 0;
+  path.moves.push_back(move);
+  move.kind = MoveKind::kPrint;
+  move.filament = 30'000;
+  for (const auto& [x_um, y_um] : {std::pair(10'000, 0), {10'000, 10'000}, {0, 10'000}, {0, 0}}) {
+    move.x_um = x_um;
+    move.y_um = y_um;
+    path.moves.push_back(move);
+  }
+  return path;
+}
+
+TEST(LayerTiming, JerkOfMovesReplacesTheMachines) {
+  for (const GcodeFlavor flavor :
+       {GcodeFlavor::kMarlin2, GcodeFlavor::kKlipper, GcodeFlavor::kRepRapFirmware}) {
+    const auto time = [&](float jerk_mm_s, double limit_mm_s) {
+      MachineLimits limits;
+      limits.max_jerk_mm_s = {limit_mm_s, limit_mm_s, 1, 50};
+      limits.square_corner_velocity_mm_s = limit_mm_s;
+      LayerTiming timing(FirmwareOf(flavor), limits);
+      const Toolpath path = Square(jerk_mm_s);
+      const Stretch whole = {&path, 0, path.moves.size(), {}};
+      const auto times = timing.Times({&whole, 1});
+      return std::accumulate(times.begin(), times.end(), 0.0);
+    };
+    EXPECT_LT(time(20, 5), time(0, 5)) << static_cast<int>(flavor);
+    EXPECT_DOUBLE_EQ(time(20, 5), time(0, 20)) << static_cast<int>(flavor);
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::layer_timing_test

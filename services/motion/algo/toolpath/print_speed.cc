@@ -25,6 +25,8 @@ bool IsSmallWall(const Path& path, double length_mm, double radius_mm) {
 
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
+  if (path.feature == Feature::kSkirt && region.skirt_speed_mm_s > 0)
+    return region.skirt_speed_mm_s;
   double speed = region.speed_mm_s[static_cast<size_t>(path.feature)];
   if (path.feature == Feature::kInternalBridge && speed <= 0)
     speed = region.speed_mm_s[static_cast<size_t>(Feature::kBridgeInfill)];

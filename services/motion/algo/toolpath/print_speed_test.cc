@@ -161,5 +161,16 @@ TEST(FeedRate, IsWholeAndPositive) {
   EXPECT_EQ(FeedRate(1e300), 1'000'000);
 }
 
+TEST(PrintSpeeds, SkirtsHaveTheirOwnInAllLayers) {
+  MotionOptions options;
+  options.speeds[0].skirt_speed_mm_s = 45;
+  Path skirt;
+  skirt.feature = Feature::kSkirt;
+  for (const Ground ground : {Ground::kBed, Ground::kLayers})
+    EXPECT_EQ(PrintSpeeds(options, ground).Of(skirt, 100), 45);
+  skirt.feature = Feature::kSupport;
+  EXPECT_NE(PrintSpeeds(options, Ground::kLayers).Of(skirt, 100), 45);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::print_speed_test

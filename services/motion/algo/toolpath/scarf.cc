@@ -103,7 +103,8 @@ std::vector<ScarfPiece> ScarfedLoop(const Path& path, const ScarfOptions& option
   const double loop_nm = PathLength(path);
   const double asked_nm = options.entire_loop ? loop_nm : options.length_mm * kNmPerMm;
   const double length_nm = std::min(asked_nm, loop_nm);
-  const double longest_nm = options.max_segment_mm * kNmPerMm;
+  const double longest_nm =
+      std::min(options.max_segment_mm * kNmPerMm, length_nm / std::max(1, options.least_segments));
   const auto height_at = [&](double along_nm) {
     const double start = options.start_height_ratio;
     return start + (1 - start) * std::min(along_nm / length_nm, 1.0);

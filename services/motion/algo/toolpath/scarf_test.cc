@@ -139,5 +139,18 @@ TEST(Scarf, CornersNeedNone) {
   EXPECT_TRUE(HasScarf(corner, options));
 }
 
+TEST(Scarf, HasItsLeastNumberOfSegments) {
+  ScarfOptions options = Everywhere();
+  options.length_mm = 5;
+  const auto segments = [&] {
+    const auto pieces = ScarfedLoop(Loop(), options);
+    return std::ranges::count_if(pieces, [](const ScarfPiece& piece) { return piece.rise < 1; });
+  };
+  const auto few = segments();
+  options.least_segments = 20;
+  EXPECT_LT(few, 19);
+  EXPECT_GE(segments(), 19) << "the last one ends at the top";
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::scarf_test

@@ -56,6 +56,7 @@ struct Move {
   int32_t width_um = 0;          ///< width of a bead
   int32_t height_um = 0;         ///< height of a bead
   float acceleration_mm_s2 = 0;  ///< acceleration; 0: the acceleration that earlier beads set
+  float jerk_mm_s = 0;           ///< jerk in x and y; 0: the jerk that earlier beads set
   MoveKind kind = MoveKind::kTravel;
   Feature feature = Feature::kPerimeter;  ///< feature of the bead; only for kPrint
   /// share of the bead's width that the layer below supports, in percent; 0: in the air

@@ -17,6 +17,7 @@
 #include "services/motion/algo/toolpath/feature_groups.h"
 #include "services/motion/algo/toolpath/lifts.h"
 #include "services/motion/algo/toolpath/open_seam.h"
+#include "services/motion/algo/toolpath/reversal.h"
 #include "services/motion/algo/toolpath/scarf.h"
 #include "services/motion/algo/toolpath/spiral_turn.h"
 #include "services/motion/algo/toolpath/travel_ramp.h"
@@ -40,9 +41,10 @@ int32_t Units(double filament_mm) {
 
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
                                  Coord bead_height_nm, Ground ground, const LayerBelow* below,
-                                 const LayerBelow* carried)
+                                 const LayerBelow* carried, const LayerBelow* curled)
     : options_(options),
       first_layer_(frame.index == 0),
+      layer_(frame.index),
       speeds_(options, ground, frame.index),
       accelerations_(AccelerationsFor(options, ground)),
       filament_area_mm2_(std::numbers::pi / 4 * options.tool().filament_diameter_mm *
@@ -50,6 +52,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
       bead_height_nm_(bead_height_nm),
       below_(below),
       carried_(carried),
+      curled_(curled),
       wipe_(WipeOf(options)) {
   const RetractionOptions& retraction = options.tool().retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
@@ -67,10 +70,16 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
 void ToolpathBuilder::BeginPath(const Path& path, const SimplifiedPath& simple) {
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
+  if (set_jerk_ == 0) set_jerk_ = accelerations_.jerks.Print(path.feature);
   thread_nm_ = ThreadNm(path, bead_height_nm_, options_);
   at_.height_um = ToUm(thread_nm_ > 0 ? thread_nm_ : bead_height_nm_);
   at_.of_surface = IsWall(path.feature) && path.inset <= 1;
-  flow_ = simple.flow;
+  flow_ = simple.flow * FlowOf(path.feature, options_.speeds[static_cast<size_t>(path.settings)]);
+}
+
+/// Returns the factor of the settings on the plastic of a feature.
+double ToolpathBuilder::FlowOf(Feature feature, const RegionMotion& region) const {
+  return region.flow[static_cast<size_t>(feature)] * (first_layer_ ? region.first_layer_flow : 1);
 }
 
 void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const MultiPolygon& below) {
@@ -89,8 +98,15 @@ void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const Mu
 
 void ToolpathBuilder::Add(const Path& path, const Travel& travel,
                           std::optional<double> contour_mm) {
-  const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
-  const bool scarfed = !first_layer_ && HasScarf(path, scarf);
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const bool scarfed = !first_layer_ && HasScarf(path, region.scarf);
+  const bool reversed = IsReversed(path, region.reversal, layer_, below_);
+  AddPath(reversed ? Reversed(path) : path, travel, contour_mm, scarfed, reversed);
+}
+
+void ToolpathBuilder::AddPath(const Path& path, const Travel& travel,
+                              std::optional<double> contour_mm, bool scarfed, bool reversed) {
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   const bool arcs = options_.arc_fitting != ArcFitting::kDisabled;
   // A scarf divides the loop again. Therefore the loop is not simplified here if arcs are searched
   // in the result.
@@ -105,20 +121,25 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel,
   const double speed_mm_s = speeds_.Of(path, contour_mm.value_or(ToMm(PathLength(path))));
   BeginPath(path, simple);
   const int64_t filament_before = filament_;
+  const bool outer = path.closed && path.feature == Feature::kExternalPerimeter && !scarfed;
   if (path_.approach == Toolpath::kNone) {
     Approach(StartOf(path), retracted_ ? Travel{} : travel);
+    Restart();
   } else {
-    GoTo(StartOf(path), travel);
+    const bool inside = outer && region.wipe_before_outer;
+    GoTo(inside ? InsideOf(path, reversed) : StartOf(path), travel);
+    Restart();
+    if (inside) GlideTo(StartOf(path), speed_mm_s);
   }
-  Restart();
   if (scarfed) {
     at_.on_arc = arcs;
-    PrintScarf(simple.path, scarf, speed_mm_s);
+    PrintScarf(simple.path, region.scarf, speed_mm_s);
   } else {
     PrintSegments(IsLoopOfWalls(path) ? WithOpenSeam(simple, FromMm(options_.seam_gap_mm)) : simple,
                   speed_mm_s);
   }
   at_.on_arc = false;
+  if (outer && region.wipe_on_loops) GlideTo(InsideOf(path, reversed), speed_mm_s);
   EndPath(simple.path, scarfed, filament_before);
 }
 
@@ -164,14 +185,26 @@ void ToolpathBuilder::PrintSegments(const SimplifiedPath& simple, double speed_m
   }
 }
 
+namespace {
+
+/// Returns the speed of a scarf of a wall: no more than the wall's.
+double ScarfSpeed(const ScarfOptions& options, double wall_mm_s) {
+  const double asked =
+      options.speed_mm_s > 0 ? options.speed_mm_s : options.speed_ratio * wall_mm_s;
+  return std::min(asked, wall_mm_s);
+}
+
+}  // namespace
+
 void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s) {
   const auto height_um = static_cast<double>(z_um_ - bottom_um_);
   MoveZ(bottom_um_ + static_cast<int32_t>(std::lround(options.start_height_ratio * height_um)));
   Point from = path.points.front();
   for (const ScarfPiece& piece : ScarfedLoop(path, options)) {
     // The speed is that of a full bead on both passes.
-    Bead bead = BeadOf(piece.width_nm, speed_mm_s);
-    bead.filament_per_mm *= piece.flow;
+    const bool is_scarf = piece.flow < 1;
+    Bead bead = BeadOf(piece.width_nm, is_scarf ? ScarfSpeed(options, speed_mm_s) : speed_mm_s);
+    bead.filament_per_mm *= piece.flow * (is_scarf ? options.flow : 1);
     at_.z_um = bottom_um_ + static_cast<int32_t>(std::lround(piece.rise * height_um));
     at_.height_um = std::max(1, static_cast<int32_t>(std::lround(piece.flow * height_um)));
     PrintSegment(from, piece.to, bead);
@@ -221,85 +254,6 @@ double ToolpathBuilder::TurnSpeed(const Path& path, double speed_mm_s, uint8_t r
   const bool as_bridge = rest == 0 && region.bridging_walls && !region.dynamic_overhangs;
   if (as_bridge && bridge_mm_s > 0) return bridge_mm_s;
   return speeds_.OverAir(path, speed_mm_s, rest);
-}
-
-/// Returns the needed resolution of the supported share, or nothing if the layer below has no
-/// effect on the path.
-std::optional<RestSteps> ToolpathBuilder::RestUnder(const Path& path) const {
-  if (below_ == nullptr || !IsWall(path.feature)) return std::nullopt;
-  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
-  const CoolingOptions& cooling = options_.tool().cooling;
-  if (region.dynamic_overhangs || cooling.dynamic_fan || CoolsByRest(cooling))
-    return RestSteps::kAll;
-  if (!region.bridging_walls) return std::nullopt;
-  return RestSteps::kAirAlone;
-}
-
-/// Prints a wall in pieces with different supported shares.
-void ToolpathBuilder::PrintOverAir(const SimplifiedPath& simple, RestSteps steps,
-                                   double speed_mm_s) {
-  const Path& path = simple.path;
-  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
-  std::vector<PathSegment> segments(SegmentsOf(path));
-  for (size_t i = 0; i < segments.size(); ++i) segments[i] = SegmentOf(path, i);
-  Point from = path.points.front();
-  for (const RestingPiece& piece : PiecesOver(*below_, steps, segments)) {
-    const Coord width_nm = segments[piece.segment].width_nm;
-    at_.on_arc = simple.on_arc[piece.segment];
-    at_.rest = piece.rest;
-    const double over_air_mm_s = speeds_.OverAir(path, speed_mm_s, piece.rest);
-    if (piece.rest == 0 && region.bridging_walls) {
-      PrintBridges(path, from, piece.to, width_nm, over_air_mm_s);
-    } else {
-      PrintSegment(from, piece.to, BeadOf(width_nm, over_air_mm_s));
-    }
-    from = piece.to;
-  }
-  at_.rest = kFullRest;
-}
-
-/// Prints a piece of a wall over air as a round strand. Directly above supports it is printed as a
-/// bead, because a strand would weld to them.
-void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
-                                   double speed_mm_s) {
-  if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
-  const PathSegment whole = {from, to, width_nm};
-  for (const RestingPiece& piece : PiecesOver(*carried_, RestSteps::kAirAlone, {&whole, 1})) {
-    PrintBridge(path, from, piece.to, width_nm, speed_mm_s, piece.rest == 0);
-    from = piece.to;
-  }
-}
-
-/// Prints a piece of a wall with the settings of a bridge. `thread`: true to print a round strand,
-/// if the settings want strands.
-void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord width_nm,
-                                  double speed_mm_s, bool thread) {
-  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
-  constexpr Feature kBridge = Feature::kOverhangPerimeter;
-  const double bridge_mm_s = region.speed_mm_s[static_cast<size_t>(kBridge)];
-  if (!region.dynamic_overhangs && bridge_mm_s > 0) speed_mm_s = bridge_mm_s;
-  Bead bead = BeadOf(width_nm, speed_mm_s);
-  double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * region.bridge_flow;
-  if (region.thick_bridges && thread) {
-    const double thread_mm = ThreadMm(region, options_.tool().nozzle_diameter_mm);
-    section_mm2 = DiscMm2(thread_mm);
-    bead.width_nm = FromMm(thread_mm);
-    at_.height_um = ToUm(bead.width_nm);
-  }
-  section_mm2 *= options_.tool().extrusion_multiplier;
-  bead.filament_per_mm = section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm;
-  bead.feed_rate = FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2));
-  at_.feature = kBridge;
-  print_acceleration_ = accelerations_.Print(kBridge);
-  const int64_t before = filament_;
-  PrintSegment(from, to, bead);
-  const double length_mm = ToMm(Distance(from, to));
-  stats_.features[static_cast<size_t>(kBridge)].Add(UseOf(length_mm, filament_ - before));
-  bridged_mm_ += length_mm;
-  bridged_filament_ += filament_ - before;
-  at_.feature = path.feature;
-  at_.height_um = ToUm(bead_height_nm_);
-  print_acceleration_ = accelerations_.Print(path.feature);
 }
 
 /// Prints a segment as one move, or as several short moves if materials mix.
@@ -431,6 +385,9 @@ void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   if (kind == MoveKind::kPrint) print_feed_rate_ = at_.feed_rate;
   if (kind == MoveKind::kPrint || (of_travel && accelerations_.one))
     set_acceleration_ = acceleration_mm_s2;
+  if (kind == MoveKind::kPrint) set_jerk_ = accelerations_.jerks.Print(at_.feature);
+  if (of_travel) set_jerk_ = accelerations_.jerks.Travel(set_jerk_);
+  at_.jerk_mm_s = static_cast<float>(set_jerk_);
   path_.moves.push_back(at_);
 }
 

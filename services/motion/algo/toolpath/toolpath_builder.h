@@ -40,11 +40,12 @@ class ToolpathBuilder {
  public:
   /// `options`, `below` and `carried` must outlive the builder. `below`: layer below, which slows
   /// walls down over air; null: walls are not slowed down, or the layer is not known. `carried`:
-  /// areas directly above supports, where walls are not printed as bridges; null: none.
-  /// `bead_height_nm`: bead height of the paths.
+  /// areas directly above supports, where walls are not printed as bridges; null: none. `curled`:
+  /// areas where the layer below has curled up, and walls are slower; null: none. `bead_height_nm`:
+  /// bead height of the paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
-                  const LayerBelow* carried = nullptr);
+                  const LayerBelow* carried = nullptr, const LayerBelow* curled = nullptr);
 
   /// Starts with the filament in the state in which the layer below ends. Call before anything is
   /// added.
@@ -89,6 +90,11 @@ class ToolpathBuilder {
   };
 
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
+  double FlowOf(Feature feature, const RegionMotion& region) const;
+  void AddPath(const Path& path, const Travel& travel, std::optional<double> contour_mm,
+               bool scarfed, bool reversed);
+  Point InsideOf(const Path& path, bool reversed) const;
+  void GlideTo(Point to, double speed_mm_s);
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
   void Rise(std::span<const PlaceUm> route);
@@ -103,6 +109,8 @@ class ToolpathBuilder {
   std::vector<RestingPiece> PiecesUnder(const Path& path,
                                         std::span<const PathSegment> segments) const;
   void PrintOverAir(const SimplifiedPath& simple, RestSteps steps, double speed_mm_s);
+  void PrintPiece(const Path& path, const PathSegment& piece, uint8_t rest, double speed_mm_s);
+  void PrintAbove(const Path& path, const PathSegment& piece, uint8_t rest, double speed_mm_s);
   void PrintBridges(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s);
   void PrintBridge(const Path& path, Point from, Point to, Coord width_nm, double speed_mm_s,
                    bool thread);
@@ -123,6 +131,7 @@ class ToolpathBuilder {
 
   const MotionOptions& options_;
   bool first_layer_;
+  int32_t layer_;  ///< index of the layer
   PrintSpeeds speeds_;
   Accelerations accelerations_;
   double filament_area_mm2_;
@@ -130,6 +139,7 @@ class ToolpathBuilder {
   int32_t bottom_um_;  ///< z of the bottom of the beads, z_offset included
   const LayerBelow* below_;
   const LayerBelow* carried_;
+  const LayerBelow* curled_;
   int32_t z_um_;
   int32_t lift_um_;         ///< height by which travels rise; 0 if they do not
   int32_t start_lift_um_;   ///< rise of the travel to the first path
@@ -147,6 +157,7 @@ class ToolpathBuilder {
   int32_t print_feed_rate_ = 0;    ///< feed rate of the last bead; 0: none so far
   /// acceleration set in the machine; 0: unchanged since the layer before
   double set_acceleration_ = 0;
+  double set_jerk_ = 0;  ///< jerk set in the machine
   bool retracted_ = true;
   /// true if the filament is still in the state in which the layer below ends
   bool as_left_ = false;

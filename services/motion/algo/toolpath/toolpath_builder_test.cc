@@ -774,5 +774,113 @@ TEST(ToolpathBuilder, AScarfRisesOverItsLayerAndTakesTheSameFilament) {
   EXPECT_EQ(last.y_um, 5'000);
 }
 
+Path OuterLoop() {
+  Path loop = Line("(0 0, 10 0, 10 10, 0 10)");
+  loop.closed = true;
+  loop.feature = Feature::kExternalPerimeter;
+  return loop;
+}
+
+TEST(ToolpathBuilder, FlowByFeatureAndFirstLayer) {
+  MotionOptions options;
+  const Path wall = Line("(0 0, 100 0)");
+  const auto plain = static_cast<double>(Printed(Build({wall}).path));
+  options.speeds[0].flow[static_cast<size_t>(wall.feature)] = 0.9;
+  EXPECT_NEAR(static_cast<double>(Printed(Build({wall}, options).path)), 0.9 * plain, 1);
+  options.speeds[0].first_layer_flow = 1.1;
+  EXPECT_NEAR(static_cast<double>(Printed(Build({wall}, options).path)), 0.9 * plain, 1);
+  ToolpathBuilder first(options, {0, 200'000, 200'000}, 200'000);
+  first.Add(wall);
+  EXPECT_NEAR(static_cast<double>(Printed(first.Finish())), 0.99 * plain, 1);
+}
+
+TEST(ToolpathBuilder, JerkOfEachMove) {
+  MotionOptions options;
+  options.jerk.default_mm_s = 8;
+  options.jerk.feature_mm_s[static_cast<size_t>(Feature::kExternalPerimeter)] = 5;
+  const auto jerks = [&] {
+    std::vector<float> values;
+    for (const Move& move : Build({OuterLoop(), Line("(30 10, 40 10)")}, options).path.moves)
+      values.push_back(move.jerk_mm_s);
+    return values;
+  };
+  const std::vector<float> kept = jerks();
+  EXPECT_EQ(kept.front(), 5) << "the first bead's";
+  EXPECT_EQ(kept.back(), 8);
+  EXPECT_EQ(std::ranges::count(kept, 12.0F), 0);
+  options.limits.max_jerk_mm_s = {20, 20, 1, 5};
+  options.jerk.travel_mm_s = 12;
+  EXPECT_GT(std::ranges::count(jerks(), 12.0F), 2);
+  options.jerk.default_mm_s = 0;
+  const std::vector<float> none = jerks();
+  EXPECT_EQ(std::ranges::count(none, 0.0F), std::ssize(none));
+}
+
+TEST(ToolpathBuilder, WipesOnLoops) {
+  MotionOptions options;
+  options.speeds[0].wipe_on_loops = true;
+  const Built plain = Build({OuterLoop()}), wiped = Build({OuterLoop()}, options);
+  ASSERT_EQ(wiped.path.moves.size(), plain.path.moves.size() + 1);
+  const Move& inwards = wiped.path.moves.end()[-2];
+  EXPECT_EQ(inwards.kind, MoveKind::kTravel);
+  EXPECT_EQ(inwards.filament, 0);
+  EXPECT_NEAR(inwards.x_um, 141, 1) << "half a nozzle along the bisector";
+  EXPECT_NEAR(inwards.y_um, 141, 1);
+  options.clockwise = true;
+  EXPECT_NEAR(Build({OuterLoop()}, options).path.moves.end()[-2].x_um, -141, 1);
+  Path inner = OuterLoop();
+  inner.feature = Feature::kPerimeter;
+  EXPECT_EQ(Build({inner}, options).path.moves, Build({inner}).path.moves);
+}
+
+TEST(ToolpathBuilder, WipesBeforeOuterWalls) {
+  MotionOptions options;
+  options.speeds[0].wipe_before_outer = true;
+  const Built built = Build({Line("(30 10, 40 10)"), OuterLoop()}, options);
+  const auto restart = std::ranges::find(built.path.moves.begin() + 4, built.path.moves.end(),
+                                         MoveKind::kRestart, &Move::kind);
+  ASSERT_NE(restart, built.path.moves.end());
+  EXPECT_NEAR(restart->x_um, 141, 1) << "the filament comes back inside";
+  EXPECT_EQ(restart[1].kind, MoveKind::kTravel);
+  EXPECT_EQ(restart[1].x_um, 0);
+  EXPECT_EQ(restart[2].kind, MoveKind::kPrint);
+}
+
+TEST(ToolpathBuilder, ReversesWallsInEverySecondLayer) {
+  MotionOptions options;
+  options.speeds[0].reversal = {.on = true};
+  const auto second_corner = [&](int32_t layer) {
+    ToolpathBuilder builder(options, {layer, 400'000, 200'000}, 200'000);
+    builder.Add(OuterLoop());
+    const Toolpath path = builder.Finish();
+    return std::ranges::find(path.moves, MoveKind::kPrint, &Move::kind)->x_um;
+  };
+  EXPECT_EQ(second_corner(2), 10'000);
+  EXPECT_EQ(second_corner(3), 0);
+}
+
+TEST(ToolpathBuilder, ScarfsHaveTheirSpeedAndFlow) {
+  MotionOptions options;
+  Path loop = OuterLoop();
+  loop.points.insert(loop.points.begin(), {FromMm(0), FromMm(5)});
+  options.speeds[0].small_perimeter_radius_mm = 0;
+  options.speeds[0].scarf.placement = ScarfPlacement::kEverywhere;
+  options.speeds[0].scarf.length_mm = 8;
+  const Built plain = Build({loop}, options);
+  options.speeds[0].scarf.speed_mm_s = 10;
+  options.speeds[0].scarf.flow = 0.5;
+  const Built slow = Build({loop}, options);
+  const auto at_speed = [](const Built& built, int32_t mm_s) {
+    return std::ranges::count_if(built.path.moves, [&](const Move& move) {
+      return move.kind == MoveKind::kPrint && move.feed_rate == mm_s * 60;
+    });
+  };
+  EXPECT_EQ(at_speed(plain, 10), 0);
+  EXPECT_GE(at_speed(slow, 10), 14);
+  EXPECT_GT(at_speed(slow, 30), 0) << "the rest of the loop";
+  EXPECT_NEAR(static_cast<double>(Printed(plain.path) - Printed(slow.path)),
+              0.5 * 8 / 40 * static_cast<double>(Printed(plain.path)), 20);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::toolpath_builder_test

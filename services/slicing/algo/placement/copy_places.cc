@@ -67,8 +67,14 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
   return absl::OkStatus();
 }
 
+/// Returns true if the settings place parts elsewhere than in the middle of the bed.
+bool HasPlace(const SlicingOptions& options) {
+  return options.best_x != 0.5 || options.best_y != 0.5;
+}
+
 bool FitsInTheMiddle(const ObjectToPlace& object, const SlicingOptions& options) {
-  return !MeetsExcluded(object.footprint, ToWholeUm(BedCenter(options.bed)),
+  return !HasPlace(options) &&
+         !MeetsExcluded(object.footprint, ToWholeUm(BedCenter(options.bed)),
                         ArrangeOptionsOf(options).bed_margin_nm, options.excluded);
 }
 
@@ -86,7 +92,9 @@ ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options) {
   return {.bed = options.bed,
           .distance_nm = std::max(options.part_distance_nm, options.clearance_radius_nm),
           .excluded = options.excluded,
-          .bed_margin_nm = growth};
+          .bed_margin_nm = growth,
+          .middle_x = std::clamp(options.best_x, 0.0, 1.0),
+          .middle_y = std::clamp(options.best_y, 0.0, 1.0)};
 }
 
 absl::StatusOr<Places> PlaceCopies(std::span<const ObjectToPlace> objects,

@@ -150,5 +150,19 @@ TEST(PlaceCopies, OutlinesThatGrowStayOnTheBed) {
             Reason::kOutOfBuildVolume);
 }
 
+TEST(PlaceCopies, TheSettingsChooseThePlace) {
+  SlicingOptions options;
+  options.best_x = 0.7;
+  const std::vector<CopyInput> one = {kAnywhere};
+  const ObjectToPlace part{"part", Rectangle(10, 10), {}, one};
+  const auto places = PlaceCopies({&part, 1}, options, {});
+  ASSERT_TRUE(places.ok()) << places.status();
+  EXPECT_THAT(places->at(0), ElementsAre(Point{175 * kMm, 105 * kMm}));
+  options.best_x = 1;
+  const auto edge = PlaceCopies({&part, 1}, options, {});
+  ASSERT_TRUE(edge.ok()) << edge.status();
+  EXPECT_NEAR(static_cast<double>(edge->at(0)[0].x), 245e6, 0.1e6) << "as far as the bed allows";
+}
+
 }  // namespace
 }  // namespace slicefarm::slicing::copy_places_test

@@ -72,9 +72,19 @@ MultiPolygon WithoutHoles(const MultiPolygon& region) {
   return holes ? Union(outers, FillRule::kNonZero) : region;
 }
 
+namespace {
+
+/// Returns the elephant foot compensation of a layer: it falls evenly over elephant_foot_layers. A
+/// negative compensation is only for the first layer.
+Coord FootAt(int32_t layer, const ObjectSlicingOptions& options) {
+  const int32_t layers = options.elephant_foot_nm > 0 ? options.elephant_foot_layers : 1;
+  return layer < layers ? options.elephant_foot_nm * (layers - layer) / layers : 0;
+}
+
+}  // namespace
+
 RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options) {
-  const bool on_bed = layer == 0 && options.on_bed;
-  const Coord foot_nm = on_bed ? options.elephant_foot_nm : 0;
+  const Coord foot_nm = options.on_bed ? FootAt(layer, options) : 0;
   return {.closing_radius_nm = closed_mesh ? 0 : options.closing_radius_nm,
           .grow_nm = options.xy_compensation_nm - std::min<Coord>(foot_nm, 0),
           .foot_nm = std::max<Coord>(foot_nm, 0),

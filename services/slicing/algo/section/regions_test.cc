@@ -163,5 +163,18 @@ TEST(Edited, NothingToDoIsNothingDone) {
   EXPECT_TRUE(Edited({}, {.grow_nm = kMm}, 0).empty());
 }
 
+TEST(EditsFor, TheFootFadesOutOverItsLayers) {
+  ObjectSlicingOptions options;
+  options.elephant_foot_nm = 160'000;
+  options.elephant_foot_layers = 4;
+  const auto foot = [&](int32_t layer) { return EditsFor(layer, true, options).foot_nm; };
+  EXPECT_EQ(foot(0), 160'000);
+  EXPECT_EQ(foot(1), 120'000);
+  EXPECT_EQ(foot(3), 40'000);
+  EXPECT_EQ(foot(4), 0);
+  options.elephant_foot_nm = -160'000;
+  EXPECT_EQ(EditsFor(1, true, options).grow_nm, 0) << "growth is for the first layer alone";
+}
+
 }  // namespace
 }  // namespace slicefarm::slicing::regions_test

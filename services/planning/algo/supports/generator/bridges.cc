@@ -129,16 +129,29 @@ bool IsNarrow(const PolygonWithHoles& part, Coord width_nm) {
   return Area(part) < width_nm * edges;
 }
 
+/// Removes walls that are longer than the longest bridge. The length of a wall is half the length
+/// of its edge.
+void DropLong(Coord longest_nm, MultiPolygon& walls) {
+  if (longest_nm <= 0) return;
+  std::erase_if(walls, [&](const PolygonWithHoles& wall) {
+    return Perimeter(wall.outer) / 2 > static_cast<double>(longest_nm);
+  });
+}
+
 MultiPolygon Bridge(const PolygonWithHoles& part, const MultiPolygon& below,
                     const BridgeBeads& beads) {
   const Coord width_nm = beads.width_nm;
-  const BridgeWalls walls = WallsOf(part, below, beads.walls_nm);
+  BridgeWalls walls = WallsOf(part, below, beads.walls_nm);
+  DropLong(beads.longest_nm, walls.held);
   const MultiPolygon lined = Difference({part}, walls.area);
   std::vector<Span> best;
   Vector2 along = Vector2::UnitX();
   double most = 0;
   for (const Vector2& direction : Candidates(part, width_nm)) {
     std::vector<Span> spans = AnchoredSpans(lined, below, direction, width_nm);
+    std::erase_if(spans, [&](const Span& span) {
+      return beads.longest_nm > 0 && span.to - span.from > beads.longest_nm;
+    });
     const double covered = Covered(spans);
     if (covered <= most * 1.001) continue;
     most = covered;

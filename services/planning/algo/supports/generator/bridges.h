@@ -8,6 +8,7 @@ namespace slicefarm::planning {
 struct BridgeBeads {
   Coord width_nm = 450'000;  ///< width of infill lines; also the distance between the tested lines
   Coord walls_nm = 0;        ///< total thickness of the walls
+  Coord longest_nm = 0;      ///< length of the longest bridge; 0: unlimited
 };
 
 /// Returns the part of an overhang that bridges span: straight lines and walls from one anchored
@@ -24,8 +25,8 @@ struct BridgeBeads {
 ///
 /// Along free edges there are walls instead of lines. A straight wall with support at both ends is
 /// a bridge. A wall around a hole or along a curve bends in the air and is no bridge. Spans may be
-/// of any length, as in PrusaSlicer. Strips narrower than two lines are left out. Cost: O(36 n m)
-/// for n lines and m edges of the piece.
+/// of any length up to the longest bridge. Strips narrower than two lines are left out. Cost: O(36
+/// n m) for n lines and m edges of the piece.
 MultiPolygon BridgesOf(const MultiPolygon& hanging, const MultiPolygon& steep,
                        const MultiPolygon& below, const BridgeBeads& beads);
 

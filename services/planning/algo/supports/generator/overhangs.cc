@@ -21,6 +21,8 @@ constexpr Coord kEnforcedNm = 50'000;
 /// Distance by which supports extend beyond the steep area along a step. Without it, a step that is
 /// in some sections narrower than the threshold would have supports in pieces.
 constexpr Coord kAlongNm = 500'000;
+/// Least reach of a cantilever beyond the layer below, as in OrcaSlicer.
+constexpr Coord kCantileverNm = 3'000'000;
 constexpr OffsetOptions kRound = {.join = Join::kRound, .arc_tolerance_nm = 10'000};
 
 const MultiPolygon& Below(const SupportProblem& problem, size_t index) {
@@ -59,9 +61,22 @@ bool MayReach(const PolygonWithHoles& island, Coord distance_nm) {
          Area(island) > support::kLeastRegionNm2;
 }
 
+/// Removes the parts of `steep` that are neither an island in the air nor a part of a cantilever.
+void KeepCritical(const MultiPolygon& hanging, const MultiPolygon& below,
+                  const MultiPolygon& in_air, MultiPolygon& steep) {
+  const MultiPolygon far = FartherThan(hanging, below, kCantileverNm);
+  std::erase_if(steep, [&](const PolygonWithHoles& island) {
+    return Intersection({island}, far).empty() && Intersection({island}, in_air).empty();
+  });
+}
+
 }  // namespace
 
 Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord below_height_nm) {
+  if (options.threshold_rad <= 0 && options.threshold_overlap >= 0) {
+    const auto width_nm = static_cast<double>(options.wall_width_nm);
+    return std::llround(width_nm * (1 - options.threshold_overlap));
+  }
   if (options.threshold_rad <= 0)
     return options.style == SupportStyle::kTree ? options.wall_width_nm * 2 / 3
                                                 : options.wall_width_nm / 2;
@@ -90,9 +105,12 @@ Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOp
       OverhangThreshold(options, layer.height_nm, problem.part[index - 1].height_nm);
   if (options.automatic) {
     overhang.steep = FartherThan(hanging, below, threshold);
+    if (options.critical_only && !enforced_layer && !overhang.steep.empty())
+      KeepCritical(hanging, below, IslandsInAirOf(problem, index), overhang.steep);
     if (options.skip_bridges && !overhang.steep.empty() && !enforced_layer) {
       const MultiPolygon bridges =
-          BridgesOf(hanging, overhang.steep, below, {options.wall_width_nm, options.walls_nm});
+          BridgesOf(hanging, overhang.steep, below,
+                    {options.wall_width_nm, options.walls_nm, options.max_bridge_nm});
       overhang.steep = Difference(overhang.steep, bridges);
       if (!overhang.steep.empty()) hanging = Difference(hanging, bridges);
     }

@@ -117,5 +117,40 @@ TEST(OverhangOf, EqualsBruteForce) {
   }
 }
 
+TEST(OverhangThreshold, ShareOfTheWallThatMustRest) {
+  SupportOptions options;
+  options.threshold_overlap = 0.25;
+  for (const SupportStyle style : {SupportStyle::kGrid, SupportStyle::kTree}) {
+    options.style = style;
+    EXPECT_EQ(OverhangThreshold(options, 200'000, 200'000), 337'500);
+  }
+  options.threshold_rad = std::numbers::pi / 4;
+  EXPECT_EQ(OverhangThreshold(options, 200'000, 200'000), 200'000);
+}
+
+TEST(OverhangOf, CriticalRegionsAreCantileversAndIslands) {
+  SupportOptions options;
+  options.critical_only = true;
+  EXPECT_TRUE(OverhangOf(Step(2.8).Problem(), 2, options).steep.empty());
+  EXPECT_NEAR(AreaMm2(OverhangOf(Step(3.5).Problem(), 2, options).steep), (3.5 - 0.225) * 10, 0.01);
+  const TestStack island(4, [](double z) {
+    return z < 0.4 ? BoxOf(0, 0, 10, 10) : Union(BoxOf(0, 0, 10, 10), BoxOf(11, 0, 12, 1));
+  });
+  EXPECT_NEAR(AreaMm2(OverhangOf(island.Problem(), 2, options).steep), 1, 0.01);
+  options.enforced_layers = 3;
+  EXPECT_FALSE(OverhangOf(Step(2).Problem(), 2, options).steep.empty());
+}
+
+TEST(OverhangOf, LongBridgesAreSupported) {
+  const TestStack gate(3, [](double z) {
+    return z < 0.4 ? Union(BoxOf(0, 0, 2, 10), BoxOf(12, 0, 14, 10)) : BoxOf(0, 0, 14, 10);
+  });
+  SupportOptions options;
+  options.max_bridge_nm = 11 * kNmPerMm;
+  EXPECT_TRUE(OverhangOf(gate.Problem(), 2, options).steep.empty());
+  options.max_bridge_nm = 9 * kNmPerMm;
+  EXPECT_NEAR(AreaMm2(OverhangOf(gate.Problem(), 2, options).steep), (10 - 0.45) * 10, 0.02);
+}
+
 }  // namespace
 }  // namespace slicefarm::planning::overhangs_test

@@ -98,6 +98,8 @@ class Planner {
         contact = Union(contact, overhangs_[part_layer].contact);
         if (options_.bed_only) enforced = Union(enforced, EnforcedContact(part_layer));
       }
+      if (options_.expansion_nm != 0 && options_.style != SupportStyle::kTree && !contact.empty())
+        contact = FastOffset(contact, options_.expansion_nm);
       const SupportHeight& height = heights_.layers[i];
       contacts_[i] = clearance.Free(contact, height.bottom_nm, height.top_nm);
       if (!enforced.empty()) enforced_[i] = Intersection(contacts_[i], enforced);

@@ -458,5 +458,21 @@ TEST(SupportPlanner, ColumnsUnderFinsAreClosedCells) {
   }
 }
 
+TEST(PlanSupports, ColumnsGrowByTheExpansion) {
+  const TestStack stack(60, kShapes[0].outline);
+  const auto area = [&](SupportStyle style, Coord expansion_nm) {
+    SupportOptions options;
+    options.on = true;
+    options.style = style;
+    options.expansion_nm = expansion_nm;
+    const SupportPlan plan = Plan(stack.Problem(), options);
+    EXPECT_FALSE(plan.layers.empty());
+    return plan.layers.empty() ? 0 : AreaMm2(SupportAt(plan, plan.layers[20].top_nm));
+  };
+  EXPECT_GT(area(SupportStyle::kSnug, 1'000'000), area(SupportStyle::kSnug, 0) + 60);
+  EXPECT_LT(area(SupportStyle::kSnug, -1'000'000), area(SupportStyle::kSnug, 0) - 40);
+  EXPECT_EQ(area(SupportStyle::kTree, 1'000'000), area(SupportStyle::kTree, 0));
+}
+
 }  // namespace
 }  // namespace slicefarm::planning::support_planner_test

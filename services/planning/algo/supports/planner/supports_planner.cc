@@ -23,8 +23,9 @@ constexpr size_t kToldFindings = 5;
 SupportRow RowOf(const SupportLayer& layer, SupportRole role) {
   switch (role) {
     case SupportRole::kTopInterface:
-    case SupportRole::kBottomInterface:
       return SupportRow::kInterface;
+    case SupportRole::kBottomInterface:
+      return SupportRow::kBottomInterface;
     case SupportRole::kBase:
       return layer.first ? SupportRow::kFirstLayer : SupportRow::kBase;
     case SupportRole::kBranch:
@@ -53,7 +54,8 @@ ObjectSection SectionOf(SupportLayer layer, const Stack& stack, const SupportRow
   section.z_nm = layer.top_nm;
   for (SupportRegion& region : layer.regions) {
     const SupportRow row = RowOf(layer, region.role);
-    const Role role = row == SupportRow::kInterface ? Role::kSupportInterface : Role::kSupport;
+    const bool dense = row == SupportRow::kInterface || row == SupportRow::kBottomInterface;
+    const Role role = dense ? Role::kSupportInterface : Role::kSupport;
     AddRegion(role, rows[static_cast<size_t>(row)], std::move(region.outlines), section.regions);
   }
   if (section.regions.size() <= 1) return section;

@@ -233,11 +233,20 @@ struct Group {
   std::vector<Polygon> kept_off;  ///< forbidden translations, as in ShapeVariant
 };
 
-/// Returns the translation that moves the middle of the group's box towards the bed's middle, along
-/// a straight line, as far as the bed's outline and its excluded areas allow.
-Point TowardsMiddle(const Polygon& bed, Group group) {
-  const auto twice_middle = [](const Box& box) { return box.min + box.max; };
-  const Point path = twice_middle(Bounds(bed)) - twice_middle(Bounds(group.corners));
+/// Returns twice the position of the middle of a plate's parts.
+Point TwiceMiddle(const Polygon& bed, const ArrangeOptions& options) {
+  const Box box = Bounds(bed);
+  const auto at = [](Coord least, Coord most, double share) {
+    return least + most + std::llround((2 * share - 1) * static_cast<double>(most - least));
+  };
+  return {at(box.min.x, box.max.x, options.middle_x), at(box.min.y, box.max.y, options.middle_y)};
+}
+
+/// Returns the translation that moves the middle of the group's box towards `twice_middle` / 2,
+/// along a straight line, as far as the bed's outline and its excluded areas allow.
+Point TowardsMiddle(const Polygon& bed, Point twice_middle, Group group) {
+  const Box box = Bounds(group.corners);
+  const Point path = twice_middle - (box.min + box.max);
   FreePlaces free(bed, ConvexHull(std::move(group.corners)), {0, 0});
   free.AddObstacles(std::move(group.kept_off));
   const auto at = [&](Coord part, Coord of) {
@@ -256,7 +265,7 @@ Point TowardsMiddle(const Polygon& bed, Group group) {
   return at(good, kParts);
 }
 
-void CenterPlates(const PackingTask& task, Packing& packing) {
+void CenterPlates(const PackingTask& task, const ArrangeOptions& options, Packing& packing) {
   std::vector<Group> groups(packing.plates);
   std::vector<bool> fixed(packing.plates, false);
   for (const StandingPart& part : task.standing) fixed[part.plate] = true;
@@ -272,7 +281,8 @@ void CenterPlates(const PackingTask& task, Packing& packing) {
   std::vector<Point> moves(packing.plates);
   for (int plate = 0; plate < packing.plates; ++plate)
     if (!fixed[plate] && !groups[plate].corners.empty())
-      moves[plate] = TowardsMiddle(task.bed, std::move(groups[plate]));
+      moves[plate] =
+          TowardsMiddle(task.bed, TwiceMiddle(task.bed, options), std::move(groups[plate]));
   for (std::optional<PackedItem>& item : packing.items)
     if (item) item->translation = item->translation + moves[item->plate];
 }
@@ -308,7 +318,7 @@ absl::StatusOr<Arrangement> Arrange(std::span<const ArrangeItem> items,
     absl::StatusOr<Packing> best = BestPacking(prepared.task, options.distance_nm, cancel);
     if (!best.ok()) return best.status();
     packing = *std::move(best);
-    CenterPlates(prepared.task, packing);
+    CenterPlates(prepared.task, options, packing);
   }
   return Result(prepared, packing);
 }

@@ -31,6 +31,9 @@ struct ArrangeOptions {
   std::vector<Polygon> excluded = {};  ///< areas of the bed where no part may be; may overlap
   Coord bed_margin_nm = 0;  ///< distance from the boundary of the bed and from excluded areas, >= 0
   int max_plates = 0;       ///< largest number of plates; 0: no limit
+  /// Position of the middle of a plate's parts, as shares of the bed's width and depth.
+  double middle_x = 0.5;
+  double middle_y = 0.5;
 };
 
 /// Position of an item on a plate.
@@ -58,7 +61,7 @@ struct Arrangement {
 /// Minkowski sums of convex pieces (free_places.h). Items are packed outwards from the middle. If
 /// this takes more than one plate, they are also packed from the front, and the packing with fewer
 /// plates is used. Equal items form a grid instead if the grid does not need more plates. Finally
-/// each plate without fixed parts is moved as a whole towards the bed's middle.
+/// each plate without fixed parts is moved as a whole towards the position of its middle.
 ///
 /// Guarantees: no two parts on a plate are closer than distance_nm. No part is closer to the bed's
 /// edge or to an excluded area than bed_margin_nm (to 1 nm), for any input. The result is
