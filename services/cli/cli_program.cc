@@ -43,10 +43,11 @@ constexpr char kFooter[] =
     "(--patience S waits): quota, queue or disk";
 
 constexpr AddCommand kCommands[] = {
-    AddSlice,  AddSubmit,   AddInspect, AddWatch,   AddList,      AddGet,        AddCancel,
-    AddDelete, AddTrace,    AddWebhook, AddUpdate,  AddArtifacts, AddEvents,     AddMeshes,
-    AddUsage,  AddCaller,   AddTenant,  AddProfile, AddPresets,   AddRender,     AddTime,
-    AddCheck,  AddSettings, AddHealth,  AddToken,   AddHelp,      AddCompletion, AddVersion};
+    AddSlice,     AddCalibrate, AddSubmit, AddInspect,    AddWatch,   AddList,
+    AddGet,       AddCancel,    AddDelete, AddTrace,      AddWebhook, AddUpdate,
+    AddArtifacts, AddEvents,    AddMeshes, AddUsage,      AddCaller,  AddTenant,
+    AddProfile,   AddPresets,   AddRender, AddTime,       AddCheck,   AddSettings,
+    AddHealth,    AddToken,     AddHelp,   AddCompletion, AddVersion};
 
 }  // namespace
 

@@ -10,22 +10,25 @@ namespace slicefarm::cli {
 
 /// Each function of this file adds its subcommand. `app` and `context` must outlive the parsing and
 /// the run of the command.
-void AddSlice(CLI::App& app, CommandContext& context);       ///< defined in slice_command.cc
-void AddSubmit(CLI::App& app, CommandContext& context);      ///< defined in submit_command.cc
-void AddInspect(CLI::App& app, CommandContext& context);     ///< defined in inspect_command.cc
-void AddWatch(CLI::App& app, CommandContext& context);       ///< defined in job_commands.cc
-void AddList(CLI::App& app, CommandContext& context);        ///< defined in job_commands.cc
-void AddGet(CLI::App& app, CommandContext& context);         ///< defined in job_commands.cc
-void AddCancel(CLI::App& app, CommandContext& context);      ///< defined in job_commands.cc
-void AddDelete(CLI::App& app, CommandContext& context);      ///< defined in job_commands.cc
-void AddTrace(CLI::App& app, CommandContext& context);       ///< defined in job_commands.cc
-void AddWebhook(CLI::App& app, CommandContext& context);     ///< defined in job_commands.cc
-void AddEvents(CLI::App& app, CommandContext& context);      ///< defined in farm_commands.cc
-void AddArtifacts(CLI::App& app, CommandContext& context);   ///< defined in farm_commands.cc
-void AddUsage(CLI::App& app, CommandContext& context);       ///< defined in farm_commands.cc
-void AddCaller(CLI::App& app, CommandContext& context);      ///< defined in farm_commands.cc
-void AddMeshes(CLI::App& app, CommandContext& context);      ///< defined in farm_commands.cc
-void AddUpdate(CLI::App& app, CommandContext& context);      ///< defined in farm_commands.cc
+void AddSlice(CLI::App& app, CommandContext& context);      ///< defined in slice_command.cc
+void AddCalibrate(CLI::App& app, CommandContext& context);  ///< defined in calibrate_command.cc
+void AddSubmit(CLI::App& app, CommandContext& context);     ///< defined in submit_command.cc
+void AddInspect(CLI::App& app, CommandContext& context);    ///< defined in inspect_command.cc
+/// Defined in job_commands.cc, like the next six.
+void AddWatch(CLI::App& app, CommandContext& context);
+void AddList(CLI::App& app, CommandContext& context);
+void AddGet(CLI::App& app, CommandContext& context);
+void AddCancel(CLI::App& app, CommandContext& context);
+void AddDelete(CLI::App& app, CommandContext& context);
+void AddTrace(CLI::App& app, CommandContext& context);
+void AddWebhook(CLI::App& app, CommandContext& context);
+/// Defined in farm_commands.cc, like the next five.
+void AddEvents(CLI::App& app, CommandContext& context);
+void AddArtifacts(CLI::App& app, CommandContext& context);
+void AddUsage(CLI::App& app, CommandContext& context);
+void AddCaller(CLI::App& app, CommandContext& context);
+void AddMeshes(CLI::App& app, CommandContext& context);
+void AddUpdate(CLI::App& app, CommandContext& context);
 void AddTime(CLI::App& app, CommandContext& context);        ///< defined in time_command.cc
 void AddCheck(CLI::App& app, CommandContext& context);       ///< defined in check_command.cc
 void AddProfile(CLI::App& app, CommandContext& context);     ///< defined in profile_command.cc

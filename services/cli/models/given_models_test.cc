@@ -253,15 +253,11 @@ TEST(CheckPlates, NamesThePlate) {
   EXPECT_EQ(CheckPlates(models).message(), "plate 7: why");
 }
 
-TEST(OutputOf, NumbersThePlates) {
+TEST(CheckOutputs, SeveralPlatesNeedFiles) {
   JobOptions options;
-  EXPECT_EQ(OutputOf(options, "a/b.gcode", 0), "a/b.gcode");
   options.plates = true;
-  EXPECT_EQ(OutputOf(options, "a/b.x/out.gcode", 1), "a/b.x/out-2.gcode");
-  EXPECT_EQ(OutputOf(options, "out", 0), "out-1");
   EXPECT_TRUE(CheckOutputs(options, "out.gcode").ok());
   EXPECT_FALSE(CheckOutputs(options, "-").ok());
-  EXPECT_EQ(OutputOf(options, "", 0), "");
 }
 
 TEST(NamedOutput, IsAFolderOrThatOfTheModel) {

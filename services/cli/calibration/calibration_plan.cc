@@ -1,0 +1,242 @@
+#include "services/cli/calibration/calibration_plan.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+#include "common/model/options/height_code.h"
+#include "services/cli/calibration/calibration_shapes.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr double kTallFloorMm = 10, kFloorMm = 5;
+
+Setting RequestOf(std::string_view key, std::string value) {
+  return {std::string(key), std::move(value), Source::kRequest};
+}
+
+std::string NumberText(double value) { return fmt::format("{:g}", value); }
+
+/// Builder of one print.
+class CalibrationPlanner {
+ public:
+  CalibrationPlanner(CalibrationKind kind, const std::vector<double>& levels,
+                     std::string_view settings_text)
+      : info_(InfoOfCalibration(kind)), levels_(levels), given_(settings_text) {
+    for (const auto& [key, value] :
+         {std::pair("support_material", "0"), std::pair("raft_layers", "0"),
+          std::pair("complete_objects", "0"), std::pair("spiral_vase", "0"),
+          std::pair("fuzzy_skin", "none"), std::pair("ironing", "0")})
+      Set(key, value);
+  }
+
+  absl::StatusOr<CalibrationPlan> Run() {
+    absl::Status planned = absl::OkStatus();
+    switch (info_.kind) {
+      case CalibrationKind::kFlow:
+        PlanFlow();
+        break;
+      case CalibrationKind::kVfa:
+      case CalibrationKind::kVolumetricSpeed:
+        planned = PlanSpeeds();
+        break;
+      case CalibrationKind::kTemperature:
+      case CalibrationKind::kPressureAdvance:
+      case CalibrationKind::kRetraction:
+      case CalibrationKind::kCornering:
+      case CalibrationKind::kInputShaping:
+        planned = PlanCodes();
+        break;
+    }
+    if (!planned.ok()) return planned;
+    return std::move(plan_);
+  }
+
+ private:
+  void Set(std::string_view key, std::string value) {
+    plan_.settings.push_back(RequestOf(key, std::move(value)));
+  }
+
+  Floors FloorsFor(double floor_mm) const {
+    std::vector<std::string> labels;
+    for (const double level : levels_) labels.push_back(LabelOf(info_, level));
+    return FloorsOf(floor_mm, NumberIn(given_, "first_layer_height", 0.2),
+                    NumberIn(given_, "layer_height", 0.2), std::move(labels));
+  }
+
+  /// Adds the tower and its rows.
+  void AddTower(const Floors& floors, std::string stl, std::vector<HeightRange> ranges = {}) {
+    std::string name = fmt::format("{} tower", info_.name);
+    for (size_t i = 0; i < levels_.size(); ++i)
+      plan_.rows.push_back(
+          {floors.labels[i], levels_[i], floors.Bottom(i), floors.Bottom(i + 1), name});
+    plan_.parts.push_back({std::move(name), std::move(stl), std::move(ranges), {}});
+  }
+
+  /// Leaves only walls, which are printed at full speed.
+  void SetHollow(int walls) {
+    Set("perimeters", std::to_string(walls));
+    Set("fill_density", "0%");
+    Set("top_solid_layers", "0");
+    Set("bottom_solid_layers", "3");
+    Set("solid_infill_below_area", "0");
+    Set("slowdown_below_layer_time", "0");
+    Set("seam_position", "rear");
+  }
+
+  /// Plans a kind with a command at the beginning of each floor.
+  absl::Status PlanCodes() {
+    const bool tall = info_.kind == CalibrationKind::kTemperature;
+    const Floors floors = FloorsFor(tall ? kTallFloorMm : kFloorMm);
+    constexpr double kAboveMm = 0.01;  // selects the first layer above the height
+    const std::string_view flavor = TextIn(given_, "gcode_flavor");
+    std::vector<HeightCode> codes;
+    for (size_t i = 0; i < levels_.size(); ++i) {
+      auto code = CodeOf(info_, flavor, levels_[i]);
+      if (!code.ok()) return code.status();
+      const double z_mm = i == 0 ? 0 : floors.Bottom(i);
+      codes.push_back({FromMm(z_mm + kAboveMm), HeightCodeKind::kCustom, *std::move(code)});
+    }
+    Set("custom_gcode_per_print_z", PrintHeightCodes(codes));
+    if (tall) {
+      Set("perimeters", "2");
+      Set("fill_density", "5%");
+      Set("temperature", NumberText(levels_.front()));
+      Set("first_layer_temperature", NumberText(levels_.front()));
+      AddTower(floors, TemperatureTower(floors));
+    } else if (info_.kind == CalibrationKind::kRetraction) {
+      Set("use_firmware_retraction", "1");
+      Set("retract_length", NumberText(*std::ranges::max_element(levels_)));
+      AddTower(floors, PillarPair(floors));
+    } else {
+      SetHollow(2);
+      AddTower(floors, CornerTower(floors));
+    }
+    return absl::OkStatus();
+  }
+
+  /// Plans a kind with a speed of walls for each floor.
+  absl::Status PlanSpeeds() {
+    const bool by_volume = info_.kind == CalibrationKind::kVolumetricSpeed;
+    const Floors floors = FloorsFor(kFloorMm);
+    const double per_mm = by_volume ? BeadMm2() : 1;
+    std::vector<HeightRange> ranges;
+    for (size_t i = 0; i < levels_.size(); ++i) {
+      const double speed = levels_[i] / per_mm;
+      if (absl::Status ok = CheckSpeed(speed); !ok.ok()) return ok;
+      HeightRange& range = ranges.emplace_back();
+      range.from_mm = floors.Bottom(i);
+      range.to_mm = floors.Bottom(i + 1);
+      for (const char* key :
+           {"perimeter_speed", "external_perimeter_speed", "small_perimeter_speed"})
+        range.settings.push_back(RequestOf(key, fmt::format("{:.4f}", speed)));
+    }
+    SetHollow(by_volume ? 1 : 2);
+    Set("enable_dynamic_overhang_speeds", "0");
+    Set("max_volumetric_speed", "0");
+    Set("filament_max_volumetric_speed", "0");
+    AddTower(floors, by_volume ? LongTower(floors) : FlatWallTower(floors), std::move(ranges));
+    return absl::OkStatus();
+  }
+
+  void PlanFlow() {
+    constexpr double kPercent = 100;
+    const double multiplier = NumberIn(given_, "extrusion_multiplier", 1);
+    const double ratio = NumberIn(given_, "top_solid_infill_flow_ratio", 1);
+    Set("top_solid_layers", "5");
+    Set("bottom_solid_layers", "3");
+    Set("top_fill_pattern", "monotonic");
+    for (const double level : levels_) {
+      const double factor = 1 + level / kPercent;
+      const std::string label = LabelOf(info_, level);
+      std::string name = "flow " + label;
+      plan_.rows.push_back({label, multiplier * factor, 0, 0, name});
+      plan_.parts.push_back(
+          {std::move(name),
+           FlowPlate(label),
+           {},
+           {RequestOf("top_solid_infill_flow_ratio", NumberText(ratio * factor))}});
+    }
+  }
+
+  /// Returns the section of the filament's flow in an outer wall: a rectangle with round ends,
+  /// times the flow.
+  double BeadMm2() const {
+    const double height = NumberIn(given_, "layer_height", 0.2);
+    const double nozzle = NumberIn(given_, "nozzle_diameter", 0.4);
+    constexpr double kUsualWidth = 1.125;  // of the nozzle
+    double width = NumberIn(given_, "external_perimeter_extrusion_width", 0);
+    if (width <= height) width = kUsualWidth * nozzle;
+    const double section = height * (width - height * (1 - std::numbers::pi / 4));
+    return section * NumberIn(given_, "extrusion_multiplier", 1);
+  }
+
+  absl::Status CheckSpeed(double speed) const {
+    for (const char* key : {"machine_max_feedrate_x", "machine_max_feedrate_y"}) {
+      const double limit = NumberIn(given_, key, 0);
+      if (limit <= 0 || speed <= limit) continue;
+      return MakeError(
+          absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+          fmt::format("calibrate {}: needs {:.1f} mm/s, which is above {} = {:g}; choose "
+                      "a lower --end",
+                      info_.name, speed, key, limit),
+          {{"setting", key}, {"limit", NumberText(limit)}, {"got", NumberText(speed)}});
+    }
+    return absl::OkStatus();
+  }
+
+  const CalibrationInfo& info_;
+  const std::vector<double>& levels_;
+  const std::string_view given_;
+  CalibrationPlan plan_;
+};
+
+}  // namespace
+
+std::string_view TextIn(std::string_view settings_text, std::string_view key) {
+  constexpr std::string_view kEquals = " = ";
+  for (const std::string_view line : Split(settings_text, "\n"))
+    if (line.starts_with(key) && line.substr(key.size()).starts_with(kEquals))
+      return line.substr(key.size() + kEquals.size());
+  return "";
+}
+
+double NumberIn(std::string_view settings_text, std::string_view key, double otherwise) {
+  const std::string_view text = TextIn(settings_text, key);
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? number : otherwise;
+}
+
+absl::StatusOr<CalibrationPlan> PlanCalibration(CalibrationKind kind,
+                                                const std::vector<double>& levels,
+                                                std::string_view settings_text) {
+  return CalibrationPlanner(kind, levels, settings_text).Run();
+}
+
+std::string CalibrationJson(CalibrationKind kind, const std::vector<CalibrationRow>& rows) {
+  const CalibrationInfo& info = InfoOfCalibration(kind);
+  nlohmann::ordered_json json = {{"kind", info.name},
+                                 {"unit", info.unit},
+                                 {"setting", info.setting},
+                                 {"values", nlohmann::ordered_json::array()}};
+  for (const CalibrationRow& row : rows) {
+    nlohmann::ordered_json entry = {
+        {"label", row.label}, {"value", row.value}, {"object", row.object}};
+    if (row.to_mm > 0) {
+      entry["from_mm"] = row.from_mm;
+      entry["to_mm"] = row.to_mm;
+    }
+    json["values"].push_back(std::move(entry));
+  }
+  return json.dump();
+}
+
+}  // namespace slicefarm::cli
