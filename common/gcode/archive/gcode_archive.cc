@@ -64,8 +64,8 @@ struct PlateElements {
   std::string model_settings;
 };
 
-/// Returns the files of an archive: the files of the plates and the files about all plates. The
-/// pictures come first, so that they are in the first bytes.
+/// Returns the files of an archive: the pictures of the plates, the other files of the plates, and
+/// the files about all plates. The pictures are first, so that the first bytes contain them.
 std::vector<ZipMember> WholeArchive(std::vector<ZipMember> of_plates, std::string model,
                                     std::string project_settings, const PlateElements& elements) {
   std::vector<ZipMember> files = {{"[Content_Types].xml", ContentTypesDocument()}};

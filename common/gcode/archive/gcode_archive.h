@@ -11,9 +11,9 @@ namespace slicefarm::gcode {
 
 /// Returns a .gcode.3mf archive, the form in which Bambu Lab's printers take programs over the
 /// network: an OPC package with a program, its MD5, pictures and facts for each plate. Plates are
-/// numbered from 1. The settings of the first plate are the settings of the project. The bytes
-/// depend on the plates only. Cost: O(bytes). REQUIRES: at least one plate. Sources: archives of
-/// Bambu Studio 2.4; ECMA-376 part 2.
+/// numbered from 1. The project has the settings of the first plate. The bytes depend on
+/// the plates only. Cost: O(bytes). REQUIRES: at least one plate. Sources: archives of Bambu Studio
+/// 2.4; ECMA-376 part 2.
 absl::StatusOr<std::string> GcodeArchive(const std::vector<ArchivedPlate>& plates);
 
 /// Returns true if the file begins like an archive.

@@ -16,7 +16,7 @@ namespace {
 
 using PlateJsonValue = nlohmann::ordered_json;
 
-/// Version of Bambu Studio that writes the same format. Printers and programs compare it.
+/// Version of Bambu Studio that has the format of the archive. Printers and programs compare it.
 constexpr std::string_view kFormatVersion = "02.00.00.00";
 constexpr std::string_view kXmlHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 constexpr double kMmPerM = 1000;

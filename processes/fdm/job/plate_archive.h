@@ -14,8 +14,8 @@ namespace slicefarm::coordinator {
 std::vector<Thumbnail> TakePlatePictures(std::vector<Thumbnail>& thumbnails);
 
 /// Returns the plate of a .gcode.3mf archive without its program. `report`: complete report.
-/// `pictures`: result of TakePlatePictures. The project's settings are the settings that other
-/// programs read, by their names in Bambu Studio.
+/// `pictures`: result of TakePlatePictures. The project's settings are the ones of
+/// gcode::kProjectKeys.
 gcode::ArchivedPlate ArchivedPlateOf(const ProgramSummary& summary, const PrintTimes& times,
                                      const JobReport& report, const FdmSettings& settings,
                                      std::vector<Thumbnail> pictures);

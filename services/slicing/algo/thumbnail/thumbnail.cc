@@ -249,8 +249,8 @@ Viewport FitViewport(std::span<const SceneMesh> scene, const Polygon& bed, bool 
   Viewport viewport = {from_above, scale, (box.left + box.right - width / scale) / 2,
                        (box.bottom + box.top + height / scale) / 2};
   if (!from_above) return viewport;
-  // Seen from above, edges of a part may run exactly through samples. A sample on the edge between
-  // two faces may belong to neither of them, so the view is moved by a fraction of a sample.
+  // Edges of a part may run exactly through samples of this view. A sample on the edge between two
+  // faces may belong to neither of them, so the view is moved by a fraction of a sample.
   constexpr double kAsideX = 0.0137, kAsideY = 0.0071;
   viewport.left += kAsideX / scale;
   viewport.top += kAsideY / scale;
