@@ -13,9 +13,17 @@ namespace {
 constexpr double kSquaresPerEdge = 4;
 constexpr double kSquaresAnyway = 4096;
 
+/// Rounds down and up, without the function call of std::floor and std::ceil.
+Coord Floor(double value) {
+  const auto whole = static_cast<Coord>(value);
+  return whole - (static_cast<double>(whole) > value ? 1 : 0);
+}
+Coord Ceil(double value) { return -Floor(-value); }
+
 }  // namespace
 
 EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
+  edges_.reserve(PointCount(region));
   int32_t ring_number = 0;
   ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
@@ -39,14 +47,14 @@ EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
   columns_ = Column(box_.max.x) + 1;
   rows_ = Row(box_.max.y) + 1;
   begin_.assign(static_cast<size_t>(rows_) * columns_ + 1, 0);
-  for (const Edge& edge : edges_)
-    ForEachSquare(edge, [this](size_t square_number) { ++begin_[square_number + 1]; });
+  for (const Edge& edge : edges_) ForEachSquare(edge, [this](size_t number) { ++begin_[number]; });
+  // Each square's items are filled in from behind, so that its begin moves from the end to the
+  // first of them.
   for (size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
   items_.resize(static_cast<size_t>(begin_.back()));
-  std::vector<int32_t> at(begin_.begin(), begin_.end() - 1);
-  for (size_t i = 0; i < edges_.size(); ++i)
+  for (size_t i = edges_.size(); i-- > 0;)
     ForEachSquare(edges_[i],
-                  [&](size_t number) { items_[at[number]++] = static_cast<int32_t>(i); });
+                  [&](size_t number) { items_[--begin_[number]] = static_cast<int32_t>(i); });
 }
 
 /// Visits the squares that an edge passes, row by row. In each row these are the columns from the
@@ -65,8 +73,8 @@ void EdgeIndex::ForEachSquare(const Edge& edge, Visit visit) const {
       const Coord bottom = box_.min.y + (static_cast<Coord>(row) << square_bits_);
       const double x0 = slope * static_cast<double>(std::max(bottom, low.y) - low.y);
       const double x1 = slope * static_cast<double>(std::min(bottom + square_nm(), high.y) - low.y);
-      from = std::max(left, low.x + static_cast<Coord>(std::floor(std::min(x0, x1))) - 1);
-      to = std::min(right, low.x + static_cast<Coord>(std::ceil(std::max(x0, x1))) + 1);
+      from = std::max(left, low.x + Floor(std::min(x0, x1)) - 1);
+      to = std::min(right, low.x + Ceil(std::max(x0, x1)) + 1);
     }
     const int32_t last_column = Column(to);
     for (int32_t column = Column(from); column <= last_column; ++column)

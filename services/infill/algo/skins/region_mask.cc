@@ -44,20 +44,24 @@ bool RegionMask::ForEachSpan(Point a, Point b, Visit visit) const {
   double bx = static_cast<double>(b.x - box_.min.x) * squares_per_nm_;
   double by = static_cast<double>(b.y - box_.min.y) * squares_per_nm_;
   if (ay > by) std::swap(ax, bx), std::swap(ay, by);
-  const auto first_row = static_cast<int32_t>(std::max(0.0, std::floor(ay - kSlack)));
-  const auto last_row = static_cast<int32_t>(std::min<double>(rows_ - 1, std::floor(by + kSlack)));
-  const double slope = by > ay ? (bx - ax) / (by - ay) : 0;
+  // Positive numbers are rounded down by their conversion to integers, without a function call.
+  if (by + kSlack < 0) return false;
+  const auto first_row = static_cast<int32_t>(std::clamp<double>(ay - kSlack, 0, rows_));
+  const auto last_row = static_cast<int32_t>(std::min<double>(rows_ - 1, by + kSlack));
+  // True if rows cut the edge, so that each has a part of it.
+  const bool is_cut = by > ay && !(first_row == last_row && ay >= first_row && by <= first_row + 1);
+  const double slope = is_cut ? (bx - ax) / (by - ay) : 0;
   for (int32_t row = first_row; row <= last_row; ++row) {
     double from = ax, to = bx;
-    if (by > ay) {
+    if (is_cut) {
       from = ax + (std::max<double>(row, ay) - ay) * slope;
       to = ax + (std::min<double>(row + 1, by) - ay) * slope;
     }
     if (from > to) std::swap(from, to);
-    const double least = std::max(0.0, std::floor(from - kSlack));
-    const double most = std::min<double>(columns_ - 1, std::floor(to + kSlack));
-    if (least <= most && visit(row, static_cast<int32_t>(least), static_cast<int32_t>(most)))
-      return true;
+    if (to + kSlack < 0 || from - kSlack >= columns_) continue;
+    const auto first = static_cast<int32_t>(std::max(0.0, from - kSlack));
+    const auto last = static_cast<int32_t>(std::min<double>(columns_ - 1, to + kSlack));
+    if (visit(row, first, last)) return true;
   }
   return false;
 }
