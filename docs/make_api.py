@@ -16,7 +16,7 @@ import textwrap
 from google.protobuf import descriptor_pb2
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FILES = ("jobs", "profiles", "mesh", "geometry", "process", "error_reason")
+FILES = ("jobs", "profiles", "presets", "mesh", "geometry", "process", "error_reason")
 PACKAGE = ".slicefarm.v1."
 FIELD = descriptor_pb2.FieldDescriptorProto
 COLUMNS = 128
@@ -24,7 +24,7 @@ COLUMNS = 128
 INTRODUCTION = """\
 # API of slicefarm
 
-Clients call three gRPC services: `Meshes`, `Jobs` and `Profiles`, package `slicefarm.v1`. Their protos are in
+Clients call four gRPC services: `Meshes`, `Jobs`, `Profiles` and `Presets`, package `slicefarm.v1`. Their protos are in
 `proto/slicefarm/v1`. This page is made from the comments there by `docs/make_api.py`: change the comments, then run the script
 again.
 

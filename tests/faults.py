@@ -20,8 +20,32 @@ LEAD = 4  # jobs that wait or run during the kills, so that there is always work
 LASERS = 4  # one of LASERS jobs is a laser job
 MILLS = 6  # one of MILLS jobs is a milling job
 ENGRAVES = 7  # one of ENGRAVES jobs is an engraving job
+PRESETS = 3  # one of PRESETS other jobs names presets that the farm stores
+BUNDLES = 4  # number of bundles of presets
 S3_FAULTS = 0.02  # fraction of the bucket's answers
 PATIENCE_S = 600  # for the end of all jobs after the last kill
+
+
+def bundle(number):
+    """Returns a bundle of PrusaSlicer. Each number gives other walls."""
+    return f"""[print:thin]\nlayer_height = 0.06\nperimeters = {number + 1}\n[filament:PLA]\ntemperature = 210
+[printer:P]\nnozzle_diameter = 0.4\nbed_shape = 0x0,200x0,200x200,0x200\ngcode_flavor = marlin2
+"""
+
+
+def presets_of(number):
+    """Returns the number of the bundle that a job names, or None."""
+    fdm = "--machine" not in settings_of(number)
+    return number % BUNDLES + 1 if fdm and number % PRESETS == 0 else None
+
+
+def import_presets(farm, number, directory):
+    """Stores the presets of a job. A repeated import adds no revision. Returns False if the farm refuses it."""
+    name = f"acme{presets_of(number)}"
+    path = directory / f"{name}.ini"
+    path.write_text(bundle(presets_of(number)))
+    done = farm.client("presets", "import", path)
+    return done.returncode == 0 and done.stdout.startswith(f"{name}@1:")
 
 
 def settings_of(number):
@@ -59,7 +83,8 @@ def roof(side=40):
 
 def expected_digest(number, directory):
     out = directory / f"expected-{number}.out"
-    subprocess.run([BIN / "slicefarm", "slice", model_of(number, directory), "--generic", "-q", "-o", out, *settings_of(number)], check=True)
+    presets = ["--presets", directory / f"acme{presets_of(number)}.ini", "--printer", "P"] if presets_of(number) else []
+    subprocess.run([BIN / "slicefarm", "slice", model_of(number, directory), "--generic", "-q", "-o", out, *presets, *settings_of(number)], check=True)
     digest = hashlib.sha256(out.read_bytes()).hexdigest()
     out.unlink()
     return digest
@@ -72,6 +97,7 @@ class Submitter(threading.Thread):
         super().__init__()
         self.directory = directory
         self.farm, self.count, self.acknowledged, self.refused = farm, count, {}, []
+        self.lost_presets = []
         self.let, self.allowed = threading.Semaphore(0), 0
 
     def allow(self, count):
@@ -82,9 +108,16 @@ class Submitter(threading.Thread):
     def run(self):
         for number in range(self.count):
             self.let.acquire()
-            done = self.farm.client("submit", model_of(number, self.directory), "--detach", "-q", "--label", f"number={number}", *settings_of(number))
+            presets = []
+            if presets_of(number):
+                if not import_presets(self.farm, number, self.directory):
+                    self.lost_presets.append(f"presets of job {number}")
+                presets = ["--printer", "P", "--bundle", f"acme{presets_of(number)}@1"]
+            done = self.farm.client("submit", model_of(number, self.directory), "--detach", "-q", "--label", f"number={number}", *presets, *settings_of(number))
             if done.returncode == 0:
                 self.acknowledged[number] = done.stdout.strip()
+            elif presets and "there is no" in done.stderr:
+                self.lost_presets.append(f"presets of job {number}: {done.stderr.strip()}")
             else:
                 self.refused.append(done.stderr.strip())
 
@@ -174,6 +207,7 @@ def main():
         finally:
             progress.stop()
         lost, duplicated, differing = judge(farm, submitter.acknowledged, jobs, directory)
+        lost += submitter.lost_presets
     recoveries = collections.defaultdict(list)
     for name, since in killed:
         recovery = progress.recovery_s(since)

@@ -13,7 +13,7 @@
 #
 # Prints `key value` rows:
 # - kills, jobs;
-# - lost: acknowledged jobs that are missing, not SUCCEEDED, or without G-code;
+# - lost: acknowledged jobs that are missing, not SUCCEEDED, or without G-code, and acknowledged presets that are missing;
 # - duplicated: jobs that exist more than once;
 # - differing: jobs with downloaded G-code that differs from the output of `slicefarm slice`;
 # - ranges: finished ranges, which were thus compared;

@@ -14,7 +14,7 @@ from google.protobuf import descriptor_pb2
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT = ROOT / "tests/public_api.txt"
-PUBLIC = [f"slicefarm/v1/{name}.proto" for name in ("error_reason", "geometry", "jobs", "mesh", "process", "profiles")]
+PUBLIC = [f"slicefarm/v1/{name}.proto" for name in ("error_reason", "geometry", "jobs", "mesh", "presets", "process", "profiles")]
 FIELD = descriptor_pb2.FieldDescriptorProto
 
 

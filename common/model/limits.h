@@ -109,6 +109,11 @@ inline constexpr int32_t kMaxPageSize = 1'000;
 inline constexpr int32_t kMaxBatchJobs = 100;  ///< jobs created by one call
 inline constexpr int32_t kMaxJobProfiles = 16;
 inline constexpr int64_t kMaxProfileRevisions = 10'000;  ///< profile revisions of a tenant
+inline constexpr int64_t kMaxPresetRevisions = 1'000;  ///< revisions of preset bundles of a tenant
+inline constexpr int64_t kMaxPresetStoreBytes = 256 << 20;  ///< stored bytes of these revisions
+inline constexpr int64_t kMaxPresetBundles = 200;           ///< bundles that a job may use
+/// Bytes of all preset files of a job, and of one bundle, expanded.
+inline constexpr int64_t kMaxJobPresetBytes = 64 << 20;
 inline constexpr int64_t kMaxUrlBytes = 2'048;
 inline constexpr int64_t kMaxOpenJobs = 10'000;  ///< waiting and running jobs of a tenant
 

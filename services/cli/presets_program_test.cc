@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "services/cli/console/program_fixture_test.h"
@@ -112,8 +113,22 @@ TEST_F(PresetsProgram, SlicesAProjectAsDesignedForAnotherPrinter) {
               HasSubstr("not kept from the project (belongs to the printer's filament): "
                         "nozzle_temperature"));
   EXPECT_THAT(outcome.err, HasSubstr("the objects are arranged anew"));
-  const auto mesh = nlohmann::json::parse(Text("r.json"), nullptr, false)["meshes"][0];
-  EXPECT_LT(mesh["max_mm"][0], 120);
+  const auto report = nlohmann::json::parse(Text("r.json"), nullptr, false);
+  EXPECT_LT(report["meshes"][0]["max_mm"][0], 120);
+  std::map<std::string, std::string> sources;
+  for (const auto& each : report["setting_sources"])
+    for (const auto& key : each["keys"]) sources[key] = each["source"];
+  EXPECT_EQ(sources["perimeters"], "project");
+  EXPECT_THAT(sources["bed_shape"], testing::StartsWith("printer preset \"base\" ("));
+  EXPECT_THAT(sources["temperature"], testing::StartsWith("filament preset \"PLA @One\" ("));
+  EXPECT_EQ(sources["seam_position"], "default of the presets' program");
+}
+
+TEST_F(PresetsProgram, AsksForPresetsWithAPrinter) {
+  const Outcome outcome =
+      Run({"slice", Path("cube.obj"), "-o", Path("a.gcode"), "--printer", "Acme One"});
+  EXPECT_EQ(outcome.code, ExitCode::kUsage);
+  EXPECT_THAT(outcome.err, HasSubstr("--presets DIR|FILE is needed"));
 }
 
 TEST_F(PresetsProgram, RefusesAProjectThatIsLargerThanThePrinter) {

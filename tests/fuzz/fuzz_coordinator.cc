@@ -17,6 +17,7 @@
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/presets.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"
@@ -75,6 +76,7 @@ class Farm {
     meshes_ = v1::Meshes::NewStub(channel);
     jobs_ = v1::Jobs::NewStub(channel);
     profiles_ = v1::Profiles::NewStub(channel);
+    presets_ = v1::Presets::NewStub(channel);
     database_ = *coordinator::SqliteConnection::Open(directory_ + "/jobs.db");
     Expect(coordinator_->Start().ok());
   }
@@ -94,7 +96,8 @@ class Farm {
   void Clear() {
     Expect(database_
                ->Execute("DELETE FROM jobs; DELETE FROM requests; DELETE FROM results;"
-                         "DELETE FROM profiles; DELETE FROM tenants; DELETE FROM sqlite_sequence")
+                         "DELETE FROM profiles; DELETE FROM presets; DELETE FROM tenants; DELETE "
+                         "FROM sqlite_sequence")
                .ok());
     created_.clear();
     if (!uploaded_) return;
@@ -136,6 +139,7 @@ class Farm {
   void Watch(const v1::WatchJobRequest& request);
   void Download(const v1::DownloadRequest& request);
   void PutProfile(const v1::PutProfileRequest& request);
+  void ImportPresets(const v1::ImportPresetsRequest& request);
   void AwaitEnd(const std::string& id);
 
   const std::string directory_ = NewDirectory();
@@ -153,6 +157,7 @@ class Farm {
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Profiles::Stub> profiles_;
+  std::unique_ptr<v1::Presets::Stub> presets_;
   std::unique_ptr<coordinator::SqliteConnection> database_;
   std::set<std::string> created_;  // ids of jobs
   bool uploaded_ = false;
@@ -222,6 +227,18 @@ void Farm::PutProfile(const v1::PutProfileRequest& request) {
     Expect(kept.settings(i).SerializeAsString() == request.settings(i).SerializeAsString());
 }
 
+void Farm::ImportPresets(const v1::ImportPresetsRequest& request) {
+  v1::PresetBundle made;
+  if (!Make(*presets_, &v1::Presets::Stub::ImportPresets, request, &made)) return;
+  v1::GetPresetBundleRequest get;
+  get.set_name(request.name());
+  v1::PresetBundle kept;
+  Expect(Make(*presets_, &v1::Presets::Stub::GetPresetBundle, get, &kept));
+  Expect(kept.revision() == made.revision() && kept.files_size() == request.files_size());
+  for (int i = 0; i < request.files_size(); ++i)
+    Expect(kept.files(i).content() == request.files(i).content());
+}
+
 void Farm::BatchCreate(const v1::BatchCreateJobsRequest& request) {
   v1::BatchCreateJobsResponse response;
   if (!Make(*jobs_, &v1::Jobs::Stub::BatchCreateJobs, request, &response)) return;
@@ -284,6 +301,7 @@ void Farm::Call(const CoordinatorCall& call) {
   using Meshes = v1::Meshes::Stub;
   using Jobs = v1::Jobs::Stub;
   using Profiles = v1::Profiles::Stub;
+  using Presets = v1::Presets::Stub;
   switch (call.call_case()) {
     case CoordinatorCall::kGetUpload:
       return (void)Make(*meshes_, &Meshes::GetUpload, call.get_upload());
@@ -317,6 +335,14 @@ void Farm::Call(const CoordinatorCall& call) {
       return (void)Make(*profiles_, &Profiles::ListProfiles, call.list_profiles());
     case CoordinatorCall::kDeleteProfile:
       return (void)Make(*profiles_, &Profiles::DeleteProfile, call.delete_profile());
+    case CoordinatorCall::kImportPresets:
+      return ImportPresets(call.import_presets());
+    case CoordinatorCall::kListPresets:
+      return (void)Make(*presets_, &Presets::ListPresets, call.list_presets());
+    case CoordinatorCall::kResolvePresets:
+      return (void)Make(*presets_, &Presets::ResolvePresets, call.resolve_presets());
+    case CoordinatorCall::kDeletePresetBundle:
+      return (void)Make(*presets_, &Presets::DeletePresetBundle, call.delete_preset_bundle());
     case CoordinatorCall::CALL_NOT_SET:
       return;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "common/base/error.h"
@@ -234,6 +235,31 @@ std::vector<const Preset*> MadeFor(const PresetSet& set, const PrinterFit& fit, 
     if (preset.kind == kind && preset.listed && fit.Accepts(preset)) made.push_back(&preset);
   std::ranges::stable_sort(made, {}, &Preset::name);
   return made;
+}
+
+absl::StatusOr<std::vector<const Preset*>> ListedPresets(const PresetSet& set,
+                                                         std::string_view printer) {
+  std::vector<const Preset*> listed;
+  if (printer.empty()) {
+    for (const Preset& preset : set.presets())
+      if (preset.listed) listed.push_back(&preset);
+  } else {
+    const auto printers = PrintersNamed(set, printer);
+    if (!printers.ok()) return printers.status();
+    for (const Preset* each : *printers) {
+      const auto fit = PrinterFit::Make(set, *each);
+      if (!fit.ok()) return fit.status();
+      listed.push_back(each);
+      for (const PresetKind kind : {PresetKind::kProcess, PresetKind::kFilament})
+        for (const Preset* made : MadeFor(set, *fit, kind)) listed.push_back(made);
+    }
+  }
+  // A preset's address gives its place in the set, and so an order that is always the same.
+  std::ranges::sort(listed, {}, [](const Preset* each) {
+    return std::tuple(each->kind, each->name, each->scope, each);
+  });
+  listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
+  return listed;
 }
 
 absl::StatusOr<ChosenPresets> ChoosePresets(const PresetSet& set, const PresetNames& names,

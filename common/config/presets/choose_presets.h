@@ -45,9 +45,14 @@ absl::StatusOr<std::vector<const Preset*>> PrintersNamed(const PresetSet& set,
 /// Returns the listed presets of a kind that are made for the printer, sorted by name.
 std::vector<const Preset*> MadeFor(const PresetSet& set, const PrinterFit& fit, PresetKind kind);
 
-/// Returns the presets of a job. A process or filament may also be named by its alias, if only one
-/// preset with this alias is made for the printer. Example: "0.20mm Standard" for "0.20mm Standard
-/// @MK4".
+/// Returns all presets that a job may name, or the printers of a name with the presets that are
+/// made for them; by kind and name. `printer` may be empty. Errors: as PrintersNamed and
+/// PresetSet::Lineage.
+absl::StatusOr<std::vector<const Preset*>> ListedPresets(const PresetSet& set,
+                                                         std::string_view printer);
+
+/// Returns the presets of a job. A process or filament may be named by its alias ("0.20mm
+/// Standard" for "0.20mm Standard @MK4") if only one preset with it is made for the printer.
 ///
 /// Without a name, the preset is chosen as the programs do it when the printer changes: one with
 /// the alias of the former preset, else one with its layer height or type, else the printer's

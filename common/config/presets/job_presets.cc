@@ -106,16 +106,30 @@ absl::StatusOr<std::vector<SourcedValue>> CombinePresets(const PresetSet& set,
   return all;
 }
 
+std::vector<LabelledSetting> Labelled(const std::vector<SourcedValue>& values) {
+  std::vector<LabelledSetting> labelled;
+  for (const SourcedValue& each : values)
+    labelled.push_back(
+        {{each.key, each.value, Source::kProfile},
+         each.from == nullptr ? "default of the presets' program" : SourceText(*each.from)});
+  return labelled;
+}
+
 absl::StatusOr<JobPresets> SettingsOfPresets(const PresetSet& set, const ChosenPresets& chosen) {
   auto values = CombinePresets(set, chosen);
   if (!values.ok()) return values.status();
   const Preset* const presets[] = {chosen.printer, chosen.process, chosen.filament};
   const bool super = std::ranges::any_of(
       presets, [](const Preset* preset) { return preset->dialect == PresetDialect::kSuper; });
+  const PresetDialect dialect = super ? PresetDialect::kSuper : chosen.printer->dialect;
   JobPresets job;
-  if (chosen.printer->dialect == PresetDialect::kOrca) return FromOrcaPresets(*values);
-  job.settings = AsSettings(*values);
-  if (super) job.settings = FromSuperSlicer(std::move(job.settings));
+  if (dialect == PresetDialect::kOrca) {
+    job = FromOrcaPresets(*values);
+  } else {
+    job.settings = AsSettings(*values);
+    if (super) job.settings = FromSuperSlicer(std::move(job.settings));
+  }
+  job.sources = SourcesOf(dialect, Labelled(*values));
   return job;
 }
 

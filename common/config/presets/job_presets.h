@@ -6,6 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/config/presets/choose_presets.h"
 #include "common/config/presets/preset_set.h"
+#include "common/config/presets/setting_sources.h"
 #include "common/model/setting.h"
 
 namespace slicefarm::config::presets {
@@ -28,11 +29,16 @@ absl::StatusOr<std::vector<SourcedValue>> CombinePresets(const PresetSet& set,
 /// Settings of a job in PrusaSlicer's names.
 struct JobPresets {
   std::vector<Setting> settings;
-  std::vector<std::string> of_print;  ///< OrcaUnused::of_print; empty for presets of other programs
-  std::vector<std::string> others;    ///< OrcaUnused::others, only for settings that a preset has
+  std::vector<std::string> of_print;  ///< settings without effect that change the print
+  std::vector<std::string> others;    ///< further settings without effect
+  std::vector<SettingSource>
+      sources;  ///< sources of `settings`: presets and the program's defaults
 };
 
-/// Returns the settings of CombinePresets with PrusaSlicer's names and values. Errors: any error of
+/// Returns the values of CombinePresets with their sources as text.
+std::vector<LabelledSetting> Labelled(const std::vector<SourcedValue>& values);
+
+/// Returns the settings of CombinePresets in PrusaSlicer's names and values. Errors: as
 /// CombinePresets.
 absl::StatusOr<JobPresets> SettingsOfPresets(const PresetSet& set, const ChosenPresets& chosen);
 

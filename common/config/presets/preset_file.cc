@@ -60,11 +60,12 @@ absl::Status CheckZipEntry(const zip_stat_t& stat, const std::string& path) {
 }
 
 /// Returns the files of the archive that may have presets.
-absl::StatusOr<std::vector<ZipEntry>> ListZip(zip_t* archive, const PresetFile& file) {
+absl::StatusOr<std::vector<ZipEntry>> ListZip(zip_t* archive, const PresetFile& file,
+                                              int64_t max_bytes) {
   const zip_int64_t count = zip_get_num_entries(archive, 0);
-  if (count > limits::kMaxArchiveEntries)
+  if (count > kMaxPresetFiles)
     return LimitError(Reason::kRequestTooLarge, file.path + ": files in the archive",
-                      limits::kMaxArchiveEntries, count);
+                      kMaxPresetFiles, count);
   std::vector<ZipEntry> entries;
   uint64_t all = 0;
   for (zip_uint64_t i = 0; i < static_cast<zip_uint64_t>(count); ++i) {
@@ -77,11 +78,12 @@ absl::StatusOr<std::vector<ZipEntry>> ListZip(zip_t* archive, const PresetFile& 
     entries.push_back({stat.name, i, stat.size});
     all += stat.size;
   }
-  const int64_t most = limits::kFreeExpandedBytes +
-                       limits::kMaxCompressionRatio * static_cast<int64_t>(file.bytes.size());
-  if (all > static_cast<uint64_t>(std::min(most, kMaxPresetBytes)))
-    return LimitError(Reason::kRequestTooLarge, file.path + ": expanded bytes",
-                      std::min(most, kMaxPresetBytes), static_cast<int64_t>(all));
+  const int64_t most =
+      std::min(max_bytes, limits::kFreeExpandedBytes + limits::kMaxCompressionRatio *
+                                                           static_cast<int64_t>(file.bytes.size()));
+  if (all > static_cast<uint64_t>(most))
+    return LimitError(Reason::kRequestTooLarge, file.path + ": expanded bytes", most,
+                      static_cast<int64_t>(all));
   return entries;
 }
 
@@ -119,10 +121,11 @@ std::string FileStem(std::string_view path) {
 
 bool IsArchive(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
-absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive) {
+absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive,
+                                                      int64_t max_bytes) {
   const absl::StatusOr<ZipArchive> zip = OpenZip(archive);
   if (!zip.ok()) return zip.status();
-  const absl::StatusOr<std::vector<ZipEntry>> entries = ListZip(zip->get(), archive);
+  const absl::StatusOr<std::vector<ZipEntry>> entries = ListZip(zip->get(), archive, max_bytes);
   if (!entries.ok()) return entries.status();
   std::vector<PresetFile> files;
   for (const ZipEntry& entry : *entries) {
@@ -133,6 +136,35 @@ absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive)
     files.push_back({std::move(path), *std::move(bytes)});
   }
   return files;
+}
+
+absl::StatusOr<std::string> PackArchive(const std::vector<PresetFile>& files) {
+  constexpr time_t kNoTime = 315532800;  // 1980-01-01, the first time of the format
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* bytes = zip_source_buffer_create(nullptr, 0, 0, &error);
+  zip_source_keep(bytes);
+  zip_t* zip = zip_open_from_source(bytes, ZIP_TRUNCATE, &error);
+  bool written = zip != nullptr;
+  for (const PresetFile& file : files) {
+    if (!written) break;
+    zip_source_t* source = zip_source_buffer(zip, file.bytes.data(), file.bytes.size(), 0);
+    const zip_int64_t at = zip_file_add(zip, file.path.c_str(), source, ZIP_FL_ENC_UTF_8);
+    written = at >= 0 && zip_file_set_mtime(zip, static_cast<zip_uint64_t>(at), kNoTime, 0) == 0;
+  }
+  written = written && zip_close(zip) == 0 && zip_source_open(bytes) == 0;
+  zip_stat_t stat;
+  std::string archive;
+  if (written && zip_source_stat(bytes, &stat) == 0) {
+    archive.resize(stat.size);
+    written = zip_source_read(bytes, archive.data(), archive.size()) ==
+              static_cast<zip_int64_t>(archive.size());
+    zip_source_close(bytes);
+  }
+  zip_source_free(bytes);
+  zip_error_fini(&error);
+  if (!written) return absl::InternalError("the archive of presets cannot be made");
+  return archive;
 }
 
 }  // namespace slicefarm::config::presets

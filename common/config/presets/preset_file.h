@@ -29,10 +29,15 @@ std::string FileStem(std::string_view path);
 /// Returns true for the bytes of a ZIP archive: .orca_printer, .orca_filament, .bbscfg, .bbsflmt.
 bool IsArchive(std::string_view bytes);
 
-/// Returns the files of an archive that may have presets (MayHavePresets), in the archive's order.
-/// The paths of these files begin with the archive's path. Errors: SETTING_MALFORMED for a damaged
-/// or encrypted archive; REQUEST_TOO_LARGE beyond the limits on files, bytes and compression. The
-/// limits are checked before any file is expanded.
-absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive);
+/// Returns the files of an archive that may have presets, in its order. Their paths begin with the
+/// archive's path. Errors: SETTING_MALFORMED for a damaged or encrypted archive; REQUEST_TOO_LARGE
+/// beyond the limits on files, bytes and compression, which are checked before anything is
+/// expanded.
+absl::StatusOr<std::vector<PresetFile>> UnpackArchive(const PresetFile& archive,
+                                                      int64_t max_bytes = kMaxPresetBytes);
+
+/// Returns a ZIP archive with the files, in their order; equal files give equal bytes. Errors:
+/// INTERNAL if libzip fails.
+absl::StatusOr<std::string> PackArchive(const std::vector<PresetFile>& files);
 
 }  // namespace slicefarm::config::presets

@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/base/utf8.h"
 #include "common/config/presets/flat_json.h"
 #include "common/config/presets/orca_presets.h"
 #include "common/config/presets/prusa_bundle.h"
@@ -21,13 +22,15 @@ constexpr std::string_view kJson = ".json";
 
 class FileSorter {
  public:
+  explicit FileSorter(int64_t max_bytes) : max_bytes_(max_bytes) {}
+
   absl::Status Take(PresetFile file) {
     bytes_ += static_cast<int64_t>(file.bytes.size());
     ++count_;
     if (count_ > kMaxPresetFiles)
       return LimitError(Reason::kRequestTooLarge, "files of presets", kMaxPresetFiles, count_);
-    if (bytes_ > kMaxPresetBytes)
-      return LimitError(Reason::kRequestTooLarge, "bytes of presets", kMaxPresetBytes, bytes_);
+    if (bytes_ > max_bytes_)
+      return LimitError(Reason::kRequestTooLarge, "bytes of presets", max_bytes_, bytes_);
     files_.push_back(std::move(file));
     return absl::OkStatus();
   }
@@ -38,20 +41,22 @@ class FileSorter {
   }
 
  private:
+  const int64_t max_bytes_;
   std::vector<PresetFile> files_;
   int64_t bytes_ = 0;
   int64_t count_ = 0;
 };
 
-/// Returns all files. Each archive is replaced by the files in it.
-absl::StatusOr<std::vector<PresetFile>> Unpacked(std::vector<PresetFile> files, PresetSet& set) {
-  FileSorter sorter;
+/// Returns all files, with the files of archives instead of the archives.
+absl::StatusOr<std::vector<PresetFile>> Unpacked(std::vector<PresetFile> files, int64_t max_bytes,
+                                                 PresetSet& set) {
+  FileSorter sorter(max_bytes);
   for (PresetFile& file : files) {
     if (!IsArchive(file.bytes)) {
       if (absl::Status ok = sorter.Take(std::move(file)); !ok.ok()) return ok;
       continue;
     }
-    auto unpacked = UnpackArchive(file);
+    auto unpacked = UnpackArchive(file, max_bytes);
     if (!unpacked.ok()) {
       set.AddProblem(std::string(unpacked.status().message()));
       continue;
@@ -86,8 +91,9 @@ class Reader {
 
   void ReadFile(const PresetFile& file) {
     if (!file.path.ends_with(kJson)) {
-      if (file.path.ends_with(".ini"))
-        if (absl::Status status = AddIni(file, set_); !status.ok()) Problem(file.path, status);
+      if (!file.path.ends_with(".ini")) return;
+      if (!IsUtf8(file.bytes)) return set_.AddProblem(file.path + ": is not UTF-8 text");
+      if (absl::Status status = AddIni(file, set_); !status.ok()) Problem(file.path, status);
       return;
     }
     auto json = ReadFlatJson(file.bytes);
@@ -152,9 +158,9 @@ class Reader {
 
 }  // namespace
 
-absl::StatusOr<PresetSet> ReadPresets(std::vector<PresetFile> files) {
+absl::StatusOr<PresetSet> ReadPresets(std::vector<PresetFile> files, int64_t max_bytes) {
   PresetSet set;
-  auto unpacked = Unpacked(std::move(files), set);
+  auto unpacked = Unpacked(std::move(files), max_bytes, set);
   if (!unpacked.ok()) return unpacked.status();
   Reader(set).Read(*std::move(unpacked));
   if (!set.presets().empty()) return set;

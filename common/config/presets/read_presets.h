@@ -17,9 +17,12 @@ namespace slicefarm::config::presets {
 /// OrcaSlicer. Files are read in the order of their paths, vendors before users, so that the result
 /// does not depend on the order of `files`.
 ///
-/// If a file cannot be read, its presets are missing, and PresetSet::problems has a line about it.
-/// Errors: SETTING_MALFORMED, with the first problem, if no file has a preset; REQUEST_TOO_LARGE
-/// beyond the limits of preset_file.h. Cost: O(n log n) for n bytes.
-absl::StatusOr<PresetSet> ReadPresets(std::vector<PresetFile> files);
+/// `max_bytes`: limit of all files, expanded.
+///
+/// A file that cannot be read is a line of PresetSet::problems, and its presets are missing.
+/// Errors: SETTING_MALFORMED if no file has a preset, with the first problem; REQUEST_TOO_LARGE
+/// beyond the limits of preset_file.h. Cost: O(n log n) of the bytes.
+absl::StatusOr<PresetSet> ReadPresets(std::vector<PresetFile> files,
+                                      int64_t max_bytes = kMaxPresetBytes);
 
 }  // namespace slicefarm::config::presets

@@ -225,9 +225,27 @@ TEST(ArchiveTest, BombIsRefusedUnexpanded) {
 
 TEST(ArchiveTest, TooManyFilesAreRefused) {
   std::vector<PresetFile> many;
-  for (int i = 0; i < 1'001; ++i) many.push_back({std::to_string(i) + ".json", "{}"});
+  for (int64_t i = 0; i <= kMaxPresetFiles; ++i)
+    many.push_back({std::to_string(i) + ".json", "{}"});
   const auto files = UnpackArchive({"x.bbscfg", Zipped(many)});
   EXPECT_EQ(DetailOf(files.status()).reason, Reason::kRequestTooLarge);
+}
+
+TEST(ArchiveTest, PacksFilesThatAreUnpackedAgain) {
+  const std::vector<PresetFile> files = Files(
+      {{"V.json", R"({"machine_list": []})"}, {"V/machine/\xc3\xa4.json", "{}"}, {"e.ini", ""}});
+  const auto packed = PackArchive(files);
+  ASSERT_TRUE(packed.ok()) << packed.status();
+  EXPECT_EQ(*PackArchive(files), *packed);
+  const auto unpacked = UnpackArchive({"a.zip", *packed});
+  ASSERT_TRUE(unpacked.ok()) << unpacked.status();
+  ASSERT_EQ(unpacked->size(), files.size());
+  for (size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ((*unpacked)[i].path, "a.zip/" + files[i].path);
+    EXPECT_EQ((*unpacked)[i].bytes, files[i].bytes);
+  }
+  EXPECT_EQ(DetailOf(UnpackArchive({"a.zip", *packed}, 10).status()).reason,
+            Reason::kRequestTooLarge);
 }
 
 TEST(ArchiveTest, DamagedFileIsRefused) {

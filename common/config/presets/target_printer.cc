@@ -18,6 +18,7 @@
 namespace slicefarm::config::presets {
 namespace {
 
+constexpr char kProject[] = "project";  // source of the designer's changes
 constexpr std::string_view kHeightCodes = "custom_gcode_per_print_z";
 
 /// Returns the value of a setting; an empty text if there is none.
@@ -171,6 +172,9 @@ class Converter {
       for (const SourcedValue& each : values)
         made_.project.settings.push_back({each.key, each.value, Source::kProfile});
       std::ranges::copy(made_.kept, std::back_inserter(made_.project.settings));
+      std::vector<LabelledSetting> labelled = Labelled(values);
+      for (const Setting& setting : made_.kept) labelled.push_back({setting, kProject});
+      made_.sources = LastSources(SourcesOf(PresetDialect::kOrca, labelled));
       return absl::OkStatus();
     }
     auto job = SettingsOfPresets(set_, made_.presets);
@@ -181,6 +185,9 @@ class Converter {
     std::ranges::copy(kept, std::back_inserter(made_.project.settings));
     made_.of_print = std::move(job->of_print);
     made_.others = std::move(job->others);
+    made_.sources = std::move(job->sources);
+    made_.sources.push_back(SourceOfAll(kProject, kept));
+    made_.sources = LastSources(made_.sources);
     return absl::OkStatus();
   }
 

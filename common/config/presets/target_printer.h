@@ -19,6 +19,8 @@ struct TargetedProject {
   std::vector<Setting> kept;
   /// Settings of the presets without effect. Empty if they are among the project's settings.
   std::vector<std::string> of_print, others;
+  /// Sources of the settings under PrusaSlicer's names; the designer's changes are of "project".
+  std::vector<SettingSource> sources;
   std::vector<std::string> notes;  ///< changes that are not kept, and other decisions, as lines
 };
 

@@ -29,7 +29,12 @@ constexpr char kServiceConfig[] = R"({
       {"service": "slicefarm.v1.Jobs", "method": "GetWebhook"},
       {"service": "slicefarm.v1.Profiles", "method": "PutProfile"},
       {"service": "slicefarm.v1.Profiles", "method": "GetProfile"},
-      {"service": "slicefarm.v1.Profiles", "method": "ListProfiles"}
+      {"service": "slicefarm.v1.Profiles", "method": "ListProfiles"},
+      {"service": "slicefarm.v1.Presets", "method": "ImportPresets"},
+      {"service": "slicefarm.v1.Presets", "method": "GetPresetBundle"},
+      {"service": "slicefarm.v1.Presets", "method": "ListPresetBundles"},
+      {"service": "slicefarm.v1.Presets", "method": "ListPresets"},
+      {"service": "slicefarm.v1.Presets", "method": "ResolvePresets"}
     ],
     "retryPolicy": {
       "maxAttempts": 4,

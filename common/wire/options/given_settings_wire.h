@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/model/setting.h"
+#include "common/model/setting_source.h"
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm {
@@ -36,6 +37,23 @@ inline std::vector<Setting> SettingsFromProto(
   settings.reserve(proto.size());
   for (const v1::Setting& setting : proto) settings.push_back(FromProto(setting));
   return settings;
+}
+
+/// Converts the sources of settings to their messages and back.
+inline void SourcesToProto(const std::vector<SettingSource>& sources,
+                           google::protobuf::RepeatedPtrField<v1::SettingSource>* proto) {
+  for (const SettingSource& each : sources) {
+    v1::SettingSource& source = *proto->Add();
+    source.set_source(each.source);
+    source.mutable_keys()->Assign(each.keys.begin(), each.keys.end());
+  }
+}
+inline std::vector<SettingSource> SourcesFromProto(
+    const google::protobuf::RepeatedPtrField<v1::SettingSource>& proto) {
+  std::vector<SettingSource> sources;
+  for (const v1::SettingSource& each : proto)
+    sources.push_back({each.source(), {each.keys().begin(), each.keys().end()}});
+  return sources;
 }
 
 }  // namespace slicefarm

@@ -29,10 +29,12 @@ void AddUsage(CLI::App& app, CommandContext& context);
 void AddCaller(CLI::App& app, CommandContext& context);
 void AddMeshes(CLI::App& app, CommandContext& context);
 void AddUpdate(CLI::App& app, CommandContext& context);
-void AddTime(CLI::App& app, CommandContext& context);        ///< defined in time_command.cc
-void AddCheck(CLI::App& app, CommandContext& context);       ///< defined in check_command.cc
-void AddProfile(CLI::App& app, CommandContext& context);     ///< defined in profile_command.cc
-void AddPresets(CLI::App& app, CommandContext& context);     ///< defined in presets_command.cc
+void AddTime(CLI::App& app, CommandContext& context);     ///< defined in time_command.cc
+void AddCheck(CLI::App& app, CommandContext& context);    ///< defined in check_command.cc
+void AddProfile(CLI::App& app, CommandContext& context);  ///< defined in profile_command.cc
+void AddPresets(CLI::App& app, CommandContext& context);  ///< defined in presets_command.cc
+/// Adds subcommands to `presets`; defined in farm_presets_commands.cc.
+void AddFarmPresets(CLI::App& presets, CommandContext& context);
 void AddRender(CLI::App& app, CommandContext& context);      ///< defined in render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);    ///< defined in settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);      ///< defined in health_command.cc

@@ -71,9 +71,9 @@ std::string FirstObjectName(const v1::Job& job) {
   return job.spec().objects().empty() ? "-" : OrDash(job.spec().objects(0).name());
 }
 
-/// Returns the profiles of a job, such as "mk4s@3,petg@1".
+/// Returns the printer preset and the profiles of a job, such as "MK4S,mk4s@3,petg@1".
 std::string ProfilesOf(const v1::Job& job) {
-  std::string text;
+  std::string text = job.spec().presets().printer();
   for (const std::string& profile : job.spec().profiles())
     text += (text.empty() ? "" : ",") + profile;
   return OrDash(std::move(text));

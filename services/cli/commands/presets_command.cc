@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,6 +16,9 @@
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/exit_code.h"
+#include "services/cli/farm/farm_presets.h"
+#include "services/cli/farm/server_options.h"
+#include "services/cli/job/job_options.h"
 #include "services/cli/models/preset_sources.h"
 
 namespace slicefarm::cli {
@@ -27,7 +29,9 @@ using config::presets::PresetKind;
 using config::presets::PresetSet;
 
 struct PresetsOptions {
-  std::vector<std::string> sources;
+  ServerOptions server;
+  std::vector<std::string> sources;  ///< empty: the presets of the farm
+  std::vector<std::string> bundles;
   std::string printer, process, filament;
   std::string name;
   bool json = false;
@@ -45,6 +49,12 @@ std::string_view DialectName(config::presets::PresetDialect dialect) {
   return "";
 }
 
+absl::StatusOr<PresetSet> ReadPresetsOf(const PresetsOptions& options, Interrupt& interrupt) {
+  if (!options.sources.empty()) return ReadPresetSources(options.sources);
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  return FetchPresets(options.bundles, client);
+}
+
 nlohmann::ordered_json PresetJson(const PresetSet& set, const Preset& preset) {
   return {{"kind", std::string(KindName(preset.kind))},
           {"name", preset.name},
@@ -53,37 +63,11 @@ nlohmann::ordered_json PresetJson(const PresetSet& set, const Preset& preset) {
           {"file", preset.file}};
 }
 
-/// Returns all presets that a job may name, or the printers of a name with the presets that are
-/// made for them.
-absl::StatusOr<std::vector<const Preset*>> PresetsToList(const PresetSet& set,
-                                                         const std::string& printer) {
-  std::vector<const Preset*> listed;
-  if (printer.empty()) {
-    for (const Preset& preset : set.presets())
-      if (preset.listed) listed.push_back(&preset);
-  } else {
-    const auto printers = PrintersNamed(set, printer);
-    if (!printers.ok()) return printers.status();
-    for (const Preset* each : *printers) {
-      const auto fit = config::presets::PrinterFit::Make(set, *each);
-      if (!fit.ok()) return fit.status();
-      listed.push_back(each);
-      for (const PresetKind kind : {PresetKind::kProcess, PresetKind::kFilament})
-        for (const Preset* made : MadeFor(set, *fit, kind)) listed.push_back(made);
-    }
-  }
-  std::ranges::sort(listed, {}, [](const Preset* each) {
-    return std::tuple(each->kind, each->name, each->scope, each);
-  });
-  listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
-  return listed;
-}
-
-ExitCode ListPresets(const PresetsOptions& options) {
-  const auto set = ReadPresetSources(options.sources);
+ExitCode ListPresets(const PresetsOptions& options, Interrupt& interrupt) {
+  const auto set = ReadPresetsOf(options, interrupt);
   if (!set.ok()) return Fail(set.status());
   Warn(set->problems());
-  const auto listed = PresetsToList(*set, options.printer);
+  const auto listed = config::presets::ListedPresets(*set, options.printer);
   if (!listed.ok()) return Fail(listed.status());
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::string text;
@@ -139,9 +123,11 @@ ExitCode ShowJob(const PresetSet& set, const PresetsOptions& options) {
   return ExitCode::kOk;
 }
 
-ExitCode ShowPreset(const PresetsOptions& options) {
-  const auto set = ReadPresetSources(options.sources);
+ExitCode ShowPreset(const PresetsOptions& options, Interrupt& interrupt) {
+  const auto set = ReadPresetsOf(options, interrupt);
   if (!set.ok()) return Fail(set.status());
+  if (options.name.empty() && options.printer.empty())
+    return Fail(Malformed("the name of a preset, or --printer, is needed"));
   if (options.name.empty()) return ShowJob(*set, options);
   const auto found = PresetsNamed(*set, options.name);
   if (!found.ok()) return Fail(found.status());
@@ -168,20 +154,28 @@ ExitCode ShowPreset(const PresetsOptions& options) {
 
 CLI::App* AddPresetCommand(CLI::App& parent, const char* name, const char* about,
                            const std::shared_ptr<PresetsOptions>& options, CommandContext& context,
-                           ExitCode (*run)(const PresetsOptions&)) {
+                           ExitCode (*run)(const PresetsOptions&, Interrupt&)) {
   CLI::App* command = parent.add_subcommand(name, about);
-  AddPresetSources(*command, options->sources)->required();
+  CLI::Option* sources = AddPresetSources(*command, options->sources);
+  command
+      ->add_option("--bundle", options->bundles,
+                   "Without --presets: bundle of the farm; default: all. May be repeated")
+      ->excludes(sources)
+      ->type_name("NAME[@REVISION]")
+      ->allow_extra_args(false);
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback(
-      [options, &context, run] { context.run = [options, run] { return run(*options); }; });
+  AddServerOptions(*command, options->server);
+  command->callback([options, &context, run] {
+    context.run = [options, &context, run] { return run(*options, *context.interrupt); };
+  });
   return command;
 }
 
 }  // namespace
 
 void AddPresets(CLI::App& app, CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("presets", "List and show presets of other slicers, by name");
+  CLI::App* command = app.add_subcommand(
+      "presets", "List and show presets of other slicers, by name, and store them on a farm");
   command->require_subcommand(1);
   const auto options = std::make_shared<PresetsOptions>();
   AddPresetCommand(*command, "list", "List the presets that a job may name", options, context,
@@ -197,9 +191,7 @@ void AddPresets(CLI::App& app, CommandContext& context) {
   CLI::Option* name =
       show->add_option("NAME", options->name, "Name of a printer, process or filament preset");
   CLI::Option* printer =
-      show->add_option("--printer", options->printer, "Printer preset of the job to show")
-          ->type_name("NAME");
-  show->require_option(2, 0);
+      show->add_option("--printer", options->printer, "Printer preset of the job to show")->type_name("NAME");
   printer->excludes(name);
   for (const auto& [option, value] :
        {std::pair("--process", &options->process), std::pair("--filament", &options->filament)})
@@ -207,9 +199,12 @@ void AddPresets(CLI::App& app, CommandContext& context) {
                      "Preset of the job; default: the one that the printer preset names")
         ->needs(printer)
         ->type_name("NAME");
+  AddFarmPresets(*command, context);
   command->footer(
+      "Without --presets, the commands are about the presets that the farm stores.\n"
       "Examples:\n"
       "  slicefarm presets list --presets ~/.config/OrcaSlicer --printer \"Prusa MK4\"\n"
+      "  slicefarm presets import ~/.config/OrcaSlicer/system --server farm:50050\n"
       "  slicefarm presets show \"0.20mm SPEED @MK4S 0.4\" --presets PrusaResearch.ini\n"
       "  slicefarm slice part.stl -o part.gcode --presets ~/.config/OrcaSlicer \\\n"
       "    --printer \"Prusa MK4 0.4 nozzle\" --process \"0.20mm Standard\" --filament \"Prusa "

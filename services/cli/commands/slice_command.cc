@@ -12,6 +12,7 @@
 #include "common/base/sha256.h"
 #include "common/config/machine_named.h"
 #include "common/config/plate.h"
+#include "common/config/presets/setting_sources.h"
 #include "common/config/process_settings.h"
 #include "common/config/table/settings_table.h"
 #include "services/cli/commands/commands.h"
@@ -76,13 +77,15 @@ absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordina
 }
 
 absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOutput& output,
-                          const config::ResolvedPlate& resolved) {
+                          const config::ResolvedPlate& resolved,
+                          std::vector<SettingSource> sources) {
   if (!options.job.report.empty()) {
     const std::string json = coordinator::ReportJson(
         output.report, {.settings_without_effect = config::TextsOf(resolved.no_effect),
                         .settings_digest = Sha256Hex(resolved.effective_text),
                         .build_id = std::string(BuildId()),
-                        .calibration_json = options.calibration_json});
+                        .calibration_json = options.calibration_json,
+                        .sources = std::move(sources)});
     if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
   }
   return WriteFile(options.output, output.program);
@@ -123,6 +126,19 @@ absl::Status CheckPlate(const SliceOptions& options, const config::ResolvedPlate
   return CheckFormat(options.output, options.job.process, plate.effective_text);
 }
 
+/// Returns the sources of all settings of a job with presets, for the report.
+std::vector<SettingSource> SourcesOf(const GivenPlate& plate,
+                                     const std::vector<Setting>& settings) {
+  if (plate.sources.empty()) return {};
+  std::vector<SettingSource> sources = plate.sources;
+  SettingSource config = {"config", {}}, job = {"job", {}};
+  for (const Setting& setting : settings)
+    (setting.source == config::Source::kProfile ? config : job).keys.push_back(setting.key);
+  sources.push_back(std::move(config));
+  sources.push_back(std::move(job));
+  return config::presets::LastSources(sources);
+}
+
 void WarnWithoutMachine(const std::vector<Setting>& settings, Process process) {
   const absl::Status named = config::CheckMachineNamed(settings, process);
   if (named.ok()) return;
@@ -150,7 +166,8 @@ ExitCode SlicePlate(SliceOptions options, std::vector<MeshFile> files, const Giv
   }
   options.output = NamedOutput(options.job, options.output, output->report.file_name, plate);
   options.job.report = OutputOf(options.job, options.job.report, plate);
-  if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
+  if (absl::Status status = WriteResults(options, *output, *resolved, SourcesOf(given, settings));
+      !status.ok()) {
     return Fail(status);
   }
   PrintSummary(options, output->report, *resolved);
@@ -185,6 +202,8 @@ namespace {
 ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
   if (absl::Status taken = TakeTexture(options.job); !taken.ok()) return Fail(taken);
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
+  if (UsesFarmPresets(options.job.presets))
+    return Fail(Malformed("--printer: --presets DIR|FILE is needed, too"));
   const bool named = config::FindSetting("output_filename_format", options.job.process) >= 0;
   if (!named && IsNamedBySettings(options.output))
     return Fail(Malformed(fmt::format(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
+#include "services/cli/farm/farm_presets.h"
 #include "services/cli/farm/job_outcome.h"
 #include "services/cli/farm/jobs_client.h"
 #include "services/cli/farm/json_text.h"
@@ -71,8 +73,9 @@ v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
   SettingsToProto(settings, spec.mutable_settings());
   const std::vector<Setting> all = SettingsOf(plate, settings);
   std::vector<Setting> of_project = plate.settings;
-  // Templates in the farm's profiles may use the time, but only the farm can see them.
-  if (WithCreationTime(all, !submit.profiles.empty()).size() > all.size())
+  // Templates in the farm's profiles and presets may use the time, but only the farm can see them.
+  const bool hidden = !submit.profiles.empty() || UsesFarmPresets(submit.job.presets);
+  if (WithCreationTime(all, hidden).size() > all.size())
     of_project = WithCreationTime(std::move(of_project), true);
   SettingsToProto(of_project, spec.mutable_project_settings());
   spec.mutable_without_effect()->Assign(plate.without_effect.begin(), plate.without_effect.end());
@@ -84,6 +87,9 @@ v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
   }
   spec.mutable_allow()->Assign(submit.job.allow.begin(), submit.job.allow.end());
   spec.set_generic(submit.job.generic);
+  SourcesToProto(plate.sources, spec.mutable_setting_sources());
+  if (UsesFarmPresets(submit.job.presets) && plate.sources.empty())
+    *spec.mutable_presets() = PresetsToProto(submit.job.presets);
   return spec;
 }
 
@@ -154,7 +160,13 @@ absl::StatusOr<std::vector<v1::Job>> Create(SubmitOptions& options, JobsClient& 
                                             ProgressBar& bar) {
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return settings.status();
-  const auto models = ReadModels(options.job);
+  std::optional<config::presets::PresetSet> presets;
+  if (UsesFarmPresets(options.job.presets) && HasProject(options.job)) {
+    auto fetched = FetchPresets(options.job.presets.bundles, client);
+    if (!fetched.ok()) return fetched.status();
+    presets = *std::move(fetched);
+  }
+  const auto models = ReadModels(options.job, presets ? &*presets : nullptr);
   if (!models.ok()) return models.status();
   if (absl::Status all = CheckPlates(*models); !all.ok()) return all;
   for (size_t i = 0; i < models->plates.size(); ++i)
@@ -414,6 +426,13 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
                    "here override it. May be repeated")
       ->type_name("NAME[@REVISION]")
       ->allow_extra_args(false);
+  command
+      ->add_option("--bundle", options->job.presets.bundles,
+                   "Bundle of presets that the farm stores (`slicefarm presets import`), for "
+                   "--printer without --presets; default: the newest revisions of all bundles. May "
+                   "be repeated")
+      ->type_name("NAME[@REVISION]")
+      ->allow_extra_args(false);
   command->add_option("--priority", options->priority, "Queue priority of the job")
       ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}))
       ->capture_default_str();
@@ -448,7 +467,9 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
       "After a broken connection the command and its upload continue from the point of "
       "interruption.\nCtrl-C cancels the job (exit code 7); a job submitted with --detach does not "
       "need this program.\nExamples:\n  slicefarm submit part.stl -o part.gcode --config prusa.ini "
-      "--server farm:50050\n  job=$(slicefarm submit part.stl --detach) && slicefarm watch $job");
+      "--server farm:50050\n  slicefarm submit part.stl -o part.gcode --printer \"Prusa MK4\" "
+      "--process \"0.20mm SPEED\" --filament \"Prusament PLA\"\n  job=$(slicefarm submit part.stl "
+      "--detach) && slicefarm watch $job");
   command->callback([options, &context] {
     context.run = [options, &context] { return Submit(*options, *context.interrupt); };
   });

@@ -33,16 +33,18 @@ ExitCode ExportAll(const TenantOptions& options, Interrupt& interrupt) {
 
 ExitCode EraseAll(const TenantOptions& options, Interrupt& interrupt) {
   if (!options.yes) {
-    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                          fmt::format("all jobs, meshes, results and profiles of the tenant '{}' "
-                                      "would be erased: add --yes to confirm",
-                                      options.tenant)));
+    return Fail(
+        MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                  fmt::format("all jobs, meshes, results, profiles and presets of the tenant '{}' "
+                              "would be erased: add --yes to confirm",
+                              options.tenant)));
   }
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto erased = client.EraseTenant(options.tenant);
   if (!erased.ok()) return Fail(erased.status());
-  Print(fmt::format("erased: {} jobs, {} blobs of {} bytes, {} profiles\n", erased->jobs(),
-                    erased->blobs(), erased->bytes(), erased->profiles()));
+  Print(fmt::format("erased: {} jobs, {} blobs of {} bytes, {} profiles, {} bundles of presets\n",
+                    erased->jobs(), erased->blobs(), erased->bytes(), erased->profiles(),
+                    erased->preset_bundles()));
   if (erased->shared_blobs() > 0) {
     Print(fmt::format("kept: {} blobs, which jobs of other tenants have as results\n",
                       erased->shared_blobs()));

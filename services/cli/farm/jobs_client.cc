@@ -16,6 +16,7 @@
 #include "common/rpc/retry_after.h"
 #include "common/rpc/status_mapping.h"
 #include "services/cli/farm/job_outcome.h"
+#include "services/cli/farm/jobs_client_call.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -101,7 +102,8 @@ JobsClient::JobsClient(JobsClientOptions options)
       channel_(rpc::MakeChannel(options_.server, connection_.value_or(rpc::ChannelOptions()))),
       meshes_(v1::Meshes::NewStub(channel_)),
       jobs_(v1::Jobs::NewStub(channel_)),
-      profiles_(v1::Profiles::NewStub(channel_)) {}
+      profiles_(v1::Profiles::NewStub(channel_)),
+      presets_(v1::Presets::NewStub(channel_)) {}
 
 /// Repeats the attempt until it succeeds or fails with an error other than an unreachable server.
 ///
@@ -134,17 +136,6 @@ absl::Status JobsClient::Persist(const Attempt& attempt) {
     absl::Status rested = rpc::AwaitRetry(std::max(rest, asked), options_.cancel);
     if (!rested.ok()) return rested;
   }
-}
-
-template <typename Response, typename Request, typename Start>
-absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& start,
-                                          milliseconds deadline) {
-  Response response;
-  const absl::Status status = Persist([&] {
-    return rpc::UnaryCall({deadline, options_.cancel, options_.trace}, request, &response, start);
-  });
-  if (!status.ok()) return status;
-  return response;
 }
 
 absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
@@ -383,30 +374,6 @@ absl::StatusOr<v1::Webhook> JobsClient::GetWebhook(const std::string& job_id) {
 
 absl::StatusOr<v1::ListJobsResponse> JobsClient::ListJobs(const v1::ListJobsRequest& request) {
   return Call<v1::ListJobsResponse>(request, [&](auto... a) { return jobs_->AsyncListJobs(a...); });
-}
-
-absl::StatusOr<v1::Profile> JobsClient::PutProfile(const v1::PutProfileRequest& request) {
-  return Call<v1::Profile>(request, [&](auto... a) { return profiles_->AsyncPutProfile(a...); });
-}
-
-absl::StatusOr<v1::Profile> JobsClient::GetProfile(const v1::GetProfileRequest& request) {
-  return Call<v1::Profile>(request, [&](auto... a) { return profiles_->AsyncGetProfile(a...); });
-}
-
-absl::StatusOr<v1::ListProfilesResponse> JobsClient::ListProfiles(
-    const v1::ListProfilesRequest& request) {
-  return Call<v1::ListProfilesResponse>(
-      request, [&](auto... a) { return profiles_->AsyncListProfiles(a...); });
-}
-
-absl::Status JobsClient::DeleteProfile(const v1::DeleteProfileRequest& request) {
-  int attempts = 0;
-  const absl::Status deleted = Call<google::protobuf::Empty>(request, [&](auto... a) {
-                                 ++attempts;
-                                 return profiles_->AsyncDeleteProfile(a...);
-                               }).status();
-  // An attempt without an answer may have deleted the profile, so NotFound after it is a success.
-  return absl::IsNotFound(deleted) && attempts > 1 ? absl::OkStatus() : deleted;
 }
 
 absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,

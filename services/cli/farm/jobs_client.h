@@ -14,6 +14,7 @@
 #include "common/rpc/client/client_security.h"
 #include "services/cli/console/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/presets.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::cli {
@@ -29,9 +30,9 @@ struct JobsClientOptions {
   TraceContext trace = {};
 };
 
-/// Client for the services Meshes, Jobs and Profiles of a coordinator. Every call has a deadline
-/// and is repeated while the server is unreachable. Uploads, downloads and watches continue where
-/// they were interrupted.
+/// Client for the services Meshes, Jobs, Profiles and Presets of a coordinator. Every call has a
+/// deadline and is repeated while the server is unreachable. Uploads, downloads and watches
+/// continue where they were interrupted.
 ///
 /// Errors of all calls: the server's errors, with their reason; UNAVAILABLE with the server's
 /// address after `patience`; Cancelled after an interrupt; errors of rpc::Secured.
@@ -96,6 +97,15 @@ class JobsClient {
   /// Deletes a profile, or one of its revisions.
   absl::Status DeleteProfile(const v1::DeleteProfileRequest& request);
 
+  /// Methods of the service Presets.
+  absl::StatusOr<v1::PresetBundle> ImportPresets(const v1::ImportPresetsRequest& request);
+  absl::StatusOr<v1::PresetBundle> GetPresetBundle(const v1::GetPresetBundleRequest& request);
+  absl::StatusOr<v1::ListPresetBundlesResponse> ListPresetBundles(
+      const v1::ListPresetBundlesRequest& request);
+  absl::StatusOr<v1::ListPresetsResponse> ListPresets(const v1::ListPresetsRequest& request);
+  absl::StatusOr<v1::ResolvedPresets> ResolvePresets(const v1::ResolvePresetsRequest& request);
+  absl::Status DeletePresetBundle(const v1::DeletePresetBundleRequest& request);
+
   /// Calls `changed` for each event of the job, including past events. Returns the job in its final
   /// state.
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
@@ -120,6 +130,8 @@ class JobsClient {
   template <typename Response, typename Request, typename Start>
   absl::StatusOr<Response> Call(const Request& request, const Start& start,
                                 std::chrono::milliseconds deadline = std::chrono::seconds(20));
+  template <typename Request, typename Start>
+  absl::Status DeleteOnce(const Request& request, const Start& start);
   using Write = std::function<absl::Status(std::string_view)>;
   absl::Status Receive(const v1::Job& job, v1::Artifact artifact, const Write& write);
   absl::Status SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
@@ -131,6 +143,7 @@ class JobsClient {
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Profiles::Stub> profiles_;
+  std::unique_ptr<v1::Presets::Stub> presets_;
   Stopwatch clock_;
   bool answered_ = false;  ///< true if the server was reachable during the current attempt
 };

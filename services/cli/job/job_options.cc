@@ -39,21 +39,19 @@ void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
       app.add_option("--printer", options.printer,
-                     "Printer preset from --presets; --config and --set override its settings. A "
-                     "project is "
+                     "Printer preset; --config and --set override its settings. A project is "
                      "sliced for this printer, as designed: its designer's changes are kept")
-          ->needs(sources)
           ->type_name("NAME");
   sources->needs(printer);
   app.add_option("--process", options.process,
                  "Process preset (print settings), by its name or the part before @; default: the "
                  "one that corresponds to the project's, else the one that the printer names")
-      ->needs(sources)
+      ->needs(printer)
       ->type_name("NAME");
   app.add_option("--filament", options.filament,
                  "Filament preset, by its name or the part before @; default: the one that "
                  "corresponds to the project's, else the one that the printer names")
-      ->needs(sources)
+      ->needs(printer)
       ->type_name("NAME");
 }
 
@@ -66,6 +64,10 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options) {
   app.add_option("-s,--set", options.sets, "Setting that overrides --config; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+bool UsesFarmPresets(const PresetOptions& options) {
+  return options.sources.empty() && !options.printer.empty();
 }
 
 CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources) {

@@ -22,10 +22,11 @@ struct SettingOptions {
 
 /// Presets of a job by name, as written on the command line.
 struct PresetOptions {
-  std::vector<std::string> sources;  ///< folders and files of presets; empty: no presets are used
-  std::string printer;
-  std::string process;   ///< process preset; empty: the one that the printer preset names
-  std::string filament;  ///< filament preset; empty: the one that the printer preset names
+  std::vector<std::string> sources;  ///< folders and files of presets
+  std::vector<std::string> bundles;  ///< bundles on the farm, if `sources` is empty; empty: all
+  std::string printer;               ///< empty: no presets are used
+  std::string process;               ///< empty: the printer's default
+  std::string filament;              ///< empty: the printer's default
 };
 
 /// Files with fields of values in space (common/model/fields/README.md); empty: no field.
@@ -74,6 +75,9 @@ void AddJobOptions(CLI::App& app, JobOptions& options);
 
 /// Adds the options that choose presets by name.
 void AddPresetOptions(CLI::App& app, PresetOptions& options);
+
+/// Returns true if the job has presets that the farm stores.
+bool UsesFarmPresets(const PresetOptions& options);
 
 /// Adds `--presets`, which may be repeated, and returns it.
 CLI::Option* AddPresetSources(CLI::App& app, std::vector<std::string>& sources);

@@ -40,12 +40,17 @@ struct NamedObject {
   }
 };
 
+/// Returns the ending of a file's name, in lower case.
+std::string EndingOf(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
 /// Checks a name that ends in .3mf. Other programs choose the format by the name and would report
 /// that the file is no 3MF. Detection by content alone would report a broken binary STL.
 absl::Status CheckName(const std::string& path, const MeshFile& model, MeshFormat format) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending != ".3mf" || format == MeshFormat::k3mf || format == MeshFormat::kUnknown ||
+  if (EndingOf(path) != ".3mf" || format == MeshFormat::k3mf || format == MeshFormat::kUnknown ||
       model.bytes.empty())
     return absl::OkStatus();
   return InFile(path, MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
@@ -126,6 +131,7 @@ class PlateReader {
     project = std::move(made->project);
     AddUnused(made->of_print, made->others, plate_);
     std::ranges::move(made->notes, std::back_inserter(plate_.warnings));
+    std::ranges::move(made->sources, std::back_inserter(plate_.sources));
     for_printer_ = true;
     return absl::OkStatus();
   }
@@ -279,14 +285,20 @@ absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options,
 
 }  // namespace
 
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
+bool HasProject(const JobOptions& options) {
+  return std::ranges::any_of(options.models,
+                             [](const std::string& path) { return EndingOf(path) == ".3mf"; });
+}
+
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options,
+                                       const config::presets::PresetSet* presets) {
   std::optional<config::presets::PresetSet> set;
   if (!options.presets.sources.empty()) {
     auto read = ReadPresetSources(options.presets.sources);
     if (!read.ok()) return read.status();
     set = *std::move(read);
   }
-  const config::presets::PresetSet* presets = set ? &*set : nullptr;
+  if (set) presets = &*set;
   return options.plates ? ReadAllPlates(options, presets)
                         : PlateReader(options, options.plate, presets).Run();
 }

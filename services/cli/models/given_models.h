@@ -5,8 +5,10 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/missing_feature.h"
+#include "common/config/presets/preset_set.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/scene.h"
+#include "common/model/setting_source.h"
 #include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
@@ -19,6 +21,8 @@ struct GivenPlate {
   std::vector<SceneObject> objects = {};
   /// Settings from project files. Settings on the command line override them.
   std::vector<Setting> settings = {};
+  /// Sources of `settings`, if they are from presets.
+  std::vector<SettingSource> sources = {};
   /// Other properties in project files, which have no effect.
   std::vector<std::string> without_effect = {};
   std::vector<std::string> warnings = {};  ///< warnings about project files, to be printed
@@ -35,13 +39,18 @@ struct GivenModels {
 /// Reads the models. The object of a file with one mesh is named after the file without its
 /// folders, as UTF-8 without control characters. The objects, parts, copies and settings of a
 /// project are taken from the chosen plate. With presets, the settings are theirs, with the changes
-/// of the project's designer (config::presets::ForPrinter).
+/// of the project's designer (config::presets::ForPrinter). `presets`: presets of the farm, or
+/// nullptr; the options' own sources come first.
 ///
 /// Errors: REQUEST_MALFORMED with the option or the file, also for options that would move placed
 /// objects of a project; any error of ReadModelFile, ReadProject and config::JobOfProject. With
 /// --plates, a plate without anything to print has an error in `refused`, and the other plates are
 /// returned.
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options,
+                                       const config::presets::PresetSet* presets = nullptr);
+
+/// Returns true if the name of a model ends like a 3MF project.
+bool HasProject(const JobOptions& options);
 
 /// Distributes the copies of each plate over as many beds as needed, if --plates is given. `given`:
 /// the job's settings, which define the bed. If config::ResolvePlate or the arranging fails for a

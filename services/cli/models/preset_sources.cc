@@ -61,11 +61,18 @@ class PresetFileReader {
 
 }  // namespace
 
-absl::StatusOr<presets::PresetSet> ReadPresetSources(const std::vector<std::string>& sources) {
+absl::StatusOr<std::vector<presets::PresetFile>> ReadPresetFiles(
+    const std::vector<std::string>& sources) {
   PresetFileReader reader;
   for (const std::string& source : sources)
     if (absl::Status read = reader.Read(source); !read.ok()) return read;
-  return presets::ReadPresets(std::move(reader).Take());
+  return std::move(reader).Take();
+}
+
+absl::StatusOr<presets::PresetSet> ReadPresetSources(const std::vector<std::string>& sources) {
+  auto files = ReadPresetFiles(sources);
+  if (!files.ok()) return files.status();
+  return presets::ReadPresets(*std::move(files));
 }
 
 presets::PresetNames NamesOf(const PresetOptions& options) {
@@ -80,6 +87,7 @@ absl::Status TakePresets(const presets::PresetSet& set, const PresetOptions& opt
   if (!job.ok()) return job.status();
   std::ranges::copy(job->settings, std::back_inserter(plate.settings));
   std::ranges::move(chosen->notes, std::back_inserter(plate.warnings));
+  std::ranges::copy(job->sources, std::back_inserter(plate.sources));
   AddUnused(job->of_print, job->others, plate);
   return absl::OkStatus();
 }

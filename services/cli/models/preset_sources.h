@@ -5,15 +5,20 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/presets/choose_presets.h"
+#include "common/config/presets/preset_file.h"
 #include "common/config/presets/preset_set.h"
 #include "services/cli/job/job_options.h"
 #include "services/cli/models/given_models.h"
 
 namespace slicefarm::cli {
 
-/// Reads the presets of files and of folders with their sub-folders. Symbolic links to folders are
-/// not followed. Errors: REQUEST_MALFORMED for a path that cannot be read; as
-/// config::presets::ReadPresets.
+/// Reads files, and all files with presets of folders and their sub-folders. Symbolic links to
+/// folders are not followed. Errors: REQUEST_MALFORMED for a path that cannot be read;
+/// REQUEST_TOO_LARGE.
+absl::StatusOr<std::vector<config::presets::PresetFile>> ReadPresetFiles(
+    const std::vector<std::string>& sources);
+
+/// Returns the presets of ReadPresetFiles. Errors: also as config::presets::ReadPresets.
 absl::StatusOr<config::presets::PresetSet> ReadPresetSources(
     const std::vector<std::string>& sources);
 

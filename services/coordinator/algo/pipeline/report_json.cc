@@ -82,6 +82,8 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["settings_without_effect"] = context.settings_without_effect;
   json["settings_digest"] = context.settings_digest;
   json["build_id"] = context.build_id;
+  for (const SettingSource& each : context.sources)
+    json["setting_sources"].push_back({{"source", each.source}, {"keys", each.keys}});
   return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/model/setting_source.h"
 #include "services/coordinator/algo/pipeline/job_process.h"
 
 namespace slicefarm::coordinator {
@@ -15,12 +16,14 @@ struct ReportContext {
   std::string build_id = {};
   /// Table of a calibration print as JSON; empty for other prints.
   std::string calibration_json = {};
+  std::vector<SettingSource> sources = {};  ///< sources of the settings of a job with presets
 };
 
 /// Returns the report as JSON. Keys: `meshes`, `layers`, `object_height_mm`, `print_time_s`,
-/// `print_time`, the keys of ProcessReport, `objects` and `shared` (PrintShares), `calibration`,
-/// `stage_times_s`, `warnings`, `notes`, `settings_without_effect`, `settings_digest`, `build_id`.
-/// Replaces bytes of names that are no UTF-8.
+/// `print_time`, the keys of ProcessReport, `stage_times_s`, `warnings`, `notes`,
+/// `settings_without_effect`, `settings_digest`, `build_id`, and `setting_sources` of a job with
+/// presets. Replaces bytes of names that are no
+/// UTF-8.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
 }  // namespace slicefarm::coordinator

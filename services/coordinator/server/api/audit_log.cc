@@ -19,13 +19,21 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
 const std::set<std::string_view> kAudited = {
-    "/slicefarm.v1.Jobs/CreateJob",         "/slicefarm.v1.Jobs/BatchCreateJobs",
-    "/slicefarm.v1.Jobs/CreatePlates",      "/slicefarm.v1.Jobs/CancelJob",
-    "/slicefarm.v1.Jobs/BatchCancelJobs",   "/slicefarm.v1.Jobs/UpdateJob",
-    "/slicefarm.v1.Jobs/DeleteJob",         "/slicefarm.v1.Meshes/UploadMesh",
-    "/slicefarm.v1.Meshes/DeleteMesh",      "/slicefarm.v1.Profiles/PutProfile",
-    "/slicefarm.v1.Profiles/DeleteProfile", "/slicefarm.v1.Jobs/ExportTenant",
+    "/slicefarm.v1.Jobs/CreateJob",
+    "/slicefarm.v1.Jobs/BatchCreateJobs",
+    "/slicefarm.v1.Jobs/CreatePlates",
+    "/slicefarm.v1.Jobs/CancelJob",
+    "/slicefarm.v1.Jobs/BatchCancelJobs",
+    "/slicefarm.v1.Jobs/UpdateJob",
+    "/slicefarm.v1.Jobs/DeleteJob",
+    "/slicefarm.v1.Meshes/UploadMesh",
+    "/slicefarm.v1.Meshes/DeleteMesh",
+    "/slicefarm.v1.Profiles/PutProfile",
+    "/slicefarm.v1.Profiles/DeleteProfile",
+    "/slicefarm.v1.Jobs/ExportTenant",
     "/slicefarm.v1.Jobs/EraseTenant",
+    "/slicefarm.v1.Presets/ImportPresets",
+    "/slicefarm.v1.Presets/DeletePresetBundle",
 };
 
 /// Names of the fields that identify an object in a request or an answer.

@@ -15,6 +15,7 @@
 #include "common/rpc/observe/trace_metadata.h"
 #include "common/rpc/status_mapping.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/presets.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::coordinator {
@@ -40,6 +41,7 @@ class CoordinatorClient {
     jobs_ = v1::Jobs::NewStub(channel);
     meshes_ = v1::Meshes::NewStub(channel);
     profiles_ = v1::Profiles::NewStub(channel);
+    presets_ = v1::Presets::NewStub(channel);
   }
 
   /// Sends the bytes [from, to) of a mesh; `to` -1 means its end. `digest`: name of the upload; by
@@ -189,6 +191,7 @@ class CoordinatorClient {
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Profiles::Stub> profiles_;
+  std::unique_ptr<v1::Presets::Stub> presets_;
 };
 
 }  // namespace slicefarm::coordinator

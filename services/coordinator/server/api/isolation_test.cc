@@ -94,6 +94,24 @@ class TenantClient : public CoordinatorClient {
   Seen SeeProfiles() {
     return See(*profiles_, &v1::Profiles::Stub::ListProfiles, v1::ListProfilesRequest());
   }
+  Seen SeeImportPresets(const std::string& name) {
+    auto request = ByName<v1::ImportPresetsRequest>(name);
+    v1::PresetFile* file = request.add_files();
+    file->set_path("a.ini");
+    file->set_content("[print:P]\nlayer_height = 0.2\n");
+    return See(*presets_, &v1::Presets::Stub::ImportPresets, request);
+  }
+  Seen SeePresetBundle(const std::string& name) {
+    return See(*presets_, &v1::Presets::Stub::GetPresetBundle,
+               ByName<v1::GetPresetBundleRequest>(name));
+  }
+  Seen SeeDeletePresets(const std::string& name) {
+    return See(*presets_, &v1::Presets::Stub::DeletePresetBundle,
+               ByName<v1::DeletePresetBundleRequest>(name));
+  }
+  Seen SeePresets() {
+    return See(*presets_, &v1::Presets::Stub::ListPresets, v1::ListPresetsRequest());
+  }
   Seen SeeWebhook(const std::string& id) {
     v1::GetWebhookRequest request;
     request.set_job_id(id);
@@ -308,6 +326,18 @@ TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
   EXPECT_TRUE(upload.complete());
 }
 
+TEST_F(IsolationTest, EachTenantHasItsPresetsToItself) {
+  const auto see = [&] { return std::vector<Seen>{a_->SeePresetBundle("acme"), a_->SeePresets()}; };
+  const std::vector<Seen> before = see();
+  EXPECT_TRUE(b_->SeeImportPresets("acme").status().ok());
+  EXPECT_EQ(see(), before);
+  EXPECT_EQ(before[0].reason(), Reason::kProfileNotFound);
+  EXPECT_TRUE(b_->SeePresets().status().ok());
+  EXPECT_EQ(a_->SeeDeletePresets("acme").reason(), Reason::kProfileNotFound) << "it is b's";
+  EXPECT_TRUE(b_->SeeDeletePresets("acme").status().ok());
+  EXPECT_EQ(b_->SeePresets().reason(), Reason::kProfileNotFound);
+}
+
 TEST_F(IsolationTest, EachTenantHasItsProfilesToItself) {
   const auto see = [&] { return std::vector<Seen>{a_->SeeProfile("pla"), a_->SeeProfiles()}; };
   const std::vector<Seen> before = see();
@@ -498,6 +528,10 @@ TEST_F(IsolationTest, WhoHasNoTokenIsNobody) {
     all.push_back(nobody->SeeProfile("pla"));
     all.push_back(nobody->SeeProfiles());
     all.push_back(nobody->SeeDeleteProfile("pla"));
+    all.push_back(nobody->SeeImportPresets("acme"));
+    all.push_back(nobody->SeePresetBundle("acme"));
+    all.push_back(nobody->SeeDeletePresets("acme"));
+    all.push_back(nobody->SeePresets());
     all.push_back(nobody->SeeUploadStatus(Sha256Hex("xa")));
     all.push_back(nobody->SeeCreate(TenantClient::RequestFor("xa")));
     for (const Seen& seen : all) {
@@ -528,6 +562,8 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
   denied(reader->SeeBatch(TenantClient::RequestFor("xa")), "submit");
   denied(reader->SeePutProfile("pla"), "submit");
   denied(reader->SeeDeleteProfile("pla"), "submit");
+  denied(reader->SeeImportPresets("acme"), "submit");
+  denied(reader->SeeDeletePresets("acme"), "submit");
   EXPECT_TRUE(reader->SeeProfiles().status().ok());
   denied(reader->SeeDelete(of_a), "submit");
   EXPECT_EQ(DetailOf(reader->Upload("xa").status()).reason, Reason::kPermissionDenied);
@@ -541,6 +577,7 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
   denied(reader->SeeList(), "read");
   denied(reader->SeeWebhook(of_a), "read");
   denied(reader->SeeProfiles(), "read");
+  denied(reader->SeePresets(), "read");
   EXPECT_TRUE(reader->SeeDelete(of_a).status().ok());
 }
 

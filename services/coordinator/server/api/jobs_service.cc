@@ -17,6 +17,7 @@
 #include "services/coordinator/server/api/farm_facts.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
+#include "services/coordinator/server/api/preset_settings.h"
 #include "services/coordinator/server/api/profile_settings.h"
 #include "services/coordinator/server/execution/job_meshes.h"
 #include "services/coordinator/server/messages/jobs_wire.h"
@@ -270,6 +271,8 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
   const std::string& own = caller.default_profile;
   auto spec = WithMachine(request.spec(), caller.tenant,
                           own.empty() ? backend_.default_profile : own, backend_.profiles);
+  if (spec.ok())
+    spec = WithPresets(request.spec(), *std::move(spec), caller.tenant, backend_.presets);
   if (!spec.ok()) return spec.status();
   spec->clear_plate();  // the server sets this field, not the client
   auto job = FromProto(*spec);

@@ -17,6 +17,7 @@
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/plate_submissions.h"
+#include "services/coordinator/server/api/preset_library.h"
 #include "services/coordinator/server/api/queue_view.h"
 #include "services/coordinator/server/api/tenant_turns.h"
 #include "services/coordinator/server/api/tenant_watch.h"
@@ -40,6 +41,8 @@ struct JobsBackend {
   JobRunner& runner;
   JobFeed& feed;
   ProfileStore& profiles;
+  ProfileStore& preset_bundles;
+  PresetLibrary& presets;
   WebhookStore& webhooks;
   const WebhooksNow& webhook_policy;
   const SlicingStage& slicing;  ///< for preflights

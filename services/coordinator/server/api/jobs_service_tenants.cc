@@ -15,7 +15,8 @@ grpc::Status JobsService::ExportTenant(grpc::ServerContext* context,
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto tenant = TenantAskedFor(*caller, /*asked=*/true, request->tenant());
   if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
-  const TenantData data = {backend_.jobs, backend_.blobs, backend_.profiles};
+  const TenantData data = {backend_.jobs, backend_.blobs, backend_.profiles,
+                           backend_.preset_bundles};
   return rpc::ToGrpc(downloads_.Run(*context, caller->tenant, [&](const Transfers::Moved& moved) {
     return coordinator::ExportTenant(
         *tenant, data, backend_.now_us(), CancelScope::Current(),
@@ -32,11 +33,12 @@ grpc::Status JobsService::EraseTenant(grpc::ServerContext* context,
   if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
   const CancelScope scope(CancelToken([&] { return context->IsCancelled(); }));
   const auto erased = coordinator::EraseTenant(
-      *tenant, {backend_.jobs, backend_.blobs, backend_.profiles}, backend_.now_us,
-      CancelScope::Current(), [&](const std::string& job) {
+      *tenant, {backend_.jobs, backend_.blobs, backend_.profiles, backend_.preset_bundles},
+      backend_.now_us, CancelScope::Current(), [&](const std::string& job) {
         backend_.runner.Cancel(job);
         backend_.feed.Changed(job);
       });
+  backend_.presets.Forget(*tenant);
   if (erased.ok()) *response = *erased;
   return rpc::ToGrpc(erased.status());
 }

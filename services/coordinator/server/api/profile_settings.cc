@@ -11,6 +11,7 @@
 #include "common/config/machine_named.h"
 #include "common/model/limits.h"
 #include "common/wire/support/wire_error.h"
+#include "services/coordinator/server/api/preset_settings.h"
 #include "services/coordinator/server/messages/jobs_wire.h"
 
 namespace slicefarm::coordinator {
@@ -20,15 +21,20 @@ bool IsNameCharacter(char c) {
   return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
 }
 
-/// Converts NotFound to FailedPrecondition, because the request only refers to the profile and does
-/// not request it.
+/// Adds a profile to the sources of the job's settings.
+void AddSource(const v1::Profile& profile, v1::JobSpec& spec) {
+  v1::SettingSource& source = *spec.add_setting_sources();
+  source.set_source(fmt::format("profile {}@{}", profile.name(), profile.revision()));
+  for (const v1::Setting& setting : profile.settings()) source.add_keys(setting.key());
+}
+
+}  // namespace
+
 absl::Status AsPrecondition(const absl::Status& status) {
   if (!absl::IsNotFound(status)) return status;
   return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProfileNotFound,
                    {status.message().data(), status.message().size()}, DetailOf(status).metadata);
 }
-
-}  // namespace
 
 absl::Status CheckProfileName(const std::string& name) {
   if (name.empty()) return Malformed("name", "is missing");
@@ -74,6 +80,7 @@ absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& te
     auto profile = ReadProfile(*record);
     if (!profile.ok()) return profile.status();
     settings.MergeFrom(profile->settings());
+    if (TellsSources(spec)) AddSource(*profile, spec);
     spec.set_profiles(i, fmt::format("{}@{}", record->name, record->revision));
   }
   settings.MergeFrom(spec.settings());
@@ -85,7 +92,7 @@ absl::StatusOr<v1::JobSpec> WithMachine(const v1::JobSpec& spec, const std::stri
                                         const std::string& default_profile,
                                         ProfileStore& profiles) {
   auto all = WithProfiles(spec, tenant, profiles);
-  if (!all.ok() || default_profile.empty() || spec.generic()) return all;
+  if (!all.ok() || default_profile.empty() || spec.generic() || spec.has_presets()) return all;
   const auto request = FromProto(*all);
   if (!request.ok()) return Within("spec", request.status());
   if (config::CheckMachineNamed(request->settings, request->process).ok()) return all;

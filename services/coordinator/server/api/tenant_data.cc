@@ -10,6 +10,7 @@
 #include "common/base/error.h"
 #include "common/base/stoppable_sleep.h"
 #include "services/coordinator/algo/tar_entry.h"
+#include "services/coordinator/server/api/preset_library.h"
 #include "services/coordinator/server/api/profile_settings.h"
 #include "services/coordinator/server/messages/jobs_wire.h"
 #include "services/coordinator/store/blobs/checking_reader.h"
@@ -123,7 +124,10 @@ absl::StatusOr<std::vector<ProfileRecord>> ProfilesOf(const std::string& tenant,
   }
 }
 
-absl::Status AddProfiles(const std::string& tenant, ProfileStore& profiles, Archive& archive) {
+/// Adds all revisions. `folder`: folder in the archive. `read`: ReadProfile or ReadBundle.
+template <typename Read>
+absl::Status AddRevisions(const std::string& tenant, ProfileStore& profiles,
+                          const std::string& folder, const Read& read, Archive& archive) {
   const auto newest = ProfilesOf(tenant, profiles);
   if (!newest.ok()) return newest.status();
   // The number is used in the file name, because a profile name may be too long or an unsafe path,
@@ -135,10 +139,10 @@ absl::Status AddProfiles(const std::string& tenant, ProfileStore& profiles, Arch
       const auto record = profiles.Get(tenant, last.name, revision);
       if (absl::IsNotFound(record.status())) continue;  // deleted meanwhile
       if (!record.ok()) return record.status();
-      const auto profile = ReadProfile(*record);
-      if (!profile.ok()) return profile.status();
+      const auto message = read(*record);
+      if (!message.ok()) return message.status();
       absl::Status added = archive.AddText(
-          absl::StrCat("profiles/", number, "-", revision, ".json"), JsonOf(*profile));
+          absl::StrCat(folder, "/", number, "-", revision, ".json"), JsonOf(*message));
       if (!added.ok()) return added;
     }
   }
@@ -213,13 +217,28 @@ absl::Status EraseBlobs(const std::string& tenant, const TenantData& data,
   return (*store)->DropDamaged(/*aside_s=*/0).status();
 }
 
+/// Deletes all profiles. Returns their number.
+absl::StatusOr<int64_t> EraseProfiles(const std::string& tenant, ProfileStore& profiles,
+                                      int64_t now_us) {
+  const auto all = ProfilesOf(tenant, profiles);
+  if (!all.ok()) return all.status();
+  for (const ProfileRecord& profile : *all) {
+    const absl::Status deleted = profiles.Delete(tenant, profile.name, /*revision=*/0, now_us);
+    if (!deleted.ok() && !absl::IsNotFound(deleted)) return deleted;
+  }
+  return std::ssize(*all);
+}
+
 }  // namespace
 
 absl::Status ExportTenant(const std::string& tenant, const TenantData& data, int64_t now_us,
                           const CancelToken& cancel, const TakeBytes& take) {
   Archive archive(now_us, cancel, take);
   if (absl::Status added = AddJobs(tenant, data.jobs, archive); !added.ok()) return added;
-  if (absl::Status added = AddProfiles(tenant, data.profiles, archive); !added.ok()) return added;
+  absl::Status revisions = AddRevisions(tenant, data.profiles, "profiles", ReadProfile, archive);
+  if (revisions.ok())
+    revisions = AddRevisions(tenant, data.preset_bundles, "presets", ReadBundle, archive);
+  if (!revisions.ok()) return revisions;
   const auto store = data.blobs.Of(tenant);
   if (!store.ok()) return store.status();
   std::string damaged;
@@ -239,14 +258,12 @@ absl::StatusOr<v1::EraseTenantResponse> EraseTenant(
   if (!jobs.ok()) return jobs.status();
   erased.set_jobs(*jobs);
   if (absl::Status done = EraseBlobs(tenant, data, cancel, erased); !done.ok()) return done;
-  const auto profiles = ProfilesOf(tenant, data.profiles);
+  const auto profiles = EraseProfiles(tenant, data.profiles, now_us());
   if (!profiles.ok()) return profiles.status();
-  for (const ProfileRecord& profile : *profiles) {
-    const absl::Status deleted =
-        data.profiles.Delete(tenant, profile.name, /*revision=*/0, now_us());
-    if (!deleted.ok() && !absl::IsNotFound(deleted)) return deleted;
-    erased.set_profiles(erased.profiles() + 1);
-  }
+  erased.set_profiles(*profiles);
+  const auto bundles = EraseProfiles(tenant, data.preset_bundles, now_us());
+  if (!bundles.ok()) return bundles.status();
+  erased.set_preset_bundles(*bundles);
   return erased;
 }
 

@@ -19,15 +19,17 @@ struct TenantData {
   JobStore& jobs;
   BlobStores& blobs;
   ProfileStore& profiles;
+  ProfileStore& preset_bundles;
 };
 
 /// Function that takes bytes. Returns false if the receiver wants no more.
 using TakeBytes = std::function<bool(std::string_view)>;
 
 /// Writes a tar archive: `jobs/ID.json`, `blobs/SHA256` (meshes and results of the jobs, and
-/// complete uploads), `profiles/NUMBER-REVISION.json`, and `not-readable.txt` with the names of
-/// damaged blobs. Data that is added or deleted meanwhile may be missing. Cost: reads all data; one
-/// piece at a time is in memory. Errors: see JobStore, BlobStore and ProfileStore; CANCELLED.
+/// complete uploads), `profiles/NUMBER-REVISION.json`, `presets/NUMBER-REVISION.json`, and
+/// `not-readable.txt` with the names of damaged blobs. Data that is added or deleted meanwhile may
+/// be missing. Cost: reads all data; one piece at a time is in memory. Errors: see JobStore,
+/// BlobStore and ProfileStore; CANCELLED.
 absl::Status ExportTenant(const std::string& tenant, const TenantData& data, int64_t now_us,
                           const CancelToken& cancel, const TakeBytes& take);
 

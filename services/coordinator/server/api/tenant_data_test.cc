@@ -57,6 +57,17 @@ class Client : public CoordinatorClient {
     v1::Profile profile;
     EXPECT_TRUE(profiles_->PutProfile(&context, request, &profile).ok());
   }
+
+  void ImportPresets(const std::string& name) {
+    grpc::ClientContext context;
+    v1::ImportPresetsRequest request;
+    request.set_name(name);
+    v1::PresetFile& file = *request.add_files();
+    file.set_path("acme.ini");
+    file.set_content("[print:P]\nlayer_height = 0.2\n");
+    v1::PresetBundle bundle;
+    EXPECT_TRUE(presets_->ImportPresets(&context, request, &bundle).ok());
+  }
 };
 
 class TenantDataTest : public ServedCoordinatorTest {
@@ -98,6 +109,7 @@ TEST_F(TenantDataTest, AnExportHasAllThatIsKept) {
   Client a = As("a");
   a.PutProfile("..", "0.1");
   a.PutProfile("..", "0.2");
+  a.ImportPresets("acme");
   const v1::Job job = a.AwaitEnd(a.Submit("xx"));
   ASSERT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED);
   ASSERT_TRUE(As("b").Upload("of b").ok());
@@ -110,6 +122,7 @@ TEST_F(TenantDataTest, AnExportHasAllThatIsKept) {
     EXPECT_EQ(Sha256Hex(files.at("blobs/" + digest)), digest);
   EXPECT_THAT(files.at("profiles/1-1.json"), testing::HasSubstr("0.1"));
   EXPECT_THAT(files.at("profiles/1-2.json"), testing::HasSubstr("0.2"));
+  EXPECT_THAT(files.at("presets/1-1.json"), testing::HasSubstr("\"path\": \"acme.ini\""));
   EXPECT_FALSE(files.contains("blobs/" + Sha256Hex("of b")));
   EXPECT_EQ(*As("ops").Export("a"), *a.Export("a"));
 }
@@ -119,6 +132,7 @@ TEST_F(TenantDataTest, ErasureLeavesNothingOfOneAndAllOfOthers) {
   Client b = As("b");
   a.PutProfile("p", "0.1");
   b.PutProfile("p", "0.1");
+  a.ImportPresets("acme");
   a.AwaitEnd(a.Submit("xx"));
   const std::string of_b = b.Submit("xx");
   b.AwaitEnd(of_b);
@@ -131,6 +145,7 @@ TEST_F(TenantDataTest, ErasureLeavesNothingOfOneAndAllOfOthers) {
   EXPECT_EQ(erased->jobs(), 2);
   EXPECT_GE(erased->blobs(), 5) << "two meshes, a program, a report, an upload";
   EXPECT_EQ(erased->profiles(), 1);
+  EXPECT_EQ(erased->preset_bundles(), 1);
   EXPECT_EQ(erased->shared_blobs(), 0);
   EXPECT_THAT(a.List(), testing::IsEmpty());
   EXPECT_EQ(Unpack(*a.Export("a")).size(), 0U);

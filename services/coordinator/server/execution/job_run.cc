@@ -29,7 +29,8 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
   run.report_json =
       ReportJson(report, {.settings_without_effect = config::TextsOf(job.plate.no_effect),
                           .settings_digest = job.settings_digest,
-                          .build_id = std::string(build_id)});
+                          .build_id = std::string(build_id),
+                          .sources = job.request.sources});
   run.program = std::move(output.program);
   run.result.print_time_s = report.print_time_s;
   run.result.filament_mm = report.filament.length_mm;

@@ -7,11 +7,13 @@
 #include "common/base/stoppable_sleep.h"
 
 namespace slicefarm::coordinator {
-Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles, Options options,
+Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles,
+                         ProfileStore& preset_bundles, Options options,
                          std::function<int64_t()> now_us, rpc::JsonLog log)
     : jobs_(jobs),
       blobs_(blobs),
       profiles_(profiles),
+      preset_bundles_(preset_bundles),
       options_(options),
       now_us_(std::move(now_us)),
       log_(std::move(log)),
@@ -43,9 +45,11 @@ void Maintenance::SweepOnce(const std::stop_token& stop) {
     log_.Info("swept", {{"jobs", swept->jobs}, {"blobs", swept->blobs}, {"bytes", swept->bytes}});
   }
   const auto kept_us = static_cast<int64_t>(options_.keep_revisions_s * 1e6);
-  const auto expired = profiles_.Expire(now_us_() - kept_us);
-  if (!expired.ok())
-    log_.Warn("profiles not swept", {{"error", std::string(expired.status().message())}});
+  for (ProfileStore* store : {&profiles_, &preset_bundles_}) {
+    const auto expired = store->Expire(now_us_() - kept_us);
+    if (!expired.ok())
+      log_.Warn("profiles not swept", {{"error", std::string(expired.status().message())}});
+  }
 }
 
 }  // namespace slicefarm::coordinator

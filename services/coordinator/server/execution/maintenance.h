@@ -17,13 +17,14 @@ class Maintenance {
   /// Storage times and the interval of the sweeps.
   struct Options {
     SweepOptions sweep;
-    /// Storage time of profile revisions (ProfileStore::Expire).
+    /// Storage time of revisions of profiles and of preset bundles (ProfileStore::Expire).
     double keep_revisions_s = 90.0 * 24 * 3600;
     std::chrono::seconds every{600};
   };
 
-  Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles, Options options,
-              std::function<int64_t()> now_us, rpc::JsonLog log);
+  Maintenance(JobStore& jobs, BlobStores& blobs, ProfileStore& profiles,
+              ProfileStore& preset_bundles, Options options, std::function<int64_t()> now_us,
+              rpc::JsonLog log);
   Maintenance(const Maintenance&) = delete;
   Maintenance& operator=(const Maintenance&) = delete;
 
@@ -34,6 +35,7 @@ class Maintenance {
   JobStore& jobs_;
   BlobStores& blobs_;
   ProfileStore& profiles_;
+  ProfileStore& preset_bundles_;
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;

@@ -70,15 +70,18 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); },
                              options_.stages_fit, [this] { return RunsHaveRoom(); }},
               options_.runner),
+      presets_(*stores_.preset_bundles),
       meshes_service_(
           {callers_, jobs_, blobs_, disk_, budgets_, full_queues_, stages.projects, memory_, log},
           options_.transfers),
-      jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
-                                *stores_.webhooks, options_.webhooks, *stages.stages.slicing,
-                                stages.arranging, pipeline_, memory_, options_.rates,
-                                options_.default_profile, NowUs, log},
-                    options_.transfers, options_.watches),
-      profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
+      jobs_service_(
+          JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                      *stores_.preset_bundles, presets_, *stores_.webhooks, options_.webhooks,
+                      *stages.stages.slicing, stages.arranging, pipeline_, memory_, options_.rates,
+                      options_.default_profile, NowUs, log},
+          options_.transfers, options_.watches),
+      profiles_service_(callers_, *stores_.profiles, disk_, NowUs),
+      presets_service_(callers_, *stores_.preset_bundles, presets_, disk_, budgets_, NowUs) {}
 
 DiskGuard Coordinator::Guard() const {
   if (stores_.fill && options_.max_database_bytes > 0)
@@ -117,7 +120,8 @@ absl::Status Coordinator::Start() {
     telling_ = std::jthread([this](const std::stop_token& stop) { TellProgress(stop); });
   webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
                           NowUs, log_, Registry());
-  maintenance_.emplace(jobs_, blobs_, *stores_.profiles, options_.maintenance, NowUs, log_);
+  maintenance_.emplace(jobs_, blobs_, *stores_.profiles, *stores_.preset_bundles,
+                       options_.maintenance, NowUs, log_);
   return absl::OkStatus();
 }
 

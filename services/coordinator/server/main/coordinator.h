@@ -12,6 +12,8 @@
 #include "services/coordinator/remote/remote_projects.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/api/meshes_service.h"
+#include "services/coordinator/server/api/preset_library.h"
+#include "services/coordinator/server/api/presets_service.h"
 #include "services/coordinator/server/api/profiles_service.h"
 #include "services/coordinator/server/execution/maintenance.h"
 #include "services/coordinator/server/main/stores.h"
@@ -88,7 +90,7 @@ class Coordinator {
 
   /// Returns the gRPC services of the coordinator.
   std::vector<grpc::Service*> services() {
-    return {&meshes_service_, &jobs_service_, &profiles_service_};
+    return {&meshes_service_, &jobs_service_, &profiles_service_, &presets_service_};
   }
   /// Returns the methods that are served from a completion queue.
   rpc::QueuedMethods& queued_methods() { return jobs_service_; }
@@ -134,9 +136,11 @@ class Coordinator {
   const Callers callers_;
   JobIntake intake_;
   JobRunner runner_;
+  PresetLibrary presets_;
   MeshesService meshes_service_;
   JobsService jobs_service_;
   ProfilesService profiles_service_;
+  PresetsService presets_service_;
   std::unique_ptr<JobChanges> changes_;
   std::jthread telling_;  ///< sends the progress to other coordinators, if there are any
   std::optional<WebhookSender> webhook_sender_;

@@ -71,6 +71,7 @@ absl::StatusOr<Stores> OpenDirectory(const StoreOptions& options) {
                 .blobs = InBucket(options, database, *std::move(blobs)),
                 .run_blobs = nullptr,
                 .profiles = std::make_unique<SqlProfileStore>(database),
+                .preset_bundles = std::make_unique<SqlProfileStore>(database, kPresetTable),
                 .webhooks = std::make_unique<SqlWebhookStore>(database),
                 .fill = nullptr,
                 .answers = nullptr};
@@ -95,6 +96,7 @@ absl::StatusOr<Stores> OpenPostgres(const StoreOptions& options, int runs) {
                 .blobs = InBucket(options, of_transfers, MakePostgresBlobs(of_transfers)),
                 .run_blobs = InBucket(options, of_runs, MakePostgresBlobs(of_runs)),
                 .profiles = std::make_unique<SqlProfileStore>(database),
+                .preset_bundles = std::make_unique<SqlProfileStore>(database, kPresetTable),
                 .webhooks = std::make_unique<SqlWebhookStore>(database),
                 .fill = [database] { return FillOf(*database); },
                 .answers = [pulse] { return !pulse->silent(); }};

@@ -40,6 +40,7 @@ struct Stores {
   /// `blobs`.
   std::unique_ptr<BlobStores> run_blobs;
   std::unique_ptr<ProfileStore> profiles;
+  std::unique_ptr<ProfileStore> preset_bundles;
   std::unique_ptr<WebhookStore> webhooks;
   /// Measures the shared database; empty if there is none.
   std::function<absl::StatusOr<DatabaseFill>()> fill;

@@ -135,6 +135,10 @@ std::string ActionText(const JobRequest& request, const config::ResolvedPlate& s
     text += fmt::format("warning {}:{}\n", line.size(), line);
   for (const config::MissingFeature& each : settings.missing)
     text += fmt::format("missing {}:{}\n", each.text.size(), each.text);
+  for (const SettingSource& each : request.sources) {
+    text += fmt::format("source {}:{}\n", each.source.size(), each.source);
+    for (const std::string& key : each.keys) text += fmt::format("key {}:{}\n", key.size(), key);
+  }
   return text;
 }
 
@@ -151,6 +155,8 @@ absl::Status CheckRequest(const JobRequest& request) {
   for (const std::string& text : request.without_effect)
     if (absl::Status ok = CheckText("without_effect", text); !ok.ok()) return ok;
   if (absl::Status ok = CheckNotes(request); !ok.ok()) return ok;
+  for (const SettingSource& each : request.sources)
+    if (absl::Status ok = CheckText("setting_sources", each.source); !ok.ok()) return ok;
   if (copies <= limits::kMaxObjects) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
                     copies);

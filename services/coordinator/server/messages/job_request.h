@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/plate.h"
+#include "common/model/setting_source.h"
 #include "common/wire/scene_wire.h"
 
 namespace slicefarm::coordinator {
@@ -28,6 +29,8 @@ struct JobRequest {
   std::vector<std::string> allowed = {};             ///< features that may be missing
   /// True if the job is for no particular printer.
   bool generic = false;
+  /// Sources of the settings of a job with presets, for the report.
+  std::vector<SettingSource> sources = {};
 };
 
 /// Request with resolved settings and its digests.

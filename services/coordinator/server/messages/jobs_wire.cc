@@ -132,6 +132,7 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   }
   request.allowed.assign(spec.allow().begin(), spec.allow().end());
   request.generic = spec.generic();
+  request.sources = SourcesFromProto(spec.setting_sources());
   return request;
 }
 
@@ -140,6 +141,7 @@ void ClearSettings(v1::JobSpec& spec) {
   spec.clear_project_settings();
   spec.clear_without_effect();
   spec.clear_notes();
+  spec.clear_setting_sources();
   for (v1::Object& object : *spec.mutable_objects()) {
     object.clear_settings();
     for (v1::Part& part : *object.mutable_parts()) part.clear_settings();

@@ -48,6 +48,7 @@ class FrequentCheckpoints : public testing::Environment {
 struct State {
   std::unique_ptr<JobStore> jobs;
   std::unique_ptr<ProfileStore> profiles;
+  std::unique_ptr<ProfileStore> bundles;
   std::unique_ptr<BlobStore> blobs;
 
   static absl::StatusOr<State> Open(const std::string& directory) {
@@ -57,7 +58,8 @@ struct State {
     auto blobs = DirectoryBlobStore::OpenAt(directory);
     if (!blobs.ok()) return blobs.status();
     return State{std::make_unique<SqlJobStore>(database),
-                 std::make_unique<SqlProfileStore>(database), *std::move(blobs)};
+                 std::make_unique<SqlProfileStore>(database),
+                 std::make_unique<SqlProfileStore>(database, kPresetTable), *std::move(blobs)};
   }
 };
 
@@ -111,11 +113,13 @@ class StateLife : public StoreLife {
         {"end a", [&] { return Succeed("a"); }},
         {"cancel b", [&] { return Cancel("b"); }},
         {"put a profile", [&] { return PutProfile("settings 1"); }},
+        {"import presets", [&] { return ImportPresets(std::string(30'000, 'p')); }},
         {"create c", [&] { return Create("c"); }},
         {"claim c", [&] { return Claim("c"); }},
         {"release", [&] { return Release("c"); }},
         {"open again", [&] { return Close(), Open(); }},
         {"put a revision", [&] { return PutProfile("settings 2"); }},
+        {"import a revision", [&] { return ImportPresets(std::string(25'000, 'q')); }},
         {"claim c again", [&] { return Claim("c"); }},
         {"fail c", [&] { return Fail("c"); }},
         {"delete b", [&] { return Delete("b"); }},
@@ -135,7 +139,8 @@ class StateLife : public StoreLife {
       const std::string what = CheckJob(*state->jobs, id, versions, changes);
       if (!what.empty()) wrong.push_back(absl::StrCat("job ", id, " ", what));
     }
-    CheckProfiles(*state->profiles, changes, wrong);
+    CheckRevisions(*state->profiles, "pla", profiles_, changes, wrong);
+    CheckRevisions(*state->bundles, "vendor", imported_, changes, wrong);
     CheckBlobs(*state, wrong);
     if (const absl::Status works = Work(*state); !works.ok()) wrong.push_back(works.ToString());
     *state = {};
@@ -257,6 +262,12 @@ class StateLife : public StoreLife {
     return put.status();
   }
 
+  absl::Status ImportPresets(const std::string& files) {
+    const auto put = state_.bundles->Put({"tenant", "vendor", files, Sha256Hex(files)}, 1);
+    if (put.ok()) imported_[files] = {now(), put->revision};
+    return put.status();
+  }
+
   // ---- Checks of the promises.
 
   /// Returns an empty text if nothing is wrong with the job.
@@ -284,15 +295,20 @@ class StateLife : public StoreLife {
                         promised->last_sequence);
   }
 
-  void CheckProfiles(ProfileStore& profiles, size_t changes,
-                     std::vector<std::string>& wrong) const {
-    for (const auto& [settings, promise] : profiles_) {
+  /// Revisions by content: the number of disk changes at the acknowledgement, and the number of the
+  /// revision.
+  using Promised = std::map<std::string, std::pair<size_t, int64_t>>;
+
+  static void CheckRevisions(ProfileStore& profiles, const std::string& name,
+                             const Promised& promised, size_t changes,
+                             std::vector<std::string>& wrong) {
+    for (const auto& [settings, promise] : promised) {
       const auto& [acknowledged, revision] = promise;
       if (acknowledged > changes) continue;
-      const auto profile = profiles.Get("tenant", "pla", revision);
+      const auto profile = profiles.Get("tenant", name, revision);
       if (!profile.ok() || profile->settings != settings) {
         wrong.push_back(
-            absl::StrCat("profile revision ", revision, ": ", profile.status().ToString()));
+            absl::StrCat(name, " revision ", revision, ": ", profile.status().ToString()));
       }
     }
   }
@@ -337,7 +353,8 @@ class StateLife : public StoreLife {
   int64_t now_us_ = 10'000;
   Lease lease_;
   std::map<std::string, std::vector<Version>> jobs_;
-  std::map<std::string, std::pair<size_t, int64_t>> profiles_;  ///< expected profiles by settings
+  Promised profiles_;
+  Promised imported_;
 };
 
 TrialOptions Options() {

@@ -27,27 +27,36 @@ using testing::Field;
 
 class SqlitePlace : public StorePlace<ProfileStore> {
  public:
+  explicit SqlitePlace(const RevisionTable& table) : table_(table) {}
+
   std::unique_ptr<ProfileStore> Open() override {
-    return std::make_unique<SqlProfileStore>(*SqliteDatabase::Open(directory_.path() + "/db"));
+    return std::make_unique<SqlProfileStore>(*SqliteDatabase::Open(directory_.path() + "/db"),
+                                             table_);
   }
 
  private:
+  const RevisionTable table_;
   TempDirectory directory_;
 };
 
 class PostgresPlace : public StorePlace<ProfileStore> {
  public:
+  explicit PostgresPlace(const RevisionTable& table) : table_(table) {}
+
   std::unique_ptr<ProfileStore> Open() override {
-    return std::make_unique<SqlProfileStore>(*PostgresDatabase::Open(database_));
+    return std::make_unique<SqlProfileStore>(*PostgresDatabase::Open(database_), table_);
   }
 
  private:
+  const RevisionTable table_;
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
 const std::vector<StoreKind<ProfileStore>> kStores = {
-    {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
-    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
+    {"Sqlite", [] { return std::make_unique<SqlitePlace>(kProfileTable); }},
+    {"Postgres", [] { return std::make_unique<PostgresPlace>(kProfileTable); }},
+    {"SqlitePresets", [] { return std::make_unique<SqlitePlace>(kPresetTable); }},
+    {"PostgresPresets", [] { return std::make_unique<PostgresPlace>(kPresetTable); }},
 };
 
 class ProfileStoreTest : public testing::TestWithParam<StoreKind<ProfileStore>> {
@@ -152,6 +161,23 @@ TEST_P(ProfileStoreTest, RevisionsThatManyFollowedLongAgoExpire) {
   EXPECT_EQ(*store_->Expire(now_us_ + 1), 2) << "one more of them, and the deleted one";
   EXPECT_TRUE(store_->Get("a", "alone", 1).ok()) << "however old";
   EXPECT_EQ(*store_->Expire(now_us_ + 1), 0);
+}
+
+TEST(SqlProfileStore, StoresAsManyBytesAsTheTableAllows) {
+  constexpr RevisionTable kSmall = {"presets", "bundle of presets", 3, 10};
+  SqlitePlace place(kSmall);
+  const auto store = place.Open();
+  const auto put = [&](const std::string& name, const std::string& bytes) {
+    return store->Put({"a", name, bytes, Sha256Hex(bytes)}, 1).status();
+  };
+  EXPECT_TRUE(put("a", "1234567").ok());
+  const absl::Status full = put("b", "4444");
+  EXPECT_EQ(DetailOf(full).reason, Reason::kRequestTooLarge) << full;
+  EXPECT_TRUE(put("b", "333").ok());
+  EXPECT_TRUE(put("a", "").ok()) << "it takes no bytes";
+  EXPECT_EQ(DetailOf(put("c", "")).reason, Reason::kRequestTooLarge) << "a fourth revision";
+  EXPECT_TRUE(store->Put({"b", "c", "1234567890", "d"}, 1).ok()) << "another tenant";
+  ASSERT_TRUE(store->Delete("a", "a", 0, 2).ok());
 }
 
 TEST_P(ProfileStoreTest, RevisionsOfManyWritersAreAllThere) {

@@ -2,28 +2,40 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 
 namespace slicefarm::coordinator {
-namespace {
+/// Returns the statement for the store's table, which is called `revisions` in `text`.
+std::string SqlProfileStore::Sql(std::string_view text) const {
+  constexpr std::string_view kTable = "revisions";
+  std::string sql;
+  for (size_t at = 0; at < text.size();) {
+    const size_t found = std::min(text.find(kTable, at), text.size());
+    sql += text.substr(at, found - at);
+    if (found < text.size()) sql += table_.name;
+    at = found + kTable.size();
+  }
+  return sql;
+}
 
-absl::Status NotFound(const std::string& name, int64_t revision) {
+absl::Status SqlProfileStore::NotFound(const std::string& name, int64_t revision) const {
   const std::string wanted = revision == 0 ? name : fmt::format("{}@{}", name, revision);
   return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
-                   fmt::format("there is no profile {}", wanted), {{"profile", wanted}});
+                   fmt::format("there is no {} {}", table_.what, wanted), {{"profile", wanted}});
 }
 
 /// Returns a revision; nullopt if it does not exist. `revision` 0: the newest.
-absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::string& tenant,
-                                                  const std::string& name, int64_t revision) {
-  SqlQuery query(db,
-                 "SELECT revision, settings, settings_digest, create_us FROM profiles"
-                 " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
-                 " AND settings_digest <> '' ORDER BY revision DESC LIMIT 1");
+absl::StatusOr<std::optional<ProfileRecord>> SqlProfileStore::Find(SqlConnection& db,
+                                                                   const std::string& tenant,
+                                                                   const std::string& name,
+                                                                   int64_t revision) const {
+  SqlQuery query(db, Sql("SELECT revision, settings, settings_digest, create_us FROM revisions"
+                         " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
+                         " AND settings_digest <> '' ORDER BY revision DESC LIMIT 1"));
   if (!query.Bind(tenant, name, revision, revision).Next()) {
     if (!query.status().ok()) return query.status();
     return std::nullopt;
@@ -32,31 +44,40 @@ absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::
 }
 
 /// Returns the number of the last revision, including deleted ones; 0 if there is none.
-absl::StatusOr<int64_t> LastRevision(SqlConnection& db, const std::string& tenant,
-                                     const std::string& name) {
-  SqlQuery query(db, "SELECT max(revision) FROM profiles WHERE tenant = ? AND name = ?");
+absl::StatusOr<int64_t> SqlProfileStore::LastRevision(SqlConnection& db, const std::string& tenant,
+                                                      const std::string& name) const {
+  SqlQuery query(db, Sql("SELECT max(revision) FROM revisions WHERE tenant = ? AND name = ?"));
   const int64_t last = query.Bind(tenant, name).Next() ? query.Int(0) : 0;
   if (!query.status().ok()) return query.status();
   return last;
 }
 
-/// Checks the limit of stored revisions. There is a limit because revisions are stored for long.
-absl::Status CheckRoom(SqlConnection& db, const std::string& tenant) {
-  SqlQuery query(db, "SELECT count(*) FROM profiles WHERE tenant = ?");
-  const int64_t count = query.Bind(tenant).Next() ? query.Int(0) : 0;
+/// Checks the limits of stored revisions. There are limits because revisions are stored for long.
+absl::Status SqlProfileStore::CheckRoom(SqlConnection& db, const NewProfile& profile) const {
+  SqlQuery query(db, Sql(table_.max_bytes > 0 ? "SELECT count(*), coalesce(sum(length(settings)), "
+                                                "0) FROM revisions WHERE tenant = ?"
+                                              : "SELECT count(*) FROM revisions WHERE tenant = ?"));
+  const bool row = query.Bind(profile.tenant).Next();
+  const int64_t count = row ? query.Int(0) : 0;
+  const int64_t bytes = row && table_.max_bytes > 0 ? query.Int(1) : 0;
   if (!query.status().ok()) return query.status();
-  if (count < limits::kMaxProfileRevisions) return absl::OkStatus();
-  return LimitError(Reason::kRequestTooLarge, "revisions of profiles", limits::kMaxProfileRevisions,
-                    count + 1);
+  if (count >= table_.max_revisions)
+    return LimitError(Reason::kRequestTooLarge, fmt::format("revisions of all {}s", table_.what),
+                      table_.max_revisions, count + 1);
+  const int64_t all = bytes + std::ssize(profile.settings);
+  if (table_.max_bytes == 0 || all <= table_.max_bytes) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, fmt::format("bytes of all {}s", table_.what),
+                    table_.max_bytes, all);
 }
 
 /// Inserts a revision and returns it; nullopt if another call was faster.
-absl::StatusOr<std::optional<ProfileRecord>> Insert(SqlConnection& db, const NewProfile& profile,
-                                                    int64_t revision, int64_t now_us) {
-  SqlQuery insert(db,
-                  "INSERT INTO profiles (tenant, name, revision, settings, settings_digest,"
-                  " create_us) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING"
-                  " RETURNING revision");
+absl::StatusOr<std::optional<ProfileRecord>> SqlProfileStore::Insert(SqlConnection& db,
+                                                                     const NewProfile& profile,
+                                                                     int64_t revision,
+                                                                     int64_t now_us) const {
+  SqlQuery insert(db, Sql("INSERT INTO revisions (tenant, name, revision, settings,"
+                          " settings_digest, create_us) VALUES (?, ?, ?, ?, ?, ?)"
+                          " ON CONFLICT DO NOTHING RETURNING revision"));
   insert.Bind(profile.tenant, profile.name, revision, Blob{profile.settings},
               profile.settings_digest, now_us);
   bool made = false;
@@ -66,8 +87,6 @@ absl::StatusOr<std::optional<ProfileRecord>> Insert(SqlConnection& db, const New
   return ProfileRecord{profile.name, revision, profile.settings, profile.settings_digest, now_us};
 }
 
-}  // namespace
-
 absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, int64_t now_us) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
@@ -76,7 +95,7 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
     if (!newest.ok()) return newest.status();
     if (*newest && (*newest)->settings_digest == profile.settings_digest)
       return **std::move(newest);
-    if (absl::Status room = CheckRoom(**session, profile.tenant); !room.ok()) return room;
+    if (absl::Status room = CheckRoom(**session, profile); !room.ok()) return room;
     const auto last = LastRevision(**session, profile.tenant, profile.name);
     if (!last.ok()) return last.status();
     auto made = Insert(**session, profile, *last + 1, now_us);
@@ -101,10 +120,10 @@ absl::StatusOr<std::vector<ProfileRecord>> SqlProfileStore::List(const std::stri
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
   SqlQuery query(**session,
-                 "SELECT name, revision, settings_digest, create_us FROM profiles AS p"
-                 " WHERE tenant = ? AND name > ? AND revision = (SELECT MAX(revision) FROM profiles"
-                 " WHERE tenant = p.tenant AND name = p.name AND settings_digest <> '')"
-                 " ORDER BY name LIMIT ?");
+                 Sql("SELECT name, revision, settings_digest, create_us FROM revisions AS p"
+                     " WHERE tenant = ? AND name > ? AND revision = (SELECT MAX(revision) FROM"
+                     " revisions WHERE tenant = p.tenant AND name = p.name"
+                     " AND settings_digest <> '') ORDER BY name LIMIT ?"));
   query.Bind(tenant, after, limit);
   std::vector<ProfileRecord> profiles;
   while (query.Next()) {
@@ -119,9 +138,9 @@ absl::Status SqlProfileStore::Delete(const std::string& tenant, const std::strin
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
   SqlQuery remove(**session,
-                  "UPDATE profiles SET settings = ?, settings_digest = '', create_us = ?"
-                  " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
-                  " AND settings_digest <> '' RETURNING revision");
+                  Sql("UPDATE revisions SET settings = ?, settings_digest = '', create_us = ?"
+                      " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
+                      " AND settings_digest <> '' RETURNING revision"));
   remove.Bind(Blob{""}, now_us, tenant, name, revision, revision);
   bool removed = false;
   while (remove.Next()) removed = true;
@@ -133,10 +152,11 @@ absl::StatusOr<int64_t> SqlProfileStore::Expire(int64_t before_us) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
   SqlQuery remove(**session,
-                  "DELETE FROM profiles WHERE (settings_digest = '' AND create_us < ?) OR EXISTS"
-                  " (SELECT 1 FROM profiles AS newer WHERE newer.tenant = profiles.tenant"
-                  "  AND newer.name = profiles.name AND newer.revision = profiles.revision + ?"
-                  "  AND newer.create_us < ?) RETURNING revision");
+                  Sql("DELETE FROM revisions WHERE (settings_digest = '' AND create_us < ?) OR"
+                      " EXISTS (SELECT 1 FROM revisions AS newer"
+                      "  WHERE newer.tenant = revisions.tenant AND newer.name = revisions.name"
+                      "  AND newer.revision = revisions.revision + ?"
+                      "  AND newer.create_us < ?) RETURNING revision"));
   remove.Bind(before_us, kKeptRevisions, before_us);
   int64_t removed = 0;
   while (remove.Next()) ++removed;

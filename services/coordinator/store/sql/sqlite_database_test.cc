@@ -109,6 +109,7 @@ TEST(SqliteSchema, AddsToWhatHasTheVersionAlready) {
   const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
   ASSERT_TRUE(MigrateSqlite(*db).ok());
   ASSERT_TRUE(db->Execute("DROP TABLE migrations; DROP TABLE s3_blobs; DROP TABLE s3_loose;"
+                          "DROP TABLE presets;"
                           "DROP INDEX events_by_time; ALTER TABLE jobs DROP COLUMN deadly_runs")
                   .ok());
   ASSERT_TRUE(MigrateSqlite(*db).ok());

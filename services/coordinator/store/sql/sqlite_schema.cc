@@ -225,6 +225,17 @@ CREATE INDEX s3_loose_by_tenant ON s3_loose (tenant);
     // A watcher of all jobs of a tenant continues from a point in time.
     {"events_by_time", "CREATE INDEX events_by_time ON events (time_us, job, sequence);"},
     {"deadly_runs", "ALTER TABLE jobs ADD COLUMN deadly_runs INTEGER NOT NULL DEFAULT 0;"},
+    {"presets", R"(
+CREATE TABLE presets (
+  tenant          TEXT    NOT NULL,
+  name            TEXT    NOT NULL,
+  revision        INTEGER NOT NULL,
+  settings        BLOB    NOT NULL,  -- the files, compressed
+  settings_digest TEXT    NOT NULL,
+  create_us       INTEGER NOT NULL,
+  PRIMARY KEY (tenant, name, revision)
+) STRICT;
+)"},
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
