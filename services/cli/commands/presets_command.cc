@@ -191,7 +191,8 @@ void AddPresets(CLI::App& app, CommandContext& context) {
   CLI::Option* name =
       show->add_option("NAME", options->name, "Name of a printer, process or filament preset");
   CLI::Option* printer =
-      show->add_option("--printer", options->printer, "Printer preset of the job to show")->type_name("NAME");
+      show->add_option("--printer", options->printer, "Printer preset of the job to show")
+          ->type_name("NAME");
   printer->excludes(name);
   for (const auto& [option, value] :
        {std::pair("--process", &options->process), std::pair("--filament", &options->filament)})
