@@ -56,7 +56,7 @@ struct JerkOptions {
   double default_mm_s = 0;      ///< setting default_jerk; 0: no command sets the jerk
   double first_layer_mm_s = 0;  ///< setting first_layer_jerk; 0: the feature's jerk
   double travel_mm_s = 0;       ///< setting travel_jerk; 0: the jerk set last
-  /// Setting first_layer_travel_jerk; 0: first_layer_jerk, or travel_jerk without it.
+  /// Setting first_layer_travel_jerk; 0: first_layer_jerk, or travel_jerk if both are 0.
   double first_layer_travel_mm_s = 0;
   /// `default_junction_deviation`: junction deviation of Marlin; 0: no command sets it.
   double junction_deviation_mm = 0;

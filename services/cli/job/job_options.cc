@@ -177,8 +177,8 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
   app.add_flag("--generic", options.generic,
-               "Allow a job for no particular printer: no profile has to set bed_shape, "
-               "nozzle_diameter and gcode_flavor");
+               "Allow a job for no particular printer: bed_shape, nozzle_diameter and "
+               "gcode_flavor may be unset");
   app.add_option("--report", options.report,
                  "File for a report of the result, as JSON; -: to stdout")
       ->type_name("REPORT.json");

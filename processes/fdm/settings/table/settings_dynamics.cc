@@ -192,8 +192,8 @@ std::vector<SettingSpec> Jerks() {
               {&needs::kDefaultJerk},
               Jerk(
                   "first_layer_travel_jerk",
-                  "Jerk of travels in the first layer; 0: first_layer_jerk, or travel_jerk without "
-                  "it",
+                  "Jerk of travels in the first layer; 0: first_layer_jerk, or travel_jerk if both "
+                  "are 0",
                   JerkField<&JerkOptions::first_layer_travel_mm_s>()))),
       {.key = "default_junction_deviation",
        .unit = "mm",

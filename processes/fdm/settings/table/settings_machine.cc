@@ -200,8 +200,8 @@ std::vector<SettingSpec> Machine() {
        .min = 0,
        .max = 60,
        .standard = "0",
-       .doc = "Time by which a faster fan speed is set before the lines that need it, within the "
-              "lines of a copy in one layer",
+       .doc = "Time by which a faster fan speed is set before the lines that need it, at the "
+              "earliest before the first move of the copy in the layer",
        .field = Bind<&MachineRow::motion, &MachineMotion::fan_speedup_s>(),
        .orca = {{"fan_speedup_time"}}},
       {.key = "fan_speedup_overhangs",

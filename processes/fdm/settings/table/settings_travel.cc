@@ -63,11 +63,11 @@ std::vector<SettingSpec> Retraction() {
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>(),
                 {&needs::kRetractLength, &needs::kStraightLift});
   AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
-                "Height above the bed below which the nozzle is not lifted",
+                "Lowest height above the bed at which the nozzle is lifted",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>(),
                 {&needs::kAnyLift});
   AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
-                "Height above the bed beyond which the nozzle is not lifted; 0: no upper limit",
+                "Greatest height above the bed at which the nozzle is lifted; 0: no upper limit",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>(),
                 {&needs::kAnyLift});
   const auto after = [](LiftAfter a) { return static_cast<int>(a); };

@@ -81,8 +81,8 @@ std::vector<SettingSpec> AtHeights() {
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::pause_gcode>())),
       Orca({"template_custom_gcode", OrcaValue::kGcode},
            gcode("template_custom_gcode", "",
-                 "G-code that is inserted at the heights in custom_gcode_per_print_z with the type "
-                 "template",
+                 "G-code that is inserted at each height that has the type template in "
+                 "custom_gcode_per_print_z",
                  Bind<&MachineRow::motion, &MachineMotion::writing,
                       &WritingOptions::template_gcode>())),
   };
