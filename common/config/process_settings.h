@@ -34,13 +34,13 @@ class RegionRows {
   virtual void PutInto(JobSettings& /*plate*/) const {}
 };
 
-/// Arguments of ProcessSettings::DeriveOptions: one set of settings, after the values of `draft`
-/// are stored in `result`.
+/// Arguments of ProcessSettings::DeriveOptions: the settings of a job, an object or a region. The
+/// values of `draft` are already stored in `result`.
 struct OptionSources {
   const SettingValues& draft;
-  std::span<const Setting> given;
-  ResolvedSettings& result;  ///< receives derived options, notes and warnings
-  ReportedSettings& told;
+  std::span<const Setting> given;  ///< settings as texts, before they are read
+  ResolvedSettings& result;        ///< receives derived options, notes and warnings
+  ReportedSettings& told;          ///< settings that no stage uses
 };
 
 /// Format of a job's output file, identified by the file name's suffix.

@@ -8,14 +8,16 @@
 
 namespace slicefarm {
 
-/// slicefarm's own look-ahead, for machines that follow the host's motion exactly. Speed,
-/// acceleration and jerk are within their limits (MachineLimits::jerk_mm_s3) along the whole path.
+/// slicefarm's own look-ahead. Unlike the other planners, it follows no printer's firmware: it is
+/// for machines that execute a planned motion exactly. Speed, acceleration and jerk are within
+/// their limits (MachineLimits::jerk_mm_s3) along the whole path.
 ///
-/// Each move has a pace: the speed that the move and the bends at its ends allow. Consecutive moves
-/// of a curve form one span if their paces differ by at most a tenth. The top speed of the span is
-/// the slowest of these paces. A span accelerates and decelerates in up to seven phases of constant
-/// jerk (jerk_ramp.h). Between spans, the acceleration is 0. The speed there is limited by the bend
-/// (jerk_junction.h) and by a backward and a forward pass.
+/// Each move has a pace: the speed that the move and the bends at its ends allow. Sharp bends
+/// (Bend::sharp) do not limit the pace. Consecutive moves form one span if no bend between them is
+/// sharp and if their paces differ by at most a tenth. The top speed of a span is its slowest pace.
+/// A span accelerates and decelerates in up to seven phases of constant jerk (jerk_ramp.h). Where
+/// one span ends and the next begins, the acceleration is 0. The speed at this point is limited by
+/// the bend (jerk_junction.h) and by a backward and a forward pass.
 class JerkPlanner : public Planner {
  public:
   explicit JerkPlanner(const MachineLimits& limits) : Planner(limits) {}

@@ -12,7 +12,8 @@ namespace slicefarm {
 ///   1 each move's speed and acceleration are lowered to the limits of the axes;
 ///   2 each junction with the previous move gets a greatest speed;
 ///   3 backward and forward passes lower these speeds until every move can reach its exit speed.
-/// There is one class per firmware: klipper_planner.h, marlin_planner.h, reprap_planner.h.
+/// There is one class per firmware: klipper_planner.h, marlin_planner.h, reprap_planner.h. Only
+/// jerk_planner.h follows no firmware.
 ///
 /// The planner reuses its memory for each sequence. Two threads must not use it at the same time.
 class Planner {

@@ -59,9 +59,10 @@ absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto);
 absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
-/// Converts the position of a copy on a plate to its message and back.
+/// Converts the position of a copy on a plate to a message.
 absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
-/// Converts the position of a copy. Errors: REQUEST_MALFORMED for an invalid plate number.
+/// Converts a message to the position of a copy. Errors: REQUEST_MALFORMED for an invalid plate
+/// number.
 absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto);
 
 namespace v1 {

@@ -124,7 +124,8 @@ Value Load(const T& member, double divisor) {
 template <typename Class, typename Member>
 Class ClassOf(Member Class::*);
 
-/// Returns the member at the end of a path of pointers to members and indices.
+/// Returns the member at the end of a path that begins at `object`. Each step of the path is either
+/// a pointer to a member or an index.
 template <auto kStep, auto... kRest>
 auto& Follow(auto& object) {
   const auto step = [&]() -> auto& {
@@ -141,7 +142,7 @@ auto& Follow(auto& object) {
   }
 }
 
-/// Returns the field at the end of a path of pointers to members and indices.
+/// Returns the field for the member at the end of a path (see Follow) that begins at a row.
 template <Scale kScale, auto kFirst, auto... kRest>
 Field BindPath() {
   using Row = decltype(ClassOf(kFirst));

@@ -11,8 +11,8 @@ struct SequencePlanOptions {
   Coord clearance_radius_nm = 20 * kNmPerMm;
   /// `extruder_clearance_height`: height of the gantry above the nozzle
   Coord clearance_height_nm = 20 * kNmPerMm;
-  /// `extruder_clearance_height_to_lid`: height of the lid above the nozzle; 0: the gantry covers
-  /// the whole plate
+  /// `extruder_clearance_height_to_lid`: height of the lid above the nozzle; 0: no lid. Without a
+  /// lid, the gantry covers the whole plate, and gantry_reach_nm has no effect.
   Coord lid_height_nm = 0;
   /// `extruder_clearance_dist_to_rod`: reach of the gantry in y from the nozzle
   Coord gantry_reach_nm = 0;

@@ -136,8 +136,10 @@ struct ExposureOptions {
   bool fill_corners = true;
 
   // Options that move seams from layer to layer:
-  bool shift_grids = true;  ///< true: moves the lines and cells of hatch, stripes and islands
-  bool turn_rings = true;   ///< true: moves the starts of rings and the cuts between pieces
+  /// true: shifts the lines and cells of hatch, stripes and islands from layer to layer
+  bool shift_grids = true;
+  /// true: moves the starts of rings and the cuts between pieces from layer to layer
+  bool turn_rings = true;
 
   Coord spot_nm = 80'000;               ///< width of the melted line
   Coord beam_compensation_nm = 40'000;  ///< distance from the outline to the first contour

@@ -8,7 +8,8 @@ namespace slicefarm::cli {
 // another name or through a link. A file is identified by device, inode and creation time, because
 // the inode of a deleted file is used again. Thread-safe.
 
-/// Registers an open file. Only regular files count, because writing to a pipe does not replace it.
+/// Registers an open file as an input. Does nothing if it is not a regular file: an output to a
+/// pipe, for example, does not replace the pipe.
 void NoteInput(int descriptor);
 
 /// Registers the file at `path`, for a file that a library opens, such as a certificate that gRPC

@@ -15,7 +15,7 @@ class RunRequests {
   explicit RunRequests(int64_t deadline_us = kNoDeadlineUs) : deadline_us_(deadline_us) {}
 
   void Cancel() { cancelled_ = true; }      ///< the client requested the end of the job
-  void HandBack() { handed_back_ = true; }  ///< the coordinator stops
+  void HandBack() { handed_back_ = true; }  ///< the job returns to the queue
   void Lose() { lost_ = true; }             ///< the job may have been claimed again
   /// Sets the deadline of the job.
   void EndBy(int64_t deadline_us) { deadline_us_ = deadline_us; }
@@ -28,7 +28,7 @@ class RunRequests {
 
   /// Returns true if the client requested the end of the job.
   bool cancelled() const { return cancelled_; }
-  /// Returns true if the coordinator stops.
+  /// Returns true if the job returns to the queue, because the coordinator stops.
   bool handed_back() const { return handed_back_; }
   /// Returns true if the job may have been claimed again.
   bool lost() const { return lost_; }

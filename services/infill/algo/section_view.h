@@ -32,9 +32,9 @@ struct SectionView {
   Coord HeightAt(int32_t own_layer) const;
 };
 
-/// Returns the outlines of the layers that decide the skins of a region (skins.h). With `row`, only
-/// outlines of the region with this index of settings count; without, the outlines of the whole
-/// object. Bridges always depend on the whole object.
+/// Returns the outlines of the layers that decide the skins of a region (skins.h). `row`: index of
+/// the region's settings; then these are outlines of the region only. Without `row`, they are
+/// outlines of the whole object. The outlines for bridges are always outlines of the whole object.
 Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row);
 
 /// Directions of lines in a layer.

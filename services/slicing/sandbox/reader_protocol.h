@@ -29,11 +29,13 @@ struct RequestHead {
   int64_t service_pid = 0;
 };
 
-/// Kind of an answer.
+/// Kind of an answer: the contents after its head. The named numbers are members of AnswerHead.
 enum class AnswerKind : uint32_t {
-  kContents,     ///< `project_bytes` of an encoded project, then `meshes` meshes
-  kError,        ///< error of reading: `error_bytes` of an encoded error
-  kNotConfined,  ///< `error_bytes` of a text with the reason; the mesh was not read
+  kContents,  ///< an encoded project of `project_bytes` bytes, then `meshes` meshes
+  kError,     ///< the mesh could not be read: an encoded error of `error_bytes` bytes
+  /// the mesh was not read, because the reader is not confined: a text of `error_bytes` bytes with
+  /// the reason
+  kNotConfined,
 };
 
 /// Id of a build.

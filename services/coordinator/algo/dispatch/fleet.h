@@ -25,9 +25,10 @@ struct RunnerAtWork {
   std::vector<TaskAtWork> tasks;
 };
 
-/// Adds runners to another RunnerSet and records each call that they get, so that the current tasks
-/// of each runner are known. Writes the time and the outcome of each task to the span log of its
-/// job. Each call gets a span of its own in the job's trace. Thread-safe.
+/// Set of runners that also adds each of its runners to another RunnerSet. Records each call that a
+/// runner gets, so that the runner's current tasks are known. Writes the time and the outcome of
+/// each task to the span log of its job. Each call gets a span of its own in the job's trace.
+/// Thread-safe.
 class Fleet : public RunnerSet {
  public:
   /// Creates a fleet that adds all its runners to `runners`, which must outlive this object.

@@ -19,11 +19,11 @@ namespace slicefarm::infill {
 
 /// Fields of one region: of one row of the job's table of infill options.
 struct FieldsOfRow {
-  /// Density field; null: none. The setting's text (InfillOptions::density_field) owns it, and must
-  /// outlive this struct.
+  /// Density field; null: none. It is stored together with the setting's text
+  /// (InfillOptions::density_field), which must outlive this struct.
   const DensityField* density = nullptr;
-  /// Direction field; null: none. The setting's text (InfillOptions::stress_field) owns it, and
-  /// must outlive this struct.
+  /// Direction field; null: none. It is stored together with the setting's text
+  /// (InfillOptions::stress_field), which must outlive this struct.
   const DirectionField* directions = nullptr;
   double plain_density = 0;
   int32_t every_layers = 1;

@@ -7,7 +7,8 @@
 
 namespace slicefarm::milling {
 
-/// Grid of triangles, sorted by their x and y.
+/// Grid in the xy plane. Each cell lists the triangles with a bounding box that overlaps the cell
+/// in x and y.
 class TriangleGrid {
  public:
   explicit TriangleGrid(const TriangleMesh& mesh);

@@ -39,12 +39,14 @@ struct SequenceOptions {
 /// Returns the print order as indices of `items`: short objects first, with little travel.
 ///
 /// An order is good if no finished object causes one of these conflicts while another object is
-/// printed: - Clearance: the finished object is taller than nozzle_height_nm and nearer to the
-/// other object's hull than clearance_radius_nm. For lower finished objects, the radius of the
-/// nozzle applies instead. The tolerance is 1 um, so an arrangement at exactly this distance is
-/// accepted. - Gantry: the finished object is taller than clearance_height_nm and within reach of
-/// the gantry in y. Without gantry_reach_nm only the last object may be taller. - Lid: the finished
-/// object is taller than lid_height_nm.
+/// printed:
+///   1 Clearance: the finished object is taller than nozzle_height_nm and nearer to the other
+///     object's hull than clearance_radius_nm. For lower finished objects, the radius of the nozzle
+///     applies instead. The tolerance is 1 um, so an arrangement at exactly this distance is
+///     accepted.
+///   2 Gantry: the finished object is taller than clearance_height_nm and within reach of the
+///     gantry in y. Without gantry_reach_nm only the last object may be taller.
+///   3 Lid: the finished object is taller than lid_height_nm.
 ///
 /// The rules for clearance and gantry, with a nozzle_height_nm of 0, are PrusaSlicer's rules up to
 /// 2.8. There, sequential_print_horizontal_clearance_valid grows each hull by half the radius less

@@ -22,9 +22,10 @@ struct Shell {
   std::vector<int32_t> frame;                     ///< outermost points, counter-clockwise
 };
 
-/// Returns the shell of a map with its outer loop on a circle around the origin. It consists of
-/// rings with fewer and fewer points; holes are filled with fans. Errors: INTERNAL if a loop does
-/// not have the form that Tutte's embedding gives it. Source: Su, Ye, Liu, Fu, "Efficient Bijective
+/// Returns the shell of `map`. The map's outer loop is on a circle around the origin. Between this
+/// loop and the frame, the shell has rings of points around the origin, with fewer points from ring
+/// to ring. In each hole, the shell is a fan of triangles. Errors: INTERNAL if a loop does not have
+/// the form that Tutte's embedding gives it. Source: Su, Ye, Liu, Fu, "Efficient Bijective
 /// Parameterizations", ACM TOG 39 (2020).
 absl::StatusOr<Shell> ShellAround(const FirstMap& map, std::span<const BoundaryLoop> loops);
 

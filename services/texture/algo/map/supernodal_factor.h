@@ -76,7 +76,7 @@ class SupernodalFactor {
   std::vector<int32_t> next_;      ///< next supernode in the same queue, per supernode
   std::vector<int32_t> used_;      ///< number of rows already used, per supernode
   std::vector<int32_t> place_of_;  ///< index of each matrix row in the current panel
-  /// index in the current panel of each row of the panel that is being subtracted
+  /// for each row of the panel that is being subtracted: its index in the current panel
   std::vector<int32_t> places_;
 };
 

@@ -36,10 +36,11 @@ class RotaryAxes {
   /// Returns the letters of the two angles; blanks if there are none.
   const char* Letters() const;
 
-  /// Returns the angles at which the tool points against `normal`. Two solutions are possible, and
-  /// whole turns may be added to C. Returns the solution within the limits that is closest to
-  /// `before`. If any C is possible, C does not turn. Returns nullopt if no solution is within the
-  /// limits.
+  /// Returns the pair of angles at which the tool points against `normal`. There are two such
+  /// pairs, and C may also turn by any number of whole turns. Returns the pair within the limits
+  /// that is closest to `before`. If `normal` is vertical, the direction does not depend on C; then
+  /// C keeps its angle from `before`. Returns nullopt if no pair is within the limits. Without
+  /// rotary axes, both angles are 0.
   std::optional<Eigen::Vector2d> AnglesFor(const Eigen::Vector3d& normal,
                                            const Eigen::Vector2d& before) const;
 

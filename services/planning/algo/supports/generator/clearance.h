@@ -54,7 +54,9 @@ class Clearance {
   };
   using Stack = std::vector<Layer>;
 
-  /// Calls visit(outlines) with the blocked areas of the layers that meet the box.
+  /// Calls visit(outlines) for each obstacle in the box that blocks a layer of support from
+  /// bottom_nm to top_nm. `outlines`: the area that the obstacle blocks; it may reach beyond the
+  /// box.
   template <typename Visit>
   void ForEachBlocked(Coord bottom_nm, Coord top_nm, const Box& box, Visit visit) const;
   MultiPolygon OnBed(MultiPolygon free, const Box& bounds) const;
