@@ -71,15 +71,20 @@ void PrintTable(const CalibrateOptions& options, const std::vector<CalibrationRo
 ExitCode Calibrate(CalibrateOptions options, Interrupt& interrupt) {
   if (options.fine && options.kind != CalibrationKind::kFlow)
     return Fail(Malformed("--fine works only with flow"));
+  if (UsesFarmPresets(options.job.presets))
+    return Fail(Malformed("--printer: --presets DIR|FILE is needed, too"));
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
   if (absl::Status may = CheckWritable(options.job, options.output, 0); !may.ok()) return Fail(may);
   auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
   GivenModels models;
   models.plates.emplace_back();
-  if (!options.job.presets.sources.empty())
-    if (absl::Status taken = TakePresets(options.job.presets, models); !taken.ok())
-      return Fail(taken);
+  if (!options.job.presets.sources.empty()) {
+    const auto set = ReadPresetSources(options.job.presets.sources);
+    if (!set.ok()) return Fail(set.status());
+    absl::Status taken = TakePresets(*set, options.job.presets, models.plates.front());
+    if (!taken.ok()) return Fail(taken);
+  }
   const auto before = SettingsBefore(models.plates.front(), *settings, options.job.process);
   if (!before.ok()) return Fail(before.status());
   const CalibrationInfo& info = InfoOfCalibration(options.kind);
