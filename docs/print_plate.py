@@ -6,7 +6,7 @@ usage: print_plate.py SERVER PROJECT.3mf PLATE OUT.gcode [PROFILE...]
 It needs grpcio and stubs made by protoc (with grpcio-tools, or Debian's python3-grpcio, python3-protobuf and
 protobuf-compiler-grpc):
     protoc -I proto --python_out=. --grpc_out=. --plugin=protoc-gen-grpc=$(which grpc_python_plugin) \
-      proto/slicefarm/v1/{jobs,mesh,geometry,process}.proto proto/google/rpc/{status,error_details}.proto
+      proto/slicefarm/v1/{jobs,presets,mesh,geometry,process}.proto proto/google/rpc/{status,error_details}.proto
 """
 import hashlib, pathlib, sys, time, uuid  # noqa: E401
 import google.protobuf, grpc  # noqa: E401

@@ -54,6 +54,9 @@ struct FileFormat {
   /// True: a file with the suffix gets this format unless settings select another one. False: only
   /// the setting `key` selects the format.
   bool chosen_by_name = true;
+  /// True: such a file is an archive of files of the other formats. If the setting has the value,
+  /// the job makes this format, whatever the settings of the other formats are.
+  bool archive = false;
 };
 
 /// Words for a job's units of work and their time, in messages to users.

@@ -162,7 +162,7 @@ def check_meshes(farm, folder):
     assert digest in call(farm, "meshes", "list")
     call(farm, "meshes", "get", digest, "-o", str(folder / "mesh"))
     assert (folder / "mesh").read_bytes() == MODEL.read_bytes()
-    assert call(farm, "meshes", "delete", digest).startswith("kept")
+    assert call(farm, "meshes", "delete", digest).startswith("not deleted: a job uses the mesh")
     usage = json.loads(call(farm, "usage"))
     assert int(usage["kept_jobs"]) == 1 and int(usage["kept_bytes"]) > MODEL.stat().st_size, usage
     assert set(json.loads(call(farm, "caller"))["scopes"]) >= {"submit", "read"}

@@ -17,7 +17,7 @@ from local_farm import ROOT, running_farm
 from project_test import bambu_files, write
 
 CLIENT = ROOT / "docs/print_plate.py"
-PUBLIC = ["jobs", "mesh", "geometry", "process"]
+PUBLIC = ["jobs", "presets", "mesh", "geometry", "process"]
 # Google's definition, reduced to the part that the test needs. It differs from proto/google/rpc, so both in one program would be
 # an error.
 STATUS = """syntax = "proto3"; package google.rpc; import "google/protobuf/any.proto";

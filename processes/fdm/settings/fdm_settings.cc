@@ -82,7 +82,7 @@ class OfFdm : public ProcessSettings {
   std::vector<FileFormat> FileFormats() const override {
     constexpr std::string_view kKey = "binary_gcode";
     return {
-        {.suffix = ".gcode.3mf", .key = "gcode_3mf", .value = "1", .alone = true},
+        {.suffix = ".gcode.3mf", .key = "gcode_3mf", .value = "1", .alone = true, .archive = true},
         {.suffix = ".gcode", .key = kKey, .value = "0", .chosen_by_name = false},
         {.suffix = ".bgcode", .key = kKey, .value = "1", .alone = true, .chosen_by_name = false}};
   }

@@ -102,15 +102,16 @@ absl::Status CheckFormat(const std::string& output, Process process,
                          std::string_view settings_text) {
   const std::string name = LowerCase(output);
   const std::vector<config::FileFormat> formats = config::SettingsOf(process).FileFormats();
-  // The job makes the first format with a setting that has the format's value.
-  const auto made = std::ranges::find_if(formats, [&](const config::FileFormat& format) {
+  // The first format with a setting that has the format's value; a mill's program has several.
+  const auto is_made = [&](const config::FileFormat& format) {
     return ValueOf(settings_text, format.key) == format.value;
-  });
+  };
+  const auto made = std::ranges::find_if(formats, is_made);
   if (made == formats.end()) return absl::OkStatus();
   const config::FileFormat* other = nullptr;
   for (const config::FileFormat& format : formats) {
     if (!name.ends_with(format.suffix)) continue;
-    if (format.key == made->key && format.value == made->value) return absl::OkStatus();
+    if (&format == &*made || (is_made(format) && !made->archive)) return absl::OkStatus();
     other = &format;
   }
   if (other == nullptr) return absl::OkStatus();
