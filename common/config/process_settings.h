@@ -55,7 +55,7 @@ struct FileFormat {
   /// the setting `key` selects the format.
   bool chosen_by_name = true;
   /// True: such a file is an archive of files of the other formats. If the setting has the value,
-  /// the job makes this format, whatever the settings of the other formats are.
+  /// the job makes this format; the settings of the other formats do not matter.
   bool archive = false;
 };
 
