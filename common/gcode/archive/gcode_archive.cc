@@ -165,6 +165,7 @@ absl::Status AddPlate(std::string_view archive, int number, std::vector<ZipMembe
                       PlateElements& elements) {
   const auto entries = ZipEntries(archive);
   if (!entries.ok()) return entries.status();
+  if (FindEntry(*entries, ProgramName(1)) == nullptr) return NoProgram();
   for (const ZipEntryInfo& entry : *entries) {
     auto name = Renumbered(entry.name, number);
     if (!name) continue;

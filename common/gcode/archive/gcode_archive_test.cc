@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_replace.h"
 #include "common/gcode/archive/plate_texts.h"
 #include "common/gcode/archive/zip_bytes.h"
 
@@ -163,6 +164,14 @@ TEST(JoinedArchive, IsTheArchiveOfAllPlates) {
   EXPECT_FALSE(JoinedArchive({}).ok());
   EXPECT_FALSE(JoinedArchive({archives[0], *joined}).ok()) << "has several plates";
   EXPECT_FALSE(JoinedArchive({ZipOrDie({{"Metadata/plate_1.gcode", "G28"}})}).ok());
+}
+
+// Found by fuzz_archive: the joined archive had no program.
+TEST(JoinedArchive, NeedsTheProgramOfEachPlate) {
+  const std::string renamed =
+      absl::StrReplaceAll(ArchiveOrDie({PlateOf("a")}), {{"plate_1.gcode", "plate-1.gcode"}});
+  const auto joined = JoinedArchive({renamed});
+  EXPECT_EQ(joined.status().code(), absl::StatusCode::kInvalidArgument);
 }
 
 TEST(PlateTexts, OnlyBambuLabsPrintersHaveAnId) {
