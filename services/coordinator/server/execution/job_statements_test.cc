@@ -106,13 +106,10 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
   // The job's statements begin with the search that found it. Only one search for work succeeded;
   // the repeated search statements of other threads found nothing.
   std::set<std::string> looks;
-  bool in_renewal = false;
+  int renewals = 0;
   for (const std::string& statement : of_run) {
-    // A renewal of the lease is a transaction of its own. The end of the runner may cause one.
-    if (std::exchange(in_renewal, false) && statement == "COMMIT") continue;
     if (statement.starts_with("UPDATE jobs SET owner_until_us = CASE")) {
-      in_renewal = true;
-      if (!statements.empty() && statements.back() == "BEGIN") statements.pop_back();
+      ++renewals;
       continue;
     }
     const bool looks_for_work = statement.starts_with("WITH RECURSIVE open_tenants") ||
@@ -122,6 +119,12 @@ TEST_F(JobStatementsTest, ASmallJobIsAtMostThirty) {
                          statement.starts_with("SELECT id FROM jobs");
     if (!of_life && !in_vain) statements.push_back(statement);
   }
+  // A renewal of the lease is a transaction of its own. The end of the runner may cause one, and
+  // statements of other threads may be between its BEGIN and its COMMIT.
+  for (const std::string_view bound : {"BEGIN", "COMMIT"})
+    for (int i = 0; i < renewals; ++i)
+      if (const auto found = std::ranges::find(statements, bound); found != statements.end())
+        statements.erase(found);
   RecordProperty("statements", static_cast<int>(statements.size()));
   EXPECT_LE(statements.size(), 30u) << absl::StrJoin(statements, "\n");
 }
