@@ -7,8 +7,8 @@
 
 namespace slicefarm::milling {
 
-/// Controller-specific text before and after the moves of a program. The text of the moves is the
-/// same for all controllers.
+/// Text before and after the moves of a program, which depends on the controller. All controllers
+/// read equal text of the moves.
 class GcodeDialect {
  public:
   virtual ~GcodeDialect() = default;
