@@ -28,7 +28,6 @@
 namespace slicefarm::coordinator::job_statements_test {
 namespace {
 
-using testing::SizeIs;
 
 class JobStatementsTest : public testing::Test {
  protected:
