@@ -28,7 +28,6 @@
 namespace slicefarm::coordinator::job_statements_test {
 namespace {
 
-
 class JobStatementsTest : public testing::Test {
  protected:
   JobStatementsTest() { dispatcher_.Join({.name = "fake", .tasks = ranges_, .slots = 2}); }
