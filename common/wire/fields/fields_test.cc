@@ -19,7 +19,6 @@
 #include "processes/mill/model/milling_options.h"
 
 namespace slicefarm::fields_test {
-namespace {
 
 enum class Hue : uint8_t { kRed, kGreen, kBlue };
 
@@ -44,6 +43,8 @@ struct Outer {
 
   friend bool operator==(const Outer&, const Outer&) = default;
 };
+
+namespace {
 
 /// Calls `visit` with each leaf of `value`: numbers, texts, enumerations.
 template <typename T, typename Visit>
