@@ -15,25 +15,26 @@ namespace {
 constexpr CalibrationInfo kInfos[] = {
     {CalibrationKind::kTemperature, "temperature",
      "tower with bridges and overhangs, by temperature", "°C", 15, -15, 5, 150, 500, 0,
-     "temperature"},
+     "temperature", "", true},
     {CalibrationKind::kFlow, "flow", "plates with top surfaces, by flow; --fine: in smaller steps",
-     "%", -20, 20, 5, -50, 50, 0, "extrusion_multiplier"},
+     "%", -20, 20, 5, -50, 50, 0, "extrusion_multiplier", "", true},
     {CalibrationKind::kPressureAdvance, "pressure-advance",
      "tower with sharp corners, by pressure advance", "s", 0, 0.1, 0.01, 0, 2, 3,
-     "pressure_advance"},
+     "pressure_advance", "", true},
     {CalibrationKind::kVolumetricSpeed, "volumetric-speed",
      "tower of one wall, by volume of filament per second", "mm3/s", 5, 20, 1, 0.5, 100, 1,
-     "filament_max_volumetric_speed"},
+     "filament_max_volumetric_speed", "", true},
     {CalibrationKind::kRetraction, "retraction",
      "two pillars, by length of retraction; the firmware retracts", "mm", 0, 2, 0.2, 0, 15, 2,
-     "retract_length"},
+     "retract_length", "", true},
     {CalibrationKind::kVfa, "vfa", "tower with flat walls, by speed of the outer wall", "mm/s", 40,
-     200, 10, 5, 1000, 0, "external_perimeter_speed"},
+     200, 10, 5, 1000, 0, "external_perimeter_speed", "", false},
     {CalibrationKind::kCornering, "cornering",
      "tower with sharp corners, by jerk or square corner velocity", "mm/s", 1, 15, 1, 0.1, 50, 1,
-     "machine_max_jerk_x"},
+     "machine_max_jerk_x", "machine_max_jerk_y", false},
     {CalibrationKind::kInputShaping, "input-shaping",
-     "tower with sharp corners, by frequency of the input shaper", "Hz", 15, 110, 5, 5, 500, 0, ""},
+     "tower with sharp corners, by frequency of the input shaper", "Hz", 15, 110, 5, 5, 500, 0, "",
+     "", false},
 };
 
 bool IsMarlin(std::string_view flavor) { return flavor == "marlin" || flavor == "marlin2"; }
@@ -79,6 +80,11 @@ std::span<const CalibrationInfo> CalibrationInfos() { return kInfos; }
 
 const CalibrationInfo& InfoOfCalibration(CalibrationKind kind) {
   return *std::ranges::find(kInfos, kind, &CalibrationInfo::kind);
+}
+
+const CalibrationInfo* CalibrationNamed(std::string_view name) {
+  const CalibrationInfo* found = std::ranges::find(kInfos, name, &CalibrationInfo::name);
+  return found == std::end(kInfos) ? nullptr : found;
 }
 
 absl::StatusOr<std::vector<double>> LevelsOf(const CalibrationInfo& info, const GivenLevels& given,

@@ -33,13 +33,17 @@ struct CalibrationInfo {
   double start, end, step;
   double min, max;
   int decimals;              ///< digits of the labels after the point
-  std::string_view setting;  ///< setting that gets the chosen value
+  std::string_view setting;  ///< setting that gets the chosen value; empty: the firmware keeps it
+  std::string_view other;    ///< second setting that gets the value; empty: none
+  bool of_filament;          ///< true if the value also depends on the filament
 };
 
 /// Returns all kinds, in the order of the help.
 std::span<const CalibrationInfo> CalibrationInfos();
 /// Returns the constants of a kind.
 const CalibrationInfo& InfoOfCalibration(CalibrationKind kind);
+/// Returns the constants of the kind with this name, or nullptr.
+const CalibrationInfo* CalibrationNamed(std::string_view name);
 
 /// Range of values as given on the command line.
 struct GivenLevels {

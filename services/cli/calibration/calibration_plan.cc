@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 
@@ -30,6 +29,8 @@ class CalibrationPlanner {
   CalibrationPlanner(CalibrationKind kind, const std::vector<double>& levels,
                      std::string_view settings_text)
       : info_(InfoOfCalibration(kind)), levels_(levels), given_(settings_text) {
+    plan_.table = {
+        std::string(info_.name), std::string(info_.unit), std::string(info_.setting), {}};
     for (const auto& [key, value] :
          {std::pair("support_material", "0"), std::pair("raft_layers", "0"),
           std::pair("complete_objects", "0"), std::pair("spiral_vase", "0"),
@@ -75,7 +76,7 @@ class CalibrationPlanner {
   void AddTower(const Floors& floors, std::string stl, std::vector<HeightRange> ranges = {}) {
     std::string name = fmt::format("{} tower", info_.name);
     for (size_t i = 0; i < levels_.size(); ++i)
-      plan_.rows.push_back(
+      plan_.table.rows.push_back(
           {floors.labels[i], levels_[i], floors.Bottom(i), floors.Bottom(i + 1), name});
     plan_.parts.push_back({std::move(name), std::move(stl), std::move(ranges), {}});
   }
@@ -157,7 +158,7 @@ class CalibrationPlanner {
       const double factor = 1 + level / kPercent;
       const std::string label = LabelOf(info_, level);
       std::string name = "flow " + label;
-      plan_.rows.push_back({label, multiplier * factor, 0, 0, name});
+      plan_.table.rows.push_back({label, multiplier * factor, 0, 0, name});
       plan_.parts.push_back(
           {std::move(name),
            FlowPlate(label),
@@ -219,24 +220,6 @@ absl::StatusOr<CalibrationPlan> PlanCalibration(CalibrationKind kind,
                                                 const std::vector<double>& levels,
                                                 std::string_view settings_text) {
   return CalibrationPlanner(kind, levels, settings_text).Run();
-}
-
-std::string CalibrationJson(CalibrationKind kind, const std::vector<CalibrationRow>& rows) {
-  const CalibrationInfo& info = InfoOfCalibration(kind);
-  nlohmann::ordered_json json = {{"kind", info.name},
-                                 {"unit", info.unit},
-                                 {"setting", info.setting},
-                                 {"values", nlohmann::ordered_json::array()}};
-  for (const CalibrationRow& row : rows) {
-    nlohmann::ordered_json entry = {
-        {"label", row.label}, {"value", row.value}, {"object", row.object}};
-    if (row.to_mm > 0) {
-      entry["from_mm"] = row.from_mm;
-      entry["to_mm"] = row.to_mm;
-    }
-    json["values"].push_back(std::move(entry));
-  }
-  return json.dump();
 }
 
 }  // namespace slicefarm::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/model/calibration_table.h"
 #include "common/model/scene/scene.h"
 #include "common/model/setting.h"
 #include "services/cli/calibration/calibration_kind.h"
@@ -19,20 +20,11 @@ struct CalibrationPart {
   std::vector<Setting> settings;
 };
 
-/// Place of a value in the print: heights of a tower, or an object.
-struct CalibrationRow {
-  std::string label;   ///< text that is raised on the print
-  double value = 0;    ///< value of CalibrationInfo::setting
-  double from_mm = 0;  ///< heights above the bed; 0 and 0: the whole object
-  double to_mm = 0;
-  std::string object;  ///< name of the object
-};
-
 /// Calibration print: objects, settings of the job, and the table of values.
 struct CalibrationPlan {
   std::vector<CalibrationPart> parts;
   std::vector<Setting> settings;
-  std::vector<CalibrationRow> rows;
+  CalibrationTable table;
 };
 
 /// Returns the calibration print. `settings_text`: effective settings of the printer, process and
@@ -48,8 +40,5 @@ double NumberIn(std::string_view settings_text, std::string_view key, double oth
 
 /// Returns the text of a setting in `key = value` lines; empty if it is missing.
 std::string_view TextIn(std::string_view settings_text, std::string_view key);
-
-/// Returns the table as JSON: `kind`, `unit`, `setting`, and `values` with their places.
-std::string CalibrationJson(CalibrationKind kind, const std::vector<CalibrationRow>& rows);
 
 }  // namespace slicefarm::cli

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
@@ -112,12 +111,12 @@ TEST(CalibrationPlan, EachFloorBeginsWithItsCode) {
     const CalibrationPlan plan = PlanOrDie(kind);
     const auto codes = ParseHeightCodes(ValueOfSetting(plan.settings, "custom_gcode_per_print_z"));
     ASSERT_TRUE(codes.ok()) << codes.status();
-    ASSERT_EQ(codes->size(), plan.rows.size());
+    ASSERT_EQ(codes->size(), plan.table.rows.size());
     EXPECT_LT((*codes)[0].print_z_nm, 200'000) << "the first layer";
     for (size_t i = 1; i < codes->size(); ++i) {
-      const double from_mm = plan.rows[i].from_mm;
+      const double from_mm = plan.table.rows[i].from_mm;
       EXPECT_NEAR(ToMm(static_cast<double>((*codes)[i].print_z_nm)), from_mm, 0.02);
-      EXPECT_EQ(from_mm, plan.rows[i - 1].to_mm);
+      EXPECT_EQ(from_mm, plan.table.rows[i - 1].to_mm);
       EXPECT_NEAR(std::remainder(from_mm - 0.2, 0.2), 0, 1e-9) << "floors are whole layers";
     }
   }
@@ -128,7 +127,7 @@ TEST(CalibrationPlan, SpeedsFollowTheHeight) {
   ASSERT_EQ(plan.parts.size(), 1u);
   ASSERT_EQ(plan.parts[0].ranges.size(), 16u);
   const HeightRange& range = plan.parts[0].ranges[5];  // 10 mm3/s
-  EXPECT_EQ(range.from_mm, plan.rows[5].from_mm);
+  EXPECT_EQ(range.from_mm, plan.table.rows[5].from_mm);
   const double section = 0.2 * (0.45 - 0.2 * (1 - 3.14159265 / 4)) * 0.98;
   EXPECT_NEAR(std::stod(ValueOfSetting(range.settings, "external_perimeter_speed")), 10 / section,
               0.01);
@@ -143,11 +142,10 @@ TEST(CalibrationPlan, EachPlateHasItsFlow) {
   ASSERT_EQ(plan.parts.size(), 9u);
   EXPECT_EQ(plan.parts[0].name, "flow -20");
   EXPECT_EQ(ValueOfSetting(plan.parts[8].settings, "top_solid_infill_flow_ratio"), "1.2");
-  EXPECT_NEAR(plan.rows[8].value, 0.98 * 1.2, 1e-12) << "of extrusion_multiplier";
-  const auto json = nlohmann::json::parse(CalibrationJson(CalibrationKind::kFlow, plan.rows));
-  EXPECT_EQ(json["setting"], "extrusion_multiplier");
-  EXPECT_EQ(json["values"][8]["label"], "+20");
-  EXPECT_FALSE(json["values"][8].contains("from_mm"));
+  EXPECT_NEAR(plan.table.rows[8].value, 0.98 * 1.2, 1e-12) << "of extrusion_multiplier";
+  EXPECT_EQ(plan.table.kind, "flow");
+  EXPECT_EQ(plan.table.setting, "extrusion_multiplier");
+  EXPECT_EQ(plan.table.rows[8].label, "+20");
 }
 
 TEST(SolidBuilder, TrianglesFaceOutwards) {

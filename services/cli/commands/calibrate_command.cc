@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "services/cli/calibration/calibration_plan.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/commands/slicing.h"
+#include "services/cli/commands/submitting.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/models/preset_sources.h"
@@ -18,8 +20,10 @@
 namespace slicefarm::cli {
 namespace {
 
-struct CalibrateOptions : SliceOptions {
-  CalibrationKind kind = CalibrationKind::kTemperature;
+struct CalibrateOptions : SubmitOptions {
+  int threads = 0;
+  bool on_farm = false;
+  std::optional<CalibrationKind> kind;
   GivenLevels levels;
   bool fine = false;
 };
@@ -36,12 +40,56 @@ GivenLevels LevelsGiven(const CalibrateOptions& options) {
   return levels;
 }
 
-/// Returns the effective settings before the calibration changes them.
-absl::StatusOr<std::string> SettingsBefore(const GivenPlate& plate,
-                                           const std::vector<Setting>& given, Process process) {
-  const auto resolved = config::Resolve(WithCreationTime(SettingsOf(plate, given)), process);
+absl::Status CheckCalibrateOptions(const CalibrateOptions& options) {
+  if (options.fine && options.kind != CalibrationKind::kFlow)
+    return Malformed("--fine works only with flow");
+  const bool of_farm = options.detach || options.json || !options.profiles.empty() ||
+                       !options.job.presets.bundles.empty();
+  if (!options.on_farm && of_farm)
+    return Malformed("--detach, --json, --profile, --bundle: only for a farm; add --server");
+  if (!options.on_farm && UsesFarmPresets(options.job.presets))
+    return Malformed("--printer: add --presets DIR|FILE, or --server for the presets of a farm");
+  if (options.detach && (!options.output.empty() || !options.job.report.empty()))
+    return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
+  if (options.output.empty() && !options.detach)
+    return Malformed("the output file is not named: use -o OUT.gcode");
+  if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return ok;
+  return options.detach ? absl::OkStatus() : CheckWritable(options.job, options.output, 0);
+}
+
+/// Returns a plate without objects, with the settings of presets that are read on this machine.
+absl::StatusOr<GivenPlate> EmptyPlate(const CalibrateOptions& options) {
+  GivenPlate plate;
+  if (options.job.presets.sources.empty()) return plate;
+  const auto set = ReadPresetSources(options.job.presets.sources);
+  if (!set.ok()) return set.status();
+  if (absl::Status taken = TakePresets(*set, options.job.presets, plate); !taken.ok()) return taken;
+  return plate;
+}
+
+/// Returns the effective settings before the calibration changes them. `client`: the farm; nullptr:
+/// this machine.
+absl::StatusOr<std::string> SettingsBefore(const CalibrateOptions& options, const GivenPlate& plate,
+                                           const std::vector<Setting>& given, JobsClient* client) {
+  std::vector<Setting> all = SettingsOf(plate, given);
+  if (client != nullptr) {
+    auto on_farm = SettingsOnFarm(options, plate, given, *client);
+    if (!on_farm.ok()) return on_farm.status();
+    all = *std::move(on_farm);
+  }
+  const auto resolved = config::Resolve(WithCreationTime(std::move(all)), options.job.process);
   if (!resolved.ok()) return resolved.status();
   return resolved->effective_text;
+}
+
+/// Returns the print for the settings before.
+absl::StatusOr<CalibrationPlan> PlanOf(const CalibrateOptions& options, std::string_view before) {
+  const CalibrationInfo& info = InfoOfCalibration(*options.kind);
+  const bool relative = options.kind == CalibrationKind::kTemperature;
+  const auto levels =
+      LevelsOf(info, LevelsGiven(options), relative ? NumberIn(before, "temperature", 0) : 0);
+  if (!levels.ok()) return levels.status();
+  return PlanCalibration(*options.kind, *levels, before);
 }
 
 /// Adds the objects of the print to the files and to the plate.
@@ -56,49 +104,44 @@ void AddParts(std::vector<CalibrationPart> parts, GivenModels& models) {
   }
 }
 
-void PrintTable(const CalibrateOptions& options, const std::vector<CalibrationRow>& rows) {
-  if (options.job.quiet || options.output == "-" || options.job.report == "-") return;
-  const CalibrationInfo& info = InfoOfCalibration(options.kind);
-  for (const CalibrationRow& row : rows) {
+void PrintTable(const CalibrateOptions& options, const CalibrationTable& table) {
+  if (options.job.quiet || options.json || options.output == "-" || options.job.report == "-")
+    return;
+  for (const CalibrationRow& row : table.rows) {
     const std::string place =
         row.to_mm > 0 ? fmt::format("{:.1f} to {:.1f} mm", row.from_mm, row.to_mm) : row.object;
     const std::string setting =
-        info.setting.empty() ? "" : fmt::format("  {} = {:g}", info.setting, row.value);
-    Print(fmt::format("{:>8} {}  {}{}\n", row.label, info.unit, place, setting));
+        table.setting.empty() ? "" : fmt::format("  {} = {:g}", table.setting, row.value);
+    Print(fmt::format("{:>8} {}  {}{}\n", row.label, table.unit, place, setting));
   }
 }
 
+ExitCode Make(CalibrateOptions options, GivenModels models, const std::vector<Setting>& settings,
+              JobsClient* client, Interrupt& interrupt) {
+  if (client != nullptr) return SubmitModels(options, models, settings, *client, interrupt);
+  const SliceOptions here = {options.job, options.output, options.threads, options.calibration};
+  return SlicePlates(here, std::move(models), settings, interrupt);
+}
+
 ExitCode Calibrate(CalibrateOptions options, Interrupt& interrupt) {
-  if (options.fine && options.kind != CalibrationKind::kFlow)
-    return Fail(Malformed("--fine works only with flow"));
-  if (UsesFarmPresets(options.job.presets))
-    return Fail(Malformed("--printer: --presets DIR|FILE is needed, too"));
-  if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
-  if (absl::Status may = CheckWritable(options.job, options.output, 0); !may.ok()) return Fail(may);
+  if (absl::Status fits = CheckCalibrateOptions(options); !fits.ok()) return Fail(fits);
   auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
-  GivenModels models;
-  models.plates.emplace_back();
-  if (!options.job.presets.sources.empty()) {
-    const auto set = ReadPresetSources(options.job.presets.sources);
-    if (!set.ok()) return Fail(set.status());
-    absl::Status taken = TakePresets(*set, options.job.presets, models.plates.front());
-    if (!taken.ok()) return Fail(taken);
-  }
-  const auto before = SettingsBefore(models.plates.front(), *settings, options.job.process);
+  auto plate = EmptyPlate(options);
+  if (!plate.ok()) return Fail(plate.status());
+  std::unique_ptr<JobsClient> client;
+  if (options.on_farm) client = std::make_unique<JobsClient>(OptionsOfClient(options, interrupt));
+  const auto before = SettingsBefore(options, *plate, *settings, client.get());
   if (!before.ok()) return Fail(before.status());
-  const CalibrationInfo& info = InfoOfCalibration(options.kind);
-  const bool relative = options.kind == CalibrationKind::kTemperature;
-  const auto levels =
-      LevelsOf(info, LevelsGiven(options), relative ? NumberIn(*before, "temperature", 0) : 0);
-  if (!levels.ok()) return Fail(levels.status());
-  auto plan = PlanCalibration(options.kind, *levels, *before);
+  auto plan = PlanOf(options, *before);
   if (!plan.ok()) return Fail(plan.status());
   std::ranges::move(plan->settings, std::back_inserter(*settings));
-  options.calibration_json = CalibrationJson(options.kind, plan->rows);
+  options.calibration = std::move(plan->table);
+  GivenModels models;
+  models.plates.push_back(*std::move(plate));
   AddParts(std::move(plan->parts), models);
-  const ExitCode code = SlicePlates(options, std::move(models), *settings, interrupt);
-  if (code == ExitCode::kOk) PrintTable(options, plan->rows);
+  const ExitCode code = Make(options, std::move(models), *settings, client.get(), interrupt);
+  if (code == ExitCode::kOk && !options.detach) PrintTable(options, options.calibration);
   return code;
 }
 
@@ -117,11 +160,9 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
   }
   options->job.models = {"calibration"};
   command->add_option("KIND", options->kind, "Kind of the print; see below")
-      ->required()
       ->transform(OneOf(std::move(kinds)))
       ->type_name("KIND");
   command->add_option("-o,--output", options->output, "File for the G-code; -: to stdout")
-      ->required()
       ->type_name("OUT.gcode");
   AddSettingOptions(*command, options->job);
   AddPresetOptions(*command, options->job.presets);
@@ -146,12 +187,23 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
   command->add_flag("--generic", options->job.generic, "Allow a print for no particular printer");
   command->add_flag("-q,--quiet", options->job.quiet, "Print only warnings and errors");
   AddThreadsOption(*command, options->threads);
+  command->add_flag("--detach", options->detach,
+                    "On a farm: print the job's id and do not wait for the job");
+  command->add_flag("--json", options->json, "On a farm: print the job as one line of JSON");
+  AddFarmSettingOptions(*command, *options);
+  AddServerOptions(*command, options->server);
+  AddApply(*command, context);
   command->footer(
       "Kinds:" + words +
       "\nThe values are raised on the print. Without --start, --end and --step, common values are "
-      "used.\nExample:\n  slicefarm calibrate temperature -o tower.gcode --presets "
-      "~/.config/OrcaSlicer --printer \"Prusa MK4 0.4 nozzle\"");
-  command->callback([options, &context] {
+      "used. With --server, or if SLICEFARM_SERVER is set, the print is a job of the farm; `apply` "
+      "stores the value that is best.\nExamples:\n  slicefarm calibrate temperature -o tower.gcode "
+      "--presets ~/.config/OrcaSlicer --printer \"Prusa MK4 0.4 nozzle\"\n  slicefarm calibrate "
+      "pressure-advance -o pa.gcode --server farm:50050 --printer \"Prusa MK4 0.4 nozzle\"");
+  command->callback([options, command, &context] {
+    if (!command->get_subcommands().empty()) return;
+    if (!options->kind) throw CLI::RequiredError("KIND");
+    options->on_farm = command->get_option("--server")->count() > 0;
     context.run = [options, &context] { return Calibrate(*options, *context.interrupt); };
   });
 }

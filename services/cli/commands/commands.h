@@ -35,6 +35,8 @@ void AddProfile(CLI::App& app, CommandContext& context);  ///< defined in profil
 void AddPresets(CLI::App& app, CommandContext& context);  ///< defined in presets_command.cc
 /// Adds subcommands to `presets`; defined in farm_presets_commands.cc.
 void AddFarmPresets(CLI::App& presets, CommandContext& context);
+/// Adds `apply` to `calibrate`; defined in apply_command.cc.
+void AddApply(CLI::App& calibrate, CommandContext& context);
 void AddRender(CLI::App& app, CommandContext& context);      ///< defined in render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);    ///< defined in settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);      ///< defined in health_command.cc

@@ -84,7 +84,7 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
         output.report, {.settings_without_effect = config::TextsOf(resolved.no_effect),
                         .settings_digest = Sha256Hex(resolved.effective_text),
                         .build_id = std::string(BuildId()),
-                        .calibration_json = options.calibration_json,
+                        .calibration = options.calibration,
                         .sources = std::move(sources)});
     if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
   }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/model/calibration_table.h"
 #include "services/cli/console/exit_code.h"
 #include "services/cli/console/interrupt.h"
 #include "services/cli/job/job_options.h"
@@ -21,7 +22,7 @@ struct SliceOptions {
   JobOptions job;
   std::string output;
   int threads = 0;                    ///< 0: one per processor
-  std::string calibration_json = {};  ///< ReportContext::calibration_json
+  CalibrationTable calibration = {};  ///< values that the print compares, for the report
 };
 
 /// Adds the option --threads.

@@ -129,6 +129,7 @@ class PlateReader {
                                             NamesOf(options_.presets));
     if (!made.ok()) return made.status();
     project = std::move(made->project);
+    plate_.presets = FullNames(made->presets);
     AddUnused(made->of_print, made->others, plate_);
     std::ranges::move(made->notes, std::back_inserter(plate_.warnings));
     std::ranges::move(made->sources, std::back_inserter(plate_.sources));

@@ -5,6 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/missing_feature.h"
+#include "common/config/presets/choose_presets.h"
 #include "common/config/presets/preset_set.h"
 #include "common/model/scene/mesh.h"
 #include "common/model/scene/scene.h"
@@ -21,6 +22,8 @@ struct GivenPlate {
   std::vector<SceneObject> objects = {};
   /// Settings from project files. Settings on the command line override them.
   std::vector<Setting> settings = {};
+  /// Full names of the presets from which `settings` are; empty: the settings are not from presets.
+  config::presets::PresetNames presets = {};
   /// Sources of `settings`, if they are from presets.
   std::vector<SettingSource> sources = {};
   /// Other properties in project files, which have no effect.

@@ -79,12 +79,17 @@ presets::PresetNames NamesOf(const PresetOptions& options) {
   return {options.printer, options.process, options.filament};
 }
 
+presets::PresetNames FullNames(const presets::ChosenPresets& chosen) {
+  return {chosen.printer->name, chosen.process->name, chosen.filament->name};
+}
+
 absl::Status TakePresets(const presets::PresetSet& set, const PresetOptions& options,
                          GivenPlate& plate) {
   auto chosen = presets::ChoosePresets(set, NamesOf(options));
   if (!chosen.ok()) return chosen.status();
   const auto job = presets::SettingsOfPresets(set, *chosen);
   if (!job.ok()) return job.status();
+  plate.presets = FullNames(*chosen);
   std::ranges::copy(job->settings, std::back_inserter(plate.settings));
   std::ranges::move(chosen->notes, std::back_inserter(plate.warnings));
   std::ranges::copy(job->sources, std::back_inserter(plate.sources));

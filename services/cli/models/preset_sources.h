@@ -25,6 +25,9 @@ absl::StatusOr<config::presets::PresetSet> ReadPresetSources(
 /// Returns the names of presets that the options give.
 config::presets::PresetNames NamesOf(const PresetOptions& options);
 
+/// Returns the names of chosen presets.
+config::presets::PresetNames FullNames(const config::presets::ChosenPresets& chosen);
+
 /// Adds the settings of the chosen presets to the settings of a plate, including settings without
 /// effect. Errors: see config::presets::ChoosePresets.
 absl::Status TakePresets(const config::presets::PresetSet& set, const PresetOptions& options,

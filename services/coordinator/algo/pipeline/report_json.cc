@@ -62,6 +62,22 @@ void AddShares(const PrintShares& shares, OrderedJson& json) {
   json["shared"] = ToJson(shares.shared);
 }
 
+OrderedJson ToJson(const CalibrationTable& table) {
+  OrderedJson json = {{"kind", table.kind},
+                      {"unit", table.unit},
+                      {"setting", table.setting},
+                      {"values", OrderedJson::array()}};
+  for (const CalibrationRow& row : table.rows) {
+    OrderedJson entry = {{"label", row.label}, {"value", row.value}, {"object", row.object}};
+    if (row.to_mm > 0) {
+      entry["from_mm"] = row.from_mm;
+      entry["to_mm"] = row.to_mm;
+    }
+    json["values"].push_back(std::move(entry));
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string ReportJson(const JobReport& report, const ReportContext& context) {
@@ -74,8 +90,7 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["print_time"] = DurationText(report.print_time_s);
   if (report.own) report.own->AddTo(json);
   AddShares(report.shares, json);
-  if (!context.calibration_json.empty())
-    json["calibration"] = OrderedJson::parse(context.calibration_json, nullptr, false);
+  if (!context.calibration.kind.empty()) json["calibration"] = ToJson(context.calibration);
   json["stage_times_s"] = ToJson(report.stage_times);
   json["warnings"] = report.warnings;
   json["notes"] = report.notes;

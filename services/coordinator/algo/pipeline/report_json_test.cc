@@ -44,16 +44,27 @@ TEST(ReportJson, HasWhatTheReportHas) {
 TEST(ReportJson, HasTheSharesOfObjects) {
   JobReport report;
   report.shares = {{{"a", {{1, {2, 3, 4, 5}}, {10, {20, 30, 40, 50}}}}}, {7, {8, 9, 10, 11}}};
-  const auto json =
-      nlohmann::json::parse(ReportJson(report, {.calibration_json = R"({"kind":"flow"})"}));
+  const auto json = nlohmann::json::parse(ReportJson(report, {}));
   ASSERT_EQ(json["objects"].size(), 1u);
   EXPECT_EQ(json["objects"][0]["name"], "a");
   EXPECT_EQ(json["objects"][0]["time_s"], 11);
   EXPECT_EQ(json["objects"][0]["filament"]["g"], 44);
   EXPECT_EQ(json["objects"][0]["copies"][1]["filament"]["mm"], 20);
   EXPECT_EQ(json["shared"]["filament"]["cost"], 11);
-  EXPECT_EQ(json["calibration"]["kind"], "flow");
   EXPECT_FALSE(nlohmann::json::parse(ReportJson({}, {})).contains("objects"));
+}
+
+TEST(ReportJson, HasTheValuesOfACalibrationPrint) {
+  const CalibrationTable table = {
+      "flow", "%", "extrusion_multiplier", {{"+5", 1.05, 0, 0, "p"}, {"2", 3, 4, 5, "q"}}};
+  const auto json = nlohmann::json::parse(ReportJson({}, {.calibration = table}))["calibration"];
+  EXPECT_EQ(json["kind"], "flow");
+  EXPECT_EQ(json["setting"], "extrusion_multiplier");
+  EXPECT_EQ(json["values"][0]["label"], "+5");
+  EXPECT_EQ(json["values"][0]["value"], 1.05);
+  EXPECT_FALSE(json["values"][0].contains("from_mm"));
+  EXPECT_EQ(json["values"][1]["to_mm"], 5);
+  EXPECT_FALSE(nlohmann::json::parse(ReportJson({}, {})).contains("calibration"));
 }
 
 TEST(ReportJson, SurvivesNamesThatAreNoText) {

@@ -269,10 +269,9 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
                                              const v1::CreateJobRequest& request) {
   if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
   const std::string& own = caller.default_profile;
-  auto spec = WithMachine(request.spec(), caller.tenant,
-                          own.empty() ? backend_.default_profile : own, backend_.profiles);
-  if (spec.ok())
-    spec = WithPresets(request.spec(), *std::move(spec), caller.tenant, backend_.presets);
+  auto spec =
+      WithAllSettings(request.spec(), caller.tenant, own.empty() ? backend_.default_profile : own,
+                      backend_.profiles, backend_.presets);
   if (!spec.ok()) return spec.status();
   spec->clear_plate();  // the server sets this field, not the client
   auto job = FromProto(*spec);

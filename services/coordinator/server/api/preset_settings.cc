@@ -1,12 +1,16 @@
 #include "services/coordinator/server/api/preset_settings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/presets/overlay_names.h"
 #include "common/config/presets/setting_sources.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/support/wire_error.h"
@@ -65,30 +69,67 @@ void AddPresets(const LoadedPresets& loaded, const PresetJob& presets, v1::JobSp
     }
 }
 
+/// Presets that a spec names; both members are null if it names none.
+struct NamedPresets {
+  std::shared_ptr<const LoadedPresets> loaded;
+  std::shared_ptr<const PresetJob> job;
+};
+
+absl::StatusOr<NamedPresets> PresetsOf(const v1::JobSpec& spec, const std::string& tenant,
+                                       PresetLibrary& library) {
+  if (!spec.has_presets()) return NamedPresets();
+  if (spec.process() != v1::PROCESS_UNSPECIFIED && spec.process() != v1::PROCESS_FDM)
+    return Malformed("spec.presets", "are only for jobs of the process FDM");
+  const v1::JobPresets& named = spec.presets();
+  auto loaded = library.Load(tenant, {named.bundles().begin(), named.bundles().end()});
+  if (!loaded.ok()) return AsPrecondition(loaded.status());
+  auto job = (*loaded)->Resolve({named.printer(), named.process(), named.filament()});
+  if (!job.ok()) return AsPrecondition(job.status());
+  return NamedPresets{*std::move(loaded), *std::move(job)};
+}
+
+bool NamesProfile(const v1::JobSpec& spec, const std::string& name) {
+  return std::ranges::any_of(spec.profiles(), [&](const std::string& text) {
+    return text.substr(0, text.rfind('@')) == name;
+  });
+}
+
+/// Inserts the stored overlays of the presets before the profiles that the spec names.
+absl::Status AddOverlays(const config::presets::PresetNames& names, const std::string& tenant,
+                         ProfileStore& profiles, v1::JobSpec& spec) {
+  google::protobuf::RepeatedPtrField<std::string> all;
+  for (const std::string& name : config::presets::OverlayNames(names.printer, names.filament)) {
+    if (NamesProfile(spec, name)) continue;
+    const auto record = profiles.Get(tenant, name, 0);
+    if (absl::IsNotFound(record.status())) continue;
+    if (!record.ok()) return record.status();
+    *all.Add() = fmt::format("{}@{}", name, record->revision);
+  }
+  all.MergeFrom(spec.profiles());
+  spec.mutable_profiles()->Swap(&all);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 bool TellsSources(const v1::JobSpec& spec) {
   return spec.has_presets() || spec.setting_sources_size() > 0;
 }
 
-absl::StatusOr<v1::JobSpec> WithPresets(const v1::JobSpec& given, v1::JobSpec spec,
-                                        const std::string& tenant, PresetLibrary& library) {
-  if (!TellsSources(given)) return spec;
-  std::shared_ptr<const PresetJob> presets;
-  if (given.has_presets()) {
-    if (given.process() != v1::PROCESS_UNSPECIFIED && given.process() != v1::PROCESS_FDM)
-      return Malformed("spec.presets", "are only for jobs of the process FDM");
-    const v1::JobPresets& named = given.presets();
-    const auto loaded = library.Load(tenant, {named.bundles().begin(), named.bundles().end()});
-    if (!loaded.ok()) return AsPrecondition(loaded.status());
-    const auto job = (*loaded)->Resolve({named.printer(), named.process(), named.filament()});
-    if (!job.ok()) return AsPrecondition(job.status());
-    presets = *job;
-    AddPresets(**loaded, *presets, spec);
-  }
-  const Sources sources = AllSources(given, spec, presets.get());
-  spec.clear_setting_sources();
-  SourcesToProto(sources, spec.mutable_setting_sources());
+absl::StatusOr<v1::JobSpec> WithAllSettings(v1::JobSpec given, const std::string& tenant,
+                                            const std::string& default_profile,
+                                            ProfileStore& profiles, PresetLibrary& library) {
+  const auto presets = PresetsOf(given, tenant, library);
+  if (!presets.ok()) return presets.status();
+  if (presets->job != nullptr)
+    if (absl::Status ok = AddOverlays(presets->job->names, tenant, profiles, given); !ok.ok())
+      return ok;
+  auto spec = WithMachine(given, tenant, default_profile, profiles);
+  if (!spec.ok() || !TellsSources(given)) return spec;
+  if (presets->job != nullptr) AddPresets(*presets->loaded, *presets->job, *spec);
+  const Sources sources = AllSources(given, *spec, presets->job.get());
+  spec->clear_setting_sources();
+  SourcesToProto(sources, spec->mutable_setting_sources());
   return spec;
 }
 

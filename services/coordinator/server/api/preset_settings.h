@@ -4,19 +4,24 @@
 
 #include "absl/status/statusor.h"
 #include "services/coordinator/server/api/preset_library.h"
+#include "services/coordinator/store/jobs/profile_store.h"
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm::coordinator {
 
-/// Returns the spec with the settings of its presets before its other settings, and with the
-/// sources of all settings. The presets get their full names and the revisions of their bundles, so
-/// that later revisions do not change the spec. Specs without presets stay, except for sources.
+/// Returns the spec as it is stored: with all settings of its presets, of its profiles and its own,
+/// in this order. Presets get their full names, and bundles and profiles get revisions, so later
+/// changes of them do not change the spec. The overlays of the presets (config::presets::
+/// OverlayNames) that are stored as profiles are inserted before the spec's profiles, unless it
+/// names them. The spec tells the sources of its settings (TellsSources). `default_profile`: see
+/// WithMachine.
 ///
-/// `given`: the client's spec. `spec`: the same with the settings of its profiles (WithProfiles).
 /// Errors: PROFILE_NOT_FOUND (FailedPrecondition); REQUEST_MALFORMED for presets in a job of
-/// another process than FDM; see PresetLibrary::Load and config::presets::ChoosePresets.
-absl::StatusOr<v1::JobSpec> WithPresets(const v1::JobSpec& given, v1::JobSpec spec,
-                                        const std::string& tenant, PresetLibrary& library);
+/// another process than FDM; see WithMachine, PresetLibrary::Load and
+/// config::presets::ChoosePresets.
+absl::StatusOr<v1::JobSpec> WithAllSettings(v1::JobSpec spec, const std::string& tenant,
+                                            const std::string& default_profile,
+                                            ProfileStore& profiles, PresetLibrary& library);
 
 /// Returns true if the job tells the sources of its settings: it has presets, or the client has
 /// given sources.

@@ -65,6 +65,18 @@ class PresetsServiceTest : public CoordinatorTest {
     return Create(request);
   }
 
+  /// Stores a revision of a profile with one setting.
+  void PutProfile(const std::string& name, const std::string& key, const std::string& value) {
+    v1::PutProfileRequest put;
+    put.set_name(name);
+    v1::Setting* setting = put.add_settings();
+    setting->set_key(key);
+    setting->set_value(value);
+    grpc::ClientContext context;
+    v1::Profile profile;
+    EXPECT_TRUE(profiles_->PutProfile(&context, put, &profile).ok());
+  }
+
   static v1::JobPresets Printer(const std::string& name, const std::string& bundle = "") {
     v1::JobPresets names;
     names.set_printer(name);
@@ -151,14 +163,7 @@ TEST_F(PresetsServiceTest, PresetsInheritFromOtherBundles) {
 
 TEST_F(PresetsServiceTest, TheReportTellsTheSourceOfEachSetting) {
   ASSERT_TRUE(Import("acme", "Acme.ini", BundleText(3)).ok());
-  v1::PutProfileRequest overlay;
-  overlay.set_name("acme-07");
-  v1::Setting* flow = overlay.add_settings();
-  flow->set_key("extrusion_multiplier");
-  flow->set_value("0.97");
-  grpc::ClientContext context;
-  v1::Profile profile;
-  ASSERT_TRUE(profiles_->PutProfile(&context, overlay, &profile).ok());
+  PutProfile("acme-07", "extrusion_multiplier", "0.97");
   ASSERT_TRUE(Upload("xxx").ok());
   v1::CreateJobRequest request = RequestFor("xxx");
   *request.mutable_spec()->mutable_presets() = Printer("Acme A");
@@ -181,6 +186,33 @@ TEST_F(PresetsServiceTest, TheReportTellsTheSourceOfEachSetting) {
   for (const auto& each : report["setting_sources"])
     for (const auto& key : each["keys"]) told[key] = each["source"];
   for (const auto& [key, source] : sources) EXPECT_EQ(told[key], source) << key;
+}
+
+TEST_F(PresetsServiceTest, AJobGetsTheOverlaysOfItsPrinter) {
+  ASSERT_TRUE(Import("acme", "Acme.ini", BundleText(3)).ok());
+  PutProfile("mine", "perimeters", "5");
+  EXPECT_THAT(Make(Printer("Acme A"), "mine")->spec().profiles(), ElementsAre("mine@1"));
+  PutProfile("overlay.Acme_A", "perimeters", "7");
+  PutProfile("overlay.Acme_A", "fill_density", "33%");
+  PutProfile("overlay.Acme_A__with__PLA__20_40A", "perimeters", "8");  // another filament
+  PutProfile("overlay.Acme_A__with__PLA___40A", "temperature", "199");
+  const auto first = Make(Printer("Acme A"), "mine");
+  ASSERT_TRUE(first.ok()) << first.status();
+  EXPECT_THAT(first->spec().profiles(),
+              ElementsAre("overlay.Acme_A@2", "overlay.Acme_A__with__PLA___40A@1", "mine@1"));
+  EXPECT_EQ(ValueOf(*first, "fill_density"), "33%");
+  EXPECT_EQ(SourceOf(*first, "fill_density"), "profile overlay.Acme_A@2");
+  EXPECT_EQ(ValueOf(*first, "temperature"), "199");
+  EXPECT_EQ(ValueOf(*first, "perimeters"), "5") << "the profile that the job names wins";
+
+  v1::JobPresets abs = Printer("Acme A");
+  abs.set_filament("ABS");
+  EXPECT_EQ(ValueOf(*Make(abs), "temperature"), "250");
+
+  PutProfile("overlay.Acme_A", "fill_density", "44%");
+  EXPECT_EQ(ValueOf(*Make(Printer("Acme A")), "fill_density"), "44%");
+  EXPECT_EQ(ValueOf(*Make(Printer("Acme A"), "overlay.Acme_A@2"), "fill_density"), "33%");
+  EXPECT_EQ(ValueOf(*Get(first->id()), "fill_density"), "33%");
 }
 
 TEST_F(PresetsServiceTest, JobsWithoutPresetsTellNoSources) {

@@ -30,6 +30,7 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
       ReportJson(report, {.settings_without_effect = config::TextsOf(job.plate.no_effect),
                           .settings_digest = job.settings_digest,
                           .build_id = std::string(build_id),
+                          .calibration = job.request.calibration,
                           .sources = job.request.sources});
   run.program = std::move(output.program);
   run.result.print_time_s = report.print_time_s;

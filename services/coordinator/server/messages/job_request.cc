@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -69,6 +71,17 @@ class ActionWriter {
       Text(mesh.name);
     }
     for (const SceneObject& object : scene.objects) Add(object);
+  }
+
+  void Add(const CalibrationTable& table) {
+    if (table == CalibrationTable()) return;
+    Out("calibration ");
+    for (const std::string* text : {&table.kind, &table.unit, &table.setting}) Text(*text);
+    for (const CalibrationRow& row : table.rows) {
+      Out("value {:a} {:a} {:a} ", row.value, row.from_mm, row.to_mm);
+      Text(row.label);
+      Text(row.object);
+    }
   }
 
  private:
@@ -139,7 +152,23 @@ std::string ActionText(const JobRequest& request, const config::ResolvedPlate& s
     text += fmt::format("source {}:{}\n", each.source.size(), each.source);
     for (const std::string& key : each.keys) text += fmt::format("key {}:{}\n", key.size(), key);
   }
+  ActionWriter(text).Add(request.calibration);
   return text;
+}
+
+/// Checks texts and numbers, which the report shows.
+absl::Status CheckCalibration(const CalibrationTable& table) {
+  constexpr int64_t kMostValues = 1000;
+  if (std::ssize(table.rows) > kMostValues)
+    return LimitError(Reason::kRequestTooLarge, "values of a calibration print", kMostValues,
+                      std::ssize(table.rows));
+  std::string texts = table.kind + table.unit + table.setting;
+  for (const CalibrationRow& row : table.rows) {
+    texts += row.label + row.object;
+    if (!std::isfinite(row.value) || !std::isfinite(row.from_mm) || !std::isfinite(row.to_mm))
+      return Malformed("calibration", "has a number that is not finite");
+  }
+  return CheckText("calibration", texts);
 }
 
 }  // namespace
@@ -157,6 +186,7 @@ absl::Status CheckRequest(const JobRequest& request) {
   if (absl::Status ok = CheckNotes(request); !ok.ok()) return ok;
   for (const SettingSource& each : request.sources)
     if (absl::Status ok = CheckText("setting_sources", each.source); !ok.ok()) return ok;
+  if (absl::Status ok = CheckCalibration(request.calibration); !ok.ok()) return ok;
   if (copies <= limits::kMaxObjects) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
                     copies);

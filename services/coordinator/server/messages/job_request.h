@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/plate.h"
+#include "common/model/calibration_table.h"
 #include "common/model/setting_source.h"
 #include "common/wire/scene_wire.h"
 
@@ -31,6 +32,7 @@ struct JobRequest {
   bool generic = false;
   /// Sources of the settings of a job with presets, for the report.
   std::vector<SettingSource> sources = {};
+  CalibrationTable calibration = {};  ///< values that the print compares, for the report
 };
 
 /// Request with resolved settings and its digests.

@@ -7,6 +7,7 @@
 
 #include "common/base/sha256.h"
 #include "common/model/limits.h"
+#include "common/wire/calibration_wire.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/mesh_wire.h"
@@ -133,6 +134,7 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   request.allowed.assign(spec.allow().begin(), spec.allow().end());
   request.generic = spec.generic();
   request.sources = SourcesFromProto(spec.setting_sources());
+  request.calibration = slicefarm::FromProto(spec.calibration());
   return request;
 }
 
@@ -142,6 +144,7 @@ void ClearSettings(v1::JobSpec& spec) {
   spec.clear_without_effect();
   spec.clear_notes();
   spec.clear_setting_sources();
+  spec.clear_calibration();
   for (v1::Object& object : *spec.mutable_objects()) {
     object.clear_settings();
     for (v1::Part& part : *object.mutable_parts()) part.clear_settings();
