@@ -33,12 +33,24 @@ namespace {
 /// Length in nm at either end of a travel that is not tested, because a travel may start or end at
 /// a wall.
 constexpr double kEndsNm = 300'000;
+/// The same length for crossings of the centre line itself; larger than any rounding.
+constexpr double kRoundedEndsNm = 1'000;
 
 Point At(Point from, double dx, double dy) {
   return {from.x + std::llround(dx), from.y + std::llround(dy)};
 }
 
 }  // namespace
+
+bool IslandEdges::Parts(Point a, Point b) const {
+  if (outline_.Meets(a, b)) return true;
+  if (!walls_.Crosses(a, b)) return false;
+  const double length = Distance(a, b);
+  if (length <= 2 * kRoundedEndsNm) return false;
+  const double x = kRoundedEndsNm * static_cast<double>(b.x - a.x) / length;
+  const double y = kRoundedEndsNm * static_cast<double>(b.y - a.y) / length;
+  return walls_.Crosses(At(a, x, y), At(b, -x, -y));
+}
 
 bool IslandEdges::Grazes(std::span<const Point> route, Coord near_nm) const {
   const auto near = static_cast<double>(near_nm);

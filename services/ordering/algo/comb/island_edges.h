@@ -26,10 +26,10 @@ class IslandEdges : public Barrier {
   /// Collects the outline and the outer walls of the island.
   explicit IslandEdges(const FilledIsland& island);
 
-  /// Returns true if ab leaves the island or crosses an outer wall. REQUIRES: a is in the island.
-  bool Parts(Point a, Point b) const override {
-    return outline_.Meets(a, b) || walls_.Crosses(a, b);
-  }
+  /// Returns true if ab leaves the island or crosses an outer wall. A wall within a micrometre of
+  /// an end is not crossed: a loop may start inside an edge, and the start is rounded to one side
+  /// of the edge. REQUIRES: a is in the island.
+  bool Parts(Point a, Point b) const override;
   /// Returns true if a travel over these points, except near its ends, is closer than `near_nm` to
   /// the centre line of an outer wall. At the default distance the travel might cross the printed
   /// wall, because the motion service moves simplified paths by some micrometres. Cost: O(log

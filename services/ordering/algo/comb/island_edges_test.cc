@@ -46,6 +46,22 @@ TEST(IslandEdges, PartWhatLeavesOrCrossesAnOuterWall) {
   }
 }
 
+// A loop may start inside an edge. Its start is a whole point beside the edge, on either side.
+TEST(IslandEdges, StartsInsideEdgesOfAWallArePartOfIt) {
+  FilledIsland island = Plate();
+  island.walls[1].points[1] = Mm(4.7, 14.5);  // the left side of the hole's wall leans
+  const IslandEdges edges(island);
+  for (int i = 1; i < 100; ++i) {
+    const double share = i / 100.0;
+    const Point start = Mm(5.5 - 0.8 * share, 5.5 + 9 * share) + Point{i % 3 - 1, 0};
+    for (const Point near : {start - Mm(0.4, 0), start - Mm(0.4, 0.3)}) {
+      EXPECT_FALSE(edges.Parts(near, start)) << i;
+      EXPECT_FALSE(edges.Parts(start, near)) << i;
+      EXPECT_TRUE(edges.Parts(near, start + Mm(0.002, 0))) << i;
+    }
+  }
+}
+
 TEST(IslandEdges, OfAnOpenOuterWall) {
   FilledIsland island;
   island.outline = MakePolygonsOrDie("(0 0, 10 0, 10 1, 0 1)").front();
