@@ -68,6 +68,10 @@ void AppendArc(Point at, Vector2 in, const Rounding& rounding, double distance_n
 constexpr int kLooks = 16;
 /// Tolerance of the outline that is judged first.
 constexpr Coord kCoarseNm = 50'000;
+/// The chords of an eroded inset's arcs may use this part of the tolerance, before simplification.
+/// The motion service places long edges by the points beside them, so an arc with few points would
+/// shift them.
+constexpr double kArcShare = 0.2;
 
 /// Returns true if the beads of all walls fit on both sides everywhere, with infill between them.
 /// `radius_nm`: least distance of the middle between two sides. A few looks across the island, and
@@ -107,7 +111,8 @@ Polygon Simplified(Polygon ring, Coord tolerance_nm) {
 /// along a skeleton. Returns nullopt if a ring vanishes or splits.
 std::optional<MultiPolygon> ErodedInset(const PolygonWithHoles& island, Coord distance_nm,
                                         const VariableWallOptions& options) {
-  auto inset = TryRoundErode(island, distance_nm, options.tolerance_nm / 2);
+  const auto tolerance = static_cast<double>(options.tolerance_nm);
+  auto inset = TryRoundErode(island, distance_nm, std::llround(kArcShare * tolerance));
   if (!inset || inset->size() != 1 || inset->front().holes.size() != island.holes.size())
     return std::nullopt;
   std::vector<const Polygon*> rings;
