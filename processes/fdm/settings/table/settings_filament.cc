@@ -85,24 +85,33 @@ std::vector<SettingSpec> Cooling() {
   return {
       Orca({"slow_down_for_layer_cooling"},
            flag("cooling", "1",
-                "Slow down layers that take a short time, and set the fan speed from the time of "
-                "the layer",
+                "Print layers shorter than slowdown_below_layer_time more slowly, and set the fan "
+                "speed by fan_below_layer_time. 0: no slower printing, and the fan speed does not "
+                "depend on the layer time",
                 Bind<&ToolRow::cooling, &CoolingOptions::enabled>())),
       Orca({"reduce_fan_stop_start_freq"},
-           flag("fan_always_on", "0", "Keep the fan at min_fan_speed or above",
+           flag("fan_always_on", "0",
+                "Keep the fan at min_fan_speed or faster in all layers after "
+                "disable_fan_first_layers; 0: the fan is off in layers that take "
+                "fan_below_layer_time or longer",
                 Bind<&ToolRow::cooling, &CoolingOptions::fan_always_on>())),
       Orca({"fan_min_speed"},
            Needing({&needs::kFan},
                    whole("min_fan_speed", "%", 100, "35",
-                         "Fan speed in layers that take nearly fan_below_layer_time",
+                         "Fan speed in layers that take slightly less than fan_below_layer_time; "
+                         "with fan_always_on = 1, also in all longer layers",
                          Bind<&ToolRow::cooling, &CoolingOptions::min_fan_percent>()))),
       Orca({"fan_max_speed"},
            Needing({&needs::kCooling},
                    whole("max_fan_speed", "%", 100, "100",
-                         "Fan speed in layers that take slowdown_below_layer_time or less",
+                         "Fan speed in layers that take slowdown_below_layer_time or less; 100: "
+                         "the fan's full speed",
                          Bind<&ToolRow::cooling, &CoolingOptions::max_fan_percent>()))),
       Orca({"overhang_fan_speed"},
-           whole("bridge_fan_speed", "%", 100, "100", "Fan speed at bridges",
+           whole("bridge_fan_speed", "%", 100, "100",
+                 "Fan speed at bridges, and at outer walls that overhang as far as "
+                 "overhang_fan_threshold says; only with enable_bridge_fan = 1. A faster fan of "
+                 "the layer is kept",
                  Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan_percent>())),
       PerExtruder(
           {.key = "overhang_fan_threshold",
@@ -111,9 +120,9 @@ std::vector<SettingSpec> Cooling() {
            .min = 0,
            .max = 100,
            .standard = "100%",
-           .doc = "Share of a wall's width that must have no support below it, so that the wall is "
-                  "cooled with bridge_fan_speed. 0%: all outer walls. 100%: only walls that are "
-                  "bridges",
+           .doc = "Overhang from which an outer wall is cooled with bridge_fan_speed, as the share "
+                  "of the wall's width that is not on the layer below. 0%: all outer walls. 100%: "
+                  "only walls that are bridges",
            .field = Bind<Scale::kPercent, &ToolRow::cooling, &CoolingOptions::overhang_fan_share>(),
            .orca = {{"overhang_fan_threshold", OrcaValue::kPercent}}}),
       PerExtruder({.key = "support_material_interface_fan_speed",
@@ -122,18 +131,20 @@ std::vector<SettingSpec> Cooling() {
                    .min = -1,
                    .max = 100,
                    .standard = "-1",
-                   .doc = "Fan speed at support interfaces; -1: the same as at other lines. The "
+                   .doc = "Fan speed at support interfaces; -1: the fan speed of the layer. The "
                           "fan stays off in the layers of disable_fan_first_layers",
                    .field = Bind<&ToolRow::cooling, &CoolingOptions::interface_fan_percent>(),
                    .orca = {{"support_material_interface_fan_speed"}}}),
       Orca({"enable_overhang_bridge_fan"},
            flag("enable_bridge_fan", "1",
-                "Run the fan at bridge_fan_speed over bridges and overhangs; 0: as at other lines",
+                "Run the fan at bridge_fan_speed over bridges and overhangs; 0: bridges and "
+                "overhangs get the fan speed of the layer",
                 Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan>())),
       Orca({"dont_slow_down_outer_wall"},
            flag("dont_slow_down_outer_wall", "0",
-                "Print outer walls at their full speed also in short layers, so that their surface "
-                "looks even; other lines are slowed down more",
+                "Print outer walls at full speed also in layers shorter than "
+                "slowdown_below_layer_time, so that their surface looks even; the other lines are "
+                "slowed down more. 0: outer walls are slowed down too",
                 Bind<&ToolRow::cooling, &CoolingOptions::keep_outer_walls>())),
       Orca({"close_fan_the_first_x_layers"},
            whole("disable_fan_first_layers", "layers", 1000, "3",
@@ -141,42 +152,47 @@ std::vector<SettingSpec> Cooling() {
                  Bind<&ToolRow::cooling, &CoolingOptions::disable_fan_first_layers>())),
       Orca({"full_fan_speed_layer"},
            whole("full_fan_speed_layer", "layers", 100'000, "0",
-                 "Layer from which the fan runs at full speed; from disable_fan_first_layers up to "
-                 "this layer, the speed rises step by step. 0: full speed at once",
+                 "First layer in which the fan has the full speed that the other fan settings "
+                 "require. From disable_fan_first_layers up to this layer, the speed rises evenly. "
+                 "0: full speed right after disable_fan_first_layers",
                  Bind<&ToolRow::cooling, &CoolingOptions::full_fan_speed_layer>())),
       flag("enable_dynamic_fan_speeds", "0",
-           "Set the fan speed at overhanging walls by overhang_fan_speed_0 to _3, interpolated "
-           "between them",
+           "Set the fan speed at overhanging walls by the settings overhang_fan_speed_0 to "
+           "overhang_fan_speed_3, interpolated between them; 0: these walls get the fan speed of "
+           "the layer",
            Bind<&ToolRow::cooling, &CoolingOptions::dynamic_fan>()),
-      OverhangFan<0>("overhang_fan_speed_0", "Fan speed at walls that overhang completely"),
+      OverhangFan<0>("overhang_fan_speed_0",
+                     "Fan speed at walls that overhang with their full width, with "
+                     "enable_dynamic_fan_speeds = 1; a faster fan of the layer is kept"),
       OverhangFan<1>("overhang_fan_speed_1",
-                     "Fan speed at walls with 25 % of their width on the layer below"),
+                     "Fan speed at walls with 25 % of their width on the layer below, with "
+                     "enable_dynamic_fan_speeds = 1; a faster fan of the layer is kept"),
       OverhangFan<2>("overhang_fan_speed_2",
-                     "Fan speed at walls with 50 % of their width on the layer below"),
+                     "Fan speed at walls with 50 % of their width on the layer below, with "
+                     "enable_dynamic_fan_speeds = 1; a faster fan of the layer is kept"),
       OverhangFan<3>("overhang_fan_speed_3",
-                     "Fan speed at walls with 75 % of their width on the layer below"),
+                     "Fan speed at walls with 75 % of their width on the layer below, with "
+                     "enable_dynamic_fan_speeds = 1; a faster fan of the layer is kept"),
       Orca({"fan_cooling_layer_time"},
-           Needing(
-               {&needs::kCooling},
-               whole(
-                   "fan_below_layer_time", "s", 1000, "60",
-                   "Layer time below which the fan runs; the shorter the layer, the faster the fan",
-                   Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>()))),
-      Orca(
-          {"slow_down_layer_time"},
-          Needing(
-              {&needs::kCooling},
-              whole(
-                  "slowdown_below_layer_time", "s", 1000, "5",
-                  "Layer time below which printing is slowed down, until the layer takes this long",
-                  Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>()))),
+           Needing({&needs::kCooling},
+                   whole("fan_below_layer_time", "s", 1000, "60",
+                         "Layer time below which the fan runs. The fan speed rises from "
+                         "min_fan_speed at this time to max_fan_speed at slowdown_below_layer_time",
+                         Bind<&ToolRow::cooling, &CoolingOptions::fan_below_layer_time_s>()))),
+      Orca({"slow_down_layer_time"},
+           Needing({&needs::kCooling},
+                   whole("slowdown_below_layer_time", "s", 1000, "5",
+                         "Shortest time that a layer may take; lines of shorter layers are slowed "
+                         "down until the layer takes this time or they reach min_print_speed",
+                         Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>()))),
       PerExtruder(
           {.key = "cooling_slowdown_logic",
            .kind = Kind::kChoice,
            .standard = "uniform_cooling",
-           .doc = "Lines that are slowed down in short layers. uniform_cooling: all lines alike. "
-                  "consistent_surface: first all lines except the two outermost walls; these walls "
-                  "only if the layer is still too short, so that the surface looks even",
+           .doc = "Lines that are slowed down in layers shorter than slowdown_below_layer_time. "
+                  "uniform_cooling: all lines alike. consistent_surface: first all lines except "
+                  "the two outermost walls. These walls are slowed down only if the layer is still "
+                  "too short, so that the surface looks even",
            .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
            .field = Bind<&ToolRow::cooling, &CoolingOptions::consistent_surface>()}),
       PerExtruder({.key = "cooling_perimeter_transition_distance",
@@ -184,9 +200,9 @@ std::vector<SettingSpec> Cooling() {
                    .min = 0,
                    .max = 1000,
                    .standard = "0",
-                   .doc = "Distance before each outer wall from which lines are slowed down like "
-                          "the wall, so that the flow is steady where the wall begins; for "
-                          "cooling_slowdown_logic = consistent_surface",
+                   .doc = "Length of the path before an outer wall that is slowed down together "
+                          "with the wall, so that the flow has become steady where the wall "
+                          "begins. 0: only the walls themselves",
                    .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>(),
                    .needs = {&needs::kConsistentSurface}}),
       PerExtruder({.key = "min_print_speed",
@@ -194,7 +210,8 @@ std::vector<SettingSpec> Cooling() {
                    .min = 0,
                    .max = 1000,
                    .standard = "10",
-                   .doc = "Lowest speed to which short layers are slowed down",
+                   .doc = "Lowest speed to which lines are slowed down in layers shorter than "
+                          "slowdown_below_layer_time",
                    .field = Bind<&ToolRow::cooling, &CoolingOptions::min_print_speed_mm_s>(),
                    .orca = {{"slow_down_min_speed"}},
                    .needs = {&needs::kCooling}}),
@@ -208,15 +225,17 @@ std::vector<SettingSpec> Material() {
         {.key = key, .kind = Kind::kText, .standard = standard, .doc = doc, .field = field});
   };
   return {
-      PerExtruder({.key = "chamber_temperature",
-                   .kind = Kind::kInteger,
-                   .unit = "C",
-                   .min = 0,
-                   .max = 1000,
-                   .standard = "0",
-                   .doc = "Chamber temperature; 0: no temperature command is written",
-                   .field = Bind<&ToolRow::chamber_temperature_c>(),
-                   .orca = {{"chamber_temperature"}}}),
+      PerExtruder(
+          {.key = "chamber_temperature",
+           .kind = Kind::kInteger,
+           .unit = "C",
+           .min = 0,
+           .max = 1000,
+           .standard = "0",
+           .doc =
+               "Chamber temperature during the print (M141); 0: no temperature command is written",
+           .field = Bind<&ToolRow::chamber_temperature_c>(),
+           .orca = {{"chamber_temperature"}}}),
       {.key = "activate_chamber_temp_control",
        .kind = Kind::kFlag,
        .standard = "1",
@@ -229,8 +248,8 @@ std::vector<SettingSpec> Material() {
                    .min = 0,
                    .max = 1000,
                    .standard = "0",
-                   .doc = "Chamber temperature that must be reached before the print starts; 0: "
-                          "the print does not wait",
+                   .doc = "Chamber temperature that must be reached before the print starts "
+                          "(M191); 0: the print does not wait for the chamber",
                    .field = Bind<&ToolRow::chamber_least_c>(),
                    .orca = {{"chamber_minimal_temperature"}}}),
       PerExtruder({.key = "filament_infill_max_speed",
@@ -244,8 +263,8 @@ std::vector<SettingSpec> Material() {
                    .min = 0,
                    .max = 10'000,
                    .standard = "0",
-                   .doc = "Highest speed of this filament in sparse infill patterns with crossing "
-                          "lines, such as grid; 0: no limit"}),
+                   .doc = "Highest speed of this filament in sparse infill patterns with lines "
+                          "that cross within a layer, such as grid; 0: no limit"}),
       PerExtruder({.key = "filament_diameter",
                    .unit = "mm",
                    .min = 0.1,
@@ -258,7 +277,8 @@ std::vector<SettingSpec> Material() {
                    .min = 0.01,
                    .max = 10,
                    .standard = "1",
-                   .doc = "Flow multiplier for all extrusion; 1: the calculated amount",
+                   .doc = "Factor for the flow of all extrusion; 1: the flow that the extrusion "
+                          "widths and layer heights require",
                    .field = Bind<&ToolRow::extrusion_multiplier>(),
                    .orca = {{"filament_flow_ratio"}}}),
       Orca({"filament_shrink", OrcaValue::kRest},
@@ -267,7 +287,8 @@ std::vector<SettingSpec> Material() {
                      "for it. 1%: an uncompensated part of 100 mm measures 99 mm")),
       Orca({"filament_shrinkage_compensation_z", OrcaValue::kRest},
            Shrinkage("filament_shrinkage_compensation_z",
-                     "Shrinkage of the filament in z; parts are printed taller to make up for it")),
+                     "Shrinkage of the filament in z; parts are printed taller to make up for it. "
+                     "1%: an uncompensated part 100 mm high measures 99 mm")),
       PerExtruder({.key = "filament_density",
                    .unit = "g/cm3",
                    .min = 0,
@@ -289,7 +310,8 @@ std::vector<SettingSpec> Material() {
                    .min = 0,
                    .max = 1000,
                    .standard = "0",
-                   .doc = "Highest flow of this filament, in volume per second; 0: no limit",
+                   .doc = "Highest volume of this filament that is extruded per second; faster "
+                          "lines are slowed down. 0: no limit",
                    .field = Bind<&ToolRow::max_volumetric_speed_mm3_s>(),
                    .orca = {{"filament_max_volumetric_speed"}}}),
       PerExtruder({.key = "pressure_advance",

@@ -18,32 +18,38 @@ SettingSpec Flow(std::string_view key, std::string_view doc, Field field) {
 std::vector<SettingSpec> FlowSettings() {
   return {
       Flow("first_layer_flow_ratio",
-           "Flow of the first layer, in addition to the other ratios; 1: as in other layers",
+           "Factor for the flow of all lines in the first layer, multiplied by the other flow "
+           "ratios; 1: as in other layers",
            Bind<&RegionRow::motion, &RegionMotion::first_layer_flow>()),
       Flow("external_perimeter_flow_ratio",
-           "Flow of outer walls relative to their width; 1: the same",
+           "Factor for the flow of outer walls; 1: the flow that fills their extrusion width",
            FlowOf<Feature::kExternalPerimeter>()),
-      Flow("perimeter_flow_ratio", "Flow of inner walls relative to their width; 1: the same",
+      Flow("perimeter_flow_ratio",
+           "Factor for the flow of inner walls; 1: the flow that fills their extrusion width",
            FlowOf<Feature::kPerimeter>()),
       Flow("overhang_flow_ratio",
-           "Flow of walls over air, in addition to bridge_flow_ratio; 1: the same",
+           "Factor for the flow of walls over air, multiplied by bridge_flow_ratio; 1: "
+           "bridge_flow_ratio alone",
            FlowOf<Feature::kOverhangPerimeter>()),
-      Flow("infill_flow_ratio", "Flow of sparse infill relative to fill_density; 1: the same",
+      Flow("infill_flow_ratio",
+           "Factor for the flow of sparse infill lines; 1: the flow that fills "
+           "infill_extrusion_width",
            FlowOf<Feature::kInternalInfill>()),
       Flow("solid_infill_flow_ratio",
-           "Flow of solid infill that is no top surface, in addition to "
-           "bottom_solid_infill_flow_ratio; 1: the same",
+           "Factor for the flow of all solid infill except top surfaces, multiplied by "
+           "bottom_solid_infill_flow_ratio on bottom surfaces; 1: no change",
            FlowOf<Feature::kSolidInfill>()),
-      Flow("gap_fill_flow_ratio", "Flow of gap fill relative to the gap's width; 1: the same",
+      Flow("gap_fill_flow_ratio",
+           "Factor for the flow of gap fill; 1: the flow that fills the width of the gap",
            FlowOf<Feature::kGapFill>()),
-      InScope(Scope::kObject,
-              Flow("support_material_flow_ratio",
-                   "Flow of supports and rafts relative to their width; 1: the same",
-                   FlowOf<Feature::kSupport>())),
-      InScope(Scope::kObject,
-              Flow("support_material_interface_flow_ratio",
-                   "Flow of support interfaces relative to their width; 1: the same",
-                   FlowOf<Feature::kSupportInterface>())),
+      InScope(Scope::kObject, Flow("support_material_flow_ratio",
+                                   "Factor for the flow of supports and rafts, except support "
+                                   "interfaces; 1: the flow that fills their extrusion width",
+                                   FlowOf<Feature::kSupport>())),
+      InScope(Scope::kObject, Flow("support_material_interface_flow_ratio",
+                                   "Factor for the flow of support interfaces; 1: the flow that "
+                                   "fills their extrusion width",
+                                   FlowOf<Feature::kSupportInterface>())),
   };
 }
 
