@@ -43,8 +43,8 @@ std::vector<SettingSpec> IroningSettings() {
       {.key = "ironing_type",
        .kind = Kind::kChoice,
        .standard = "top",
-       .doc = "Ironed surfaces. top: all top surfaces. topmost: the last layer. solid: all solid "
-              "infill",
+       .doc = "Surfaces that are ironed. top: all top surfaces. topmost: top surfaces of the last "
+              "layer. solid: all solid infill",
        .choices = {{"top", static_cast<int>(IroningType::kTop)},
                    {"topmost", static_cast<int>(IroningType::kTopmost)},
                    {"solid", static_cast<int>(IroningType::kSolid)}},
@@ -67,7 +67,7 @@ std::vector<SettingSpec> IroningSettings() {
        .min = 0.01,
        .max = 10,
        .standard = "0.1",
-       .doc = "Distance between ironing lines",
+       .doc = "Distance between neighbouring ironing lines",
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::spacing_nm>(),
        .orca = {{"ironing_spacing"}},
        .needs = {&needs::kIroning}},
@@ -155,11 +155,11 @@ SettingSpec MinThickness(std::string_view key, std::string_view doc) {
 std::vector<SettingSpec> InfillSettings() {
   std::vector<SettingSpec> settings = {
       Orca({"top_shell_layers"},
-           SolidLayers("top_solid_layers", "Number of solid layers below a top surface",
+           SolidLayers("top_solid_layers", "Number of solid layers at a top surface; 0: none",
                        LayersField<&InfillOptions::top_solid_layers, &InfillOptions::top_spare>())),
       Orca({"bottom_shell_layers"},
            SolidLayers(
-               "bottom_solid_layers", "Number of solid layers above a bottom surface",
+               "bottom_solid_layers", "Number of solid layers at a bottom surface; 0: none",
                LayersField<&InfillOptions::bottom_solid_layers, &InfillOptions::bottom_spare>())),
       Orca({"top_shell_thickness"},
            MinThickness("top_solid_min_thickness",
@@ -176,15 +176,15 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 100,
        .standard = "20%",
-       .doc = "Density of the sparse infill; 100%: solid",
+       .doc = "Share of the part's inside that sparse infill fills; 100%: solid",
        .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::density>(),
        .orca = {{"sparse_infill_density", OrcaValue::kPercent}},
        .needs = {&needs::kNoDensityField}},
       {.key = "fill_pattern",
        .kind = Kind::kChoice,
        .standard = "grid",
-       .doc = "Pattern of the sparse infill; auto: chosen by density, thickness of the part and "
-              "infill_goal",
+       .doc = "Pattern of the sparse infill; auto: chosen for each object by fill_density, the "
+              "object's size and infill_goal",
        .choices = SparsePatterns(),
        .field = Convert<RegionRow>(
            [](RegionRow& row, const Value& value) { SetPattern(row.infill, value); },
@@ -194,7 +194,8 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "infill_goal",
        .kind = Kind::kChoice,
        .standard = "strength",
-       .doc = "Property that fill_pattern = auto optimises",
+       .doc = "Aim of fill_pattern = auto. strength: a strong part. time: a short print time. "
+              "flexibility: a flexible part",
        .choices = {{"strength", static_cast<int>(FillGoal::kStrength)},
                    {"time", static_cast<int>(FillGoal::kTime)},
                    {"flexibility", static_cast<int>(FillGoal::kFlexibility)}},
@@ -216,7 +217,7 @@ std::vector<SettingSpec> InfillSettings() {
        .max = 360,
        .standard = "45",
        .doc = "Direction of infill lines, from the x axis; solid infill turns by 90 degrees from "
-              "layer to layer",
+              "layer to layer, sparse infill as fill_pattern requires",
        .field = Bind<Scale::kDegrees, &RegionRow::infill, &InfillOptions::angle_rad>(),
        .orca = {{"infill_direction"}}},
       {.key = "solid_fill_angle",
@@ -224,7 +225,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = -1,
        .max = 360,
        .standard = "-1",
-       .doc = "Direction of solid infill lines in even layers, from the x axis; -1: fill_angle",
+       .doc = "Direction of solid infill lines in every second layer, from the x axis; the other "
+              "layers are perpendicular. -1: fill_angle",
        .field = Convert<RegionRow>(
            [](RegionRow& row, const Value& value) {
              row.infill.solid_angle_rad =
@@ -238,22 +240,23 @@ std::vector<SettingSpec> InfillSettings() {
        .orca = {{"solid_infill_direction"}}},
       Orca({"sparse_infill_rotate_template"},
            AnglesByLayer("fill_angle_template",
-                         "Directions of sparse infill lines, a list that repeats over the layers. "
-                         "0,90: alternating angles. 45#2,0: 45 degrees in two layers, then 0 in "
-                         "one. +30: turned by 30 degrees from layer to layer. Empty: fill_angle",
+                         "Directions of sparse infill lines in degrees, a list that repeats over "
+                         "the layers. 0,90: alternating. 45#2,0: 45 degrees in two layers, then 0 "
+                         "in one. +30: 30 degrees more in each layer. Empty: fill_angle",
                          Bind<&RegionRow::infill, &InfillOptions::angle_template>())),
       Orca({"solid_infill_rotate_template"},
-           AnglesByLayer("solid_fill_angle_template",
-                         "Directions of solid infill lines, in the form of fill_angle_template; "
-                         "bridges keep their own direction. Empty: fill_angle",
-                         Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>())),
+           AnglesByLayer(
+               "solid_fill_angle_template",
+               "Directions of solid infill lines by layer, written as in fill_angle_template; "
+               "bridges keep their own direction. Empty: solid_fill_angle",
+               Bind<&RegionRow::infill, &InfillOptions::solid_angle_template>())),
       {.key = "infill_overlap",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
        .min = 0,
        .max = 5,
        .standard = "25%",
-       .doc = "Overlap of infill lines with the walls",
+       .doc = "Length by which infill lines overlap the innermost wall",
        .relative_to = "perimeter_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::overlap_nm>(),
        .orca = {{"infill_wall_overlap", OrcaValue::kPercent}}},
@@ -263,7 +266,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = -1,
        .max = 5,
        .standard = "-1",
-       .doc = "Overlap of the lines of top and bottom surfaces with the walls; -1: infill_overlap",
+       .doc = "Length by which lines of top and bottom surfaces overlap the innermost wall; -1: "
+              "infill_overlap",
        .relative_to = "perimeter_extrusion_width",
        .field = Convert<RegionRow>(
            [](RegionRow& row, const Value& value) {
@@ -292,7 +296,7 @@ std::vector<SettingSpec> InfillSettings() {
        .max = 1000,
        .standard = "50",
        .doc =
-           "Longest connection along the wall between two sparse infill lines; 0: no connections. "
+           "Longest piece along the wall that connects two sparse infill lines; 0: no connections. "
            "Connections are thinner than infill lines, so that the density remains fill_density",
        .relative_to = "infill_extrusion_width",
        .field = Bind<&RegionRow::infill, &InfillOptions::anchor_max_nm>(),
@@ -311,8 +315,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1000000,
        .standard = "0",
-       .doc = "Interval of layers that have only solid infill; 10: every 10th layer. 0: no such "
-              "layers",
+       .doc = "Interval of layers that have solid instead of sparse infill; 10: every 10th layer. "
+              "0: no such layers",
        .field = Bind<&RegionRow::infill, &InfillOptions::solid_every_layers>()},
       {.key = "bridge_angle",
        .unit = "degrees",
@@ -327,42 +331,42 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0.1,
        .max = 2,
        .standard = "1",
-       .doc = "Flow of bridge lines relative to normal lines; 1: the same",
+       .doc = "Factor for the flow of bridge lines. 1: strands as thick as the nozzle, or the flow "
+              "of solid infill with thick_bridges = 0",
        .field = Bind<&RegionRow::infill, &InfillOptions::bridge_flow>(),
        .also = Bind<&RegionRow::motion, &RegionMotion::bridge_flow>(),
        .orca = {{"bridge_flow"}}},
       Orca({"bridge_density"},
            BridgeDensity(
                "bridge_density",
-               "Share of a bridge's area under its lines; less: more air "
-               "between the lines. 100%: line beside line",
+               "Share of a bridge's area that its lines cover; 100%: no gaps between the lines",
                Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::bridge_density>())),
       Orca({"internal_bridge_density"},
            BridgeDensity("internal_bridge_density",
-                         "Share of the area of bridges over sparse infill under their lines; 100%: "
-                         "line beside line",
+                         "Share of a bridge over sparse infill that its lines cover; 100%: no gaps "
+                         "between the lines",
                          Bind<Scale::kPercent, &RegionRow::infill,
                               &InfillOptions::internal_bridge_density>())),
       {.key = "top_solid_infill_flow_ratio",
        .min = 0.1,
        .max = 2,
        .standard = "1",
-       .doc = "Flow of top surfaces relative to other solid infill; 1: the same",
+       .doc = "Factor for the flow of top surfaces; 1: the flow of other solid infill",
        .field = Bind<&RegionRow::infill, &InfillOptions::top_flow>(),
        .orca = {{"top_solid_infill_flow_ratio"}}},
       {.key = "bottom_solid_infill_flow_ratio",
        .min = 0.1,
        .max = 2,
        .standard = "1",
-       .doc = "Flow of bottom surfaces that are not bridges, relative to other solid infill; 1: "
-              "the same",
+       .doc = "Factor for the flow of bottom surfaces that are not bridges; 1: the flow of other "
+              "solid infill",
        .field = Bind<&RegionRow::infill, &InfillOptions::bottom_flow>(),
        .orca = {{"bottom_solid_infill_flow_ratio"}}},
       {.key = "thick_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print bridges as round strands as wide as the nozzle, which span longer gaps but "
-              "hang below their layer; 0: as lines of the layer's height",
+       .doc = "Print bridges as round strands as thick as the nozzle, which span longer gaps but "
+              "hang below their layer; 0: as flat lines as high as the layer",
        .field = Bind<&RegionRow::infill, &InfillOptions::thick_bridges>(),
        .also = Bind<&RegionRow::motion, &RegionMotion::thick_bridges>(),
        .orca = {{"thick_bridges"}}},
@@ -370,22 +374,23 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 2,
        .standard = "0",
-       .doc = "Flow of bridges over sparse infill, relative to normal lines; 0: bridge_flow_ratio",
+       .doc = "Factor for the flow of bridges over sparse infill; 0: bridge_flow_ratio",
        .field = Bind<&RegionRow::infill, &InfillOptions::internal_bridge_flow>(),
        .also = Bind<&RegionRow::motion, &RegionMotion::internal_bridge_flow>(),
        .orca = {{"internal_bridge_flow"}}},
       {.key = "thick_internal_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print bridges over sparse infill as round strands as wide as the nozzle; 0: as "
-              "lines of the layer's height",
+       .doc = "Print bridges over sparse infill as round strands as thick as the nozzle; 0: as "
+              "flat lines as high as the layer",
        .field = Bind<&RegionRow::infill, &InfillOptions::thick_internal_bridges>(),
        .orca = {{"thick_internal_bridges"}}},
       {.key = "automatic_infill_combination",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Set infill_every_layers to the number of layers that fit into "
-              "automatic_infill_combination_max_layer_height",
+       .doc =
+           "Set infill_every_layers to the number of layers that fit into "
+           "automatic_infill_combination_max_layer_height; 0: infill_every_layers is used as given",
        .own_scope = Scope::kRegion,
        .orca = {{"infill_combination"}}},
       {.key = "automatic_infill_combination_max_layer_height",
@@ -394,8 +399,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 10,
        .standard = "100%",
-       .doc = "Largest height of the sparse infill lines of combined layers; also limited by the "
-              "nozzle diameter",
+       .doc = "Largest height of sparse infill lines that are printed once for several layers; at "
+              "most the nozzle diameter",
        .relative_to = "nozzle_diameter",
        .own_scope = Scope::kRegion,
        .orca = {{"infill_combination_max_layer_height"}},
@@ -405,31 +410,31 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 1,
        .max = 100,
        .standard = "1",
-       .doc = "Number of layers that are combined for sparse infill: thicker lines are printed in "
-              "the topmost of these layers only, at most as thick as the nozzle diameter. 1: "
-              "sparse infill in every layer",
+       .doc = "Number of layers that share one sparse infill. Its thicker lines are printed in the "
+              "topmost of these layers only, at most as high as the nozzle diameter. 1: sparse "
+              "infill in every layer",
        .field = Bind<&RegionRow::infill, &InfillOptions::every_layers>(),
        .needs = {&needs::kCombinedByNumber}},
       {.key = "interface_shells",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print solid layers also where two regions with different settings are on top of "
-              "each other",
+       .doc = "Print solid layers also where regions with different settings, such as the region "
+              "of a modifier, are on top of each other",
        .field = Bind<&RegionRow::infill, &InfillOptions::interface_shells>(),
        .own_scope = Scope::kObject,
        .orca = {{"interface_shells"}}},
       {.key = "small_area_infill_flow_compensation",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Reduce the flow of short solid infill lines as "
-              "small_area_infill_flow_compensation_model says",
+       .doc = "Reduce the flow of short solid infill lines by the factors in "
+              "small_area_infill_flow_compensation_model",
        .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow>(),
        .orca = {{"small_area_infill_flow_compensation"}}},
       {.key = "small_area_infill_flow_compensation_model",
        .kind = Kind::kFlowTable,
        .standard = kSmallAreaFlowTable,
-       .doc = "Flow factor of a solid infill line by its length between two turns: "
-              "LENGTH,FACTOR;..., lengths in mm, interpolated between them",
+       .doc = "Flow factors of solid infill lines by their length in mm between two turns, "
+              "interpolated: LENGTH,FACTOR;LENGTH,FACTOR and so on",
        .field = Bind<&RegionRow::infill, &InfillOptions::small_area_flow_table>(),
        .orca = {{"small_area_infill_flow_compensation_model", OrcaValue::kPairs}},
        .needs = {&needs::kSmallAreaFlow}},
@@ -455,8 +460,8 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "extra_perimeters_on_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Fill overhangs that cannot be bridged: print lines side by side, starting from the "
-              "supported edge",
+       .doc = "Fill overhangs that cannot be bridged with lines along the supported edge, starting "
+              "at this edge; 0: like bridges",
        .field = Bind<&RegionRow::infill, &InfillOptions::overhang_lines>(),
        .orca = {{"extra_perimeters_on_overhangs"}}},
       {.key = "solid_infill_below_area",
@@ -464,7 +469,7 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 0,
        .max = 1e6,
        .standard = "70",
-       .doc = "Area below which a region of sparse infill becomes solid",
+       .doc = "Area below which an island of sparse infill becomes solid; 0: never",
        .field = Bind<&RegionRow::infill, &InfillOptions::solid_below_area_mm2>(),
        .orca = {{"minimum_sparse_infill_area"}}},
       {.key = "density_field",
@@ -476,8 +481,8 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "stress_field",
        .kind = Kind::kStressField,
        .standard = "",
-       .doc = "Stresses in the part by position; the lines of the sparse infill follow their "
-              "principal directions instead of fill_pattern. Empty: fill_pattern",
+       .doc = "Stresses in the part by position. The lines of the sparse infill follow the "
+              "directions of the principal stresses instead of fill_pattern. Empty: fill_pattern",
        .field = Bind<&RegionRow::infill, &InfillOptions::stress_field>()},
       {.key = "infill_first",
        .kind = Kind::kFlag,
