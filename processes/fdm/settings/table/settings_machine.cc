@@ -23,16 +23,18 @@ template <Axis kAxis>
 std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
                                     std::array<std::string_view, 3> standards) {
   return {
-      Limit(keys[0], "mm/s", 0.001, 100'000, standards[0], "Speed limit of this axis",
+      Limit(keys[0], "mm/s", 0.001, 100'000, standards[0],
+            "Speed limit of this axis, used as machine_limits_usage says",
             Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_feedrate_mm_s,
                  kAxis>()),
-      Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
+      Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1],
+            "Acceleration limit of this axis, used as machine_limits_usage says",
             Bind<&MachineRow::motion, &MachineMotion::limits,
                  &MachineLimits::max_acceleration_mm_s2, kAxis>()),
       Needing({kAxis == kX || kAxis == kY ? &needs::kMarlinOrJerk : &needs::kMarlin},
               Limit(keys[2], "mm/s", 0, 100'000, standards[2],
-                    "Largest instantaneous change of speed of this axis at "
-                    "corners (Marlin's classic jerk)",
+                    "Largest sudden change of speed of this axis at corners (Marlin's classic "
+                    "jerk), used as machine_limits_usage says",
                     Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::max_jerk_mm_s,
                          kAxis>())),
   };
@@ -42,17 +44,19 @@ std::vector<SettingSpec> WholeMachineLimits() {
   return {
       Orca({"machine_max_acceleration_extruding"},
            Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
-                 "Acceleration limit while extruding; 0: no limit",
+                 "Acceleration limit of moves with extrusion, used as machine_limits_usage says; "
+                 "0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::max_acceleration_extruding_mm_s2>())),
-      Orca({"machine_max_acceleration_retracting"},
-           Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
-                 "Acceleration limit of retractions; 0: no limit",
-                 Bind<&MachineRow::motion, &MachineMotion::limits,
-                      &MachineLimits::max_acceleration_retracting_mm_s2>())),
+      Orca(
+          {"machine_max_acceleration_retracting"},
+          Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
+                "Acceleration limit of retractions, used as machine_limits_usage says; 0: no limit",
+                Bind<&MachineRow::motion, &MachineMotion::limits,
+                     &MachineLimits::max_acceleration_retracting_mm_s2>())),
       Orca({"machine_max_acceleration_travel"},
            Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
-                 "Acceleration limit of travels; 0: no limit",
+                 "Acceleration limit of travels, used as machine_limits_usage says; 0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
                       &MachineLimits::max_acceleration_travel_mm_s2>())),
       Orca(
@@ -66,38 +70,43 @@ std::vector<SettingSpec> WholeMachineLimits() {
                          &MachineLimits::junction_deviation_mm>()))),
       Needing({&needs::kKlipper},
               Limit("square_corner_velocity", "mm/s", 0, 1000, "5",
-                    "Speed at a corner of 90 degrees (Klipper's square_corner_velocity)",
+                    "Speed at which the printer passes a corner of 90 degrees (Klipper's "
+                    "square_corner_velocity); larger: faster through corners",
                     Bind<&MachineRow::motion, &MachineMotion::limits,
                          &MachineLimits::square_corner_velocity_mm_s>())),
-      Needing({&needs::kKlipper},
-              Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
-                    "Smallest share of a short move that runs at constant speed (Klipper's "
-                    "minimum_cruise_ratio); larger: lower top speed on short moves",
-                    Bind<&MachineRow::motion, &MachineMotion::limits,
-                         &MachineLimits::minimum_cruise_ratio>())),
-      Orca({"machine_min_extruding_rate"}, Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0",
-                                                 "Lowest speed of moves with extrusion",
-                                                 Bind<&MachineRow::motion, &MachineMotion::limits,
-                                                      &MachineLimits::min_extruding_rate_mm_s>())),
-      Orca({"machine_min_travel_rate"},
-           Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "Lowest speed of travels",
+      Needing({&needs::kKlipper}, Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
+                                        "Smallest share of a short move that runs at constant "
+                                        "speed (Klipper's minimum_cruise_ratio); larger: lower top "
+                                        "speed on short moves. Used for the estimated time",
+                                        Bind<&MachineRow::motion, &MachineMotion::limits,
+                                             &MachineLimits::minimum_cruise_ratio>())),
+      Orca({"machine_min_extruding_rate"},
+           Limit("machine_min_extruding_rate", "mm/s", 0, 1000, "0",
+                 "Lowest speed of moves with extrusion that the firmware allows; used as "
+                 "machine_limits_usage says. 0: no limit",
                  Bind<&MachineRow::motion, &MachineMotion::limits,
-                      &MachineLimits::min_travel_rate_mm_s>())),
+                      &MachineLimits::min_extruding_rate_mm_s>())),
+      Orca({"machine_min_travel_rate"}, Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0",
+                                              "Lowest speed of travels that the firmware allows; "
+                                              "used as machine_limits_usage says. 0: no limit",
+                                              Bind<&MachineRow::motion, &MachineMotion::limits,
+                                                   &MachineLimits::min_travel_rate_mm_s>())),
       Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
-            "Largest change of acceleration per second, for machines that are driven by this "
-            "program's own motion planner",
+            "Largest change of acceleration per second in slicefarm's own motion planner, for the "
+            "estimated time of machines that have no firmware",
             Bind<&MachineRow::motion, &MachineMotion::limits, &MachineLimits::jerk_mm_s3>()),
       {.key = "silent_mode",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Estimate the print time in Marlin's silent mode, too, from the second value of each "
-              "machine_max_ setting"},
+       .doc = "Estimate the print time in Marlin's silent mode as well, with the second value of "
+              "each machine_max_ setting"},
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
-       .doc = "Use of the machine_max_ and machine_min_ limits. emit_to_gcode: for the estimated "
-              "time and written into the G-code. time_estimate_only: only for the estimated time. "
-              "ignore: the given limits have no effect; the estimated time uses the defaults",
+       .doc =
+           "Use of the settings machine_max_... and machine_min_... emit_to_gcode: for the "
+           "estimated time, and written into the G-code. time_estimate_only: only for the "
+           "estimated time. ignore: none; the estimated time uses the defaults of these settings",
        .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
        .field = Convert<MachineRow>(
            [](MachineRow& row, const Value& value) {
@@ -117,7 +126,7 @@ std::vector<SettingSpec> Machine() {
       {.key = "gcode_flavor",
        .kind = Kind::kChoice,
        .standard = "marlin2",
-       .doc = "Firmware for which the G-code is written",
+       .doc = "Firmware of the printer, which determines the commands in the G-code",
        .choices = {{"marlin2", flavor(GcodeFlavor::kMarlin2)},
                    {"marlin", flavor(GcodeFlavor::kMarlinLegacy)},
                    {"klipper", flavor(GcodeFlavor::kKlipper)},
@@ -139,8 +148,8 @@ std::vector<SettingSpec> Machine() {
       {.key = "material_field",
        .kind = Kind::kMaterialField,
        .standard = "",
-       .doc = "Mixing ratio of the materials of a mixing extruder, by position on the plate; "
-              "empty: no mixing",
+       .doc = "Mixing ratio of the materials of a mixing extruder by position on the plate, as a "
+              "field in JSON; empty: no mixing",
        .field = Bind<&MachineRow::motion, &MachineMotion::material_field>()},
       {.key = "nozzle_diameter",
        .unit = "mm",
@@ -170,44 +179,48 @@ std::vector<SettingSpec> Machine() {
       {.key = "autoemit_temperature_commands",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc =
-           "Add the heating commands that start_gcode lacks (M104, M109, M140, M190, M141, M191)",
+       .doc = "Add the heating commands that start_gcode lacks (M104, M109, M140, M190, M141, "
+              "M191); 0: only start_gcode heats",
        .field = Bind<&MachineRow::motion, &MachineMotion::emit_temperatures>()},
       {.key = "z_offset",
        .unit = "mm",
        .min = -100,
        .max = 100,
        .standard = "0",
-       .doc = "Offset added to every z coordinate in the G-code",
+       .doc = "Offset that is added to every z coordinate in the G-code; negative: the nozzle is "
+              "closer to the bed",
        .field = Bind<&MachineRow::motion, &MachineMotion::z_offset_mm>(),
        .orca = {{"z_offset"}}},
       {.key = "extruder_offset",
        .kind = Kind::kPoint,
        .unit = "mm",
        .standard = "0x0",
-       .doc = "Offset of the nozzle from the print head; it is subtracted from all positions in "
-              "the G-code",
+       .doc = "Offset of the nozzle from the print head, in mm; it is subtracted from all "
+              "positions in the G-code",
        .list = List::kPerExtruder,
        .field = Bind<&ToolRow::offset>(),
        .orca = {{"extruder_offset"}}},
       {.key = "remaining_times",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Report progress and remaining time to the printer before each layer (M73)",
+       .doc = "Write the progress and the remaining time for the printer's display before each "
+              "layer (M73)",
        .field = Bind<&MachineRow::motion, &MachineMotion::progress>()},
       {.key = "fan_speedup_time",
        .unit = "s",
        .min = 0,
        .max = 60,
        .standard = "0",
-       .doc = "Time by which a faster fan speed is set before the lines that need it, at the "
-              "earliest before the first move of the copy in the layer",
+       .doc = "Time by which the fan is made faster before the line that needs it, because a fan "
+              "starts slowly; not earlier than the copy's first move in the layer. 0: at the start "
+              "of the line",
        .field = Bind<&MachineRow::motion, &MachineMotion::fan_speedup_s>(),
        .orca = {{"fan_speedup_time"}}},
       {.key = "fan_speedup_overhangs",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Apply fan_speedup_time to bridges and overhangs only; 0: to all faster fan speeds",
+       .doc = "Apply fan_speedup_time only where the fan becomes faster for bridges and overhangs; "
+              "0: wherever the fan becomes faster",
        .field = Convert<MachineRow>(
            [](MachineRow& row, const Value& value) {
              row.motion.fan_speedup_all = value.number == 0;
@@ -221,7 +234,8 @@ std::vector<SettingSpec> Machine() {
        .kind = Kind::kChoice,
        .standard = "disabled",
        .doc = "Marks in the G-code that name the printed copy, so that the printer can skip a "
-              "failed one. octoprint: comments. firmware: EXCLUDE_OBJECT or M486 commands",
+              "failed one. octoprint: comments. firmware: EXCLUDE_OBJECT or M486 commands. 0 and 1 "
+              "are older names of disabled and octoprint",
        .choices = {{"disabled", labels(ObjectLabels::kNone)},
                    {"octoprint", labels(ObjectLabels::kComments)},
                    {"firmware", labels(ObjectLabels::kFirmware)},
@@ -233,7 +247,7 @@ std::vector<SettingSpec> Machine() {
        .kind = Kind::kChoice,
        .standard = "disabled",
        .doc = "Arcs (G2, G3) in place of chains of short moves that deviate from the arc by at "
-              "most 0.025 mm. emit_center: arcs are written with their centre (I, J)",
+              "most 0.025 mm. disabled: no arcs. emit_center: arcs with their centre (I, J)",
        .choices = {{"disabled", static_cast<int>(ArcFitting::kDisabled)},
                    {"emit_center", static_cast<int>(ArcFitting::kEmitCenter)}},
        .field = Bind<&MachineRow::motion, &MachineMotion::arc_fitting>(),
@@ -280,19 +294,24 @@ std::vector<SettingSpec> CustomGcode() {
        .orca = {{"filament_start_gcode", OrcaValue::kGcode}}},
       {.key = "end_filament_gcode",
        .kind = Kind::kGcode,
-       .doc = "G-code of the filament, before end_gcode",
+       .doc = "G-code of the filament, written before end_gcode",
        .list = List::kPerExtruder,
        .orca = {{"filament_end_gcode", OrcaValue::kGcode}}},
-      Orca({"before_layer_change_gcode", OrcaValue::kGcode},
-           gcode("before_layer_gcode", "", "G-code before the move to the height of each layer",
-                 Bind<&MachineRow::motion, &MachineMotion::before_layer_gcode>())),
+      Orca(
+          {"before_layer_change_gcode", OrcaValue::kGcode},
+          gcode(
+              "before_layer_gcode", "",
+              "G-code at each layer change, before the nozzle moves to the height of the new layer",
+              Bind<&MachineRow::motion, &MachineMotion::before_layer_gcode>())),
       Orca({"layer_change_gcode", OrcaValue::kGcode},
-           gcode("layer_gcode", "", "G-code after the move to the height of each layer",
+           gcode("layer_gcode", "",
+                 "G-code at each layer change, after the nozzle has moved to the height of the new "
+                 "layer",
                  Bind<&MachineRow::motion, &MachineMotion::layer_gcode>())),
       {.key = "time_lapse_gcode",
        .kind = Kind::kGcode,
-       .doc = "G-code that takes a time-lapse picture at each layer: before layer_gcode; with "
-              "gcode_flavor = bambu after it",
+       .doc = "G-code that takes a time-lapse picture at each layer change, before layer_gcode; "
+              "with gcode_flavor = bambu, after layer_gcode",
        .orca = {{"time_lapse_gcode", OrcaValue::kGcode}}},
       Orca({"printing_by_object_gcode", OrcaValue::kGcode},
            Needing({&needs::kObjectByObject},
@@ -318,12 +337,14 @@ std::vector<SettingSpec> Sequence() {
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
-       .doc = "Creation time of the job, such as 2026-11-25T10:37:01Z, for timestamp, year, month, "
-              "... in custom G-code. It has an effect only if custom G-code uses it"},
+       .doc = "Creation time of the job, such as 2026-11-25T10:37:01Z, for the placeholders "
+              "timestamp, year, month, ... of custom G-code. Without such placeholders it has no "
+              "effect"},
       {.key = "complete_objects",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print each object completely before the next one begins",
+       .doc = "Print each object completely before the next one begins; 0: print all objects "
+              "together, layer by layer",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::complete_objects>(),
        .orca = {{"print_sequence", OrcaValue::kChoice}}},
@@ -339,7 +360,7 @@ std::vector<SettingSpec> Sequence() {
        .max = 1000,
        .standard = "20",
        .doc = "Radius around the nozzle that the print head needs; with complete_objects, copies "
-              "keep this distance",
+              "are at least this far apart",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_radius_nm>(),
        .orca = {{"extruder_clearance_radius"}, {"extruder_clearance_max_radius"}},
@@ -349,9 +370,9 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 1000,
        .standard = "20",
-       .doc = "Height of the gantry above the nozzle tip. With complete_objects, only the last "
-              "copy may be higher; extruder_clearance_height_to_lid also allows higher copies that "
-              "the gantry does not reach",
+       .doc = "Height of the gantry above the nozzle tip. With complete_objects, only the copy "
+              "that is printed last may be higher. extruder_clearance_height_to_lid also allows "
+              "higher copies that the gantry does not reach",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_height_nm>(),
        .orca = {{"extruder_clearance_height_to_rod"}},
@@ -362,9 +383,9 @@ std::vector<SettingSpec> Sequence() {
        .max = 2000,
        .standard = "0",
        .doc = "Height of the printer's lid above the nozzle tip. With complete_objects, only the "
-              "last copy may be higher. The gantry, a rod along x, must not reach a copy higher "
-              "than extruder_clearance_height while later copies are printed. 0: the gantry covers "
-              "the whole bed",
+              "copy that is printed last may be higher. While later copies are printed, the "
+              "gantry, a rod along x, must not reach copies above extruder_clearance_height. 0: "
+              "the gantry covers the whole bed",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::lid_height_nm>(),
        .orca = {{"extruder_clearance_height_to_lid"}},
@@ -374,8 +395,8 @@ std::vector<SettingSpec> Sequence() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Distance in y from the nozzle to the far side of the gantry, used with "
-              "extruder_clearance_height_to_lid",
+       .doc = "Distance in y from the nozzle to the far side of the gantry; used only with "
+              "extruder_clearance_height_to_lid above 0",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::gantry_reach_nm>(),
        .orca = {{"extruder_clearance_dist_to_rod"}},
@@ -398,16 +419,16 @@ std::vector<SettingSpec> Sequence() {
 /// Returns the plate settings of all machines, with additional plate settings of FDM.
 std::vector<SettingSpec> Plate() {
   std::vector<SettingSpec> settings = PlateSettings();
-  settings.push_back(
-      {.key = "bed_exclude_area",
-       .kind = Kind::kAreas,
-       .unit = "mm",
-       .standard = "",
-       .doc = "Areas of the bed that parts, skirts, brims and travels avoid, such as the area of a "
-              "cutter: corners XxY, separated by commas. Each four corners that form a rectangle "
-              "are one area; otherwise all corners form one polygon. Custom G-code is not checked",
-       .field = Bind<&JobSlicingOptions::excluded>(),
-       .orca = {{"bed_exclude_area", OrcaValue::kPoints}}});
+  settings.push_back({.key = "bed_exclude_area",
+                      .kind = Kind::kAreas,
+                      .unit = "mm",
+                      .standard = "",
+                      .doc = "Areas of the bed that parts, skirts, brims and travels avoid, such "
+                             "as the area of a cutter: corners XxY in mm, separated by commas. "
+                             "Each four corners that form a rectangle are one area; otherwise all "
+                             "corners form one polygon. Custom G-code is not checked",
+                      .field = Bind<&JobSlicingOptions::excluded>(),
+                      .orca = {{"bed_exclude_area", OrcaValue::kPoints}}});
   for (SettingSpec& spec : settings) {
     if (spec.key == "max_print_height")
       spec.also = Bind<&MachineRow::motion, &MachineMotion::max_print_height_nm>();

@@ -14,14 +14,14 @@ std::vector<SettingSpec> WritingWords() {
       Orca({"use_relative_e_distances"},
            WritingFlag(
                "use_relative_e_distances", "1",
-               "Write the extrusion of each move (relative E), so that programs can be cut and "
-               "joined anywhere; 0: write the sum of all moves (absolute E). Default in "
+               "Write the extrusion of each move by itself (relative E), so that G-code can be cut "
+               "and joined anywhere; 0: write the sum since the start (absolute E). Default in "
                "PrusaSlicer: 0",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::relative_e>())),
       WritingFlag(
           "use_volumetric_e", "0",
-          "Write extrusion in mm3 instead of mm; the machine must know the filament diameter (M200 "
-          "in start_gcode)",
+          "Write extrusion as volume in mm3 instead of length in mm; start_gcode must tell the "
+          "machine the filament diameter (M200)",
           Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::volumetric_e>()),
       Orca({"use_firmware_retraction"},
            WritingFlag(
@@ -32,7 +32,7 @@ std::vector<SettingSpec> WritingWords() {
                     &WritingOptions::firmware_retraction>())),
       Orca({"gcode_comments"},
            WritingFlag(
-               "gcode_comments", "0", "Add a comment to each move that says the move's purpose",
+               "gcode_comments", "0", "Add a comment with its purpose to each move",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::comments>())),
       WritingFlag("binary_gcode", "0", "Write binary G-code (.bgcode), which Prusa printers read",
                   Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::binary>()),
@@ -44,15 +44,15 @@ std::vector<SettingSpec> WritingWords() {
       {.key = "gcode_substitutions",
        .kind = Kind::kSubstitutions,
        .doc = "Replacements in the text of the G-code, layer by layer: pattern, replacement, flags "
-              "and notes, in quotes, separated by semicolons. Flags: r: regular expression, i: "
-              "ignore case, w: whole words, s: a dot matches a line end",
+              "and notes, in quotes, separated by semicolons. Flags: r: regular expression. i: "
+              "ignore case. w: whole words. s: a dot also matches a line end",
        .field =
            Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::substitutions>()},
       {.key = "output_filename_format",
        .kind = Kind::kText,
        .standard = "[input_filename_base].gcode",
        .doc = "Name of the output file if the job gives no name; may contain the placeholders of "
-              "custom G-code",
+              "custom G-code, such as [layer_height]",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::file_name>(),
        .orca = {{"filename_format", OrcaValue::kGcode}}},
   };
@@ -67,22 +67,21 @@ std::vector<SettingSpec> AtHeights() {
   return {
       {.key = "custom_gcode_per_print_z",
        .kind = Kind::kHeightCode,
-       .doc = "Actions at heights of the print: z in mm, type (color_change, pause, template, "
-              "custom) and text (colour, message or G-code)",
+       .doc = "Actions at heights of the print, as a list in JSON: height z in mm, type "
+              "(color_change, pause, template or custom) and its text (the colour, the message on "
+              "the display or the G-code)",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::height_code>(),
        .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}},
        .needs = {&needs::kLayerByLayer}},
-      gcode("color_change_gcode", "M600", "G-code that is inserted for a colour change",
+      gcode("color_change_gcode", "M600", "G-code of each color_change in custom_gcode_per_print_z",
             Bind<&MachineRow::motion, &MachineMotion::writing,
                  &WritingOptions::color_change_gcode>()),
       Orca({"machine_pause_gcode", OrcaValue::kGcode},
            gcode(
-               "pause_print_gcode", "M601", "G-code that is inserted for a pause",
+               "pause_print_gcode", "M601", "G-code of each pause in custom_gcode_per_print_z",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::pause_gcode>())),
       Orca({"template_custom_gcode", OrcaValue::kGcode},
-           gcode("template_custom_gcode", "",
-                 "G-code that is inserted at each height that has the type template in "
-                 "custom_gcode_per_print_z",
+           gcode("template_custom_gcode", "", "G-code of each template in custom_gcode_per_print_z",
                  Bind<&MachineRow::motion, &MachineMotion::writing,
                       &WritingOptions::template_gcode>())),
   };
