@@ -22,7 +22,7 @@ SettingSpec ScarfSpeed() {
           .min = 1,
           .max = 10'000,
           .standard = "100%",
-          .doc = "Highest speed of a scarf",
+          .doc = "Highest speed of a scarf; 100%: the speed of the wall",
           .percent_of = "the speed of the wall",
           .field = Convert<RegionRow>(set, get),
           .orca = {{"scarf_joint_speed"}},
@@ -37,7 +37,7 @@ std::vector<SettingSpec> ScarfSettings() {
        .standard = "nowhere",
        .doc = "Loops with a scarf seam: the loop begins low and thin, rises to the layer height "
               "and ends on top of its own beginning. The first layer has no scarfs. contours: "
-              "outer contours. everywhere: also holes",
+              "outer contours. everywhere: outer contours and holes",
        .choices = {{"nowhere", placement(ScarfPlacement::kNowhere)},
                    {"contours", placement(ScarfPlacement::kContours)},
                    {"everywhere", placement(ScarfPlacement::kEverywhere)}},
@@ -46,7 +46,7 @@ std::vector<SettingSpec> ScarfSettings() {
       {.key = "scarf_seam_only_on_smooth",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Omit the scarf where the seam is hidden at a corner",
+       .doc = "Print no scarf where a corner hides the seam; 0: also at corners",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::only_on_smooth>(),
        .orca = {{"seam_slope_conditional"}}},
       {.key = "scarf_seam_start_height",
@@ -55,7 +55,8 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0,
        .max = 100,
        .standard = "0%",
-       .doc = "Height at which a scarf begins, as a share of the layer height",
+       .doc = "Height at which a scarf begins, as a share of the layer height; 0%: at the top of "
+              "the layer below",
        .field = Bind<Scale::kPercent, &RegionRow::motion, &RegionMotion::scarf,
                      &ScarfOptions::start_height_ratio>(),
        .orca = {{"seam_slope_start_height", OrcaValue::kShareOf, "layer_height"}}},
@@ -78,14 +79,14 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0.15,
        .max = 100,
        .standard = "1",
-       .doc = "Longest segment of constant flow in a scarf; smaller: smoother",
+       .doc = "Longest piece of a scarf with constant height and flow; smaller: smoother",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::max_segment_mm>()},
       {.key = "scarf_seam_steps",
        .kind = Kind::kInteger,
        .min = 1,
        .max = 1000,
        .standard = "1",
-       .doc = "Least number of segments of a scarf",
+       .doc = "Least number of pieces with constant height and flow in a scarf; larger: smoother",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::least_segments>(),
        .orca = {{"seam_slope_steps"}},
        .needs = {&needs::kScarfSeam}},
@@ -94,7 +95,7 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0.1,
        .max = 2,
        .standard = "1",
-       .doc = "Flow of scarfs relative to the flow that fills the layer; 1: the same",
+       .doc = "Factor for the flow of scarfs; 1: the flow that fills the height of the scarf",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::flow>(),
        .orca = {{"scarf_joint_flow_ratio"}},
        .needs = {&needs::kScarfSeam}},
@@ -115,9 +116,9 @@ std::vector<SettingSpec> SeamSettings() {
       {.key = "seam_position",
        .kind = Kind::kChoice,
        .standard = "aligned",
-       .doc = "Start point of loops. aligned: above each other, at corners. nearest: near the "
-              "nozzle. rear: at the back. random: anywhere. hidden: above each other, where the "
-              "seam is least visible",
+       .doc = "Start point of loops, where the seam is. aligned: above each other, at corners. "
+              "nearest: near the nozzle. rear: at the back of the object. random: anywhere. "
+              "hidden: above each other, where the seam is least visible",
        .choices = {{"aligned", seam(SeamPosition::kAligned)},
                    {"nearest", seam(SeamPosition::kNearest)},
                    {"rear", seam(SeamPosition::kRear)},
@@ -128,8 +129,8 @@ std::vector<SettingSpec> SeamSettings() {
       {.key = "staggered_inner_seams",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Shift the start of each inner loop along the wall, by the loop's distance from the "
-              "outermost loop",
+       .doc = "Move the seam of each inner loop along the wall, farther for each loop inwards, so "
+              "that seams are not side by side; 0: side by side",
        .field = Bind<&RegionRow::order, &WallOrder::stagger_seams>(),
        .orca = {{"staggered_inner_seams"}}},
   };

@@ -42,94 +42,97 @@ std::vector<SettingSpec> Retraction() {
                 "Length of filament that is retracted before a travel; 0: no retraction",
                 Bind<&ToolRow::retraction, &RetractionOptions::length_mm>());
   AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
-                "Speed of retractions",
+                "Speed at which the filament is pulled back by retractions",
                 Bind<&ToolRow::retraction, &RetractionOptions::speed_mm_s>(),
                 {&needs::kRetractLength});
-  AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
-                "Speed of pushing the filament back after a retraction; 0: retract_speed",
-                Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>(),
-                {&needs::kRetractLength});
+  AddRetraction(
+      settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
+      "Speed at which the filament is pushed forward after a retraction; 0: retract_speed",
+      Bind<&ToolRow::retraction, &RetractionOptions::restart_speed_mm_s>(),
+      {&needs::kRetractLength});
   AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
-                "Extra length of filament that is pushed after a retraction; negative: less is "
-                "pushed than was retracted",
+                "Additional length of filament that is pushed forward after a retraction; "
+                "negative: less filament than was retracted",
                 Bind<&ToolRow::retraction, &RetractionOptions::restart_extra_mm>(),
                 {&needs::kRetractLength, &needs::kOwnRetraction}, /*min=*/-100);
   AddRetraction(
       settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000, "2",
-      "Shortest travel with a retraction; travels across outer walls always have one",
+      "Length of the shortest travel with a retraction; travels across outer walls always have a "
+      "retraction",
       Bind<&ToolRow::retraction, &RetractionOptions::min_travel_mm>(), {&needs::kRetractLength});
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
                 "Height by which the nozzle is lifted for a travel (Z hop); 0: no lift",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>(),
                 {&needs::kRetractLength, &needs::kStraightLift});
   AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
-                "Lowest height above the bed at which the nozzle is lifted",
+                "Height above the bed from which the nozzle is lifted for travels; below this "
+                "height it is not lifted",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>(),
                 {&needs::kAnyLift});
-  AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
-                "Greatest height above the bed at which the nozzle is lifted; 0: no upper limit",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>(),
-                {&needs::kAnyLift});
-  const auto after = [](LiftAfter a) { return static_cast<int>(a); };
   AddRetraction(
-      settings,
-      {.key = "retract_lift_enforce",
-       .kind = Kind::kChoice,
-       .standard = "all",
-       .doc = "Extrusion after which the nozzle is lifted for a travel. all: any. top: top "
-              "surfaces and ironing. bottom: the first layer. top_and_bottom: both of these",
-       .choices = {{"all", after(LiftAfter::kAll)},
-                   {"top", after(LiftAfter::kTop)},
-                   {"bottom", after(LiftAfter::kBottom)},
-                   {"top_and_bottom", after(LiftAfter::kTopAndBottom)}},
-       .field = Bind<&ToolRow::retraction, &RetractionOptions::lift_after>(),
-       .orca = {{"retract_lift_enforce", OrcaValue::kChoice}}},
-      "filament_retract_lift_enforce");
+      settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
+      "Height above the bed up to which the nozzle is lifted for travels; 0: no upper limit",
+      Bind<&ToolRow::retraction, &RetractionOptions::lift_below_mm>(), {&needs::kAnyLift});
+  const auto after = [](LiftAfter a) { return static_cast<int>(a); };
+  AddRetraction(settings,
+                {.key = "retract_lift_enforce",
+                 .kind = Kind::kChoice,
+                 .standard = "all",
+                 .doc = "Lines after which the nozzle is lifted for a travel. all: all lines. top: "
+                        "top surfaces and ironing. bottom: the first layer. top_and_bottom: top "
+                        "surfaces, ironing and the first layer",
+                 .choices = {{"all", after(LiftAfter::kAll)},
+                             {"top", after(LiftAfter::kTop)},
+                             {"bottom", after(LiftAfter::kBottom)},
+                             {"top_and_bottom", after(LiftAfter::kTopAndBottom)}},
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::lift_after>(),
+                 .orca = {{"retract_lift_enforce", OrcaValue::kChoice}}},
+                "filament_retract_lift_enforce");
   AddRetraction(settings,
                 {.key = "travel_ramping_lift",
                  .kind = Kind::kFlag,
                  .standard = "0",
-                 .doc = "Lift the nozzle gradually along the travel, by travel_max_lift and "
-                        "travel_slope; 0: straight up by retract_lift",
+                 .doc = "Lift the nozzle gradually along the travel, with the slope travel_slope "
+                        "up to travel_max_lift; 0: straight up by retract_lift",
                  .field = Bind<&ToolRow::retraction, &RetractionOptions::ramping>()},
                 "filament_travel_ramping_lift");
   AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
-                "Largest height by which the nozzle is lifted along a travel with "
-                "travel_ramping_lift; shorter travels lift less",
+                "Largest height by which the nozzle rises along a travel with travel_ramping_lift; "
+                "short travels rise less, because travel_slope limits them",
                 Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>(),
                 {&needs::kRampingLift});
   AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
-                "Slope, measured from horizontal, at which the nozzle is lifted along a travel; 0 "
-                "and 90: straight up",
+                "Slope, measured from horizontal, at which the nozzle rises along a travel with "
+                "travel_ramping_lift; 0 and 90: straight up",
                 Bind<&ToolRow::retraction, &RetractionOptions::ramp_slope_deg>(),
                 {&needs::kRampingLift});
-  AddRetraction(settings,
-                {.key = "travel_lift_before_obstacle",
-                 .kind = Kind::kFlag,
-                 .standard = "0",
-                 .doc = "Lift the nozzle more steeply if the travel would otherwise cross an edge "
-                        "of the layer below before the nozzle is high enough",
-                 .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>(),
-                 .needs = {&needs::kRampingLift}},
-                "filament_travel_lift_before_obstacle");
   AddRetraction(
       settings,
-      {.key = "wipe",
+      {.key = "travel_lift_before_obstacle",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc =
-           "Move the nozzle along the printed line while it retracts, which leaves smaller blobs",
-       .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>(),
-       .orca = {{"wipe"}},
-       .needs = {&needs::kRetractLength}},
-      "filament_wipe");
+       .doc = "Lift the nozzle more steeply than travel_slope where the travel would otherwise "
+              "cross an edge of the layer below before the nozzle is high enough",
+       .field = Bind<&ToolRow::retraction, &RetractionOptions::before_obstacles>(),
+       .needs = {&needs::kRampingLift}},
+      "filament_travel_lift_before_obstacle");
+  AddRetraction(settings,
+                {.key = "wipe",
+                 .kind = Kind::kFlag,
+                 .standard = "0",
+                 .doc = "Move the nozzle along the printed line while the filament is retracted, "
+                        "which leaves smaller blobs; 0: retract on the spot",
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe>(),
+                 .orca = {{"wipe"}},
+                 .needs = {&needs::kRetractLength}},
+                "filament_wipe");
   AddRetraction(
       settings,
       {.key = "retract_layer_change",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Retract at each layer change, even if the travel is hidden inside the part. "
-              "Labelled objects and custom G-code between layers always cause a retraction",
+       .doc = "Retract at each layer change, even if the travel is inside the part. Labelled "
+              "objects and custom G-code between layers always cause a retraction",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::retract_layer_change>(),
        .orca = {{"retract_when_changing_layer"}},
        .needs = {&needs::kHiddenTravels}},
@@ -141,7 +144,8 @@ std::vector<SettingSpec> Retraction() {
        .min = 0,
        .max = 100,
        .standard = "0%",
-       .doc = "Share of retract_length that is retracted before the wipe begins",
+       .doc = "Share of retract_length that is retracted before the move of `wipe` begins; the "
+              "rest is retracted during this move",
        .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>(),
        .orca = {{"retract_before_wipe"}},
        .needs = {&needs::kWipe}},
@@ -153,8 +157,8 @@ std::vector<SettingSpec> Retraction() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Length of the move that `wipe` adds. If the retraction takes longer than this move, "
-              "a part of it is done before the move. 0: as long as the retraction takes",
+       .doc = "Length of the move that `wipe` adds. A part of a retraction that takes longer than "
+              "this move is done before it. 0: as long as the retraction takes",
        .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>(),
        .needs = {&needs::kWipe}},
       "filament_wipe_distance");
@@ -179,8 +183,8 @@ SettingSpec MaxDetour() {
           .max = 1000,
           .standard = "0",
           .doc =
-              "Longest detour of avoid_crossing_perimeters; a travel that would need a longer one "
-              "crosses the wall. 0: no limit",
+              "Longest detour of a travel with avoid_crossing_perimeters; a travel that needs a "
+              "longer detour crosses the wall. 0: no limit",
           .percent_of = "the straight travel",
           .field = Convert<MachineRow>(set, get),
           .orca = {{"max_travel_detour_distance"}},
@@ -192,8 +196,9 @@ std::vector<SettingSpec> Travels() {
       {.key = "only_retract_when_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Do not retract before travels inside the part; travels to outer walls and over top "
-              "surfaces still retract. Default in PrusaSlicer: 0",
+       .doc = "Do not retract before travels inside the part, where strings are not visible. "
+              "Travels to outer walls and over top surfaces still retract. 0: all travels longer "
+              "than retract_before_travel retract. Default in PrusaSlicer: 0",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::hide>(),
        .orca = {{"reduce_infill_retraction"}}},
       {.key = "retract_inside_after",
@@ -201,14 +206,15 @@ std::vector<SettingSpec> Travels() {
        .min = 0,
        .max = 1000,
        .standard = "30",
-       .doc = "With only_retract_when_crossing_perimeters, the shortest travel inside the part "
-              "that still retracts; 0: travels inside the part never retract",
+       .doc = "Length of the shortest travel inside the part that retracts in spite of "
+              "only_retract_when_crossing_perimeters; 0: no travel inside the part retracts",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::longest_hidden_mm>(),
        .needs = {&needs::kHiddenTravels}},
       {.key = "avoid_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Plan travels around outer walls, inside the part",
+       .doc = "Plan travels inside the part so that they do not cross outer walls, which leaves "
+              "fewer strings; 0: straight travels",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_crossing>(),
        .orca = {{"reduce_crossing_wall"}}},
       MaxDetour(),
@@ -225,29 +231,30 @@ std::vector<SettingSpec> Travels() {
       {.key = "role_based_wipe_speed",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Wipe at the speed of the preceding line, but at least at 10 mm/s, instead of "
-              "wipe_speed",
+       .doc = "Do the move of `wipe` at the speed of the line before it, but at least at 10 mm/s; "
+              "0: at wipe_speed",
        .field = Bind<&MachineRow::motion, &MachineMotion::wipe_as_printed>(),
        .orca = {{"role_based_wipe_speed"}},
        .needs = {&needs::kWipe}},
       {.key = "wipe_on_loops",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Move inwards to the edge of the line at the end of outer walls, before the travel "
-              "begins; loops with a scarf have no such move",
+       .doc = "Move inwards at the end of each outer wall, as far as the edge of its line, before "
+              "the travel begins, so that the seam is less visible; not on loops with a scarf",
        .field = Bind<&RegionRow::motion, &RegionMotion::wipe_on_loops>(),
        .orca = {{"wipe_on_loops"}}},
       {.key = "wipe_before_external_loop",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "End travels to outer walls at the inner edge of the line, so that the filament that "
-              "is pushed back does not thicken the start of the wall",
+       .doc = "End travels to outer walls at the inner edge of the line, so that filament that is "
+              "pushed forward after the retraction does not thicken the start of the wall",
        .field = Bind<&RegionRow::motion, &RegionMotion::wipe_before_outer>(),
        .orca = {{"wipe_before_external_loop"}}},
       {.key = "avoid_crossing_curled_overhangs",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Plan travels around overhangs that have probably curled up",
+       .doc = "Plan travels around overhangs that have probably curled up, so that the nozzle does "
+              "not hit them; 0: straight across",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::avoid_curled>(),
        .also = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_curled>()},
   };

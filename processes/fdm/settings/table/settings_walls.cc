@@ -50,8 +50,8 @@ std::vector<SettingSpec> VariableWalls() {
       {.key = "perimeter_generator",
        .kind = Kind::kChoice,
        .standard = "arachne",
-       .doc = "Generator of walls. arachne: variable width, which fills thin features. classic: "
-              "constant width",
+       .doc = "Method that lays out walls. arachne: walls of variable width, which fill thin "
+              "features. classic: walls of constant width",
        .choices = {{"arachne", generator(WallGenerator::kArachne)},
                    {"classic", generator(WallGenerator::kClassic)}},
        .field = Bind<&RegionRow::walls, &BeadingOptions::generator>(),
@@ -60,61 +60,65 @@ std::vector<SettingSpec> VariableWalls() {
       {.key = "thin_walls",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print features thinner than two walls as a single line. Only for wall_generator = "
-              "classic; arachne always does this",
+       .doc = "Print features thinner than two walls as a single line, with perimeter_generator = "
+              "classic; arachne always does this. 0: such features are not printed",
        .field = Bind<&RegionRow::walls, &BeadingOptions::thin_walls>(),
        .orca = {{"detect_thin_wall"}}},
       Orca({"wall_transition_length", OrcaValue::kPercent},
            OfNozzle("wall_transition_length", "100%",
-                    "Length over which the number of walls changes by one",
+                    "Length along a feature over which the number of walls changes by one; "
+                    "smaller: a more sudden change",
                     Bind<&RegionRow::walls, &BeadingOptions::transition_length_nm>())),
       {.key = "wall_transition_angle",
        .unit = "degrees",
        .min = 1,
        .max = 59,
        .standard = "10",
-       .doc = "Angle between opposite sides below which walls of variable width fill the wedge "
-              "between them",
+       .doc = "Angle of a wedge of the part below which walls of variable width fill the wedge, "
+              "with perimeter_generator = arachne; smaller: only sharper wedges",
        .field = Bind<Scale::kDegrees, &RegionRow::walls, &BeadingOptions::transition_angle>(),
        .own_scope = Scope::kObject,
        .orca = {{"wall_transition_angle"}}},
       Orca({"wall_transition_filter_deviation", OrcaValue::kPercent},
            OfNozzle("wall_transition_filter_deviation", "25%",
-                    "Amount by which widths may exceed their limits to avoid changing the number "
-                    "of walls",
+                    "Distance by which extrusion widths may exceed min_bead_width and "
+                    "max_bead_width so that the number of walls changes less often",
                     Bind<&RegionRow::walls, &BeadingOptions::transition_deviation_nm>())),
       {.key = "wall_distribution_count",
        .kind = Kind::kInteger,
        .min = 1,
        .max = 1000,
        .standard = "1",
-       .doc = "Number of walls, counted from the middle, over which a change of width is spread",
+       .doc = "Number of walls, counted from the middle of a feature, that become wider or "
+              "narrower to fill its thickness, with perimeter_generator = arachne",
        .field = Bind<&RegionRow::walls, &BeadingOptions::distribution_count>(),
        .own_scope = Scope::kObject,
        .orca = {{"wall_distribution_count"}}},
       Orca({"min_feature_size", OrcaValue::kPercent},
            OfNozzle("min_feature_size", "25%",
-                    "Thickness below which parts of the shape are not printed (arachne)",
+                    "Thickness below which features of the part are not printed, with "
+                    "perimeter_generator = arachne",
                     Bind<&RegionRow::walls, &BeadingOptions::min_feature_nm>())),
       Orca({"min_bead_width", OrcaValue::kPercent},
-           OfNozzle("min_bead_width", "85%", "Smallest extrusion width of walls of variable width",
+           OfNozzle("min_bead_width", "85%",
+                    "Smallest extrusion width of walls with perimeter_generator = arachne; thinner "
+                    "features are printed with this width",
                     Bind<&RegionRow::walls, &BeadingOptions::min_bead_width_nm>())),
       Orca({"initial_layer_min_bead_width", OrcaValue::kPercent},
            Needing({&needs::kArachne},
-                   OfNozzle(
-                       "first_layer_min_bead_width", "0",
-                       "Smallest extrusion width of walls of variable width in the first layer; 0: "
-                       "min_bead_width",
-                       Bind<&RegionRow::walls, &BeadingOptions::first_layer_min_bead_nm>()))),
+                   OfNozzle("first_layer_min_bead_width", "0",
+                            "Smallest extrusion width of walls in the first layer with "
+                            "perimeter_generator = arachne; 0: min_bead_width",
+                            Bind<&RegionRow::walls, &BeadingOptions::first_layer_min_bead_nm>()))),
       OfNozzle("max_bead_width", "200%",
-               "Largest extrusion width of walls of variable width; never less than the width "
-               "settings of the walls",
+               "Largest extrusion width of walls with perimeter_generator = arachne; at least the "
+               "width settings of the walls",
                Bind<&RegionRow::walls, &BeadingOptions::max_bead_width_nm>()),
       {.key = "lock_outer_width",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Keep the extrusion width of the outer walls where a third, narrow wall fits between "
-              "them",
+       .doc = "Keep the extrusion width of the two outer walls where a third, narrow wall fits "
+              "between them; 0: both may become wider instead, up to max_bead_width",
        .field = Bind<&RegionRow::walls, &BeadingOptions::lock_outer_width>(),
        .own_scope = Scope::kObject},
   };
@@ -125,8 +129,8 @@ std::vector<SettingSpec> FuzzySkins() {
       {.key = "fuzzy_skin",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc = "Outermost walls that get a rough surface (not in the first layer). external: outer "
-              "contours. all: walls of holes too",
+       .doc = "Outermost walls that get a rough surface, except in the first layer. none: no "
+              "walls. external: walls of outer contours. all: walls of outer contours and of holes",
        .choices = {{"none", static_cast<int>(FuzzySkin::kNone)},
                    {"external", static_cast<int>(FuzzySkin::kContours)},
                    {"all", static_cast<int>(FuzzySkin::kAllWalls)}},
@@ -137,7 +141,8 @@ std::vector<SettingSpec> FuzzySkins() {
        .min = 0,
        .max = 10,
        .standard = "0.3",
-       .doc = "Largest distance by which points of a fuzzy skin move outwards or inwards",
+       .doc = "Largest distance by which points of a fuzzy skin move outwards or inwards from the "
+              "wall; larger: rougher",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_thickness_nm>(),
        .orca = {{"fuzzy_skin_thickness"}},
        .needs = {&needs::kFuzzySkin}},
@@ -146,7 +151,7 @@ std::vector<SettingSpec> FuzzySkins() {
        .min = 0.01,
        .max = 100,
        .standard = "0.8",
-       .doc = "Mean distance between the points of a fuzzy skin; smaller: finer",
+       .doc = "Mean distance between the points of a fuzzy skin; smaller: a finer texture",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_point_distance_nm>(),
        .orca = {{"fuzzy_skin_point_distance"}},
        .needs = {&needs::kFuzzySkin}},
@@ -163,12 +168,13 @@ std::vector<SettingSpec> Widths() {
   first.own_scope = Scope::kJob;
   first.also = Bind<&RegionRow::infill, &InfillOptions::first_layer_width_nm>();
   return {
-      InScope(Scope::kObject,
-              Orca({"line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
-                   Width("extrusion_width",
-                         "Extrusion width of lines for which the width setting is 0; 0: 1.125 "
-                         "times the nozzle diameter (top surfaces: the nozzle diameter)",
-                         {}))),
+      InScope(
+          Scope::kObject,
+          Orca({"line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
+               Width("extrusion_width",
+                     "Extrusion width of lines that have 0 in their own width setting; 0: 1.125 "
+                     "times the nozzle diameter, and the nozzle diameter for top surfaces",
+                     {}))),
       first,
       Orca({"inner_wall_line_width", OrcaValue::kPercentOf, "nozzle_diameter"},
            Width("perimeter_extrusion_width", "Extrusion width of inner walls; 0: extrusion_width",
@@ -200,20 +206,21 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 1000,
        .standard = "3",
-       .doc = "Number of walls",
+       .doc = "Number of walls around each layer; 0: no walls",
        .field = Bind<&RegionRow::walls, &BeadingOptions::perimeters>(),
        .orca = {{"wall_loops"}}},
       {.key = "only_one_perimeter_first_layer",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print a single wall in the first layer, with infill inside it",
+       .doc = "Print a single wall in the first layer, with infill inside it; 0: the number of "
+              "walls in `perimeters`",
        .field = Bind<&RegionRow::walls, &BeadingOptions::one_on_bed>(),
        .orca = {{"only_one_wall_first_layer"}}},
       {.key = "top_one_perimeter_type",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc = "Surfaces with a single wall and top infill inside it. none: no surface. top: all "
-              "top surfaces. topmost: the last layer of the object",
+       .doc = "Surfaces that have a single wall, with top infill inside it. none: no surface. top: "
+              "all top surfaces. topmost: only the last layer of the object",
        .choices = {{"none", static_cast<int>(OneWallOnTop::kNowhere)},
                    {"top", static_cast<int>(OneWallOnTop::kSurfaces)},
                    {"topmost", static_cast<int>(OneWallOnTop::kTopmost)}},
@@ -225,8 +232,8 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 15,
        .standard = "0",
-       .doc = "Width below which a top surface keeps its inner walls in spite of "
-              "top_one_perimeter_type = top; 0: half an inner wall",
+       .doc = "Width up to which a top surface keeps its inner walls although "
+              "top_one_perimeter_type = top; 0: half the width of an inner wall",
        .relative_to = "perimeter_extrusion_width",
        .field = Bind<&RegionRow::walls, &BeadingOptions::min_top_width_nm>(),
        .orca = {{"min_width_top_surface"}},
@@ -234,22 +241,24 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "precise_outer_wall",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Keep the wall beside an outer wall at the distance of their full widths, so that it "
-              "does not press the outer wall outwards; only where infill is inside the walls",
+       .doc = "Place the wall beside an outer wall at the distance of their full widths, without "
+              "overlap, so that the outer wall keeps its exact position. Only where infill is "
+              "inside the walls",
        .field = Bind<&RegionRow::walls, &BeadingOptions::precise_outer>(),
        .orca = {{"precise_outer_wall"}},
        .needs = {&needs::kInnerWallsFirst}},
       {.key = "overhang_reverse",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print walls that overhang in the other direction in every second layer, which "
-              "improves steep overhangs",
+       .doc = "Change the printing direction of overhanging walls in every second layer, which "
+              "improves steep overhangs; 0: the same direction in all layers",
        .field = Bind<&RegionRow::motion, &RegionMotion::reversal, &OverhangReversal::on>(),
        .orca = {{"overhang_reverse"}}},
       {.key = "overhang_reverse_internal_only",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Apply overhang_reverse to inner walls only",
+       .doc =
+           "Change the direction by overhang_reverse for inner walls only; 0: for outer walls too",
        .field = Bind<&RegionRow::motion, &RegionMotion::reversal, &OverhangReversal::inner_only>(),
        .orca = {{"overhang_reverse_internal_only"}},
        .needs = {&needs::kOverhangReverse}},
@@ -259,9 +268,8 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 20,
        .standard = "50%",
-       .doc =
-           "Overhang of a wall's edge beyond the layer below from which overhang_reverse applies "
-           "to the wall; 0, or overhangs = 0: to all walls",
+       .doc = "Distance by which the edge of a wall must extend beyond the layer below so that "
+              "overhang_reverse changes its direction. 0, or overhangs = 0: all walls change",
        .relative_to = "perimeter_extrusion_width",
        .field =
            Bind<&RegionRow::motion, &RegionMotion::reversal, &OverhangReversal::threshold_mm>(),
@@ -271,35 +279,37 @@ std::vector<SettingSpec> WallSettings() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Print one object as a single wall that rises continuously above the solid bottom "
-              "layers: no seam, infill or top, and only the largest contour of each layer. Several "
-              "copies need complete_objects",
+              "layers, without seam, infill and top. Only the largest contour of each layer is "
+              "printed. Several copies need complete_objects",
        .field = SpiralField(),
        .own_scope = Scope::kJob,
        .orca = {{"spiral_mode"}}},
       {.key = "spiral_vase_smooth",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Move each turn of spiral_vase gradually from the contour below to its own; 0: turns "
-              "keep their contour, so that slopes show a seam",
+       .doc = "Move each turn of spiral_vase gradually from the contour of the turn below to its "
+              "own contour; 0: each turn keeps its contour, so that slopes show a seam",
        .own_scope = Scope::kJob,
        .orca = {{"spiral_mode_smooth"}}},
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Add walls in slopes until at least 70 % of the walls above are supported; only "
-              "where there is infill. Default in PrusaSlicer: 1; in its printer profiles: 0",
+       .doc =
+           "Add walls in slopes until at least 70 % of the walls of the layer above are supported; "
+           "only where there is infill. Default in PrusaSlicer: 1; in its printer profiles: 0",
        .field = Bind<&RegionRow::walls, &BeadingOptions::extra_perimeters>()},
       {.key = "external_perimeters_first",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print outer walls before inner walls",
+       .doc = "Print outer walls before inner walls; 0: inner walls first, which makes overhangs "
+              "better",
        .field = Bind<&RegionRow::order, &WallOrder::external_perimeters_first>(),
        .orca = {{"wall_sequence", OrcaValue::kChoice}}},
       {.key = "inner_outer_inner",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print the inner walls except the one next to the outer wall, then the outer wall, "
-              "then that last inner wall; overrides external_perimeters_first",
+       .doc = "Print inner walls except the one next to the outer wall, then the outer wall, then "
+              "that inner wall; overrides external_perimeters_first",
        .field = Bind<&RegionRow::order, &WallOrder::inner_outer_inner>(),
        .orca = {{"wall_sequence", OrcaValue::kChoice}}},
       {.key = "gap_fill_enabled",
@@ -310,9 +320,9 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "gap_fill_target",
        .kind = Kind::kChoice,
        .standard = "everywhere",
-       .doc = "Parts of the infill's area that are filled like gaps because they are narrower than "
-              "gap_fill_max_width. topbottom: parts with nothing above or below them. nowhere: all "
-              "parts are left to the lines of the infill",
+       .doc = "Places where infill areas narrower than gap_fill_max_width are filled with gap fill "
+              "instead of infill. everywhere: all such areas. topbottom: areas with nothing above "
+              "or below them. nowhere: none",
        .choices = {{"everywhere", static_cast<int>(GapFillTarget::kEverywhere)},
                    {"topbottom", static_cast<int>(GapFillTarget::kTopBottom)},
                    {"nowhere", static_cast<int>(GapFillTarget::kNowhere)}},
@@ -344,8 +354,8 @@ std::vector<SettingSpec> WallSettings() {
       {.key = "prefer_clockwise_movements",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print loops of outer contours clockwise and loops of holes counter-clockwise; 0: "
-              "the opposite",
+       .doc = "Print walls of outer contours clockwise and walls of holes counter-clockwise, seen "
+              "from above; 0: the opposite",
        .field = Bind<&MachineRow::order, &JobOrder::clockwise>(),
        .also = Bind<&MachineRow::motion, &MachineMotion::clockwise>(),
        .orca = {{"wall_direction", OrcaValue::kChoice}}},
@@ -355,7 +365,7 @@ std::vector<SettingSpec> WallSettings() {
        .max = 100e6,
        .standard = "200000",
        .doc = "Number of changes to the printing order that are tried in each layer to shorten "
-              "travels; larger: shorter travels, more computing time",
+              "travels. Larger: shorter travels, but more computing time. 0: none",
        .field = Bind<&MachineRow::order, &JobOrder::improvement_moves>()},
   };
   for (SettingSpec& wall : VariableWalls()) settings.push_back(std::move(wall));
