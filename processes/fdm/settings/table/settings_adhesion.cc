@@ -14,8 +14,9 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = limits::kMaxSkirtLoops,
        .standard = "0",
-       .doc = "Number of loops that are printed around all objects first, so that the filament "
-              "flows steadily; 0: no skirt. Default in PrusaSlicer: 1",
+       .doc =
+           "Number of loops that are printed around all objects before them, so that the filament "
+           "flows steadily when the objects begin; 0: no skirt. Default in PrusaSlicer: 1",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::loops>(),
        .orca = {{"skirt_loops"}}},
       {.key = "skirt_distance",
@@ -23,8 +24,8 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1000,
        .standard = "6",
-       .doc = "Distance between the skirt and the objects; for objects with a brim, between the "
-              "skirt and the brim",
+       .doc = "Horizontal distance between the objects and the innermost skirt loop. Objects with "
+              "a brim: distance between the brim and the skirt, unless the skirt is a draft_shield",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::distance_nm>(),
        .orca = {{"skirt_distance"}},
        .needs = {&needs::kSkirt}},
@@ -34,7 +35,7 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = limits::kMaxLayers,
        .standard = "1",
-       .doc = "Number of layers with a skirt",
+       .doc = "Number of layers, counted from the first one, that have a skirt",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::height_layers>(),
        .orca = {{"skirt_height"}},
        .needs = {&needs::kSkirt}},
@@ -43,7 +44,8 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 10'000,
        .standard = "0",
-       .doc = "Speed of the skirt in all layers; 0: first_layer_speed and support_material_speed",
+       .doc = "Speed of the skirt in all layers; 0: first_layer_speed in the first layer, "
+              "support_material_speed in the other layers",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::speed_mm_s>(),
        .orca = {{"skirt_speed"}},
        .needs = {&needs::kSkirt}},
@@ -53,16 +55,17 @@ std::vector<SettingSpec> Skirt() {
        .max = 1e6,
        .standard = "0",
        .doc = "Smallest length of filament that the skirt uses on the first layer; loops are added "
-              "until the skirt is that long",
+              "to `skirts` until the skirt uses this length. 0: no loops are added",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::min_length_nm>(),
        .orca = {{"min_skirt_length"}},
        .needs = {&needs::kSkirt}},
       {.key = "draft_shield",
        .kind = Kind::kChoice,
        .standard = "disabled",
-       .doc = "Skirt that shields the part from cold air, at skirt_distance from the part; brims "
-              "are cut off where they would overlap it. limited: as high as skirt_height. enabled: "
-              "on all layers",
+       .doc = "Use of the skirt as a wall that shields the part from cold air. The wall is at "
+              "skirt_distance from the part and cuts off brims that reach it. limited: "
+              "skirt_height layers high. enabled: on all layers. disabled: an ordinary skirt. 0 "
+              "and 1 are older names of disabled and enabled",
        .choices = {{"disabled", shield(DraftShield::kDisabled)},
                    {"limited", shield(DraftShield::kLimited)},
                    {"enabled", shield(DraftShield::kEnabled)},
@@ -96,7 +99,7 @@ std::vector<SettingSpec> Brim() {
        .standard = "outer_only",
        .doc = "Position of the brim. outer_only: around the object. inner_only: in its holes. "
               "outer_and_inner: both. brim_ears: discs at sharp corners. auto_brim: around the "
-              "object, as wide as its shape and material need",
+              "object, with a width that the program computes from the object's shape and material",
        .choices = {{"no_brim", type(BrimType::kNone)},
                    {"outer_only", type(BrimType::kOuterOnly)},
                    {"inner_only", type(BrimType::kInnerOnly)},
@@ -122,7 +125,7 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Gap between an object and its brim",
+       .doc = "Horizontal gap between an object and its brim; 0: the brim touches the object",
        .field = Bind<&ObjectRow::brim, &BrimOptions::separation_nm>(),
        .orca = {{"brim_object_gap"}},
        .needs = {&needs::kBrim}},
@@ -131,7 +134,8 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 180,
        .standard = "125",
-       .doc = "Inner angle below which a corner gets a brim ear (OrcaSlicer's setting)",
+       .doc = "Inner angle of a corner below which the corner gets a brim ear; larger: also "
+              "blunter corners get an ear",
        .field = Bind<Scale::kDegrees, &ObjectRow::brim, &BrimOptions::ear_max_angle_rad>(),
        .orca = {{"brim_ears_max_angle"}},
        .needs = {&needs::kBrimEars}},
@@ -140,8 +144,8 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 100,
        .standard = "1",
-       .doc = "Tolerance by which an outline is simplified before its corners are searched for "
-              "brim ears; larger: fewer ears (OrcaSlicer's setting)",
+       .doc = "Largest deviation of the simplified outline in which sharp corners are searched for "
+              "brim ears. Larger: small corners are ignored and get no ear",
        .field = Bind<&ObjectRow::brim, &BrimOptions::ear_detection_nm>(),
        .orca = {{"brim_ears_detection_length"}},
        .needs = {&needs::kBrimEars}},
@@ -163,7 +167,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 5,
        .standard = "0.1",
-       .doc = "Vertical gap between raft and object",
+       .doc = "Vertical gap between the top of the raft and the object, so that the raft can be "
+              "removed; 0: no gap",
        .field = Bind<&ObjectRow::raft, &RaftOptions::heights, &RaftHeights::contact_distance_nm>(),
        .orca = {{"raft_contact_distance"}},
        .needs = {&needs::kRaft}},
@@ -181,8 +186,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 100,
        .standard = "3",
-       .doc = "Distance by which the first raft layer extends beyond the rest of the raft; without "
-              "a raft, beyond the feet of organic supports",
+       .doc = "Distance by which the first raft layer extends beyond the rest of the raft. Without "
+              "a raft: distance by which organic supports are wider on the bed",
        .field = Bind<&ObjectRow::raft, &RaftOptions::first_layer_expansion_nm>(),
        .orca = {{"raft_first_layer_expansion", OrcaValue::kOrAuto}},
        .needs = {&needs::kRaftOrTree}},
@@ -192,7 +197,8 @@ std::vector<SettingSpec> Raft() {
        .min = 10,
        .max = 100,
        .standard = "90%",
-       .doc = "Density of the first raft layer",
+       .doc = "Share of the area that the lines of the first raft layer, or of the first support "
+              "layer, cover; 100%: solid",
        .field = Bind<Scale::kPercent, &ObjectRow::raft, &RaftOptions::lines,
                      &RaftLines::first_layer_density>(),
        .orca = {{"raft_first_layer_density", OrcaValue::kPercent}},
@@ -203,8 +209,8 @@ std::vector<SettingSpec> Raft() {
        .min = 0,
        .max = 20,
        .standard = "0",
-       .doc =
-           "Extrusion width of supports, and of a raft above its first layer; 0: extrusion_width",
+       .doc = "Extrusion width of supports, and of all raft layers except the first; 0: "
+              "extrusion_width",
        .relative_to = "layer_height",
        .field = Bind<&ObjectRow::raft, &RaftOptions::lines, &RaftLines::width_nm>(),
        .also = Bind<&ObjectRow::support, &SupportOptions::width_nm>(),
@@ -225,7 +231,7 @@ std::vector<SettingSpec> Raft() {
        .max = 359,
        .standard = "0",
        .doc = "Direction of the lines of supports and of the raft base, from the x axis; interface "
-              "lines run across them",
+              "lines are perpendicular to these lines",
        .field =
            Bind<Scale::kDegrees, &ObjectRow::raft, &RaftOptions::lines, &RaftLines::angle_rad>(),
        .also = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::angle_rad>(),

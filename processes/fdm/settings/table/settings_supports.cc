@@ -13,22 +13,24 @@ std::vector<SettingSpec> Where() {
       {.key = "support_material",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Generate supports below overhangs",
+       .doc = "Print supports below overhangs; 0: no supports",
        .field = Bind<&ObjectRow::support, &SupportOptions::on>(),
        .orca = {{"enable_support"}}},
       {.key = "support_material_auto",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Support all overhangs that support_material_threshold selects; 0: only overhangs "
-              "within support enforcers",
+       .doc =
+           "Support all overhangs that support_material_threshold selects; 0: only overhangs "
+           "inside painted support enforcers and in the layers of support_material_enforce_layers",
        .field = Bind<&ObjectRow::support, &SupportOptions::automatic>(),
        .orca = {{"support_type", OrcaValue::kChoice}},
        .needs = {&needs::kSupports}},
       {.key = "support_material_style",
        .kind = Kind::kChoice,
        .standard = "grid",
-       .doc = "Shape of supports. grid: columns on the cells of a coarse grid. snug: columns below "
-              "the overhang only. organic: branches",
+       .doc = "Shape of supports. grid: columns that fill the cells of a coarse grid. snug: "
+              "columns only below the overhang. organic: branches that join towards the bed. tree: "
+              "another name of organic",
        .choices = {{"grid", style(SupportStyle::kGrid)},
                    {"snug", style(SupportStyle::kSnug)},
                    {"organic", style(SupportStyle::kTree)},
@@ -41,8 +43,8 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = 90,
        .standard = "0",
-       .doc = "Slope, measured from horizontal, below which a surface is supported; larger: more "
-              "supports. 0: overhangs of more than half the outer wall's width",
+       .doc = "Slope of a surface, measured from horizontal, below which the surface is supported; "
+              "larger: more supports. 0: support_material_threshold_overlap decides",
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::threshold_rad>(),
        .orca = {{"support_threshold_angle"}},
        .needs = {&needs::kSupports}},
@@ -52,10 +54,9 @@ std::vector<SettingSpec> Where() {
        .min = -1,
        .max = 100,
        .standard = "-1",
-       .doc =
-           "Least share of the outer wall's width on the layer below that needs no support, with "
-           "support_material_threshold = 0; larger: more supports. -1: 50, and 33 for organic "
-           "supports",
+       .doc = "Share of the outer wall's width on the layer below from which a wall needs no "
+              "support, with support_material_threshold = 0. Larger: more supports. -1: 50%, or "
+              "33% with support_material_style = organic",
        .field = Convert<ObjectRow>(
            [](ObjectRow& row, const Value& value) {
              row.support.threshold_overlap = value.number < 0 ? -1 : value.number / 100;
@@ -69,9 +70,9 @@ std::vector<SettingSpec> Where() {
       {.key = "support_material_critical_only",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc =
-           "Support only islands that start in the air and overhangs with a place more than 3 mm "
-           "beyond the layer below, besides enforcers",
+       .doc = "Support only islands that start in the air, overhangs that reach more than 3 mm "
+              "beyond the layer below, and painted support enforcers. 0: all overhangs that "
+              "support_material_threshold selects",
        .field = Bind<&ObjectRow::support, &SupportOptions::critical_only>(),
        .needs = {&needs::kSupports}},
       {.key = "support_material_expansion",
@@ -79,8 +80,8 @@ std::vector<SettingSpec> Where() {
        .min = -10,
        .max = 10,
        .standard = "0",
-       .doc = "Growth of the supported area in x and y, for the styles grid and snug; below 0: it "
-              "shrinks",
+       .doc = "Distance by which supports with support_material_style = grid or snug extend beyond "
+              "the overhang in x and y; negative: they are smaller than the overhang",
        .field = Bind<&ObjectRow::support, &SupportOptions::expansion_nm>(),
        .orca = {{"support_expansion"}},
        .needs = {&needs::kColumnSupports}},
@@ -90,22 +91,23 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = kMostLayers,
        .standard = "0",
-       .doc = "Number of lowest layers in which all overhangs are supported, regardless of "
-              "support_material_threshold",
+       .doc = "Number of layers, counted from the bed, in which all overhangs are supported, "
+              "regardless of support_material_threshold",
        .field = Bind<&ObjectRow::support, &SupportOptions::enforced_layers>(),
        .orca = {{"enforce_support_layers"}},
        .needs = {&needs::kSupports}},
       {.key = "support_material_buildplate_only",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Generate only supports that stand on the bed",
+       .doc = "Print only supports that stand on the bed; 0: supports may also stand on the part",
        .field = Bind<&ObjectRow::support, &SupportOptions::bed_only>(),
        .orca = {{"support_on_build_plate_only"}},
        .needs = {&needs::kSupports}},
       {.key = "dont_support_bridges",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Do not support bridges that are anchored at both ends",
+       .doc = "Print no supports below bridges that rest on the part at both ends; 0: support "
+              "bridges too",
        .field = Bind<&ObjectRow::support, &SupportOptions::skip_bridges>(),
        .orca = {{"bridge_no_support"}},
        .needs = {&needs::kSupports}},
@@ -114,8 +116,8 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = 10'000,
        .standard = "0",
-       .doc = "Length of the longest bridge that dont_support_bridges leaves without support; 0: "
-              "bridges of any length",
+       .doc = "Length of the longest bridge that has no support with dont_support_bridges; longer "
+              "bridges are supported. 0: no bridge is supported",
        .field = Bind<&ObjectRow::support, &SupportOptions::max_bridge_nm>(),
        .needs = {&needs::kSkippedBridges, &needs::kSupports}},
       {.key = "support_material_contact_distance",
@@ -123,7 +125,8 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = 5,
        .standard = "0.2",
-       .doc = "Vertical gap between the top of a support and the part",
+       .doc = "Vertical gap between the top of a support and the part; larger: the support comes "
+              "off more easily, but the surface sags more",
        .field = Bind<&ObjectRow::support, &SupportOptions::top_gap_nm>(),
        .orca = {{"support_top_z_distance"}},
        .needs = {&needs::kSupports}},
@@ -153,14 +156,15 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = 100,
        .standard = "2",
-       .doc = "Half the width of gaps that are closed between support columns of style snug",
+       .doc = "Half the width of the gaps that are closed between support columns with "
+              "support_material_style = snug; larger: fewer, wider columns",
        .field = Bind<&ObjectRow::support, &SupportOptions::closing_radius_nm>(),
        .needs = {&needs::kSupports}},
       {.key = "support_material_synchronize_layers",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print supports with the layer heights of the part; 0: the tops of supports may be "
-              "between two layers of the part",
+       .doc = "Print supports with the layer heights of the part. 0: support layers may have other "
+              "heights, so that support_material_contact_distance is exact",
        .field = Bind<&ObjectRow::support, &SupportOptions::synchronize_layers>(),
        .orca = {{"independent_support_layer_height", OrcaValue::kNot}},
        .needs = {&needs::kSupports}},
@@ -177,7 +181,8 @@ std::vector<SettingSpec> Lines() {
        .min = 0,
        .max = 1000,
        .standard = "3",
-       .doc = "Number of dense layers at the top of a support",
+       .doc = "Number of dense interface layers at the top of a support; more layers: a smoother "
+              "surface above. 0: none",
        .field = Bind<&ObjectRow::support, &SupportOptions::top_interface_layers>(),
        .orca = {{"support_interface_top_layers"}},
        .needs = {&needs::kSupports}},
@@ -187,8 +192,8 @@ std::vector<SettingSpec> Lines() {
        .min = -1,
        .max = 1000,
        .standard = "-1",
-       .doc = "Number of dense layers at the bottom of a support that stands on the part; -1: "
-              "support_material_interface_layers",
+       .doc = "Number of dense interface layers at the bottom of a support that stands on the "
+              "part; 0: none. -1: support_material_interface_layers",
        .field = Bind<&ObjectRow::support, &SupportOptions::bottom_interface_layers>(),
        .orca = {{"support_interface_bottom_layers"}},
        .needs = {&needs::kSupportsIfRequested}},
@@ -197,8 +202,8 @@ std::vector<SettingSpec> Lines() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Gap between lines of the dense interface layers; 0: no gap, so that the interface "
-              "is solid",
+       .doc = "Gap between lines of the dense interface layers at the top of a support or raft; 0: "
+              "no gap, so that the interface is solid",
        .field = Bind<&ObjectRow::support, &SupportOptions::interface_spacing_nm>(),
        .orca = {{"support_interface_spacing"}},
        .needs = {&needs::kRaftOrSupports}},
@@ -207,8 +212,8 @@ std::vector<SettingSpec> Lines() {
        .min = -1,
        .max = 100,
        .standard = "-1",
-       .doc = "Gap between lines of the dense layers at the bottom of a support; 0: none. -1: "
-              "support_material_interface_spacing",
+       .doc = "Gap between lines of the dense interface layers at the bottom of a support; 0: no "
+              "gap. -1: support_material_interface_spacing",
        .field = Convert<ObjectRow>(
            [](ObjectRow& row, const Value& value) {
              row.support.bottom_interface_spacing_nm = value.number < 0 ? -1 : FromMm(value.number);
@@ -222,7 +227,8 @@ std::vector<SettingSpec> Lines() {
       {.key = "support_material_interface_pattern",
        .kind = Kind::kChoice,
        .standard = "rectilinear",
-       .doc = "Pattern of the dense interface layers",
+       .doc = "Pattern of the dense interface layers of supports. rectilinear: parallel lines. "
+              "concentric: loops along the edge. auto: rectilinear",
        .choices = {{"auto", interface(InterfacePattern::kRectilinear)},
                    {"rectilinear", interface(InterfacePattern::kRectilinear)},
                    {"concentric", interface(InterfacePattern::kConcentric)}},
@@ -232,7 +238,8 @@ std::vector<SettingSpec> Lines() {
       {.key = "support_material_pattern",
        .kind = Kind::kChoice,
        .standard = "rectilinear",
-       .doc = "Pattern of support columns",
+       .doc = "Pattern of support columns. rectilinear: parallel lines. rectilinear-grid: crossing "
+              "lines. honeycomb: hexagons",
        .choices = {{"rectilinear", pattern(SupportPattern::kRectilinear)},
                    {"rectilinear-grid", pattern(SupportPattern::kRectilinearGrid)},
                    {"honeycomb", pattern(SupportPattern::kHoneycomb)}},
@@ -242,7 +249,8 @@ std::vector<SettingSpec> Lines() {
       {.key = "support_material_with_sheath",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print a line around support columns",
+       .doc = "Print a line around support columns, which makes them stronger; 0: only "
+              "support_material_pattern",
        .field = Bind<&ObjectRow::support, &SupportOptions::sheath>(),
        .needs = {&needs::kSupports}},
   };
@@ -255,7 +263,7 @@ std::vector<SettingSpec> Trees() {
        .min = 0,
        .max = 85,
        .standard = "40",
-       .doc = "Largest angle of branches, measured from vertical",
+       .doc = "Largest angle of branches, measured from vertical; larger: flatter branches",
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::tree,
                      &TreeOptions::angle_rad>(),
        .orca = {{"tree_support_branch_angle"}},
@@ -276,7 +284,8 @@ std::vector<SettingSpec> Trees() {
        .min = 0.1,
        .max = 100,
        .standard = "2",
-       .doc = "Diameter of a branch",
+       .doc = "Diameter that a branch reaches below its thin tip; farther down it widens by "
+              "support_tree_branch_diameter_angle",
        .field =
            Bind<&ObjectRow::support, &SupportOptions::tree, &TreeOptions::branch_diameter_nm>(),
        .orca = {{"tree_support_branch_diameter"}},
@@ -296,7 +305,7 @@ std::vector<SettingSpec> Trees() {
        .min = 0,
        .max = 100,
        .standard = "3",
-       .doc = "Diameter from which branches have two walls",
+       .doc = "Diameter from which branches have two walls; thinner branches have one wall",
        .field = Bind<&ObjectRow::support, &SupportOptions::tree,
                      &TreeOptions::double_wall_diameter_nm>(),
        .needs = {&needs::kTreeSupports}},
@@ -314,7 +323,7 @@ std::vector<SettingSpec> Trees() {
        .min = 0.1,
        .max = 100,
        .standard = "1",
-       .doc = "Distance between branch tips",
+       .doc = "Distance between neighbouring branch tips; smaller: more tips below an overhang",
        .field =
            Bind<&ObjectRow::support, &SupportOptions::tree, &TreeOptions::branch_distance_nm>(),
        .orca = {{"tree_support_branch_distance"}},
@@ -325,7 +334,8 @@ std::vector<SettingSpec> Trees() {
        .min = 5,
        .max = 100,
        .standard = "15%",
-       .doc = "Share of the overhang area that branch tips cover",
+       .doc = "Share of the overhang's area that branch tips touch; larger: more tips. 15%: tips "
+              "at support_tree_branch_distance",
        .field = Bind<Scale::kPercent, &ObjectRow::support, &SupportOptions::tree,
                      &TreeOptions::top_rate>(),
        .orca = {{"tree_support_top_rate", OrcaValue::kPercent}},
