@@ -39,10 +39,11 @@ Field OtherBridgesAcceleration() {
 std::vector<SettingSpec> Accelerations() {
   return {
       Orca({"default_acceleration"},
-           Acceleration("default_acceleration",
-                        "Acceleration of lines for which the acceleration setting is 0; 0: no "
-                        "accelerations are written at all",
-                        Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
+           Acceleration(
+               "default_acceleration",
+               "Acceleration of lines that have 0 in their own acceleration setting; 0: no "
+               "accelerations are written, so that the firmware's value applies to all lines",
+               Bind<&MachineRow::motion, &MachineMotion::default_acceleration_mm_s2>())),
       Orca({"inner_wall_acceleration", OrcaValue::kPercentOf, "default_acceleration"},
            Needing({&needs::kDefaultAcceleration},
                    Acceleration("perimeter_acceleration",
@@ -110,9 +111,9 @@ std::vector<SettingSpec> Accelerations() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Acceleration of moves that are too short to cruise, relative to the acceleration "
-              "that is set (ACCEL_TO_DECEL and MINIMUM_CRUISE_RATIO of Klipper); 100: the same. 0: "
-              "no command is written",
+       .doc = "Acceleration of moves that are too short to reach their speed, as a percentage of "
+              "the normal acceleration (ACCEL_TO_DECEL and MINIMUM_CRUISE_RATIO of Klipper). 100: "
+              "the normal acceleration. 0: Klipper's own value, because no command is written",
        .field = Bind<Scale::kPercent, &MachineRow::motion, &MachineMotion::accel_to_decel>(),
        .needs = {&needs::kKlipper}},
   };
@@ -156,11 +157,13 @@ Field InfillJerk() {
 
 std::vector<SettingSpec> Jerks() {
   return {
-      Orca({"default_jerk"}, Jerk("default_jerk",
-                                  "Jerk in x and y (M205, M566), or square corner velocity "
-                                  "(Klipper), of lines for which the jerk setting is 0, limited by "
-                                  "the machine's jerk of both axes; 0: no jerk is written at all",
-                                  JerkField<&JerkOptions::default_mm_s>())),
+      Orca({"default_jerk"},
+           Jerk("default_jerk",
+                "Jerk in x and y (M205, M566), or square corner velocity (Klipper), of lines that "
+                "have 0 in their own jerk setting. machine_max_jerk_x and machine_max_jerk_y limit "
+                "this value. 0: no jerk is written, so that the firmware's value applies to all "
+                "lines",
+                JerkField<&JerkOptions::default_mm_s>())),
       Orca({"inner_wall_jerk"},
            Needing({&needs::kDefaultJerk},
                    Jerk("perimeter_jerk", "Jerk of inner walls; 0: default_jerk",
@@ -184,7 +187,7 @@ std::vector<SettingSpec> Jerks() {
                         JerkField<&JerkOptions::first_layer_mm_s>()))),
       Orca({"travel_jerk"},
            Needing({&needs::kDefaultJerk},
-                   Jerk("travel_jerk", "Jerk of travels; 0: the jerk of the bead before the travel",
+                   Jerk("travel_jerk", "Jerk of travels; 0: the jerk of the line before the travel",
                         JerkField<&JerkOptions::travel_mm_s>()))),
       Orca(
           {"initial_layer_travel_jerk", OrcaValue::kPercentOf, "travel_jerk"},
@@ -200,8 +203,9 @@ std::vector<SettingSpec> Jerks() {
        .min = 0,
        .max = 1,
        .standard = "0",
-       .doc = "Junction deviation of Marlin 2 during the print (M205 J), limited by "
-              "machine_max_junction_deviation; 0: no command is written",
+       .doc = "Junction deviation that is set at the start of the print (M205 J of Marlin 2); "
+              "larger: faster through corners. machine_max_junction_deviation limits it. 0: the "
+              "firmware's value",
        .field = JerkField<&JerkOptions::junction_deviation_mm>(),
        .orca = {{"default_junction_deviation"}},
        .needs = {&needs::kJunctionDeviation}},

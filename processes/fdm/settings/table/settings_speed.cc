@@ -64,41 +64,42 @@ std::vector<SettingSpec> Overhangs() {
       {.key = "overhangs",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Print walls that overhang completely as bridges, with the speed, fan speed and flow "
-              "of bridges",
+       .doc = "Print walls that overhang with their full width as bridges, with the speed, fan "
+              "speed and flow of bridges; 0: as other walls",
        .field = Bind<&RegionRow::motion, &RegionMotion::bridging_walls>(),
        .orca = {{"detect_overhang_wall"}}},
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Slow overhanging walls down to overhang_speed_0 to _3, interpolated between them",
+       .doc = "Slow overhanging walls down to the speeds in overhang_speed_0 to overhang_speed_3, "
+              "interpolated between them; 0: overhanging walls have the speed of other walls",
        .field = Bind<&RegionRow::motion, &RegionMotion::dynamic_overhangs>(),
        .orca = {{"enable_overhang_speed"}}},
       {.key = "slowdown_for_curled_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc =
-           "Slow walls down to overhang_speed_2 above edges that have probably curled up by more "
-           "than 0.1 mm",
+       .doc = "Slow walls down to overhang_speed_2 above edges that have probably curled up by "
+              "more than 0.1 mm; 0: full speed above such edges",
        .field = Bind<&MachineRow::motion, &MachineMotion::slow_curled>(),
        .also = Bind<&MachineRow::plan, &JobPlanOptions::slow_curled>(),
        .orca = {{"slowdown_for_curled_perimeters"}},
        .needs = {&needs::kDynamicOverhangs}},
       Orca({"overhang_4_4_speed"},
            OverhangSpeed<0>("overhang_speed_0", "15",
-                            "Speed of walls that overhang completely; 0: not slowed down")),
+                            "Speed of walls that overhang with their full width, with "
+                            "enable_dynamic_overhang_speeds = 1; 0: not slowed down")),
       Orca({"overhang_3_4_speed"},
-           OverhangSpeed<1>(
-               "overhang_speed_1", "15",
-               "Speed of walls with 25 % of their width on the layer below; 0: not slowed down")),
+           OverhangSpeed<1>("overhang_speed_1", "15",
+                            "Speed of walls with 25 % of their width on the layer below, with "
+                            "enable_dynamic_overhang_speeds = 1; 0: not slowed down")),
       Orca({"overhang_2_4_speed"},
-           OverhangSpeed<2>(
-               "overhang_speed_2", "20",
-               "Speed of walls with 50 % of their width on the layer below; 0: not slowed down")),
+           OverhangSpeed<2>("overhang_speed_2", "20",
+                            "Speed of walls with 50 % of their width on the layer below, with "
+                            "enable_dynamic_overhang_speeds = 1; 0: not slowed down")),
       Orca({"overhang_1_4_speed"},
-           OverhangSpeed<3>(
-               "overhang_speed_3", "25",
-               "Speed of walls with 75 % of their width on the layer below; 0: not slowed down")),
+           OverhangSpeed<3>("overhang_speed_3", "25",
+                            "Speed of walls with 75 % of their width on the layer below, with "
+                            "enable_dynamic_overhang_speeds = 1; 0: not slowed down")),
   };
 }
 
@@ -132,10 +133,10 @@ SettingSpec OverBridgeSpeed() {
 SettingSpec InternalBridgeSpeed() {
   SettingSpec spec = Orca(
       {"internal_bridge_speed"},
-      RelativeSpeed("internal_bridge_speed", "0", "bridge_speed",
-                    "Speed of bridges over sparse infill, in the first solid layer above it; 0: "
-                    "bridge_speed",
-                    SpeedOf<Feature::kInternalBridge>()));
+      RelativeSpeed(
+          "internal_bridge_speed", "0", "bridge_speed",
+          "Speed of bridges over sparse infill: of the first solid layer above it. 0: bridge_speed",
+          SpeedOf<Feature::kInternalBridge>()));
   spec.also = Convert<RegionRow>(
       [](RegionRow& row, const Value& value) { row.infill.internal_bridges = value.number > 0; },
       [](const RegionRow&) { return Value(); });
@@ -152,18 +153,17 @@ std::vector<SettingSpec> Speeds() {
                                                "Speed of outer walls; 0: max_print_speed",
                                                SpeedOf<Feature::kExternalPerimeter>())),
       Orca({"small_perimeter_speed"},
-           RelativeSpeed(
-               "small_perimeter_speed", "15", "perimeter_speed",
-               "Speed of walls that are loops with a radius of small_perimeter_threshold or less; "
-               "0: max_print_speed",
-               Bind<&RegionRow::motion, &RegionMotion::small_perimeter_speed_mm_s>())),
+           RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
+                         "Speed of small loops of walls: loops no longer than a circle with the "
+                         "radius small_perimeter_threshold; 0: max_print_speed",
+                         Bind<&RegionRow::motion, &RegionMotion::small_perimeter_speed_mm_s>())),
       {.key = "small_perimeter_threshold",
        .unit = "mm",
        .min = 0,
        .max = 1000,
        .standard = "6.5",
-       .doc = "Radius of the largest loops that are printed at small_perimeter_speed; 0: no loops. "
-              "Default in OrcaSlicer: 0",
+       .doc = "Radius of the largest circle that is printed at small_perimeter_speed, as are other "
+              "loops of walls of the same length; 0: no loops. Default in OrcaSlicer: 0",
        .field = Bind<&RegionRow::motion, &RegionMotion::small_perimeter_radius_mm>(),
        .orca = {{"small_perimeter_threshold"}}},
       Orca({"sparse_infill_speed"},
@@ -222,10 +222,9 @@ std::vector<SettingSpec> Speeds() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Number of layers over which the speed rises evenly from the speed in the first "
-              "layer to the speed in other layers. The first layer prints walls at "
-              "first_layer_speed, and all else at first_layer_infill_speed if it is set. 0 and 1: "
-              "full speed from the second layer on",
+       .doc = "Number of layers over which speeds rise evenly from the speeds of the first layer "
+              "(first_layer_speed, first_layer_infill_speed) to the speeds of other layers. 0 and "
+              "1: full speed from the second layer on",
        .field = Bind<&MachineRow::motion, &MachineMotion::slow_down_layers>(),
        .orca = {{"slow_down_layers"}}},
       {.key = "max_print_speed",
@@ -233,7 +232,7 @@ std::vector<SettingSpec> Speeds() {
        .min = 1,
        .max = kMaxSpeed,
        .standard = "80",
-       .doc = "Speed of all lines for which the speed setting is 0",
+       .doc = "Speed of all lines that have 0 in their own speed setting",
        .field = Bind<&MachineRow::motion, &MachineMotion::max_print_speed_mm_s>()},
       {.key = "travel_speed",
        .unit = "mm/s",
@@ -248,32 +247,33 @@ std::vector<SettingSpec> Speeds() {
                  "Speed of travels in the first layer; 0: travel_speed",
                  Bind<&MachineRow::motion, &MachineMotion::first_layer_travel_speed_mm_s>())),
       Orca({"travel_speed_z"},
-           Speed("travel_speed_z", "0", "Speed of vertical travels; 0: the limit of the z axis",
+           Speed("travel_speed_z", "0", "Speed of vertical travels; 0: machine_max_feedrate_z",
                  Bind<&MachineRow::motion, &MachineMotion::travel_speed_z_mm_s>())),
       {.key = "max_volumetric_speed",
        .unit = "mm3/s",
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Highest flow of the print, in volume per second; filament_max_volumetric_speed is a "
-              "second limit. 0: no limit"},
+       .doc = "Highest volume that is extruded per second; faster lines are slowed down. "
+              "filament_max_volumetric_speed is a second limit. 0: no limit"},
       FlowSlope("max_volumetric_extrusion_rate_slope_positive",
-                "Largest increase of the flow per second along a path; fast lines before or "
-                "after slower ones are slowed down to keep it. 0: no limit",
+                "Largest increase of the extruded volume per second along a path; fast lines after "
+                "slower lines are slowed down gradually. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_rise_mm3_s2>()),
       {.key = "max_volumetric_extrusion_rate_slope_segment_length",
        .unit = "mm",
        .min = 0.1,
        .max = 100,
        .standard = "1",
-       .doc = "Length of lines of constant flow where max_volumetric_extrusion_rate_slope_positive "
-              "and _negative change the flow; smaller: smoother, and more G-code",
+       .doc = "Length of the pieces into which lines are divided where "
+              "max_volumetric_extrusion_rate_slope_positive or _negative changes the flow; "
+              "smaller: smoother, but more G-code",
        .field = Bind<&MachineRow::motion, &MachineMotion::flow_segment_mm>(),
        .orca = {{"max_volumetric_extrusion_rate_slope_segment_length"}},
        .needs = {&needs::kFlowSlope}},
       FlowSlope("max_volumetric_extrusion_rate_slope_negative",
-                "Largest decrease of the flow per second along a path; fast lines before or "
-                "after slower ones are slowed down to keep it. 0: no limit",
+                "Largest decrease of the extruded volume per second along a path; fast lines "
+                "before slower lines are slowed down gradually. 0: no limit",
                 Bind<&MachineRow::motion, &MachineMotion::flow_fall_mm3_s2>()),
   };
 }
