@@ -46,10 +46,10 @@ std::vector<SettingSpec> LayerSettings() {
       {.key = "slicing_mode",
        .kind = Kind::kChoice,
        .standard = "regular",
-       .doc = "Rule for the inside of a part where outlines overlap. regular: enclosed by any "
-              "outline. even_odd: enclosed by an odd number of outlines. positive: enclosed more "
-              "often by outer outlines than by holes. close_holes: enclosed by any outer outline; "
-              "holes are ignored",
+       .doc = "Rule for the inside of a part where outlines of a layer overlap. regular: enclosed "
+              "by any outline. even_odd: enclosed by an odd number of outlines. positive: enclosed "
+              "by more outer outlines than holes. close_holes: enclosed by any outer outline, so "
+              "that holes are filled",
        .choices = {{"regular", fill_rule(FillRule::kNonZero)},
                    {"even_odd", fill_rule(FillRule::kEvenOdd)},
                    {"positive", fill_rule(FillRule::kPositive)},
@@ -63,8 +63,8 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 10,
        .standard = "0.049",
-       .doc = "Half the width of the widest crack that is closed; only for meshes with holes or "
-              "other defects",
+       .doc = "Half the width of the widest crack in an outline that is closed; only for meshes "
+              "with holes or other defects. 0: cracks remain open",
        .field = Bind<&ObjectSlicingOptions::closing_radius_nm>(),
        .orca = {{"slice_closing_radius"}}},
       {.key = "open_loop_max_gap",
@@ -72,16 +72,16 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 100,
        .standard = "2",
-       .doc = "Widest gap that is bridged where holes of the mesh interrupt an outline; an outline "
-              "with a wider gap is left out and reported",
+       .doc = "Widest gap in an outline, caused by holes of the mesh, that is closed with a "
+              "straight line; an outline with a wider gap is omitted and reported",
        .field = Bind<&JobSlicingOptions::max_gap_nm>()},
       {.key = "xy_size_compensation",
        .unit = "mm",
        .min = -5,
        .max = 5,
        .standard = "0",
-       .doc = "Distance by which every layer grows: outer contours move outwards and holes shrink; "
-              "negative: outer contours move inwards and holes grow",
+       .doc = "Distance by which the outlines of every layer move outwards, so that the part grows "
+              "and its holes shrink; negative: the part shrinks and its holes grow",
        .field = Bind<&ObjectSlicingOptions::xy_compensation_nm>(),
        .orca = {{"xy_contour_compensation"}}},
       {.key = "xy_hole_compensation",
@@ -98,15 +98,16 @@ std::vector<SettingSpec> LayerSettings() {
        .min = 0,
        .max = 1,
        .standard = "0.005",
-       .doc = "Largest deviation of a simplified outline from the original; larger: fewer points",
+       .doc = "Largest deviation of a simplified outline from the outline of the mesh; larger: "
+              "fewer points and less detail",
        .field = Bind<&JobSlicingOptions::resolution_nm>()},
       {.key = "resolution",
        .unit = "mm",
        .min = 0,
        .max = 1,
        .standard = "0",
-       .doc = "Largest deviation of a simplified outline from the original; the larger value of "
-              "resolution and outline_resolution is used"},
+       .doc = "Largest deviation of a simplified outline from the outline of the mesh; the larger "
+              "value of `resolution` and outline_resolution is used"},
   };
 }
 

@@ -27,7 +27,7 @@ std::vector<SettingSpec> PlateSettings() {
        .kind = Kind::kBedShape,
        .unit = "mm",
        .standard = "0x0,200x0,200x200,0x200",
-       .doc = "Outline of the bed: corners XxY, separated by commas",
+       .doc = "Outline of the bed: corners XxY in mm, separated by commas",
        .field = Bind<&JobSlicingOptions::bed>(),
        .orca = {{"printable_area", OrcaValue::kPoints}}},
       {.key = "max_print_height",
@@ -35,7 +35,7 @@ std::vector<SettingSpec> PlateSettings() {
        .min = 0,
        .max = 10000,
        .standard = "200",
-       .doc = "Largest height that the machine can print; 0: no limit",
+       .doc = "Largest height that the machine can print; a higher part is refused. 0: no limit",
        .field = Bind<&JobSlicingOptions::max_print_height_nm>(),
        .orca = {{"printable_height"}}},
       {.key = "duplicate_distance",
@@ -48,8 +48,8 @@ std::vector<SettingSpec> PlateSettings() {
       {.key = "best_object_pos",
        .kind = Kind::kPoint,
        .standard = "0.5x0.5",
-       .doc = "Place of arranged parts on the bed: shares of its width and depth, from 0 to 1; "
-              "0.5x0.5: in the middle",
+       .doc = "Centre of automatically arranged parts on the bed, as shares of the bed's width and "
+              "depth from 0 to 1; 0.5x0.5: the middle of the bed",
        .field = PlaceField(),
        .orca = {{"best_object_pos"}}},
   };

@@ -10,8 +10,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .min = 0,
        .max = 5,
        .standard = "0",
-       .doc = "Amount by which the outline of the first layer shrinks, to make up for its "
-              "spreading under the weight of the part",
+       .doc = "Distance by which the outline of the first layer moves inwards, because the weight "
+              "of the part spreads this layer",
        .field = Bind<&ObjectSlicingOptions::elephant_foot_nm>(),
        .orca = {{"elefant_foot_compensation"}}},
       {.key = "elefant_foot_compensation_layers",
@@ -20,20 +20,18 @@ std::vector<SettingSpec> SlicingSettings() {
        .min = 1,
        .max = 100,
        .standard = "1",
-       .doc =
-           "Number of layers over which elefant_foot_compensation falls evenly to 0; 1: only the "
-           "first layer shrinks",
+       .doc = "Number of layers over which elefant_foot_compensation decreases evenly to 0; 1: "
+              "only the first layer shrinks",
        .field = Bind<&ObjectSlicingOptions::elephant_foot_layers>(),
        .orca = {{"elefant_foot_compensation_layers"}},
        .needs = {&needs::kElephantFoot}},
       {.key = "counterbore_hole_bridging",
        .kind = Kind::kChoice,
        .standard = "none",
-       .doc =
-           "Printing of a hole that begins above a wider recess. none: the hole's edge is "
-           "printed in the air. partiallybridge: one layer bridges the recess on two sides of the "
-           "hole, and the next layer on the other two sides; the hole's edge rests on these "
-           "bridges. sacrificiallayer: one layer closes the recess and must be drilled through",
+       .doc = "Printing of a hole that begins above a wider recess. none: the hole's edge is "
+              "printed in the air. partiallybridge: the edge rests on bridges of two layers, each "
+              "at two sides of the hole. sacrificiallayer: one layer closes the recess and must be "
+              "drilled through",
        .choices = {{"none", static_cast<int>(CounterboreBridging::kNone)},
                    {"partiallybridge", static_cast<int>(CounterboreBridging::kPartial)},
                    {"sacrificiallayer", static_cast<int>(CounterboreBridging::kSacrificial)}},
@@ -43,8 +41,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Adapt the layer height to the shape instead of using layer_height: low layers where "
-              "the surface is flat, high layers where it is steep. A layer ends exactly at each "
-              "flat face",
+              "the surface is nearly horizontal, high layers where it is steep. A layer ends "
+              "exactly at each horizontal face",
        .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::on>(),
        .needs = {&needs::kNoHeightProfile}},
       {.key = "adaptive_layer_cusp",
@@ -52,8 +50,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .min = 0.005,
        .max = 5,
        .standard = "0.1",
-       .doc = "Largest step between adaptive layers, measured perpendicular to the surface; "
-              "smaller: finer layers",
+       .doc = "Largest step between adaptive layers that may show on the surface, measured "
+              "perpendicular to it; smaller: lower layers",
        .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::cusp_nm>(),
        .needs = {&needs::kAdaptiveLayers, &needs::kNoHeightProfile}},
       {.key = "adaptive_layer_ratio",
@@ -68,7 +66,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .min = 0,
        .max = 5,
        .standard = "0.07",
-       .doc = "Smallest height of adaptive layers and of support layers",
+       .doc = "Smallest height of adaptive layers, and of support layers that differ from the "
+              "part's layers",
        .list = List::kPerExtruder,
        .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::min_nm>(),
        .also = Bind<&ObjectRow::support, &SupportOptions::min_layer_height_nm>(),
@@ -87,15 +86,16 @@ std::vector<SettingSpec> SlicingSettings() {
       {.key = "layer_height_profile",
        .kind = Kind::kLayerHeights,
        .doc = "Layer heights by z above the object's bottom, interpolated between the given "
-              "points, instead of layer_height. Projects store hand-drawn layer heights here",
+              "points, instead of layer_height. Projects store hand-edited layer heights in this "
+              "setting. Empty: layer_height",
        .field = Bind<&ObjectSlicingOptions::height_profile>(),
        .orca = {{"layer_height_profile", OrcaValue::kWhole}}},
       {.key = "thumbnails",
        .kind = Kind::kSizes,
        .unit = "pixels",
        .standard = "32x32,300x300",
-       .doc = "Pictures of the part at the head of the G-code: WIDTHxHEIGHT or "
-              "WIDTHxHEIGHT/FORMAT, separated by commas",
+       .doc = "Pictures of the part at the beginning of the G-code, for the printer's display: "
+              "WIDTHxHEIGHT or WIDTHxHEIGHT/FORMAT in pixels, separated by commas",
        .field = Bind<&JobSlicingOptions::thumbnails>(),
        .orca = {{"thumbnails", OrcaValue::kPoints}}},
       {.key = "thumbnails_format",
