@@ -21,7 +21,8 @@ std::vector<SettingSpec> ThinLayers() {
   for (SettingSpec& spec : all) {
     if (spec.key != "layer_height" && spec.key != "first_layer_height") continue;
     spec.standard = "0.05";
-    spec.doc = spec.key == "layer_height" ? "Height of a layer" : "Height of the first layer";
+    spec.doc = spec.key == "layer_height" ? "Height of a layer of powder or resin"
+                                          : "Height of the first layer of powder or resin";
     spec.min = 0.001;
   }
   return all;

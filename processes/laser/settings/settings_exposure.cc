@@ -76,10 +76,10 @@ std::vector<SettingSpec> ScanSettings() {
       {.key = "scan_strategy",
        .kind = Kind::kChoice,
        .standard = "stripes",
-       .doc = "Pattern that scans the inside of an outline. rings, rings_inward: the outline is "
-              "divided into convex pieces, each scanned in rings outwards or inwards. stripes: "
-              "parallel stripes. islands: a chequerboard of squares. hatch: lines across the whole "
-              "area",
+       .doc = "Pattern that scans the inside of an outline. rings, rings_inward: convex pieces of "
+              "the outline, each scanned in rings from its middle outwards, or inwards. stripes: "
+              "parallel stripes of hatch lines. islands: a chequerboard of squares with hatch "
+              "lines. hatch: lines across the whole area",
        .choices = {Named("rings", ScanStrategy::kRings),
                    Named("rings_inward", ScanStrategy::kRingsInward),
                    Named("stripes", ScanStrategy::kStripes),
@@ -88,9 +88,9 @@ std::vector<SettingSpec> ScanSettings() {
       {.key = "decompose_method",
        .kind = Kind::kChoice,
        .standard = "bian",
-       .doc =
-           "Division of outlines into convex pieces for rings. bian: well-shaped pieces. optimal: "
-           "the fewest pieces without new corners (slow). approximate and ymonotone: fast",
+       .doc = "Method that divides outlines into convex pieces for scan_strategy = rings or "
+              "rings_inward. bian: well-shaped pieces. optimal: the fewest pieces without new "
+              "corners (slow). approximate and ymonotone: fast",
        .choices = {Named("bian", DecomposeMethod::kBian),
                    Named("optimal", DecomposeMethod::kOptimal),
                    Named("approximate", DecomposeMethod::kApproximate),
@@ -100,10 +100,10 @@ std::vector<SettingSpec> ScanSettings() {
       {.key = "jump_order",
        .kind = Kind::kChoice,
        .standard = "nearest",
-       .doc = "Order of convex pieces, stripes or islands. nearest: the nearest next. "
-              "chequerboard: every second one first. farthest: the farthest next, which spreads "
-              "heat. against_gas: from the downstream end of gas_flow, so that smoke blows over "
-              "scanned areas; also orders copies, contours and the lines of a stripe",
+       .doc = "Order in which convex pieces, stripes or islands are scanned. nearest: the nearest "
+              "next. chequerboard: every second one first. farthest: the farthest next, which "
+              "spreads heat. against_gas: from the downstream end of gas_flow, so that smoke blows "
+              "over scanned areas; this also orders copies, contours and the lines of a stripe",
        .choices = {Named("nearest", JumpOrder::kNearest),
                    Named("chequerboard", JumpOrder::kChequerboard),
                    Named("farthest", JumpOrder::kFarthest),
@@ -129,7 +129,7 @@ std::vector<SettingSpec> ScanSettings() {
        .min = -360,
        .max = 360,
        .standard = "67",
-       .doc = "Angle by which hatch lines turn from layer to layer",
+       .doc = "Angle by which hatch lines turn counter-clockwise from layer to layer",
        .field = Bind<&ExposureOptions::layer_rotation_deg>(),
        .needs = {&needs::kHatched}},
       {.key = "gas_flow",
@@ -137,7 +137,7 @@ std::vector<SettingSpec> ScanSettings() {
        .min = -360,
        .max = 360,
        .standard = "0",
-       .doc = "Direction in which the gas flows, counter-clockwise from the x axis",
+       .doc = "Direction into which the gas flows, counter-clockwise from the x axis",
        .field = Bind<&ExposureOptions::gas_flow_deg>(),
        .needs = {&needs::kGasDirection}},
       {.key = "gas_window",
@@ -145,15 +145,16 @@ std::vector<SettingSpec> ScanSettings() {
        .min = 0,
        .max = kWidestGasWindowDeg,
        .standard = "0",
-       .doc = "Angle to the gas flow, in either direction, below which hatch lines are turned by "
-              "90 degrees (lines of islands by 45 degrees); 0: no lines are turned",
+       .doc = "Angle between the gas flow and a hatch line below which the line is turned by 90 "
+              "degrees, or by 45 degrees with scan_strategy = islands; 0: no lines are turned",
        .field = Bind<&ExposureOptions::gas_window_deg>(),
        .needs = {&needs::kHatched}},
-      Needing({&needs::kHatched},
-              Flag("alternate_hatch", "1", "Scan every second hatch line in the opposite direction",
-                   Bind<&ExposureOptions::alternate_directions>())),
+      Needing({&needs::kHatched}, Flag("alternate_hatch", "1",
+                                       "Scan every second hatch line in the opposite direction; 0: "
+                                       "all lines in the same direction",
+                                       Bind<&ExposureOptions::alternate_directions>())),
       Length("minimum_vector", 10, "0",
-             "Length below which hatch lines and rings are omitted; 0: none are omitted",
+             "Length below which hatch lines and rings are omitted; 0: all are scanned",
              Bind<&ExposureOptions::minimum_vector_nm>()),
       {.key = "stripe_width",
        .unit = "mm",
@@ -174,30 +175,33 @@ std::vector<SettingSpec> ScanSettings() {
       Needing({&needs::kCells},
               Length("scan_overlap", 10, "0.1", "Overlap of neighbouring stripes or islands",
                      Bind<&ExposureOptions::overlap_nm>())),
-      Needing({&needs::kRings}, Length("ring_overlap", 10, "0.02",
-                                       "Overlap of neighbouring convex pieces (scan_strategy "
-                                       "rings), at their outermost rings",
-                                       Bind<&ExposureOptions::ring_overlap_nm>())),
       Needing({&needs::kRings},
-              Flag("link_rings", "1", "Keep the laser on between the rings of a convex piece",
-                   Bind<&ExposureOptions::link_rings>())),
+              Length("ring_overlap", 10, "0.02",
+                     "Overlap of the outermost rings of neighbouring convex pieces",
+                     Bind<&ExposureOptions::ring_overlap_nm>())),
       Needing(
           {&needs::kRings},
-          Flag("ring_corners", "1",
-               "Extend rings into sharp corners of the ring around them, which a round spot would "
-               "leave unexposed",
-               Bind<&ExposureOptions::fill_corners>())),
+          Flag("link_rings", "1",
+               "Keep the laser on between the rings of a convex piece; 0: a jump from ring to ring",
+               Bind<&ExposureOptions::link_rings>())),
+      Needing({&needs::kRings},
+              Flag("ring_corners", "1",
+                   "Extend rings into the sharp corners of the ring around them, which a round "
+                   "laser spot does not reach; 0: these corners may remain unexposed",
+                   Bind<&ExposureOptions::fill_corners>())),
       Flag("shift_grids", "1",
-           "Shift the lines and cells of hatch, stripes and islands from layer to layer",
+           "Shift hatch lines, stripes and islands from layer to layer, so that their borders are "
+           "not above each other; 0: the same positions in all layers",
            Bind<&ExposureOptions::shift_grids>()),
-      Flag(
-          "turn_rings", "1",
-          "Start rings at other points in each layer, and divide the area into other convex pieces",
-          Bind<&ExposureOptions::turn_rings>()),
+      Flag("turn_rings", "1",
+           "Start rings at other points in each layer, and divide the area into other convex "
+           "pieces; 0: the same in all layers",
+           Bind<&ExposureOptions::turn_rings>()),
       Length("laser_spot", 10, "0.08", "Width of the line that the laser melts or cures",
              Bind<&ExposureOptions::spot_nm>()),
       Length("beam_compensation", 10, "0.04",
-             "Distance from the outline to the centre line of the outermost contour",
+             "Distance from the outline of the part to the centre line of the outermost contour; "
+             "usually half of laser_spot",
              Bind<&ExposureOptions::beam_compensation_nm>()),
       Count("contours", 100, "2", "Number of contours along the outline; 0: no contours",
             Bind<&ExposureOptions::contours>()),
@@ -206,16 +210,15 @@ std::vector<SettingSpec> ScanSettings() {
        .min = 0.001,
        .max = 10,
        .standard = "0.08",
-       .doc = "Distance between neighbouring contours, and from the innermost contour to rings",
+       .doc = "Distance between neighbouring contours, and from the innermost contour to the "
+              "outermost ring",
        .field = Bind<&ExposureOptions::contour_distance_nm>(),
        .needs = {&needs::kSecondContour}},
-      Needing(
-          {&needs::kContoursOfHatch},
-          Length(
-              "hatch_offset", 10, "0.04",
-              "Distance from the innermost contour to the ends of hatch lines; lines parallel to "
-              "the contour may be half a laser_spot closer to it",
-              Bind<&ExposureOptions::hatch_offset_nm>())),
+      Needing({&needs::kContoursOfHatch},
+              Length("hatch_offset", 10, "0.04",
+                     "Distance from the innermost contour to the ends of hatch lines; lines "
+                     "parallel to the contour may be closer to it by half of laser_spot",
+                     Bind<&ExposureOptions::hatch_offset_nm>())),
       {.key = "contour_start",
        .kind = Kind::kChoice,
        .standard = "scattered",
@@ -228,23 +231,23 @@ std::vector<SettingSpec> ScanSettings() {
        .needs = {&needs::kContours}},
       Needing({&needs::kContoursOrThinWalls},
               Length("contour_run", 10, "0",
-                     "Length by which the scanner moves before and after each contour and thin "
-                     "wall with the laser off; 0: no such moves",
+                     "Length by which the scanner moves with the laser off before and after each "
+                     "contour and thin wall, to reach full speed; 0: no such moves",
                      Bind<&ExposureOptions::contour_run_nm>())),
       Needing({&needs::kContours},
-              Flag("contours_first", "1", "Scan contours before the inside; 0: after it",
+              Flag("contours_first", "1", "Scan contours before the area inside them; 0: after it",
                    Bind<&ExposureOptions::contours_first>())),
       Flag("thin_wall_exposure", "1",
-           "Expose areas that are too thin for a contour, or for another line between contours, "
-           "once along their middle",
+           "Expose areas once along their middle that are too narrow for a contour, or for another "
+           "line between contours; 0: they remain unexposed",
            Bind<&ExposureOptions::thin_walls>()),
       Count("upskin_layers", 100, "0",
-            "Number of layers above an area that must all cover the area; otherwise the area is "
-            "upskin and is scanned with the upskin parameters. 0: no upskins",
+            "Number of layers above an area that must all contain the area; otherwise the area is "
+            "upskin and is scanned with the settings upskin_... 0: no upskins",
             Bind<&ExposureOptions::upskin_layers>()),
       Count("downskin_layers", 100, "0",
-            "Number of layers below an area that must all support the area; otherwise the area is "
-            "downskin and is scanned with the downskin parameters. 0: no downskins",
+            "Number of layers below an area that must all contain the area; otherwise the area is "
+            "downskin and is scanned with the settings downskin_... 0: no downskins",
             Bind<&ExposureOptions::downskin_layers>()),
       Needing(
           {&needs::kUpskins},
@@ -259,34 +262,39 @@ std::vector<SettingSpec> ScanSettings() {
               "Distance between neighbouring hatch lines and rings in downskins; 0: hatch_distance",
               Bind<&ExposureOptions::downskin_distance_nm>())),
       Count("z_compensation_layers", 100, "0",
-            "Number of layers below the scanned layer that the laser melts as well; areas with "
-            "powder within this depth are not exposed. 0: no compensation",
+            "Number of layers below the scanned layer that the laser also melts. An area is "
+            "exposed only if it is solid in all of these layers, so that undersides do not become "
+            "too thick. 0: no compensation",
             Bind<&ExposureOptions::z_compensation_layers>()),
       Needing({&needs::kSkins},
               Length("skin_overlap", 10, "0",
-                     "Distance by which upskins and downskins extend into the rest of the area",
+                     "Distance by which upskins and downskins extend into the area beside them",
                      Bind<&ExposureOptions::skin_overlap_nm>())),
-      Needing({&needs::kHatched}, Length("skywriting", 10, "0",
-                                         "Length by which the scanner moves before and after each "
-                                         "hatch line with the laser off; 0: no such moves",
-                                         Bind<&ExposureOptions::skywriting_nm>())),
+      Needing({&needs::kHatched},
+              Length("skywriting", 10, "0",
+                     "Length by which the scanner moves with the laser off before and after each "
+                     "hatch line, to reach full speed; 0: no such moves",
+                     Bind<&ExposureOptions::skywriting_nm>())),
       {.key = "jump_speed",
        .unit = "mm/s",
        .min = 1,
        .max = 1e5,
        .standard = "5000",
-       .doc = "Speed of jumps with the laser off",
+       .doc = "Speed of jumps: moves between lines with the laser off",
        .field = Bind<&ExposureOptions::jump, &JumpOptions::speed_mm_s>(),
        .needs = {&needs::kJumpSpeedInFile}},
+      Needing(
+          {&needs::kDelaysInFile},
+          Delay("jump_delay", "Delay after each jump, in which the mirrors of the scanner settle",
+                Bind<&ExposureOptions::jump, &JumpOptions::delay_us>())),
       Needing({&needs::kDelaysInFile},
-              Delay("jump_delay", "Delay after a jump, until the mirrors have settled",
-                    Bind<&ExposureOptions::jump, &JumpOptions::delay_us>())),
-      Needing({&needs::kDelaysInFile},
-              Delay("mark_delay", "Delay after each line, until the laser is off",
+              Delay("mark_delay", "Delay after each scanned line, in which the laser switches off",
                     Bind<&ExposureOptions::jump, &JumpOptions::mark_delay_us>())),
-      Needing({&needs::kDelaysInFile},
-              Delay("polygon_delay", "Delay at each corner of a line",
-                    Bind<&ExposureOptions::jump, &JumpOptions::polygon_delay_us>())),
+      Needing(
+          {&needs::kDelaysInFile},
+          Delay("polygon_delay",
+                "Delay at each corner of a scanned line, in which the mirrors of the scanner turn",
+                Bind<&ExposureOptions::jump, &JumpOptions::polygon_delay_us>())),
   };
 }
 
@@ -330,18 +338,19 @@ void AppendStyle(std::vector<SettingSpec>& all) {
   };
   add("power", "W", 0, 1e5, "200", "Laser power",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::power_w>(), needs::kStylesInFile);
-  add("speed", "mm/s", 0.1, 1e5, "800", "Speed",
+  add("speed", "mm/s", 0.1, 1e5, "800", "Scan speed",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::speed_mm_s>(), needs::kStylesInFile);
-  add("focus", "mm", -100, 100, "0", "Focus height above the layer",
+  add("focus", "mm", -100, 100, "0",
+      "Height of the laser's focus above the layer (0: on the layer)",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::focus_mm>(), needs::kStylesInFile);
-  add("frequency", "kHz", 0, 1e5, "0", "Pulse frequency (0: continuous laser)",
+  add("frequency", "kHz", 0, 1e5, "0", "Pulse frequency (0: the laser is on continuously)",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::frequency_khz>(), needs::kPulsesInFile);
   add("point_distance", "mm", 0, 10, "0", "Distance between exposure points (0: a continuous line)",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_distance_nm>(),
       needs::kPulsesInFile);
   add("point_time", "us", 0, 1e6, "0", "Exposure time of each point",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_time_us>(), needs::kPulsesInFile);
-  add("point_delay", "us", 0, 1e6, "0", "Delay between points",
+  add("point_delay", "us", 0, 1e6, "0", "Delay between exposure points",
       Bind<&ExposureOptions::styles, kKind, &ExposureStyle::point_delay_us>(),
       needs::kPulsesInFile);
 }
@@ -351,9 +360,9 @@ std::vector<SettingSpec> OutputSettings() {
       {.key = "output_format",
        .kind = Kind::kChoice,
        .standard = "cli",
-       .doc = "File format: Common Layer Interface as text (cli) or with binary geometry "
-              "(cli_binary), G-code of grbl or Marlin (grbl, marlin), drawings of all layers (svg) "
-              "or of output_layer (dxf)",
+       .doc = "Format of the output file. cli: Common Layer Interface as text. cli_binary: the "
+              "same with binary geometry. grbl, marlin: G-code for this firmware. svg: drawings of "
+              "all layers. dxf: a drawing of output_layer",
        .choices = {Named("cli", OutputFormat::kCliAscii),
                    Named("cli_binary", OutputFormat::kCliBinary),
                    Named("grbl", OutputFormat::kGrbl), Named("marlin", OutputFormat::kMarlin),
@@ -367,7 +376,7 @@ std::vector<SettingSpec> OutputSettings() {
        .min = 1e-5,
        .max = 1,
        .standard = "0.001",
-       .doc = "Length of one coordinate unit in a CLI file ($$UNITS)",
+       .doc = "Length of one unit of the coordinates in a CLI file ($$UNITS)",
        .field = Bind<&ExposureOutput::unit_mm>(),
        .needs = {&needs::kCli}},
       {.key = "laser_full_power",
@@ -375,33 +384,35 @@ std::vector<SettingSpec> OutputSettings() {
        .min = 0.001,
        .max = 1e5,
        .standard = "400",
-       .doc = "Laser power at S = laser_full_s in G-code",
+       .doc = "Laser power that the value laser_full_s of S in the G-code gives",
        .field = Bind<&ExposureOutput::full_power_w>(),
        .needs = {&needs::kGcode}},
       {.key = "laser_full_s",
        .min = 1,
        .max = 1e6,
        .standard = "1000",
-       .doc = "Value of S in G-code for laser_full_power ($30 of grbl)",
+       .doc = "Value of S in the G-code that gives laser_full_power ($30 of grbl)",
        .field = Bind<&ExposureOutput::full_power_s>(),
        .needs = {&needs::kGcode}},
       Needing({&needs::kGcode},
               Flag("laser_dynamic_power", "1",
-                   "Scale the laser power with the head's speed (M4); 0: constant power (M3)",
+                   "Reduce the laser power where the head is slower (M4); 0: constant power (M3)",
                    Bind<&ExposureOutput::dynamic_power>())),
       {.key = "recoating_time",
        .unit = "s",
        .min = 0,
        .max = 3600,
        .standard = "0",
-       .doc = "Duration of recoating before each layer, for the estimated time",
+       .doc = "Duration of recoating before each layer, for the estimated time; 0: not counted",
        .field = Bind<&ExposureOutput::recoat_s>()},
       Needing({&needs::kGcode}, Gcode("start_gcode", "G-code before the first layer",
                                       Bind<&ExposureOutput::start_gcode>())),
-      Needing({&needs::kGcode}, Gcode("before_layer_gcode", "G-code before each layer's move in Z",
-                                      Bind<&ExposureOutput::before_layer_gcode>())),
       Needing({&needs::kGcode},
-              Gcode("layer_gcode", "G-code after each layer's move in Z, such as for the recoater",
+              Gcode("before_layer_gcode", "G-code before the move in z to each layer",
+                    Bind<&ExposureOutput::before_layer_gcode>())),
+      Needing({&needs::kGcode},
+              Gcode("layer_gcode",
+                    "G-code after the move in z to each layer, such as commands for the recoater",
                     Bind<&ExposureOutput::layer_gcode>())),
       Needing({&needs::kGcode}, Gcode("end_gcode", "G-code after the last layer",
                                       Bind<&ExposureOutput::end_gcode>())),
