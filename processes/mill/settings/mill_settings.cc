@@ -17,7 +17,8 @@ std::vector<SettingSpec> TableSettings() {
     if (spec.key == "bed_shape") {
       spec.standard = "0x0,1000x0,1000x1000,0x1000";
       spec.doc =
-          "Outline of the table on which parts are arranged: corners XxY, separated by commas";
+          "Outline of the table on which parts are arranged: corners XxY in mm, separated by "
+          "commas";
     }
     if (spec.key == "max_print_height") {
       spec.standard = "0";
