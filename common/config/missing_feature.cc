@@ -12,15 +12,16 @@ namespace slicefarm::config {
 namespace {
 
 constexpr Allowance kAllowances[] = {
-    {kPaintedFilaments, "print objects painted with several filaments with one filament"},
+    {kPaintedFilaments, "print objects that are painted with several filaments with one filament"},
     {kSeveralTools,
-     "print objects or parts for several extruders with the first of these extruders"},
+     "print objects or parts that are assigned to several extruders with the first of these "
+     "extruders"},
     {kGcodeTemplates,
      "omit custom G-code that cannot be expanded (never start_gcode and end_gcode)"},
     {kIncompatibleProfiles,
      "use profiles although their compatible_printers_condition or compatible_prints_condition is "
-     "not met"},
-    {"colorprint_heights", "omit colour changes at the heights of colorprint_heights"},
+     "false"},
+    {"colorprint_heights", "omit the colour changes at the heights in colorprint_heights"},
     {"printer_technology", "use a profile of a resin printer (printer_technology = SLA)"},
 };
 

@@ -550,7 +550,7 @@ TEST_F(Program, PassesTheTraceOn) {
   EXPECT_EQ(server.trace, ParseTraceparent(given));
   const Outcome broken = submit("00-nonsense");
   EXPECT_EQ(broken.code, ExitCode::kOk);
-  EXPECT_THAT(broken.err, HasSubstr("no W3C trace context"));
+  EXPECT_THAT(broken.err, HasSubstr("not a W3C trace context"));
   EXPECT_TRUE(server.trace.empty());
 }
 
@@ -628,8 +628,9 @@ TEST_F(Program, SaysThatAServerIsNoCoordinator) {
   const Outcome outcome = Run({"list", "--server", "127.0.0.1:" + std::to_string(port)});
   EXPECT_EQ(outcome.code, ExitCode::kServerUnavailable);
   EXPECT_THAT(outcome.err, HasSubstr("the server has no such method"));
-  EXPECT_THAT(outcome.err,
-              HasSubstr("check that a coordinator of this version runs at that address"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("check that a coordinator of this version runs at the address in --server"));
 }
 
 TEST_F(Program, SaysThatAJobIsNotThere) {

@@ -64,9 +64,11 @@ void AddTlsOptions(CLI::App& app, ClientSecurity* security) {
 
 void AddTokenOptions(CLI::App& app, ClientSecurity* security) {
   security->with_token = true;
-  app.add_option("--token-file", security->token_file,
-                 std::string("File with the token that the server requires; or set the variable ") +
-                     kTokenVariable + " does")
+  app.add_option(
+         "--token-file", security->token_file,
+         std::string(
+             "File with the token that the server requires. Without this option, the variable ") +
+             kTokenVariable + " may contain the token")
       ->envname("SLICEFARM_TOKEN_FILE")
       ->type_name("FILE");
 }

@@ -62,13 +62,15 @@ void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
       app, &flags->tls,
       "TLS certificate of this server, which it also uses as a client; without it, no TLS");
   auto* key = AddTlsKey(app, &flags->tls, "Private key of the certificate");
-  auto* ca = AddTlsCa(app, &flags->tls,
-                      "CA certificates that sign the certificates of this server's peers");
+  auto* ca = AddTlsCa(
+      app, &flags->tls,
+      "CA certificates that sign the certificates of this server's clients and of other servers");
   cert->needs(key)->needs(ca);
   key->needs(cert)->needs(ca);
   ca->needs(cert)->needs(key);
   app.add_option("--authz-policy", flags->policy_file,
-                 "Authorization policy that replaces the built-in one (see common/rpc)")
+                 "JSON file of the authorization policy: the clients that may call each method. "
+                 "Default: the built-in policy")
       ->type_name("FILE")
       ->needs(ca);
 }
@@ -85,12 +87,12 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
       ->check(CLI::Range(-1, 65535))
       ->capture_default_str();
   app.add_option("--drain", flags->drain_s,
-                 "Seconds after SIGTERM in which calls in flight may end")
+                 "Seconds that running calls have after SIGTERM to finish")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
   app.add_option("--accept-patience", flags->accept_patience_s,
                  "Seconds after which a server that can no longer accept connections ends with "
-                 "exit code 3, to be restarted; 0: never")
+                 "exit code 3, so that it is restarted; 0: never")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
   AddTlsFlags(app, flags);

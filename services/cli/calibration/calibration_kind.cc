@@ -14,26 +14,28 @@ namespace {
 
 constexpr CalibrationInfo kInfos[] = {
     {CalibrationKind::kTemperature, "temperature",
-     "tower with bridges and overhangs, by temperature", "°C", 15, -15, 5, 150, 500, 0,
+     "nozzle temperature: a tower with bridges and overhangs", "°C", 15, -15, 5, 150, 500, 0,
      "temperature", "", true},
-    {CalibrationKind::kFlow, "flow", "plates with top surfaces, by flow; --fine: in smaller steps",
-     "%", -20, 20, 5, -50, 50, 0, "extrusion_multiplier", "", true},
+    {CalibrationKind::kFlow, "flow",
+     "extrusion_multiplier: plates with top surfaces; --fine: in smaller steps", "%", -20, 20, 5,
+     -50, 50, 0, "extrusion_multiplier", "", true},
     {CalibrationKind::kPressureAdvance, "pressure-advance",
-     "tower with sharp corners, by pressure advance", "s", 0, 0.1, 0.01, 0, 2, 3,
-     "pressure_advance", "", true},
+     "pressure_advance: a tower with sharp corners", "s", 0, 0.1, 0.01, 0, 2, 3, "pressure_advance",
+     "", true},
     {CalibrationKind::kVolumetricSpeed, "volumetric-speed",
-     "tower of one wall, by volume of filament per second", "mm3/s", 5, 20, 1, 0.5, 100, 1,
+     "filament_max_volumetric_speed: a tower of a single wall", "mm3/s", 5, 20, 1, 0.5, 100, 1,
      "filament_max_volumetric_speed", "", true},
     {CalibrationKind::kRetraction, "retraction",
-     "two pillars, by length of retraction; the firmware retracts", "mm", 0, 2, 0.2, 0, 15, 2,
+     "retract_length: two pillars; the firmware does the retractions", "mm", 0, 2, 0.2, 0, 15, 2,
      "retract_length", "", true},
-    {CalibrationKind::kVfa, "vfa", "tower with flat walls, by speed of the outer wall", "mm/s", 40,
+    {CalibrationKind::kVfa, "vfa",
+     "external_perimeter_speed: a tower with flat walls, which show vertical artefacts", "mm/s", 40,
      200, 10, 5, 1000, 0, "external_perimeter_speed", "", false},
     {CalibrationKind::kCornering, "cornering",
-     "tower with sharp corners, by jerk or square corner velocity", "mm/s", 1, 15, 1, 0.1, 50, 1,
+     "jerk or square corner velocity: a tower with sharp corners", "mm/s", 1, 15, 1, 0.1, 50, 1,
      "machine_max_jerk_x", "machine_max_jerk_y", false},
     {CalibrationKind::kInputShaping, "input-shaping",
-     "tower with sharp corners, by frequency of the input shaper", "Hz", 15, 110, 5, 5, 500, 0, "",
+     "frequency of the input shaper: a tower with sharp corners", "Hz", 15, 110, 5, 5, 500, 0, "",
      "", false},
 };
 
@@ -95,13 +97,15 @@ absl::StatusOr<std::vector<double>> LevelsOf(const CalibrationInfo& info, const 
   if (!std::isfinite(start) || !std::isfinite(end) || !std::isfinite(step) || step <= 0)
     return Malformed("--step must be above 0, and --start and --end must be numbers");
   if (std::min(start, end) < info.min || std::max(start, end) > info.max)
-    return Malformed(fmt::format("{} from {:g} to {:g} {}: must be between {:g} and {:g}",
-                                 info.name, start, end, info.unit, info.min, info.max));
+    return Malformed(
+        fmt::format("{} from {:g} to {:g} {}: the values must be between {:g} and {:g}", info.name,
+                    start, end, info.unit, info.min, info.max));
   constexpr double kSlack = 1e-6;  // of a step, because 0.1 has no exact value
   const double count = std::floor(std::abs(end - start) / step + kSlack) + 1;
   if (count < 2 || count > kMostLevels)
     return Malformed(
-        fmt::format("{} from {:g} to {:g} {} in steps of {:g}: gives {:g} values; must be 2 to {}",
+        fmt::format("{} from {:g} to {:g} {} in steps of {:g} gives {:g} values: choose --step for "
+                    "2 to {} values",
                     info.name, start, end, info.unit, step, count, kMostLevels));
   std::vector<double> levels;
   for (int i = 0; i < static_cast<int>(count); ++i)
@@ -127,8 +131,8 @@ absl::StatusOr<std::string> CodeOf(const CalibrationInfo& info, std::string_view
   if (info.kind == CalibrationKind::kInputShaping) code = InputShapingCode(flavor, value);
   if (!code.empty()) return code;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
-                   fmt::format("calibrate {}: gcode_flavor = {} has no command that sets the value "
-                               "during a print",
+                   fmt::format("calibrate {}: gcode_flavor = {} has no command that changes the "
+                               "value during a print, so this test is not possible",
                                info.name, flavor),
                    {{"setting", "gcode_flavor"}, {"value", std::string(flavor)}});
 }

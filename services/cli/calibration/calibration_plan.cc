@@ -185,8 +185,8 @@ class CalibrationPlanner {
       if (limit <= 0 || speed <= limit) continue;
       return MakeError(
           absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-          fmt::format("calibrate {}: needs {:.1f} mm/s, which is above {} = {:g}; choose "
-                      "a lower --end",
+          fmt::format("calibrate {}: the last value needs {:.1f} mm/s, which is above {} = {:g}; "
+                      "choose a lower --end",
                       info_.name, speed, key, limit),
           {{"setting", key}, {"limit", NumberText(limit)}, {"got", NumberText(speed)}});
     }

@@ -148,9 +148,9 @@ ExitCode Calibrate(CalibrateOptions options, Interrupt& interrupt) {
 }  // namespace
 
 void AddCalibrate(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand(
-      "calibrate",
-      "Make a print that shows the best value of a setting for a printer and filament");
+  CLI::App* command = app.add_subcommand("calibrate",
+                                         "Write G-code of a test print that shows the best value "
+                                         "of a setting for a printer and filament");
   const auto options = std::make_shared<CalibrateOptions>();
   std::map<std::string, CalibrationKind> kinds;
   std::string words;
@@ -159,7 +159,9 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
     words += fmt::format("\n  {:<17} {}", info.name, info.doc);
   }
   options->job.models = {"calibration"};
-  command->add_option("KIND", options->kind, "Kind of the print; see below")
+  command
+      ->add_option("KIND", options->kind,
+                   "Kind of the test print, which is also the setting to find; see below")
       ->transform(OneOf(std::move(kinds)))
       ->type_name("KIND");
   command->add_option("-o,--output", options->output, "File for the G-code; -: to stdout")
@@ -167,11 +169,16 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
   AddSettingOptions(*command, options->job);
   AddPresetOptions(*command, options->job.presets);
   command
-      ->add_option("--start", options->levels.start, "Value at the bottom, or of the first plate")
+      ->add_option("--start", options->levels.start,
+                   "First value: at the bottom of a tower, or of the first plate")
       ->type_name("VALUE");
-  command->add_option("--end", options->levels.end, "Value at the top, or of the last plate")
+  command
+      ->add_option("--end", options->levels.end,
+                   "Last value: at the top of a tower, or of the last plate")
       ->type_name("VALUE");
-  command->add_option("--step", options->levels.step, "Difference of neighbouring values, above 0")
+  command
+      ->add_option("--step", options->levels.step,
+                   "Difference between neighbouring values, above 0")
       ->type_name("VALUE");
   command->add_flag("--fine", options->fine,
                     "Second pass of flow: from -9 % to 0 % in steps of 1 %, relative to the best "
@@ -184,7 +191,9 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
       ->add_option("--report", options->job.report,
                    "File for a report as JSON, with the table of values; -: to stdout")
       ->type_name("REPORT.json");
-  command->add_flag("--generic", options->job.generic, "Allow a print for no particular printer");
+  command->add_flag("--generic", options->job.generic,
+                    "Allow a print for no particular printer: bed_shape, nozzle_diameter and "
+                    "gcode_flavor may be unset");
   command->add_flag("-q,--quiet", options->job.quiet, "Print only warnings and errors");
   AddThreadsOption(*command, options->threads);
   command->add_flag("--detach", options->detach,

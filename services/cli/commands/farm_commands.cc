@@ -53,7 +53,7 @@ struct UpdateOptions {
 
 absl::Status BadTime(const std::string& option, const std::string& text) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("{}: {} is no time such as 2027-01-31T12:00:00Z", option, text));
+                   fmt::format("{}: {} is not a time such as 2027-01-31T12:00:00Z", option, text));
 }
 
 ExitCode WatchAll(const FarmOptions& options, Interrupt& interrupt) {
@@ -213,7 +213,10 @@ CLI::App* AddFarmCommand(CLI::App& parent, const char* name, const char* about,
 }
 
 void AddTenantOption(CLI::App& command, FarmOptions& options) {
-  command.add_option("--tenant", options.tenant, "Tenant to show (needs the scope admin)")
+  command
+      .add_option(
+          "--tenant", options.tenant,
+          "Tenant to show; default: your own. Another tenant needs a token with the scope admin")
       ->type_name("NAME");
 }
 
@@ -248,7 +251,10 @@ void AddArtifacts(CLI::App& app, CommandContext& context) {
   std::vector<std::string> kinds;
   for (const auto& [kind, artifact] : kArtifacts) kinds.push_back(kind);
   auto* const kind =
-      command->add_option("--kind", options->kind, "Artifact to fetch")->check(OneOf(kinds));
+      command
+          ->add_option("--kind", options->kind,
+                       "Kind of the artifact to fetch; without --kind, all artifacts are listed")
+          ->check(OneOf(kinds));
   command->add_option("-o,--output", options->output, "File for the artifact; -: to stdout")
       ->needs(kind)
       ->capture_default_str()
@@ -262,7 +268,7 @@ void AddArtifacts(CLI::App& app, CommandContext& context) {
 void AddUsage(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<FarmOptions>();
   AddTenantOption(
-      *AddFarmCommand(app, "usage", "Show the storage that a tenant uses on the farm, as JSON",
+      *AddFarmCommand(app, "usage", "Show how much storage a tenant uses on the farm, as JSON",
                       options, context, ShowUsage),
       *options);
 }
@@ -295,13 +301,18 @@ void AddUpdate(CLI::App& app, CommandContext& context) {
       app.add_subcommand("update", "Change the priority, the deadline or the labels of a job");
   const auto options = std::make_shared<UpdateOptions>();
   command->add_option("JOB", options->id, "Job id, or the beginning of it")->required();
-  command->add_option("--priority", options->priority)
+  command
+      ->add_option("--priority", options->priority,
+                   "Priority of the job among the jobs of its tenant")
       ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}));
-  command->add_option("--deadline", options->deadline, "Time of the deadline, or none")
+  command
+      ->add_option("--deadline", options->deadline,
+                   "Time such as 2027-01-31T12:00:00Z at which the job fails if it is not done; "
+                   "none: no deadline")
       ->type_name("TIME");
   command
       ->add_option("--label", options->labels,
-                   "Label that replaces the present ones; may be repeated")
+                   "Label of the job; the given labels replace all present ones. May be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "Print the job as JSON");

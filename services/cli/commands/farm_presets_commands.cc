@@ -142,15 +142,16 @@ void AddFarmPresets(CLI::App& presets, CommandContext& context) {
       ->required();
   import
       ->add_option("--name", options->name,
-                   "Name of one bundle with all files; default: a bundle for each vendor, and the "
-                   "bundle `user` for all other files")
+                   "Name of one bundle that gets all files. Default: one bundle for each vendor, "
+                   "and the bundle `user` for all other files")
       ->type_name("NAME");
   import->add_flag("--json", options->json, "Print each bundle as one line of JSON");
   AddBundleCommand(presets, "bundles", "List the bundles of presets that the farm stores", options,
                    context, ListBundles)
       ->add_flag("--json", options->json, "Print each bundle as one line of JSON");
-  AddBundleCommand(presets, "delete", "Remove a bundle; jobs made with it stay as they are",
-                   options, context, DeleteBundle)
+  AddBundleCommand(presets, "delete",
+                   "Remove a bundle; jobs that were made with the bundle do not change", options,
+                   context, DeleteBundle)
       ->add_option("NAME", options->name, "Bundle, or NAME@REVISION for one revision")
       ->required();
 }

@@ -19,7 +19,8 @@ constexpr std::string_view kFlavors = "klipper, marlin, rrf, prusabuddy, bambu, 
 }  // namespace
 
 void AddPlateOption(CLI::App& app, int& plate) {
-  app.add_option("--plate", plate, "Plate of a .gcode.3mf archive with several plates, from 1")
+  app.add_option("--plate", plate,
+                 "Plate of a .gcode.3mf archive with several plates, counted from 1")
       ->check(InRange(1, static_cast<int>(limits::kMaxProjectPlates)))
       ->type_name("N");
 }
@@ -29,8 +30,8 @@ void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
   app.add_option("GCODE", options.gcode, "G-code file of any slicer: text, .bgcode or .gcode.3mf")
       ->required();
   app.add_option("--flavor", options.flavor,
-                 fmt::format("Firmware of the machine: {} (rrf: RepRapFirmware; jerk: slicefarm's "
-                             "own motion planner, without a firmware)",
+                 fmt::format("Firmware of the machine: {}. rrf: RepRapFirmware. jerk: no firmware, "
+                             "but slicefarm's own motion planner",
                              kFlavors))
       ->required()
       ->type_name("NAME");

@@ -50,7 +50,8 @@ ExitCode CheckHealth(const HealthOptions& options, Interrupt& interrupt) {
 }  // namespace
 
 void AddHealth(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("health", "Check whether a service is serving");
+  CLI::App* command = app.add_subcommand(
+      "health", "Check whether a service of slicefarm is ready for jobs or calls");
   const auto options = std::make_shared<HealthOptions>();
   command->add_option("ADDRESS", options->address, "Address of a slicefarm service")
       ->required()
@@ -60,11 +61,11 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->capture_default_str()
       ->type_name("S");
   command->add_flag("--live", options->live,
-                    "Check only that the program runs, not that it is ready to serve");
+                    "Check only that the program runs, not that it can accept jobs or calls");
   rpc::AddTlsOptions(*command, &options->security);
   command->footer(
       "Exit code 0: serving; 5: not serving, or no answer; 2: your own certificate cannot be used. "
-      "For health checks of containers.");
+      "The command is meant for health checks of containers.");
   command->callback([options, &context] {
     context.run = [options, &context] { return CheckHealth(*options, *context.interrupt); };
   });

@@ -298,7 +298,7 @@ void AddList(CLI::App& app, CommandContext& context) {
   command->add_option("--label", options->labels, "Label of the jobs to list; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--oldest-first", options->oldest_first);
+  command->add_flag("--oldest-first", options->oldest_first, "List the oldest jobs first");
   command->add_flag("--json", options->json, "Print all fields of the jobs as JSON");
   command->footer(
       "PLACE: position of a waiting job in the queue of the whole farm; 1 starts next. DONE: "
@@ -361,7 +361,8 @@ void AddWebhook(CLI::App& app, CommandContext& context) {
 }
 
 void AddTrace(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("trace", "Show how an ended job spent its time");
+  CLI::App* command = app.add_subcommand(
+      "trace", "Write a timeline of an ended job, which shows the time of each stage");
   const auto options = std::make_shared<GetOptions>();
   options->files.trace = "-";
   AddJobCommand(*command, options);

@@ -159,7 +159,8 @@ CLI::App* AddPresetCommand(CLI::App& parent, const char* name, const char* about
   CLI::Option* sources = AddPresetSources(*command, options->sources);
   command
       ->add_option("--bundle", options->bundles,
-                   "Without --presets: bundle of the farm; default: all. May be repeated")
+                   "Bundle of presets on the farm to use, without --presets; default: all bundles. "
+                   "May be repeated")
       ->excludes(sources)
       ->type_name("NAME[@REVISION]")
       ->allow_extra_args(false);
@@ -181,12 +182,12 @@ void AddPresets(CLI::App& app, CommandContext& context) {
   AddPresetCommand(*command, "list", "List the presets that a job may name", options, context,
                    ListPresets)
       ->add_option("--printer", options->printer,
-                   "Name of a printer or of a printer model: list only this printer, or the "
-                   "printers of this model, and the presets made for them")
+                   "Printer or printer model: list only this printer, or the printers of this "
+                   "model, and the presets that are made for them")
       ->type_name("NAME");
   CLI::App* show = AddPresetCommand(*command, "show",
-                                    "Print all settings of a preset or, with --printer, of a job; "
-                                    "each setting has the name of the preset that defines it",
+                                    "Print all settings of a preset, or of a job for --printer, "
+                                    "with the preset that defines each setting",
                                     options, context, ShowPreset);
   CLI::Option* name =
       show->add_option("NAME", options->name, "Name of a printer, process or filament preset");
@@ -197,7 +198,7 @@ void AddPresets(CLI::App& app, CommandContext& context) {
   for (const auto& [option, value] :
        {std::pair("--process", &options->process), std::pair("--filament", &options->filament)})
     show->add_option(option, *value,
-                     "Preset of the job; default: the one that the printer preset names")
+                     "Preset of the job; default: the preset that the printer preset names")
         ->needs(printer)
         ->type_name("NAME");
   AddFarmPresets(*command, context);

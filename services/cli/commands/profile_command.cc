@@ -127,21 +127,22 @@ void AddProfile(CLI::App& app, CommandContext& context) {
       app.add_subcommand("profile", "Manage settings that the farm stores under a name");
   command->require_subcommand(1);
   const auto options = std::make_shared<ProfileOptions>();
-  CLI::App* put = AddTo(*command, "put", "Add a revision to a profile and print NAME@REVISION",
+  CLI::App* put = AddTo(*command, "put",
+                        "Store settings as a new revision of a profile, and print NAME@REVISION",
                         options, context, Put);
   put->add_option("NAME", options->name, "Name of the profile: letters, digits, -, _ and .")
       ->required();
   AddSettingOptions(*put, options->settings);
-  CLI::App* get =
-      AddTo(*command, "get", "Print a revision as a config.ini", options, context, GetProfile);
+  CLI::App* get = AddTo(*command, "get", "Print the settings of a profile as a config.ini", options,
+                        context, GetProfile);
   get->add_option("NAME", options->name, "Name of the profile, or NAME@REVISION")->required();
   get->add_flag("--json", options->json, "Print the revision as JSON");
   get->add_option("--revision", options->revision, "Revision to print; default: the newest")
       ->check(AboveZero())
       ->type_name("N");
-  CLI::App* remove =
-      AddTo(*command, "delete", "Remove a profile; jobs made with it stay as they are", options,
-            context, DeleteProfile);
+  CLI::App* remove = AddTo(*command, "delete",
+                           "Remove a profile; jobs that were made with the profile do not change",
+                           options, context, DeleteProfile);
   remove->add_option("NAME", options->name, "Name of the profile, or NAME@REVISION")->required();
   remove->add_option("--revision", options->revision, "Revision to remove; default: all")
       ->check(AboveZero())
@@ -150,9 +151,9 @@ void AddProfile(CLI::App& app, CommandContext& context) {
         ListProfiles)
       ->add_flag("--json", options->json, "Print each profile as one line of JSON");
   command->footer(
-      "Revisions never change; each job records the revision it was made with.\nExamples:\n  "
-      "slicefarm profile put mk4-pla --config prusa.ini\n  slicefarm submit part.stl -o part.gcode "
-      "--profile mk4-pla --set fill_density=30%");
+      "Revisions never change; each job records the revision of the profile that it "
+      "used.\nExamples:\n  slicefarm profile put mk4-pla --config prusa.ini\n  slicefarm submit "
+      "part.stl -o part.gcode --profile mk4-pla --set fill_density=30%");
 }
 
 }  // namespace slicefarm::cli

@@ -43,8 +43,8 @@ absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
   if (end.ends_with(".svg")) return ImageFormat::kSvg;
   if (end.ends_with(".png")) return ImageFormat::kPng;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("{}: the format of the picture is unknown: use a name that ends in "
-                               ".png or .svg, or --format",
+                   fmt::format("{}: the name does not show the format of the picture: use a name "
+                               "that ends in .png or .svg, or add --format",
                                options.output));
 }
 
@@ -78,8 +78,9 @@ absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_v
 absl::StatusOr<GcodeLayer> ReadAny(const RenderOptions& options, std::string_view gcode) {
   if (IsMillProgram(gcode)) return ReadMillLayer(gcode, options.layer);
   if (!options.layer)
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     "--layer is needed: only milling programs are drawn as a whole");
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+        "--layer is needed for this file: only milling programs can be drawn as a whole");
   if (IsCliFile(gcode)) return ReadCliLayer(gcode, *options.layer, options.spot_mm);
   return ReadLayer(options, gcode);
 }
@@ -115,8 +116,8 @@ void AddRender(CLI::App& app, CommandContext& context) {
   AddPlateOption(*command, options->plate);
   command
       ->add_option("-l,--layer", options->layer,
-                   "Layer to draw, counted from 0. For milling: a level, from the top down; "
-                   "without it, all toolpaths")
+                   "Layer to draw, counted from 0. Milling programs: level to draw, counted from "
+                   "the top; without -l, all toolpaths")
       ->check(ZeroOrMore())
       ->type_name("N");
   command->add_option("-o,--output", options->output, "File for the picture; -: to stdout")
@@ -127,11 +128,11 @@ void AddRender(CLI::App& app, CommandContext& context) {
                    "Format of the picture; default: by the ending of the output's name")
       ->check(OneOf(std::vector<std::string>{"png", "svg"}));
   command
-      ->add_option(
-          "--color,--by", options->colour_by,
-          "Property that the colours show: feature (the default), width, speed, flow, time, order "
-          "or energy. time: when a line is printed, by the look-ahead of --flavor. energy: J/mm2 "
-          "if the labels of a CLI file give power and speed, otherwise the number of passes")
+      ->add_option("--color,--by", options->colour_by,
+                   "Property that the colours show: feature (the default), width, speed, flow, "
+                   "time, order or energy. time: when a line is printed, estimated for the "
+                   "firmware --flavor. energy: in J/mm2 if the labels of a CLI file give power and "
+                   "speed, otherwise the number of passes")
       ->transform(OneOf(std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
                                                         {"width", ColourBy::kWidth},
                                                         {"speed", ColourBy::kSpeed},
@@ -141,13 +142,14 @@ void AddRender(CLI::App& app, CommandContext& context) {
                                                         {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");
   command
-      ->add_option(
-          "--flavor", options->flavor,
-          "Firmware used to estimate times; default: the one that the file names, otherwise marlin")
+      ->add_option("--flavor", options->flavor,
+                   "Firmware for which times are estimated; default: the firmware that the file "
+                   "names, otherwise marlin")
       ->type_name("NAME");
   command
-      ->add_option("--spot", options->spot_mm,
-                   "Width at which the lines of a CLI file are drawn, in mm; the file has no width")
+      ->add_option(
+          "--spot", options->spot_mm,
+          "Width of the drawn lines of a CLI file, in mm, because such files contain no widths")
       ->check(InRange(0.001, 10.0))
       ->capture_default_str()
       ->type_name("MM");

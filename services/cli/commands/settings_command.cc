@@ -121,16 +121,17 @@ void AddSettings(CLI::App& app, CommandContext& context) {
   CLI::App* command =
       app.add_subcommand("settings", "List every setting with its range, default and meaning");
   const auto options = std::make_shared<SettingsOptions>();
-  command->add_option("PATTERN", options->pattern,
-                      "Part of the names of the settings to list; default: all settings");
+  command->add_option(
+      "PATTERN", options->pattern,
+      "Part of a name: list only settings with this part in their names; default: all settings");
   AddMachineOption(*command, options->process);
   CLI::Option* json = command->add_flag("--json", options->json, "Print the settings as JSON");
   command->add_flag("--ini", options->ini, "Print a config.ini with the defaults and comments")
       ->excludes(json);
   command
       ->add_option("--coverage", options->coverage,
-                   "PrusaSlicer config.ini to check: prints how many of its keys have an effect in "
-                   "slicefarm, and the keys without effect")
+                   "PrusaSlicer config.ini to check: print how many of its settings have an effect "
+                   "in slicefarm, and the settings without effect")
       ->type_name("PROFILE.ini");
   command->footer(
       "Names and meanings are the same as in PrusaSlicer's config.ini.\nExample:\n  slicefarm "

@@ -143,7 +143,7 @@ void WarnWithoutMachine(const std::vector<Setting>& settings, Process process) {
   const absl::Status named = config::CheckMachineNamed(settings, process);
   if (named.ok()) return;
   Warn({std::string(named.message()) + "; give the printer's profile with --config FILE, or add "
-                                       "--generic if no particular printer is meant"});
+                                       "--generic if the job is for no particular printer"});
 }
 
 /// Slices one plate of `models` and writes its results. Moves the models' files into the job.
@@ -203,7 +203,8 @@ ExitCode Slice(SliceOptions options, Interrupt& interrupt) {
   if (absl::Status taken = TakeTexture(options.job); !taken.ok()) return Fail(taken);
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
   if (UsesFarmPresets(options.job.presets))
-    return Fail(Malformed("--printer: --presets DIR|FILE is needed, too"));
+    return Fail(Malformed(
+        "--printer: --presets DIR|FILE is needed, too, because the preset is read from there"));
   const bool named = config::FindSetting("output_filename_format", options.job.process) >= 0;
   if (!named && IsNamedBySettings(options.output))
     return Fail(Malformed(fmt::format(
@@ -236,10 +237,10 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
   AddJobOptions(*command, options->job);
   command
-      ->add_option(
-          "-o,--output", options->output,
-          "File for the G-code or other output; -: to stdout; a folder: a file in it, named by "
-          "output_filename_format. Default: a file of this name in the model's folder")
+      ->add_option("-o,--output", options->output,
+                   "File for the G-code or other output; -: to stdout; a folder: a file in it, "
+                   "named by output_filename_format. Default: a file with the name by "
+                   "output_filename_format in the model's folder")
       ->type_name("OUT.gcode");
   command
       ->add_option(

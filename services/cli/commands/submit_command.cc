@@ -19,7 +19,7 @@ namespace {
 absl::Status CheckWishes(const SubmitOptions& options) {
   const bool gcode = !options.output.empty();
   if (options.check && (gcode || !options.job.report.empty())) {
-    return Malformed("--check does not slice: omit -o and --report");
+    return Malformed("--check does not slice, so there is nothing to write: omit -o and --report");
   }
   if (options.check && (options.detach || options.quote)) {
     return Malformed("--check creates no job: omit --detach and --quote");
@@ -83,39 +83,43 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   AddFarmSettingOptions(*command, *options);
-  command->add_option("--priority", options->priority, "Queue priority of the job")
+  command
+      ->add_option("--priority", options->priority,
+                   "Priority of the job among the jobs of its tenant: interactive jobs start "
+                   "first, bulk jobs last")
       ->check(OneOf(std::vector<std::string>{"bulk", "normal", "interactive"}))
       ->capture_default_str();
   command
       ->add_option("--deadline", options->deadline_s,
-                   "Seconds after which the job fails if it is not done")
+                   "Seconds from now after which the job fails if it is not done")
       ->check(AboveZero())
       ->type_name("S");
   command
-      ->add_option(
-          "--webhook", options->webhook,
-          "URL that receives the job by POST when the job has ended; the farm must allow the URL")
+      ->add_option("--webhook", options->webhook,
+                   "URL to which the farm sends the job by POST when the job has ended; the farm "
+                   "must allow the URL")
       ->type_name("URL");
   command->add_flag("--json", options->json,
                     "Print each job as one line of JSON: id, state, result, warnings, error, and "
                     "`output`, the file of the result");
   command->add_flag("--quote", options->quote,
-                    "Compute only time, filament and cost; no G-code is made");
+                    "Compute only print time, filament and cost, without G-code");
   command->add_flag("--check", options->check,
-                    "Check whether the job can be made, and estimate it, without creating a job; "
-                    "the farm stores only the mesh");
+                    "Check whether the farm can make the job, and estimate it, without creating a "
+                    "job; the farm stores only the mesh");
   command->add_flag("--orient", options->orient,
-                    "Report objects that would print better in another orientation, with a large "
-                    "face on the bed and little support (with --check)");
+                    "Report objects that would print better in another orientation, with a larger "
+                    "face on the bed and less support; only with --check");
   command
       ->add_option("--traceparent", options->traceparent,
-                   "Trace that the job belongs to (W3C Trace Context)")
+                   "Trace in your monitoring to which the job's spans are added, in the form of "
+                   "W3C Trace Context")
       ->envname("TRACEPARENT")
       ->type_name("00-TRACE-SPAN-01");
   AddServerOptions(*command, options->server);
   command->footer(
-      "After a broken connection the command and its upload continue from the point of "
-      "interruption.\nCtrl-C cancels the job (exit code 7); a job submitted with --detach does not "
+      "After a broken connection the command continues, and its upload resumes where it was "
+      "interrupted.\nCtrl-C cancels the job (exit code 7); a job submitted with --detach does not "
       "need this program.\nExamples:\n  slicefarm submit part.stl -o part.gcode --config prusa.ini "
       "--server farm:50050\n  slicefarm submit part.stl -o part.gcode --printer \"Prusa MK4\" "
       "--process \"0.20mm SPEED\" --filament \"Prusament PLA\"\n  job=$(slicefarm submit part.stl "

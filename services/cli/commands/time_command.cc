@@ -75,7 +75,7 @@ ExitCode Time(const TimeOptions& options) {
 
 void AddTime(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand(
-      "time", "Estimate the print time of any G-code file from its firmware's look-ahead");
+      "time", "Estimate the print time of any G-code file as its firmware plans the moves");
   const auto options = std::make_shared<TimeOptions>();
   AddGcodeOptions(*command, *options);
   command->add_flag("--json", options->json, "Print JSON");

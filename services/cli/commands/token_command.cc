@@ -56,8 +56,9 @@ void AddToken(CLI::App& app, CommandContext& context) {
   const auto options = std::make_shared<TokenOptions>();
   command
       ->add_option("--scope", options->scopes,
-                   "Permission of the token: submit, read or admin; may be repeated. Default: "
-                   "submit and read")
+                   "Permission of the token. submit: create and change jobs. read: see jobs and "
+                   "fetch results. admin: see and cancel the jobs of all tenants, export and erase "
+                   "tenants. May be repeated. Default: submit and read")
       ->check(OneOf(std::vector<std::string>{"submit", "read", "admin"}))
       ->allow_extra_args(false);
   command

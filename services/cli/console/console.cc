@@ -33,7 +33,8 @@ std::string AdviceOnValue(const ErrorDetail& detail) {
   if (setting == detail.metadata.end()) return "";
   const std::string how = HowToShow(setting->second);
   if (how.empty()) return "";
-  return fmt::format("`{}` explains it; --set {}=VALUE replaces it", how, setting->second);
+  return fmt::format("`{}` explains the setting; --set {}=VALUE replaces its value", how,
+                     setting->second);
 }
 
 std::string AdviceOnFeature(const ErrorDetail& detail) {
@@ -50,7 +51,7 @@ std::string AdviceOnFeature(const ErrorDetail& detail) {
 
 std::string Advice(const absl::Status& status) {
   if (absl::IsUnimplemented(status))
-    return "check that a coordinator of this version runs at that address";
+    return "check that a coordinator of this version runs at the address in --server";
   const ErrorDetail detail = DetailOf(status);
   switch (detail.reason) {
     case Reason::kSettingUnknown:
@@ -66,7 +67,7 @@ std::string Advice(const absl::Status& status) {
              "FILE, or add --generic for no particular printer";
     case Reason::kRequestMalformed:
       return detail.metadata.contains("plates")
-                 ? "choose one of them with --plate N, or make a job of each with --plates"
+                 ? "choose a plate with --plate N, or make a job of each plate with --plates"
                  : "";
     case Reason::kMeshFormatUnknown:
       return "give an STL (binary or ASCII), OBJ, PLY or 3MF file";
@@ -77,13 +78,15 @@ std::string Advice(const absl::Status& status) {
       return "the file is incomplete: export or download it again";
     case Reason::kOutOfRange:
     case Reason::kOutOfBuildVolume:
-      return "use --scale or --rotate, or another bed_shape and max_print_height; --units if the "
-             "file is not in mm; --plates for more copies than fit on a bed";
+      return "use --scale or --rotate, or another bed_shape or max_print_height. If the "
+             "coordinates in the file are not in mm, use --units. If the copies do not fit on one "
+             "bed, use --plates";
     case Reason::kNothingToPrint:
-      return "the model may be empty or much smaller than a layer; set the unit of its coordinates "
-             "with --units";
+      return "the model may be empty or much smaller than a layer; if its coordinates are not in "
+             "mm, give their unit with --units";
     case Reason::kUnavailable:
-      return "check that the coordinator runs there: `slicefarm health HOST:PORT`";
+      return "check that the coordinator runs at the address in --server: `slicefarm health "
+             "HOST:PORT`";
     case Reason::kDeadlineExceeded:
       return detail.metadata.contains("field")  // deadline of a job, not of a call
                  ? "submit the job again with a later --deadline, or with a higher --priority"
@@ -96,7 +99,7 @@ std::string Advice(const absl::Status& status) {
     case Reason::kJobNotFound:
       return "`slicefarm list` shows the existing jobs";
     case Reason::kJobNotFinished:
-      return "`slicefarm watch JOB` waits for its end";
+      return "`slicefarm watch JOB` waits until the job has ended";
     case Reason::kInternal:
       return absl::IsDataLoss(status) ? ""
                                       : "this is an internal error of slicefarm; please report it";

@@ -21,13 +21,14 @@ namespace slicefarm::cli {
 
 void AddServerOptions(CLI::App& app, ServerOptions& options) {
   app.add_option("--server", options.server,
-                 "Address of the coordinator; for several coordinators: a name that resolves to "
+                 "Address of the coordinator. For several coordinators: a name that resolves to "
                  "all of them, or ipv4:A:PORT,B:PORT")
       ->envname("SLICEFARM_SERVER")
       ->capture_default_str()
       ->type_name("HOST:PORT");
-  app.add_option("--patience", options.patience_s,
-                 "Seconds for which an unreachable server is tried again before the command fails")
+  app.add_option(
+         "--patience", options.patience_s,
+         "Seconds for which a server that does not answer is tried again before the command fails")
       ->check(InRange(0.0, 86400.0))
       ->capture_default_str()
       ->type_name("S");

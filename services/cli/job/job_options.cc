@@ -30,7 +30,7 @@ absl::Status CheckText(const config::Setting& setting) {
   if (rpc::IsUtf8(setting.key) && rpc::IsUtf8(setting.value)) return absl::OkStatus();
   const std::string key = rpc::ToUtf8(setting.key, limits::kMaxNameBytes);
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("{}: is not UTF-8 text", key), {{"setting", key}});
+                   fmt::format("{} is not UTF-8 text", key), {{"setting", key}});
 }
 
 }  // namespace
@@ -39,29 +39,33 @@ void AddPresetOptions(CLI::App& app, PresetOptions& options) {
   CLI::Option* sources = AddPresetSources(app, options.sources);
   CLI::Option* printer =
       app.add_option("--printer", options.printer,
-                     "Printer preset; --config and --set override its settings. A project is "
-                     "sliced for this printer, as designed: its designer's changes are kept")
+                     "Printer preset for which the job is sliced; --config and --set override its "
+                     "settings. In a project, settings that the designer changed are kept")
           ->type_name("NAME");
   sources->needs(printer);
-  app.add_option("--process", options.process,
-                 "Process preset (print settings), by its name or the part before @; default: the "
-                 "one that corresponds to the project's, else the one that the printer names")
+  app.add_option(
+         "--process", options.process,
+         "Process preset (print settings): its name, or the part before @. Default: the preset "
+         "that corresponds to the project's process, otherwise the default of the printer preset")
       ->needs(printer)
       ->type_name("NAME");
-  app.add_option("--filament", options.filament,
-                 "Filament preset, by its name or the part before @; default: the one that "
-                 "corresponds to the project's, else the one that the printer names")
+  app.add_option(
+         "--filament", options.filament,
+         "Filament preset: its name, or the part before @. Default: the preset that corresponds to "
+         "the project's filament, otherwise the default of the printer preset")
       ->needs(printer)
       ->type_name("NAME");
 }
 
 void AddSettingOptions(CLI::App& app, SettingOptions& options) {
   app.add_option("-c,--config", options.config_files,
-                 "PrusaSlicer config.ini, or a G-code file with settings at its end; may be "
-                 "repeated: later files override earlier ones")
+                 "File with settings: a config.ini of PrusaSlicer, or a G-code file with settings "
+                 "at its end. May be repeated: later files override earlier ones")
       ->type_name("FILE.ini")
       ->allow_extra_args(false);
-  app.add_option("-s,--set", options.sets, "Setting that overrides --config; may be repeated")
+  app.add_option("-s,--set", options.sets,
+                 "Setting that overrides the same setting in --config; may be repeated. `slicefarm "
+                 "settings` lists all settings")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -95,8 +99,8 @@ void AddMachineOption(CLI::App& app, Process& process) {
 
 void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("MODEL", options.models,
-                 "Model: STL (binary or ASCII), OBJ, PLY or 3MF project; several models share a "
-                 "plate; -: from stdin")
+                 "Model: STL (binary or ASCII), OBJ, PLY or 3MF project. Several models are "
+                 "printed together on a plate. -: a model from stdin")
       ->required();
   AddSettingOptions(app, options);
   AddPresetOptions(app, options.presets);
@@ -107,16 +111,18 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                     ->type_name("N");
   app.add_flag("--plates", options.plates,
                "Make a job for each plate of a project, or for as many beds as all parts and "
-               "copies need; -o OUT.gcode writes OUT-1.gcode, OUT-2.gcode, ... `slice` makes all "
-               "plates that can be made and ends with the error of the first one that fails; "
-               "`submit` makes all or none")
+               "copies need. -o OUT.gcode writes OUT-1.gcode, OUT-2.gcode and so on. `slice` "
+               "writes all plates that can be made, and ends with the error of the first plate "
+               "that fails. `submit` makes jobs of all plates, or of none if one is refused")
       ->excludes(plate);
   app.add_option("--copies", options.copies,
-                 "Number of copies of a model, or of an object of a project; may be repeated")
+                 "Number of copies of a model, or of an object of a project; default: 1, or the "
+                 "number in the project. May be repeated")
       ->type_name("MODEL=N")
       ->allow_extra_args(false);
-  app.add_option("--object-set", options.object_sets,
-                 "Setting for one model or one object of a project only; may be repeated")
+  app.add_option(
+         "--object-set", options.object_sets,
+         "Setting that applies only to one model, or to one object of a project; may be repeated")
       ->type_name("MODEL:KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--units", options.units, "Length unit of the model's coordinates")
@@ -124,61 +130,66 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->capture_default_str();
   app.add_option("--scale", options.scale, "Scale factor, or one factor for each axis")
       ->type_name("S|X,Y,Z");
-  auto* rotate_z = app.add_option("--rotate-z", options.rotate_z_deg,
-                                  "Rotation about the vertical axis, counter-clockwise")
-                       ->type_name("DEG");
+  auto* rotate_z =
+      app.add_option(
+             "--rotate-z", options.rotate_z_deg,
+             "Rotation about the vertical axis, in degrees, counter-clockwise seen from above")
+          ->type_name("DEG");
   app.add_option("--rotate", options.rotate, "Rotation about x, then y, then z, in degrees")
       ->type_name("X,Y,Z")
       ->excludes(rotate_z);
   auto* center =
       app.add_option("--center", options.centers,
-                     "Position of the part's centre on the bed, in mm; may be repeated: one copy "
-                     "per position. Without --center, a single part is placed in the middle of "
-                     "the bed, and several parts or copies are arranged")
+                     "Position of the part's centre on the bed, in mm. May be repeated: a copy is "
+                     "printed at each position. Without --center, a single part is placed in the "
+                     "middle of the bed, and several parts or copies are arranged")
           ->type_name("X,Y")
           ->allow_extra_args(false);
   app.add_flag("--arrange", options.arrange,
-               "Arrange all parts and copies on the bed, as without --center; objects of a project "
-               "are arranged too")
+               "Arrange all parts and copies on the bed, including the objects of a project, which "
+               "otherwise keep their positions")
       ->excludes(center);
-  app.add_option("--density-field", options.fields.density,
-                 "Density of the sparse infill by position")
+  app.add_option(
+         "--density-field", options.fields.density,
+         "File with the density of the sparse infill by position, which replaces fill_density")
       ->type_name("FIELD.json");
   app.add_option("--stress-field", options.fields.stress,
-                 "Stresses by position; the sparse infill follows their directions")
+                 "File with the stresses in the part by position; the lines of the sparse infill "
+                 "follow the directions of the principal stresses")
       ->type_name("FIELD.json");
   app.add_option("--materials", options.fields.materials,
-                 "Mixing ratio of the materials of a mixing extruder, by position on the plate")
+                 "File with the mixing ratio of the materials of a mixing extruder, by position on "
+                 "the plate")
       ->type_name("FIELD.json");
   app.add_option("--texture", options.texture.texture,
                  "Texture for --machine engrave: a flat solid (STL, OBJ, PLY), a height image "
                  "(PNG), or a computed texture as KIND:KEY=VALUE,...")
       ->type_name("TEXTURE");
-  app.add_option(
-         "--mask", options.texture.mask,
-         "Mask image (PNG) that covers the surface's flat map: only bright areas are engraved")
+  app.add_option("--mask", options.texture.mask,
+                 "Mask image (PNG) that covers the surface after it has been laid flat: only "
+                 "bright areas are engraved")
       ->type_name("MASK.png");
   app.add_option("--anchor", options.texture.anchor,
                  "Point on the surface where the texture's origin is placed, in mm")
       ->type_name("X,Y,Z");
   app.add_option(
          "--format", options.format,
-         "Format of the output, regardless of its name and the settings: gcode, bgcode, gcode.3mf; "
-         "for other machines cli, nc, ngc, svg, dxf, csv, stl, obj, png, map.png")
+         "Format of the output, regardless of its name and the settings: gcode, bgcode or "
+         "gcode.3mf. With another --machine: cli, nc, ngc, svg, dxf, csv, stl, obj, png or map.png")
       ->type_name("FORMAT");
   std::string features;
   for (const config::Allowance& each : config::Allowances())
     features += fmt::format("{} {}: {}", features.empty() ? "" : ";", each.name, each.doc);
   app.add_option("--allow", options.allow,
-                 "Features that the job may lose; without this option a job that would lose one is "
-                 "refused." +
+                 "Features that the job may lose; without this option a job that would lose a "
+                 "feature is refused." +
                      features)
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
   app.add_flag("--generic", options.generic,
-               "Allow a job for no particular printer: bed_shape, nozzle_diameter and "
-               "gcode_flavor may be unset");
+               "Allow a job for no particular printer: bed_shape, nozzle_diameter and gcode_flavor "
+               "may have their default values");
   app.add_option("--report", options.report,
                  "File for a report of the result, as JSON; -: to stdout")
       ->type_name("REPORT.json");
@@ -190,7 +201,7 @@ absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::str
   const size_t equals = text.find('=');
   const std::string key(Trim(std::string_view(text).substr(0, equals)));
   if (equals == std::string::npos || key.empty()) {
-    return Malformed(fmt::format("{} {}: key=value is needed", option, text));
+    return Malformed(fmt::format("{} {}: KEY=VALUE is needed", option, text));
   }
   config::Setting setting{key, text.substr(equals + 1), config::Source::kRequest};
   if (absl::Status ok = CheckText(setting); !ok.ok()) return ok;

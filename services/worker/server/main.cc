@@ -37,10 +37,11 @@ int main(int argc, char** argv) {
   slicefarm::rpc::ServeFlags flags;
   std::vector<std::string> names, all;
   for (const slicefarm::ProcessInfo& info : slicefarm::kProcesses) all.emplace_back(info.name);
-  slicefarm::rpc::StageCommandLine command_line("worker", "the layer stages in one process",
-                                                &flags);
-  command_line.AddCount("--slots", &flags.max_concurrent,
-                        "Number of ranges made at the same time; 0: one for each core", 0, 1024);
+  slicefarm::rpc::StageCommandLine command_line("worker",
+                                                "runs all stages of layers in one process", &flags);
+  command_line.AddCount(
+      "--slots", &flags.max_concurrent,
+      "Number of layer ranges that are computed at the same time; 0: one for each core", 0, 1024);
   command_line.AddChoices(
       "--processes", &names,
       "Manufacturing processes that the worker serves, separated by commas; default: all", all);

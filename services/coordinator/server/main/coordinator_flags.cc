@@ -156,17 +156,17 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
                        ->envname("SLICEFARM_POSTGRES");
   AddS3Flags(app, &flags->s3);
   app.add_option("--name", flags->runner.owner,
-                 "Name of this coordinator, unique among coordinators that share a database and "
-                 "kept across restarts")
+                 "Name of this coordinator: unique among the coordinators that share a database, "
+                 "and the same after a restart")
       ->capture_default_str();
   app.add_option("--lease", flags->lease_s,
-                 "Seconds without a sign of life after which other coordinators take over the jobs "
-                 "of a coordinator")
+                 "Seconds after which other coordinators take over the jobs of a coordinator that "
+                 "has stopped")
       ->check(CLI::Range(1.0, 600.0))
       ->capture_default_str();
   app.add_option("--spool", flags->spool_dir,
-                 "Directory for the programs of running jobs; default: in --state-dir, or the "
-                 "system's directory for temporary files")
+                 "Directory for the unfinished G-code of running jobs; default: in --state-dir, or "
+                 "the system's directory for temporary files")
       ->check(CLI::ExistingDirectory);
   app.add_option("--keep-jobs", flags->keep_jobs_days,
                  "Days after which ended jobs are removed; 0: never")
@@ -176,17 +176,17 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
                  "Hours after which meshes and results without a job are removed")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
-  app.add_option(
-         "--sweep-after", flags->sweep_after_hours,
-         "Hours in which nothing is removed after the start with a new or restored database")
+  app.add_option("--sweep-after", flags->sweep_after_hours,
+                 "Hours after the start with a new or restored database in which no meshes and "
+                 "results are removed")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   AddStageFlags(app, flags);
   app.add_option("--workers", flags->workers,
                  "Addresses of workers that run all stages of layers, host:port,...");
   app.add_option("--split-slots", flags->split_slots,
-                 "Number of layer ranges in progress at the same time, with --beading, --infill "
-                 "and --ordering")
+                 "Number of layer ranges that are computed at the same time, with --beading, "
+                 "--infill and --ordering")
       ->check(CLI::Range(1, 1024))
       ->needs("--beading")
       ->capture_default_str();
@@ -197,7 +197,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->capture_default_str();
   app.add_option(
          "--guests", flags->runner.guests,
-         "Number of jobs that may run beyond --jobs, only for tenants without a running job")
+         "Number of jobs that may run in addition to --jobs, if their tenants have no running job")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--tenants", flags->tenants_file,
@@ -208,7 +208,8 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
                "Let tenants share cached results of the same work; a tenant can then find out that "
                "another tenant has sliced the same model");
   app.add_option("--client-certs", flags->serve.client_certs,
-                 "Client certificates with TLS: required or optional")
+                 "Client certificates with TLS. required: each client needs one. optional: clients "
+                 "may send a token instead")
       ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
           {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
       ->type_name("HOW");
@@ -229,14 +230,16 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->check(CLI::Range(int64_t{64}, int64_t{1} << 30))
       ->type_name("MIB");
   app.add_option("--rates", flags->rates_file,
-                 "JSON file of the farm's rates; with it, jobs report their cost")
+                 "JSON file of the farm's prices for machine time and material; with it, jobs "
+                 "report their cost")
       ->check(CLI::ExistingFile);
   app.add_option("--default-profile", flags->default_profile,
                  "Profile for jobs that name no printer; without it, such jobs are refused. A "
                  "tenant's default_profile overrides it")
       ->type_name("NAME");
-  app.add_option("--webhooks", flags->webhooks_file,
-                 "JSON file of allowed webhook targets; without it, no webhooks are sent")
+  app.add_option(
+         "--webhooks", flags->webhooks_file,
+         "JSON file of the URLs to which webhooks may be sent; without it, no webhooks are sent")
       ->check(CLI::ExistingFile);
   app.callback([flags] { Check(*flags); });
 }

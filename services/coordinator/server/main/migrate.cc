@@ -49,7 +49,8 @@ int Migrate(int argc, char** argv) {
   app.add_option("--postgres", conninfo, "Connection string of the database")
       ->envname("SLICEFARM_POSTGRES")
       ->required();
-  app.add_option("--wait", patience_s, "Seconds for which an unreachable server is tried again")
+  app.add_option("--wait", patience_s,
+                 "Seconds for which a database server that does not answer is tried again")
       ->check(CLI::Range(0, 86'400))
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

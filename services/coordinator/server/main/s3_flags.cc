@@ -19,10 +19,11 @@ std::string OfEnvironment(const char* name) {
 }  // namespace
 
 void AddS3Flags(CLI::App& app, S3Flags* flags) {
-  auto* const url = app.add_option("--s3", flags->url,
-                                   "Bucket for blobs, http[s]://HOST[:PORT]/BUCKET[/PREFIX]; jobs "
-                                   "and uploads remain in the other store")
-                        ->envname("SLICEFARM_S3");
+  auto* const url =
+      app.add_option("--s3", flags->url,
+                     "Bucket for meshes and results, http[s]://HOST[:PORT]/BUCKET[/PREFIX]; jobs "
+                     "and uploads remain in --state-dir or --postgres")
+          ->envname("SLICEFARM_S3");
   app.add_flag("--s3-bucket-in-host", flags->bucket_in_host,
                "Use the address form http[s]://BUCKET.HOST[/PREFIX] in --s3")
       ->needs(url);
