@@ -18,7 +18,7 @@ absl::Status CheckMachineNamed(std::span<const Setting> given, Process process) 
   }
   if (unset.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kPrinterMissing,
-                   "the settings name no printer; missing settings: " + unset,
+                   "the settings do not name a printer; missing settings: " + unset,
                    {{"settings", unset}});
 }
 

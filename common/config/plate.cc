@@ -41,7 +41,7 @@ Scope ScopeOf(const Setting& setting, Process process) {
 
 absl::Status Misplaced(const Setting& setting, Process process, Scope place) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMisplaced,
-                   fmt::format("{} is a setting of {} and cannot be given to {}", setting.key,
+                   fmt::format("{} is a setting of {} and cannot be set for {}", setting.key,
                                ScopeName(ScopeOf(setting, process)), ScopeName(place)),
                    {{"setting", setting.key}});
 }
@@ -232,10 +232,12 @@ class ObjectResolver {
   absl::Status AddRanges(ObjectInput& input) {
     for (const HeightRange& range : object_.ranges) {
       if (!(0 <= range.from_mm && range.from_mm < range.to_mm && range.to_mm < 1e4))
-        return OfObject(object_.name,
-                        MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                                  fmt::format("from {} mm to {} mm is not a range of heights",
-                                              range.from_mm, range.to_mm)));
+        return OfObject(
+            object_.name,
+            MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                      fmt::format("from {} mm to {} mm is not a range of heights: the end must be "
+                                  "above the start, and both from 0 mm to 10000 mm",
+                                  range.from_mm, range.to_mm)));
       auto own = resolver_.Fitting(object_.name, range.settings, Scope::kRegion, true);
       if (!own.ok()) return own.status();
       absl::StatusOr<JobRows> settings = resolver_.With(object_.name, Joined(own_, *own));

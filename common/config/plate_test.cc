@@ -298,7 +298,7 @@ TEST(ResolvePlate, ASettingOfTheJobIsMisplacedInAnObject) {
       PlateRefusal({}, {ObjectNamed("box \"1\"", {{"temperature", "200"}})});
   EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMisplaced);
   EXPECT_THAT(std::string(refusal.message()),
-              HasSubstr("temperature is a setting of the job and cannot be given to an object"));
+              HasSubstr("temperature is a setting of the job and cannot be set for an object"));
   EXPECT_THAT(DetailOf(refusal).metadata, Contains(Pair("setting", "temperature")));
   EXPECT_THAT(DetailOf(refusal).metadata, Contains(Pair("object", "box \"1\"")));
 }

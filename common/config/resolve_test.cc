@@ -803,7 +803,7 @@ TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
   const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
   EXPECT_DOUBLE_EQ(FdmOf(resolved.settings).region.infill.density, 0.004);
-  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
+  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("if you mean 40%, write the percent sign")));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());
 }

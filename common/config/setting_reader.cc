@@ -119,8 +119,8 @@ bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
 
 absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
-                   fmt::format("{} = {} is not supported yet: it must be {}", spec.key, value,
-                               DescribeRange(spec)),
+                   fmt::format("{} = {} is not supported yet: the value must be {}", spec.key,
+                               value, DescribeRange(spec)),
                    {{"feature", fmt::format("{}={}", spec.key, value)},
                     {"setting", std::string(spec.key)},
                     {"value", std::string(value)}});
@@ -220,7 +220,7 @@ std::string SettingReader::Readable(const SettingSpec& spec, const std::string& 
   if (!(has_corners || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
   const std::string read = has_corners ? WithAllCorners(value) : std::string(NumberAtFront(value));
   if (read.empty() || read == value) return value;
-  Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), read));
+  Warn(fmt::format("{}: only {} is used", Quoted(spec.key, value), read));
   return read;
 }
 
@@ -289,7 +289,7 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const SettingValues:
 void SettingReader::NoteMissingPercent(const SettingSpec& spec, std::string_view value) {
   const auto number = ParseNumber(value, false);
   if (!number.ok() || number->number <= 0 || number->number >= 1) return;
-  warnings_.push_back(fmt::format("{0} = {1} is read as {1}%; for {2}% write the percent sign",
+  warnings_.push_back(fmt::format("{0} = {1} means {1}%; if you mean {2}%, write the percent sign",
                                   spec.key, value, PrintNumber(number->number * 100)));
 }
 

@@ -109,10 +109,11 @@ TEST_F(PresetsProgram, SlicesAProjectAsDesignedForAnotherPrinter) {
        {"\n; perimeters = 6\n", "\n; temperature = 211\n",
         "\n; bed_shape = 0x0,120x0,120x120,0x120\n", "\n; fill_pattern = grid\n"})
     EXPECT_THAT(gcode, HasSubstr(line));
-  EXPECT_THAT(outcome.err,
-              HasSubstr("not kept from the project (belongs to the printer's filament): "
-                        "nozzle_temperature"));
-  EXPECT_THAT(outcome.err, HasSubstr("the objects are arranged anew"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("settings of the project that are not used (belongs to the printer's filament): "
+                "nozzle_temperature"));
+  EXPECT_THAT(outcome.err, HasSubstr("the objects are arranged again"));
   const auto report = nlohmann::json::parse(Text("r.json"), nullptr, false);
   EXPECT_LT(report["meshes"][0]["max_mm"][0], 120);
   std::map<std::string, std::string> sources;

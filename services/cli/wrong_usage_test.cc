@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"HelpOfNothing",
              {"help", "slcie"},
              kUsage,
-             {"'slcie' is none of", "do you mean slice?"}},
+             {"'slcie' is not one of", "do you mean slice?"}},
         Case{"InnerMissing", {"profile"}, kUsage, {"slicefarm profile: a command is missing"}},
         Case{"InnerMistyped",
              {"profile", "pt", "a"},
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Shell",
              {"completion", "zhs"},
              kUsage,
-             {"'zhs' is none of bash, zsh, fish, man", "zsh?"}},
+             {"'zhs' is not one of bash, zsh, fish, man", "zsh?"}},
         Case{"OptionBeforeCommand", {"--verbos"}, kUsage, {"--verbos"}}),
     kName);
 
@@ -167,8 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Choice",
              {"submit", "@cube.obj", "--priority", "bluk"},
              kUsage,
-             {"--priority", "'bluk' is none of bulk, normal, interactive", "do you mean bulk?"}},
-        Case{"State", {"list", "--state", "finished"}, kUsage, {"'finished' is none of queued"}},
+             {"--priority", "'bluk' is not one of bulk, normal, interactive", "do you mean bulk?"}},
+        Case{"State", {"list", "--state", "finished"}, kUsage, {"'finished' is not one of queued"}},
         Case{"Machine",
              {"slice", "@cube.obj", "--machine", "lasre"},
              kUsage,
@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Scope",
              {"token", "--scope", "write"},
              kUsage,
-             {"'write' is none of submit, read, admin"}},
+             {"'write' is not one of submit, read, admin"}},
         Case{"Kind",
              {"artifacts", "0123", "--kind", "thumnail"},
              kUsage,
@@ -453,13 +453,13 @@ TEST_F(Named, WhatIsAllowedIsWarnedOf) {
   const Outcome outcome = Slice({"--config", Path("colours.ini"), "--allow", "colorprint_heights"});
   EXPECT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("warning: colorprint_heights = 5"));
-  EXPECT_THAT(outcome.out, HasSubstr("first of all colorprint_heights = 5"));
+  EXPECT_THAT(outcome.out, HasSubstr("such as colorprint_heights = 5"));
 }
 
 TEST_F(Named, AJobWithoutAPrinterIsWarnedOf) {
   const Outcome outcome = Run({"slice", Path("cube.obj"), "-o", Path("out.gcode")});
   EXPECT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("name no printer"));
+  EXPECT_THAT(outcome.err, HasSubstr("do not name a printer"));
   EXPECT_THAT(outcome.err, HasSubstr("--generic"));
 }
 

@@ -121,10 +121,9 @@ class Chooser {
     if (best == nullptr) return NoneFits(kind);
     const bool decided = !stand_in && quality >= kSameKey;
     if (usual == nullptr && !decided) {
-      notes.push_back(
-          fmt::format("the default {} of {} is not among the presets or is not made for "
-                      "it; {} is used",
-                      KindName(kind), Shown(printer_.name), Shown(best->name)));
+      notes.push_back(fmt::format(
+          "the default {} preset of {} is missing or not made for this printer; {} is used instead",
+          KindName(kind), Shown(printer_.name), Shown(best->name)));
     }
     return best;
   }
@@ -143,15 +142,16 @@ class Chooser {
     std::ranges::copy_if(presets, std::back_inserter(own),
                          [&](const Preset* preset) { return preset->scope == printer_.scope; });
     if (own.size() == 1) return own.front();
-    return Unfit(fmt::format("several presets for {} are called {}; choose one: {}",
+    return Unfit(fmt::format("several presets for {} have the name {}: choose one of {}",
                              Shown(printer_.name), Shown(name), ShownNames(presets)));
   }
 
   absl::Status NotMadeFor(const Preset& preset, const std::vector<const Preset*>& all) const {
     if (const auto lineage = set_.Lineage(preset); !lineage.ok()) return lineage.status();
-    return Unfit(fmt::format("the {} preset {} is not made for {}; made for it are {}",
-                             KindName(preset.kind), Shown(preset.name), Shown(printer_.name),
-                             all.empty() ? "none of the given presets" : ShownNames(all)));
+    return Unfit(
+        fmt::format("the {} preset {} is not made for {}; the presets for this printer are {}",
+                    KindName(preset.kind), Shown(preset.name), Shown(printer_.name),
+                    all.empty() ? "none of the given presets" : ShownNames(all)));
   }
 
   /// Ranks of presets as in OrcaSlicer and PrusaSlicer: the alias decides, then an equal setting,

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"OtherPrintersProcess",
              {"Acme One 0.4", "0.30mm @One 0.6", ""},
              "REQUEST_MALFORMED",
-             R"(is not made for "Acme One 0.4"; made for it are "0.20mm @One")"},
+             R"(is not made for "Acme One 0.4"; the presets for this printer are "0.20mm @One")"},
         Case{"NoDefaultProcessIsTheFirst",
              {"Acme One 0.6", "", ""},
              "Acme One 0.6, 0.30mm @One 0.6, Acme PLA @One"}),

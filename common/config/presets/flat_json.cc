@@ -17,7 +17,7 @@ using nlohmann::json;
 
 absl::Status NotFlatJson(std::string_view why) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("this is no preset: {}", why));
+                   fmt::format("this is not a preset: {}", why));
 }
 
 /// Receiver of the JSON parser's events. At depth 1 the parser is inside the object, at depth 2

@@ -77,11 +77,13 @@ std::string WhyLayerHeightUnfit(std::string_view value, const PrinterChange& cha
   const std::optional<double> height = LengthOf(value);
   if (!height || *height <= 0) return "";
   if (change.max_layer_mm > 0 && *height > change.max_layer_mm)
-    return fmt::format("layers of {} mm are above the printer's {} mm", *height,
-                       change.max_layer_mm);
+    return fmt::format(
+        "layers of {} mm are higher than the printer's largest layer height of {} mm", *height,
+        change.max_layer_mm);
   if (*height < change.min_layer_mm)
-    return fmt::format("layers of {} mm are below the printer's {} mm", *height,
-                       change.min_layer_mm);
+    return fmt::format(
+        "layers of {} mm are lower than the printer's smallest layer height of {} mm", *height,
+        change.min_layer_mm);
   return "";
 }
 

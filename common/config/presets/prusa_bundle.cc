@@ -49,8 +49,9 @@ class SectionReader {
     const size_t equals = line.find('=');
     const std::string_view key = Trim(line.substr(0, equals));
     if (equals == std::string_view::npos || key.empty())
-      return BadLine(number, line, "is not key = value");
-    if (!keys_.insert(std::string(key)).second) return BadLine(number, line, "sets a key again");
+      return BadLine(number, line, "is not of the form key = value");
+    if (!keys_.insert(std::string(key)).second)
+      return BadLine(number, line, "sets a key that an earlier line of the section sets");
     Setting setting{std::string(key), std::string(Trim(line.substr(equals + 1))), Source::kProfile};
     absl::Status status = CheckSettingSize(setting.key, setting.value);
     sections_.back().settings.push_back(std::move(setting));
@@ -64,7 +65,8 @@ class SectionReader {
   absl::Status Begin(int64_t number, std::string_view line) {
     if (!line.ends_with(']')) return BadLine(number, line, "has no closing bracket");
     std::string name(Trim(line.substr(1, line.size() - 2)));
-    if (!names_.insert(name).second) return BadLine(number, line, "is a section again");
+    if (!names_.insert(name).second)
+      return BadLine(number, line, "begins a section that already exists");
     if (std::ssize(names_) > kMaxPresetFiles)
       return LimitError(Reason::kRequestTooLarge, "sections of the file", kMaxPresetFiles,
                         std::ssize(names_));

@@ -116,8 +116,7 @@ class Reader {
       const auto found = json_.find(vendor.folder + path);
       if (found == json_.end()) {
         set_.AddProblem(vendor.folder + path +
-                        ": the vendor's list names this file, but it is "
-                        "missing or no JSON");
+                        ": this file is in the vendor's list, but it is missing or not JSON");
         continue;
       }
       Add(found->first, std::move(found->second), vendor.scope, true);

@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ProblemCase{"IndexWithoutPath", "x.json",
                                 R"({"machine_list": [{"name": "a"}]})", "sub_path"},
                     ProblemCase{"NoKey", "x.ini", "[print:a]\nfoo\n",
-                                "line 2: 'foo' is not key = value"},
+                                "line 2: 'foo' is not of the form key = value"},
                     ProblemCase{"SectionTwice", "x.ini", "[print:a]\n[print:a]\n", "line 2"},
                     ProblemCase{"KeyTwice", "x.ini", "[print:a]\na = 1\na = 2\n", "line 3"},
                     ProblemCase{"OpenSection", "x.ini", "[print:a\n", "line 1"},

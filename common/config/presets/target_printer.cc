@@ -91,8 +91,8 @@ std::string MoveToBed(const std::optional<BedBox>& from, const std::optional<Bed
   }
   if (fits) return "";
   return fmt::format(
-      "the bed of {:g} x {:g} mm does not contain the project's bed of {:g} x {:g} "
-      "mm: the objects are arranged anew",
+      "the printer's bed of {:g} x {:g} mm is smaller than the project's bed of {:g} x {:g} mm: "
+      "the objects are arranged again",
       to->Size(0), to->Size(1), from->Size(0), from->Size(1));
 }
 
@@ -108,7 +108,7 @@ class LeftOut {
   std::vector<std::string> Lines() const {
     std::vector<std::string> lines;
     for (const auto& [why, keys] : keys_)
-      lines.push_back(fmt::format("not kept from the project ({}): {}", why, keys));
+      lines.push_back(fmt::format("settings of the project that are not used ({}): {}", why, keys));
     return lines;
   }
 
@@ -249,14 +249,14 @@ absl::StatusOr<TargetedProject> ForPrinter(Project project, int plate, const Pre
   made.notes = made.presets.notes;
   if (changes.unknown)
     made.notes.push_back(
-        "the project does not say which settings its designer changed: its settings "
+        "the project does not list the settings that its designer changed: the project's settings "
         "of shells, infill, supports, brim and surface are kept");
   const double height = ToNumber(changes.former.layer_height).value_or(0);
   const double own = FirstNumber(LastValue(*values, "layer_height"));
   const bool changed = !LastValue(changes.process, "layer_height").empty();
   if (names.process.empty() && !changed && height > 0 && std::abs(height - own) > 1e-6)
     made.notes.push_back(
-        fmt::format("no process of the printer has the project's layers of {} mm: "
+        fmt::format("no process preset of the printer has the project's layer height of {} mm: "
                     "\"{}\" with {} mm is used",
                     height, ReplaceControls(made.presets.process->name, '?'), own));
   std::string moved = MoveToBed(BedOf(project.settings), BedOf(*values), project.objects);

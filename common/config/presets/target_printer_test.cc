@@ -141,7 +141,7 @@ TEST(ForPrinter, ConvertsAProjectOfPrusaSlicer) {
   EXPECT_EQ(job["perimeters"], "6");
   EXPECT_NE(job["perimeter_speed"], "11");
   EXPECT_EQ(job["temperature"], "225,230");
-  EXPECT_THAT(job.notes(), Contains(HasSubstr("does not say which settings")));
+  EXPECT_THAT(job.notes(), Contains(HasSubstr("does not list the settings")));
 }
 
 TEST(ForPrinter, ChoosesTheProcessAndTheFilamentThatCorrespond) {
@@ -166,8 +166,10 @@ TEST(ForPrinter, LeavesOutALayerHeightThatTheNozzleCannotPrint) {
   project.settings.push_back({"different_settings_to_system", R"(["layer_height","",""])"});
   const Values job(project, Bundle(), {"B", "", ""});
   EXPECT_EQ(job["layer_height"], "0.2");
-  EXPECT_THAT(job.notes(),
-              Contains(HasSubstr("layers of 0.28 mm are above the printer's 0.25 mm")));
+  EXPECT_THAT(
+      job.notes(),
+      Contains(HasSubstr(
+          "layers of 0.28 mm are higher than the printer's largest layer height of 0.25 mm")));
 }
 
 struct BedCase {
@@ -186,7 +188,7 @@ TEST_P(BedTest, DecidesWhereTheObjectsAre) {
   EXPECT_EQ(job.instance().placed, GetParam().placed);
   EXPECT_EQ(job.instance().to_plate(0, 3), GetParam().x);
   const bool noted = std::ranges::any_of(job.notes(), [](const std::string& line) {
-    return line.ends_with("the objects are arranged anew");
+    return line.ends_with("the objects are arranged again");
   });
   EXPECT_NE(noted, GetParam().placed);
 }

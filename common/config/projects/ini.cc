@@ -97,7 +97,7 @@ absl::Status CheckNotOrca(std::string_view text) {
   if (Trim(text).starts_with('{')) {
     return Malformed(1,
                      "this is a JSON preset of OrcaSlicer or Bambu Studio, not a config.ini; pass "
-                     "it with --presets and choose its presets by name");
+                     "the file with --presets, and choose its presets by name");
   }
   // Programs in archives of slicefarm have such a block too, besides the quoted settings.
   if (HasLine(text, "; CONFIG_BLOCK_START") && !HasLine(text, kQuoteBegin)) {
@@ -128,13 +128,14 @@ absl::StatusOr<std::vector<Setting>> ReadLines(std::string_view text) {
     if (line.empty() || line[0] == '#' || line[0] == ';') continue;
     if (line[0] == '[') {
       return Malformed(number,
-                       fmt::format("'{}' starts a section: this is a config bundle; give it by "
-                                   "--presets, and choose its presets by name",
+                       fmt::format("'{}' starts a section: this file is a config bundle; pass the "
+                                   "file with --presets, and choose its presets by name",
                                    line.substr(0, kQuoted)));
     }
     Setting setting;
     if (!SplitLine(line, setting)) {
-      return Malformed(number, fmt::format("'{}' is not key = value", line.substr(0, kQuoted)));
+      return Malformed(number,
+                       fmt::format("'{}' is not of the form key = value", line.substr(0, kQuoted)));
     }
     if (absl::Status status = Append(settings, std::move(setting)); !status.ok()) return status;
   }

@@ -74,7 +74,8 @@ TEST(ReadIni, ReadsTheCommentsAtTheEndOfGcode) {
 TEST(ReadIni, SaysWhatIsWrong) {
   ExpectRefused("", "no settings");
   ExpectRefused("# only this\n", "no settings");
-  ExpectRefused("layer_height = 0.2\nperimeters\n", "line 2: 'perimeters' is not key = value");
+  ExpectRefused("layer_height = 0.2\nperimeters\n",
+                "line 2: 'perimeters' is not of the form key = value");
   ExpectRefused("= 3\n", "line 1");
   ExpectRefused("two words = 3\n", "line 1");
   ExpectRefused("[print:0.2mm]\nlayer_height = 0.2\n", "config bundle");

@@ -127,13 +127,16 @@ std::string PlatesText(const Project& project) {
 absl::StatusOr<size_t> ChosenPlate(const Project& project, int plate) {
   const auto count = std::max<size_t>(project.plates.size(), 1);
   if (plate < 0 || static_cast<size_t>(plate) > count) {
-    return NotAPlate(project, fmt::format("the project has no plate {}: it has {}", plate, count));
+    return NotAPlate(
+        project,
+        fmt::format("the project has no plate {}: the number of its plates is {}", plate, count));
   }
   if (plate > 0) return static_cast<size_t>(plate) - 1;
   const auto is_used = [](const ProjectPlate& each) { return !each.members.empty(); };
   if (std::ranges::count_if(project.plates, is_used) > 1) {
-    return NotAPlate(project, "the project has several plates, but a job prints one; choose from " +
-                                  PlatesText(project));
+    return NotAPlate(project,
+                     "the project has several plates, but a job prints only one; choose from " +
+                         PlatesText(project));
   }
   const auto used = std::ranges::find_if(project.plates, is_used);
   return used == project.plates.end() ? 0 : static_cast<size_t>(used - project.plates.begin());
@@ -167,7 +170,7 @@ std::vector<MissingFeature> MissingOn(const Project& project, size_t plate) {
                            project.objects[static_cast<size_t>(object)].name);
   if (names.empty()) return {};
   return {{std::string(kPaintedFilaments),
-           "several filaments are painted on " + names + ", but a job prints with one",
+           "several filaments are painted on " + names + ", but a job prints with one filament",
            {{"objects", names}}}};
 }
 

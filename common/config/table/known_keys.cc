@@ -81,8 +81,8 @@ constexpr Group kGroups[] = {
      "printer_notes "
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version "
      "variable_layer_height"},
-    {"chooses between several tools, but a job prints with one", "idle_temperature"},
-    {"its results are stored in the width settings", "automatic_extrusion_widths"},
+    {"chooses between several tools, but a job prints with one tool", "idle_temperature"},
+    {"its results are already in the width settings", "automatic_extrusion_widths"},
     {"support interfaces always end in a loop", "support_material_interface_contact_loops"},
     {kProfile, "compatible_*", false},
     {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},

@@ -35,7 +35,7 @@ absl::StatusOr<Point> ParseCorner(std::string_view text) {
   if (!x.ok() || !y.ok()) return Malformed(fmt::format("'{}' is not XxY in mm", text));
   const double limit = ToMm(limits::kMaxCoord);
   if (std::abs(x->number) > limit || std::abs(y->number) > limit) {
-    return Malformed(fmt::format("'{}' lies more than {} mm from the origin", text, limit));
+    return Malformed(fmt::format("'{}' is more than {} mm away from the origin", text, limit));
   }
   return Point{FromMm(x->number), FromMm(y->number)};
 }

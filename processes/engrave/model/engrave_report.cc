@@ -49,10 +49,11 @@ std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<Laye
   std::vector<std::string> warnings;
   const Spread& distance = map.line_distance_mm;
   if (distance.p99 > kUneven * distance.p1)
-    warnings.push_back(fmt::format(
-        "distances of lines on the surface are {:.3g} to {:.3g} mm (1 % to 99 % of it), because "
-        "the map is stretched; set equidistant = 1 or cut the surface elsewhere",
-        distance.p1, distance.p99));
+    warnings.push_back(
+        fmt::format("lines on the surface are {:.3g} to {:.3g} mm apart (1st to 99th percentile), "
+                    "because the surface was stretched when it was laid flat; set equidistant = 1, "
+                    "or cut the surface elsewhere",
+                    distance.p1, distance.p99));
   int64_t folds = 0;
   double folds_mm = 0;
   const LayerNumbers* first = nullptr;
@@ -63,14 +64,16 @@ std::vector<std::string> WarningsOf(const MapReport& map, const std::vector<Laye
   }
   if (first != nullptr) {
     const Eigen::Vector3d& p = first->first_fold_mm;
-    warnings.push_back(fmt::format(
-        "the surface curves more tightly than the texture is high in {} places, along {:.2f} mm of "
-        "lines; the tool reverses there; first in layer {} at ({:.3f}, {:.3f}, {:.3f})",
-        folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
+    warnings.push_back(
+        fmt::format("in {} places the texture is higher than the radius of the surface, so that "
+                    "the tool moves backwards along {:.2f} mm of lines; first place: layer {}, at "
+                    "({:.3f}, {:.3f}, {:.3f}) mm. Use a lower texture",
+                    folds, folds_mm, first->layer, p.x(), p.y(), p.z()));
   }
   const auto is_empty = [](const LayerNumbers& layer) { return layer.runs == 0; };
   if (!layers.empty() && std::all_of(layers.begin(), layers.end(), is_empty))
-    warnings.push_back("no line of the texture lies on the surface");
+    warnings.push_back(
+        "no line of the texture is on the surface: check `anchor`, texture_scale and `margin`");
   return warnings;
 }
 

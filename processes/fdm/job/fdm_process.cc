@@ -168,8 +168,8 @@ std::string WallWarning(const std::vector<LayerWarning>& warnings) {
   const size_t named = std::min(kNamed, layers.size());
   return absl::StrCat(
       islands,
-      " islands were printed with walls of constant width and gap fill, because no reliable medial "
-      "axis of their outlines was found; layers ",
+      " islands were printed with walls of constant width and gap fill, because walls of variable "
+      "width failed for their outlines; layers ",
       absl::StrJoin(layers.begin(), layers.begin() + static_cast<std::ptrdiff_t>(named), ", "),
       layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
 }

@@ -49,8 +49,8 @@ absl::Status DropEmptyTops(std::vector<SpooledProgram>& programs) {
   programs = std::move(kept);
   if (!programs.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                   "no layer contains an extrusion: the outlines are too thin, or the settings ask "
-                   "for none (perimeters, fill_density, solid layers)");
+                   "no layer contains an extrusion: the outlines are too thin, or perimeters, "
+                   "fill_density and the numbers of solid layers are 0");
 }
 
 LayerSummary Summarize(const LayerProgram& program) {

@@ -38,7 +38,7 @@ absl::Status CheckWidth(const SettingValues& draft, std::string_view key,
   if (width >= max) {
     return Refuse(
         draft, key,
-        fmt::format("it must be less than 3 times nozzle_diameter, {} mm", PrintNumber(max)), 0,
+        fmt::format("it must be less than 3 times nozzle_diameter = {} mm", PrintNumber(max)), 0,
         max);
   }
   return absl::OkStatus();
@@ -63,7 +63,7 @@ absl::Status CheckRaft(const SettingValues& draft) {
   const double least = Quantise(height / 2);
   if (draft.Number(kWidth) < least)
     return Refuse(draft, kWidth,
-                  fmt::format("it must be at least half the height of a raft layer, {} mm",
+                  fmt::format("it must be at least half the height of a raft layer = {} mm",
                               PrintNumber(least)),
                   least, kUnbounded);
   return CheckWidth(draft, kWidth, "layer_height");
@@ -76,11 +76,13 @@ absl::Status CheckSkirt(const SettingValues& draft) {
   const bool shields = draft.Number("draft_shield") == static_cast<double>(DraftShield::kEnabled);
   if (!shields && draft.Number("skirt_height") <= 1) return absl::OkStatus();
   const std::string key = shields ? "draft_shield" : "skirt_height";
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("{} = {}: with complete_objects = 1 a skirt must have only one "
-                               "layer, or the print head would hit it",
-                               key, draft.At(key).written),
-                   {{"setting", key}, {"value", draft.At(key).written}});
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+      fmt::format(
+          "{} = {}: with complete_objects = 1 a skirt must have only one layer (skirt_height = 1, "
+          "draft_shield = disabled), or the print head would hit the skirt",
+          key, draft.At(key).written),
+      {{"setting", key}, {"value", draft.At(key).written}});
 }
 
 /// Refuses mixed materials for Klipper, which has no mixing extruder.
@@ -88,7 +90,8 @@ absl::Status CheckMixing(const SettingValues& draft) {
   const bool klipper = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
   if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   "material_field: gcode_flavor = klipper cannot mix materials; Marlin can",
+                   "material_field: gcode_flavor = klipper cannot mix materials; use gcode_flavor "
+                   "= marlin or marlin2, or leave material_field empty",
                    {{"setting", "material_field"}});
 }
 
@@ -106,15 +109,16 @@ absl::Status CheckWords(const SettingValues& draft) {
   if (draft.Number(kByFirmware) != 0) {
     if (draft.Number("wipe") != 0)
       return RefuseWords(kByFirmware,
-                         "wipe must be 0, because the firmware retracts without moving");
+                         "wipe must be 0, because the firmware retracts without moving the nozzle");
     if (flavor == GcodeFlavor::kPrusaBuddy || flavor == GcodeFlavor::kBambu)
       return RefuseWords(kByFirmware,
                          "gcode_flavor must be marlin, marlin2, klipper or "
                          "reprapfirmware");
   }
   if (draft.Number("use_volumetric_e") != 0 && flavor == GcodeFlavor::kKlipper)
-    return RefuseWords("use_volumetric_e",
-                       "gcode_flavor = klipper cannot measure filament by volume");
+    return RefuseWords(
+        "use_volumetric_e",
+        "gcode_flavor = klipper cannot measure filament by volume: use_volumetric_e must be 0");
   return absl::OkStatus();
 }
 
@@ -145,7 +149,7 @@ absl::Status CheckSettings(const SettingValues& draft) {
   if (length > 0 && draft.Number("retract_restart_extra") < -length)
     return Refuse(
         draft, "retract_restart_extra",
-        fmt::format("it must not be less than minus retract_length = {} mm", PrintNumber(length)),
+        fmt::format("it must be at least -{} mm (minus retract_length)", PrintNumber(length)),
         -length, kUnbounded);
   if (length > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,

@@ -199,7 +199,7 @@ std::optional<std::string> TakeSequentialSkirt(SettingValues& draft) {
   if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
   std::string note = fmt::format(
       "skirt_height = {}: with complete_objects = 1 the skirt has only one layer, or the print "
-      "head would hit it",
+      "head would hit the skirt",
       height.written);
   draft.SetNumber("skirt_height", 1);
   return note;
@@ -216,8 +216,8 @@ std::vector<std::string> DeriveVase(SettingValues& draft) {
     const SettingValues::Entry& entry = draft.At(key);
     if (draft.Number(key) == value) continue;
     if (entry.given)
-      notes.push_back(
-          fmt::format("{} = {}: with spiral_vase = 1 it is {}", key, entry.written, value));
+      notes.push_back(fmt::format("{} = {}: with spiral_vase = 1 the value {} is used", key,
+                                  entry.written, value));
     draft.SetNumber(key, value);
   }
   return notes;

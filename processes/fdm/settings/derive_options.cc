@@ -200,10 +200,10 @@ absl::Status TakeDensityField(JobRows& settings) {
   const auto& field = DensityFieldOf(infill.density_field);
   if (!field.ok()) return field.status();
   if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
-    return MakeError(
-        absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-        "density_field: dither has no effect on the lines of stress_field: omit one of them",
-        {{"setting", "density_field"}});
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     "density_field: dither has no effect on the lines of stress_field: omit "
+                     "dither or stress_field",
+                     {{"setting", "density_field"}});
   }
   const double height_mm = ToMm(settings.object.layer_height_nm);
   const double layers = std::ceil(field->ReachMm() / height_mm);
@@ -226,8 +226,8 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
   const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
   if (!planned || infill.density_field.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("density_field: fill_pattern = {} is planned over the whole part "
-                               "and cannot follow a density field",
+                   fmt::format("density_field: fill_pattern = {} cannot follow a density field, "
+                               "because it is planned over the whole part: choose another pattern",
                                infill.choose_pattern ? "auto" : InfoOf(infill.pattern).name),
                    {{"setting", "density_field"}});
 }

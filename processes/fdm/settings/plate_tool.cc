@@ -96,7 +96,8 @@ MissingFeature SeveralTools(const Uses& uses) {
     objects += (objects.empty() ? "" : "; ") + named;
   }
   return {std::string(kSeveralTools),
-          fmt::format("the plate needs several extruders, but a job prints with one, number {}: {}",
+          fmt::format("the plate needs several extruders, but a job prints with one extruder, here "
+                      "number {}: {}",
                       uses.begin()->first, text),
           {{"setting", std::string(kTool)}, {"objects", objects}}};
 }

@@ -114,8 +114,8 @@ class LaserJob : public PlannedJob {
       return fits;
     if (own_.exposure.Total().lines == 0)
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                       "the outlines of all layers are too thin: beam_compensation leaves no area, "
-                       "and thin_wall_exposure no line");
+                       "the outlines of all layers are too thin: with this beam_compensation no "
+                       "area remains, and thin_wall_exposure adds no line");
     auto frame = Timed(report_.stage_times[Stage::kExposure], [&] {
       const ScopedSpan span(call.spans, "frame");
       return exposure_.Envelope(call, summary, job_->settings);

@@ -72,12 +72,11 @@ absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed, con
       corners, [&](Point corner) { return Locate(corner, bed) != Side::kOutside; });
   if (fits) return absl::OkStatus();
   const double run_mm = ToMm(static_cast<double>(run_nm));
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-      absl::StrCat(
-          setting, " = ", run_mm,
-          " mm moves the scanner off the bed: exposed areas must keep this distance from its edge"),
-      {{"setting", setting}, {"value", absl::StrCat(run_mm)}});
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   absl::StrCat(setting, " = ", run_mm,
+                                " mm moves the scanner off the bed: exposed areas must be at least "
+                                "this far from the edge of the bed"),
+                   {{"setting", setting}, {"value", absl::StrCat(run_mm)}});
 }
 
 absl::Status CheckRuns(const ExposureSettings& settings, const Polygon& bed,

@@ -123,7 +123,7 @@ class MillJob : public PlannedJob {
         layout_.steps, [](const MillStep& step) { return step.phase != MillPhase::kRest; }));
     report_.object_height_mm = layout_.part_mm.sizes().z();
     if (milled.gouges > 0)
-      report_.warnings.push_back(absl::StrCat("the program gouges the part at ", milled.gouges,
+      report_.warnings.push_back(absl::StrCat("the program cuts into the part at ", milled.gouges,
                                               " of ", milled.checked, " checked points"));
     auto own = std::make_unique<MillJobReport>();
     own->report = milled;
@@ -163,7 +163,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> MillProcess::Plan(const StageCall& c
   if (!layout.ok()) return layout.status();
   if (layout->steps.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                     "there is no level to mill");
+                     "there is no level to mill: check stepdown, `bottom` and the stock");
   report.meshes = std::move(scene->meshes);
   report.warnings = std::move(input.warnings);
   std::ranges::move(scene->warnings, std::back_inserter(report.warnings));

@@ -35,7 +35,7 @@ CLI::Validator AtLeast(double min, bool open_end) {
 std::string NoSuchChoice(const std::string& text, const std::vector<std::string>& names) {
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string nearest = config::Nearest(text, views);
-  return fmt::format("'{}' is none of {}{}", text, absl::StrJoin(names, ", "),
+  return fmt::format("'{}' is not one of {}{}", text, absl::StrJoin(names, ", "),
                      nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest));
 }
 

@@ -250,7 +250,8 @@ absl::StatusOr<std::string> JobsClient::FullId(const std::string& beginning) {
     return MakeError(absl::StatusCode::kNotFound, Reason::kJobNotFound,
                      fmt::format("there is no job whose id begins with '{}'", beginning));
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("{} jobs begin with '{}', such as {} and {}: give more of the id",
+                   fmt::format("{} jobs have ids that begin with '{}', such as {} and {}: give "
+                               "more characters of the id",
                                found.size(), beginning, found[0], found[1]));
 }
 

@@ -50,7 +50,7 @@ std::vector<double> NumbersOf(std::string_view bytes, double full) {
 absl::StatusOr<std::string> TextOf(const Json& json, const std::string& key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_string())
-    return NotField(fmt::format("the entry '{}' must be a text", key));
+    return NotField(fmt::format("the entry '{}' must be text in quotes", key));
   return found->get<std::string>();
 }
 

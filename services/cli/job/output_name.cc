@@ -86,7 +86,7 @@ absl::Status CheckEnding(const std::string& output, Process process) {
   if (HasEnding(process, name)) return absl::OkStatus();
   if (const ProcessInfo* owner = OwnerOf(name, /*any=*/false))
     return Malformed(
-        fmt::format("--output {}: --machine {} makes such files", output, owner->name));
+        fmt::format("--output {}: files with this ending need --machine {}", output, owner->name));
   for (const OtherFile& other : kOtherFiles) {
     std::string_view rest = other.endings;
     while (!rest.empty()) {
@@ -137,7 +137,7 @@ absl::StatusOr<std::vector<config::Setting>> FormatSettings(const std::string& f
   }
   if (const ProcessInfo* owner = OwnerOf("." + format, /*any=*/true))
     return Malformed(
-        fmt::format("--format {}: --machine {} makes such files", format, owner->name));
+        fmt::format("--format {}: this format needs --machine {}", format, owner->name));
   const std::string nearest = config::Nearest(format, names);
   return Malformed(fmt::format("--format {}: unknown format{}; --machine {} makes {}", format,
                                nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest),

@@ -9,11 +9,11 @@
 namespace slicefarm::cli {
 namespace {
 
-/// Returns a text such as ", first of all a = 1, b = 2 and 3 more, which change the print".
+/// Returns a text such as ", such as a = 1, b = 2 and 3 more, which change the print".
 std::string ChangesText(const std::vector<std::string>& changing) {
   constexpr size_t kNamed = 3;
   if (changing.empty()) return "";
-  std::string text = ", first of all ";
+  std::string text = ", such as ";
   for (size_t i = 0; i < std::min(kNamed, changing.size()); ++i)
     text += (i == 0 ? "" : ", ") + changing[i].substr(0, changing[i].find(": "));
   if (changing.size() > kNamed) text += fmt::format(" and {} more", changing.size() - kNamed);
@@ -41,7 +41,8 @@ std::string SummaryText(const Summary& summary) {
       fmt::format("{} of the given settings {} no effect", matter, matter == 1 ? "has" : "have");
   text += ChangesText(summary.changing);
   if (summary.beside_print > 0)
-    text += fmt::format(" ({} others do not matter to this print)", summary.beside_print);
+    text += fmt::format(" ({} other settings without effect do not matter to this print)",
+                        summary.beside_print);
   return text + fmt::format("; {}\n", summary.report.empty() ? "--report FILE.json lists them"
                                                              : "listed in " + summary.report);
 }

@@ -21,15 +21,17 @@ TEST(SummaryText, SaysWhatMatters) {
             "3 of the given settings have no effect; --report FILE.json lists them\n");
   EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 54, .beside_print = 52}),
             "1 layer, 0s to print\n"
-            "2 of the given settings have no effect (52 others do not matter to this print); "
+            "2 of the given settings have no effect (52 other settings without effect do not "
+            "matter to this print); "
             "--report FILE.json lists them\n");
   EXPECT_EQ(SummaryText({.layers = 1,
                          .settings_without_effect = 7,
                          .changing = {"a = 1: not yet", "b = 2: x", "c = 3: y", "d = 4: z"},
                          .beside_print = 2}),
             "1 layer, 0s to print\n"
-            "5 of the given settings have no effect, first of all a = 1, b = 2, c = 3 and 1 more, "
-            "which change the print (2 others do not matter to this print); --report FILE.json "
+            "5 of the given settings have no effect, such as a = 1, b = 2, c = 3 and 1 more, "
+            "which change the print (2 other settings without effect do not matter to this print); "
+            "--report FILE.json "
             "lists them\n");
   EXPECT_EQ(SummaryText({.layers = 1, .job = "0123"}), "1 layer, 0s to print; job 0123\n");
   EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 52, .beside_print = 52}),

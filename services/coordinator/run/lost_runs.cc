@@ -47,12 +47,15 @@ LostRuns::LostRuns(const JobRecord& job, int64_t calm_us)
 
 absl::Status LostRuns::MayBegin() const {
   if (!condemned() && rest_us_ == 0) return absl::OkStatus();
-  const std::string text =
-      condemned()
-          ? fmt::format("{} runs of this job started and did not end", count_)
-          : fmt::format(
-                "the job is suspended: {} of its runs did not end, and {} of them killed services",
-                count_, deadly_);
+  const std::string text = condemned()
+                               ? fmt::format(
+                                     "the job is given up: {} of its runs started and did not end, "
+                                     "probably because the job crashes the farm's services",
+                                     count_)
+                               : fmt::format(
+                                     "the job is suspended: {} of its runs did not end, and {} of "
+                                     "these runs crashed services",
+                                     count_, deadly_);
   return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned, text,
                    {{"lost_runs", fmt::format("{}", count_)}});
 }

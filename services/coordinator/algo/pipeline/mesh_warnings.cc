@@ -25,13 +25,13 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
     warn(Count(mesh.non_manifold_edges, "edge") + " with more than two faces");
   }
   if (mesh.flipped_faces > 0) {
-    warn(Count(mesh.flipped_faces, "face") + " with the wrong orientation");
+    warn(Count(mesh.flipped_faces, "face") + " with the wrong orientation, flipped");
   }
   if (mesh.degenerate_faces > 0) {
-    warn(Count(mesh.degenerate_faces, "face") + " without area omitted");
+    warn(Count(mesh.degenerate_faces, "face") + " without area, omitted");
   }
   if (mesh.repeated_faces > 0) {
-    warn(Count(mesh.repeated_faces, "face") + " that the file repeats omitted");
+    warn(Count(mesh.repeated_faces, "face") + " that the file repeats, omitted");
   }
   if (mesh.volume_mm3 < 0) warn("the whole mesh is inside out");
   if (mesh.open_loops_closed > 0) {
@@ -54,9 +54,9 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
                                               : " copies are outside the bed and are not printed"));
   }
   if (mesh.overlapping_copies > 0) {
-    warn(absl::StrCat(mesh.overlapping_copies,
-                      mesh.overlapping_copies == 1 ? " copy shares" : " copies share",
-                      " space with others: they are printed through each other"));
+    warn(absl::StrCat(
+        mesh.overlapping_copies, mesh.overlapping_copies == 1 ? " copy shares" : " copies share",
+        " space with other copies: overlapping copies are printed through each other"));
   }
   return warnings;
 }

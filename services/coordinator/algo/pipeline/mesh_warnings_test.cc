@@ -33,14 +33,16 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
       MeshWarnings(mesh),
       ElementsAre(
           "a.stl: the surface is not closed: 1 edge with one face only",
-          "a.stl: 2 edges with more than two faces", "a.stl: 3 faces with the wrong orientation",
-          "a.stl: 4 faces without area omitted", "a.stl: 1 face that the file repeats omitted",
+          "a.stl: 2 edges with more than two faces",
+          "a.stl: 3 faces with the wrong orientation, flipped",
+          "a.stl: 4 faces without area, omitted", "a.stl: 1 face that the file repeats, omitted",
           "a.stl: the whole mesh is inside out",
           "a.stl: 5 open outlines closed over gaps of up to 0.250 mm",
           "a.stl: 1 open outline of 12.3 mm together could not be closed and are not printed",
           "a.stl: cracks of up to 0.098 mm were closed (slice_closing_radius)",
           "a.stl: 1 copy is outside the bed and is not printed",
-          "a.stl: 2 copies share space with others: they are printed through each other"));
+          "a.stl: 2 copies share space with other copies: overlapping copies are printed through "
+          "each other"));
 }
 
 TEST(MeshWarnings, NeedsNoName) {

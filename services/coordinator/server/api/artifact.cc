@@ -37,7 +37,7 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
     case v1::ARTIFACT_REPORT:
       return job.result->report_sha256;
     default:
-      return Malformed("artifact", "is not a kind of this version");
+      return Malformed("artifact", "has a value that this version does not know");
   }
 }
 

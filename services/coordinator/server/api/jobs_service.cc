@@ -124,7 +124,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
   for (const v1::CreateJobRequest& each : request->requests()) {
     const auto created =
         each.validate_only()
-            ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
+            ? absl::StatusOr<JobRecord>(Malformed("validate_only", "cannot be set in batches"))
             : Create(*caller, each, *context);
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
@@ -246,7 +246,7 @@ absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
                                               const v1::CreateJobRequest& request,
                                               const grpc::ServerContext& context) {
   if (request.advise_orientations())
-    return Malformed("advise_orientations", "is for validate_only");
+    return Malformed("advise_orientations", "works only with validate_only");
   if (absl::Status rate = backend_.callers.CheckJobs(caller, 1); !rate.ok()) return rate;
   auto submission = Read(caller, request);
   if (submission.ok()) submission->trace = rpc::TraceOf(context);

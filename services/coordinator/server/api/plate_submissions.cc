@@ -65,7 +65,7 @@ absl::StatusOr<Submission> WithObjects(const Submission& submission,
 
 absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
   if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
-  if (request.requests().empty()) return Malformed("requests", "there are none");
+  if (request.requests().empty()) return Malformed("requests", "is empty: give at least one");
   if (request.requests_size() > limits::kMaxBatchJobs)
     return LimitError(Reason::kRequestTooLarge, "requests", limits::kMaxBatchJobs,
                       request.requests_size());
@@ -73,9 +73,10 @@ absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
     const v1::CreateJobRequest& each = request.requests(i);
     if (!each.request_id().empty() || each.validate_only())
       return Within("requests", i,
-                    Malformed("request_id, validate_only", "apply to all plates, not to one"));
+                    Malformed("request_id, validate_only", "must not be set for a single plate"));
     if (each.advise_orientations() && !request.validate_only())
-      return Within("requests", i, Malformed("advise_orientations", "is for validate_only"));
+      return Within("requests", i,
+                    Malformed("advise_orientations", "works only with validate_only"));
   }
   return absl::OkStatus();
 }

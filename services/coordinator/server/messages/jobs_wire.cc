@@ -27,7 +27,7 @@ constexpr size_t kMaxPageBytes = 1 << 20;
 
 absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {
   if (proto == v1::JOB_STATE_UNSPECIFIED || !v1::JobState_IsValid(proto)) {
-    return Malformed("states", "is not a state of this version");
+    return Malformed("states", "contains a state that this version does not know");
   }
   return static_cast<JobState>(static_cast<int>(proto) - 1);
 }
@@ -109,7 +109,8 @@ absl::Status CheckNoProjects(const v1::JobSpec& spec) {
 
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   JobRequest request;
-  if (!v1::JobMode_IsValid(spec.mode())) return Malformed("mode", "is not one of this version");
+  if (!v1::JobMode_IsValid(spec.mode()))
+    return Malformed("mode", "has a value that this version does not know");
   if (spec.mode() == v1::JOB_MODE_QUOTE) request.mode = JobMode::kQuote;
   if (spec.process() != v1::PROCESS_UNSPECIFIED) {
     const auto process = EnumFromProto<Process>(spec.process(), kProcessCount, "process");
@@ -161,7 +162,7 @@ void ClearDetails(v1::Job& job) {
 
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority) {
   if (!v1::JobPriority_IsValid(priority)) {
-    return Malformed("priority", "is not one of this version");
+    return Malformed("priority", "has a value that this version does not know");
   }
   if (priority == v1::JOB_PRIORITY_UNSPECIFIED) return Priority::kNormal;
   return static_cast<Priority>(static_cast<int>(priority) - 1);
@@ -230,8 +231,9 @@ absl::Status TakePageToken(const std::string& token, ListQuery& query) {
   const auto error = std::from_chars(token.data(), end, query.after_number).ec;
   const bool is_of_this = error == std::errc() && query.after_number > 0 &&
                           token == PageToken(query.after_number, query);
-  return is_of_this ? absl::OkStatus()
-                    : Malformed("page_token", "is not a token of a list with these conditions");
+  return is_of_this
+             ? absl::OkStatus()
+             : Malformed("page_token", "is not from an answer to a request with the same filters");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ absl::Status CheckBlobName(const std::string& digest) {
 
 absl::Status BlobNotFound(const std::string& digest) {
   return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
-                   absl::StrCat("there is no blob ", digest), {{"sha256", digest}});
+                   absl::StrCat("there is no mesh or result ", digest), {{"sha256", digest}});
 }
 
 absl::Status UploadOffset(const std::string& digest, int64_t committed, int64_t got) {

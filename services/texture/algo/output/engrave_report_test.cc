@@ -43,7 +43,7 @@ TEST(MapReport, OfACapTellsThatLinesAreUneven) {
   EXPECT_GT(even->line_even, 0.95);
   const std::vector<LayerNumbers> layers = {{.runs = 1}};
   EXPECT_THAT(WarningsOf(*straight, layers),
-              testing::Contains(testing::HasSubstr("the map is stretched")));
+              testing::Contains(testing::HasSubstr("the surface was stretched")));
 }
 
 }  // namespace
