@@ -33,17 +33,17 @@ std::vector<std::string> FieldNotes(const DensityField& field, FillPattern patte
   std::vector<std::string> notes;
   if (field.dither != Dither::kNone) {
     notes.push_back(
-        fmt::format("density_field: with dither, cells of {:g} mm have the requested density on "
-                    "average only, not within 5 % in each 5 mm; omit dither for that",
+        fmt::format("density_field: with dither, cells of {:g} mm have the requested density only "
+                    "on average; for a density within 5 % in each 5 mm, omit dither",
                     field.cell_mm));
     return notes;
   }
   const double most = MostEvenPitchMm(pattern);
   if (most > 0 && field.Least() * most < spacing_mm)
-    notes.push_back(
-        fmt::format("density_field: below {:.0f} %, the lines of {} are more than {:g} mm apart, "
-                    "so that the density of 5 mm cells deviates by more than 5 % on average",
-                    100 * spacing_mm / most, InfoOf(pattern).name, most));
+    notes.push_back(fmt::format(
+        "density_field: below {:.0f} %, lines of fill_pattern = {} are more than {:g} mm apart, so "
+        "that the density of 5 mm cells deviates by more than 5 % on average",
+        100 * spacing_mm / most, InfoOf(pattern).name, most));
   return notes;
 }
 

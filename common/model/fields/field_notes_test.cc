@@ -17,7 +17,8 @@ TEST(FieldNotes, AreNoneForWhatIsExact) {
 TEST(FieldNotes, NameTheDensityBelowWhichLinesAreTooFarApart) {
   const auto notes = FieldNotes(FromTo(0.1, 0.5), FillPattern::kGyroid, kSpacingMm);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("below 13 %, the lines of gyroid are more than 3 mm"), std::string::npos)
+  EXPECT_NE(notes[0].find("below 13 %, lines of fill_pattern = gyroid are more than 3 mm"),
+            std::string::npos)
       << notes[0];
   EXPECT_EQ(FieldNotes(FromTo(0.2, 0.5), FillPattern::kSchwarzD, kSpacingMm).size(), 1u);
 }

@@ -255,7 +255,7 @@ absl::Status CheckUnity(const MaterialField& field) {
     if (part.kind == DensityField::Kind::kSurfaceDistance)
       return Wrong("parts cannot depend on the distance to the surface");
     if (part.law != DensityLaw::kLinear || part.dither != Dither::kNone)
-      return Wrong("parts have neither a law nor dithering");
+      return Wrong("parts must not have the entries law and dither");
     if (part.kind != first.kind || part.at_mm != first.at_mm || !SameNodes(part.grid, first.grid))
       return Wrong("all parts must be given at the same places");
   }

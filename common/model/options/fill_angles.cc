@@ -42,7 +42,7 @@ absl::StatusOr<std::vector<AngleStep>> ParseFillAngles(std::string_view text) {
         sharp == std::string_view::npos ? std::optional(1) : CountOf(item.substr(sharp + 1));
     const auto step = StepOf(Trim(item.substr(0, sharp)));
     if (!count.has_value() || !step.has_value())
-      return Malformed(fmt::format("'{}' is none", item.substr(0, 20)));
+      return Malformed(fmt::format("'{}' is not an angle", item.substr(0, 20)));
     if (std::ssize(steps) + *count > kMaxAngleSteps)
       return Malformed(fmt::format("more than {} layers", kMaxAngleSteps));
     steps.insert(steps.end(), static_cast<size_t>(*count), *step);

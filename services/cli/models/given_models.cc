@@ -72,7 +72,8 @@ class PlateReader {
     for (const std::string& path : options_.models)
       if (absl::Status ok = Read(path); !ok.ok()) return ok;
     if (chosen_ > 0 && !has_project_)
-      return Malformed("--plate works only with a 3MF project; none is given");
+      return Malformed(
+          "--plate works only with a 3MF project: give a project as MODEL, or omit --plate");
     absl::Status ok = TakeCopies();
     if (ok.ok()) ok = TakeSettings();
     if (ok.ok() && presets_ != nullptr && !for_printer_)
@@ -140,7 +141,8 @@ class PlateReader {
   /// Applies the position of the command line, if there is one, to an object of a project.
   absl::Status PlaceAgain(const std::string& path, size_t objects, SceneObject& object) const {
     if (placement_.unit_mm != 1)
-      return Malformed("--units: omit it, the unit of " + path + " is stored in the file");
+      return Malformed("--units: omit this option, because the unit of " + path +
+                       " is stored in the file");
     const std::vector<Point>& centers = placement_.centers;
     Placement turn = placement_;
     turn.centers.clear();
@@ -148,15 +150,16 @@ class PlateReader {
     for (Instance& instance : object.instances) {
       if (instance.placed) {
         return Malformed(
-            fmt::format("--scale, --rotate, --rotate-z and --center would move objects that {} has "
-                        "placed; add --arrange to place them anew",
+            fmt::format("--scale, --rotate, --rotate-z and --center would change the positions of "
+                        "objects in {}; add --arrange to arrange all objects again",
                         path));
       }
       instance.to_plate = Combined(TransformOf(turn), instance.to_plate);
     }
     if (centers.empty()) return absl::OkStatus();
     if (objects != 1 || object.instances.size() != 1)
-      return Malformed(fmt::format("--center: {} has several objects or copies", path));
+      return Malformed(
+          fmt::format("--center: {} has several objects or copies; use --arrange instead", path));
     Instance instance = object.instances.front();
     instance.placed = instance.by_middle = true;
     object.instances.clear();
@@ -191,8 +194,8 @@ class PlateReader {
         if (!named.IsCalled(of.name)) continue;
         if (named.IsPlaced()) {
           return Malformed(
-              fmt::format("--copies {}: the project has already placed it; add --arrange to place "
-                          "its copies anew",
+              fmt::format("--copies {}: the project already has a position for this object; add "
+                          "--arrange to arrange all copies",
                           text));
         }
         named.object.instances.assign(static_cast<size_t>(*count), named.object.instances.front());

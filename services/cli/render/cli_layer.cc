@@ -208,7 +208,7 @@ absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
     const bool hatches = command == 131 || command == 132;
     if (layer) {
       const auto z = command == 127 ? reader.Next<float>() : reader.Next<uint16_t>();
-      if (!z) return NotCli(fmt::format("it ends in a layer, at byte {}", at));
+      if (!z) return NotCli(fmt::format("the file ends within a layer, at byte {}", at));
       keeper.Layer(*z);
       continue;
     }
@@ -219,7 +219,7 @@ absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
     const size_t each = hatches ? 4 : 2;
     const auto items = is_short ? Items<uint16_t, uint16_t>(reader, heads, each)
                                 : Items<int32_t, float>(reader, heads, each);
-    if (!items) return NotCli(fmt::format("it ends within the command at byte {}", at));
+    if (!items) return NotCli(fmt::format("the file ends within the command at byte {}", at));
     hatches ? keeper.Hatches(items->id, items->xy) : keeper.Polyline(items->id, items->xy);
   }
   return absl::OkStatus();
@@ -234,7 +234,8 @@ bool IsCliFile(std::string_view bytes) {
 
 absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm) {
   const size_t end = bytes.find(kHeaderEnd);
-  if (!IsCliFile(bytes) || end == std::string_view::npos) return NotCli("its header is incomplete");
+  if (!IsCliFile(bytes) || end == std::string_view::npos)
+    return NotCli("the header of the file is incomplete");
   const std::string header = WithoutComments(bytes.substr(0, end));
   constexpr std::string_view kUnits = "$$UNITS/";
   double unit_mm = 0;
@@ -244,7 +245,7 @@ absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, doubl
     const std::string_view number = Trim(rest.substr(0, rest.find_first_of("\r\n$/")));
     if (!absl::SimpleAtod(absl::string_view(number.data(), number.size()), &unit_mm)) unit_mm = 0;
   }
-  if (!(unit_mm > 0)) return NotCli("its header has no $$UNITS");
+  if (!(unit_mm > 0)) return NotCli("the header of the file has no $$UNITS");
   LayerKeeper keeper(index, unit_mm, width_mm, StylesOf(header));
   const std::string_view body = bytes.substr(end + kHeaderEnd.size());
   const bool binary = header.find("$$BINARY") != std::string::npos;
