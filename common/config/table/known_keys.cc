@@ -10,7 +10,8 @@ namespace slicefarm::config {
 namespace {
 
 constexpr std::string_view kNotYet = "not supported yet";
-constexpr std::string_view kSeveral = "not supported yet; prints with one extruder do not need it";
+constexpr std::string_view kSeveral =
+    "not supported yet, and not needed for prints with one extruder";
 constexpr std::string_view kProfile = "describes the profile, not the print";
 constexpr std::string_view kSending = "concerns sending files to a printer";
 constexpr std::string_view kResin = "concerns resin printers";
@@ -87,7 +88,7 @@ constexpr Group kGroups[] = {
     {kProfile, "compatible_*", false},
     {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
     {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},
-    {"the option --threads replaces it", "threads", false},
+    {"replaced by the option --threads", "threads", false},
 };
 
 std::vector<KnownKey> MakeKnownKeys() {

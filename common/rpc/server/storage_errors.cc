@@ -14,9 +14,10 @@ std::string TextFor(const absl::Status& status) {
   if (absl::IsDataLoss(status)) return "";
   switch (DetailOf(status).reason) {
     case Reason::kDiskFull:
-      return "the server has no space left to store this; its log says where";
+      return "the server has no space left to store the data; the log of the server names the "
+             "place";
     case Reason::kStoreFailed:
-      return "the server's storage failed; its log says why";
+      return "the server's storage failed; the log of the server has the reason";
     default:
       return "";
   }

@@ -64,8 +64,8 @@ std::vector<SettingSpec> TextureTable() {
                      Bind<&EngraveSettings::texture, &TextureSettings::width_mm>())),
       Needing({&needs::kImage},
               Number("texture_height", {"mm", 0.001, 1000}, "0.5",
-                     "Height of the texture where texture_image is white; where it is black, the "
-                     "height is 0",
+                     "Height of the texture where texture_image is white; where texture_image is "
+                     "black, the height is 0",
                      Bind<&EngraveSettings::texture, &TextureSettings::height_mm>())),
       Needing({&needs::kNoImage},
               Text("texture_pitch", "",

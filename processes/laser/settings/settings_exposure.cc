@@ -217,7 +217,7 @@ std::vector<SettingSpec> ScanSettings() {
       Needing({&needs::kContoursOfHatch},
               Length("hatch_offset", 10, "0.04",
                      "Distance from the innermost contour to the ends of hatch lines; lines "
-                     "parallel to the contour may be closer to it by half of laser_spot",
+                     "parallel to the contour may be closer by half of laser_spot",
                      Bind<&ExposureOptions::hatch_offset_nm>())),
       {.key = "contour_start",
        .kind = Kind::kChoice,
@@ -243,11 +243,11 @@ std::vector<SettingSpec> ScanSettings() {
            Bind<&ExposureOptions::thin_walls>()),
       Count("upskin_layers", 100, "0",
             "Number of layers above an area that must all contain the area; otherwise the area is "
-            "upskin and is scanned with the settings upskin_... 0: no upskins",
+            "upskin and is scanned with the upskin_ settings. 0: no upskins",
             Bind<&ExposureOptions::upskin_layers>()),
       Count("downskin_layers", 100, "0",
             "Number of layers below an area that must all contain the area; otherwise the area is "
-            "downskin and is scanned with the settings downskin_... 0: no downskins",
+            "downskin and is scanned with the downskin_ settings. 0: no downskins",
             Bind<&ExposureOptions::downskin_layers>()),
       Needing(
           {&needs::kUpskins},

@@ -42,7 +42,7 @@ GivenLevels LevelsGiven(const CalibrateOptions& options) {
 
 absl::Status CheckCalibrateOptions(const CalibrateOptions& options) {
   if (options.fine && options.kind != CalibrationKind::kFlow)
-    return Malformed("--fine works only with flow");
+    return Malformed("--fine works only with the kind flow");
   const bool of_farm = options.detach || options.json || !options.profiles.empty() ||
                        !options.job.presets.bundles.empty();
   if (!options.on_farm && of_farm)

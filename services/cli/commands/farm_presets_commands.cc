@@ -109,7 +109,7 @@ ExitCode DeleteBundle(FarmPresetsOptions options, Interrupt& interrupt) {
   if (at != std::string::npos &&
       (!absl::SimpleAtoi(options.name.substr(at + 1), &revision) || revision < 1))
     return Fail(
-        Malformed(fmt::format("{}: after '@' comes the number of a revision", options.name)));
+        Malformed(fmt::format("{}: after '@', the number of a revision is needed", options.name)));
   request.set_name(options.name.substr(0, at));
   request.set_revision(revision);
   JobsClient client(ClientOptions(options.server, &interrupt));

@@ -33,7 +33,8 @@ absl::Status TakeRevision(ProfileOptions& options) {
   if (at == std::string::npos) return absl::OkStatus();
   int64_t revision = 0;
   if (!absl::SimpleAtoi(options.name.substr(at + 1), &revision) || revision < 1)
-    return Malformed(fmt::format("{}: after '@' comes the number of a revision", options.name));
+    return Malformed(
+        fmt::format("{}: after '@', the number of a revision is needed", options.name));
   if (options.revision > 0 && options.revision != revision)
     return Malformed(fmt::format("{} and --revision {} name two different revisions", options.name,
                                  options.revision));

@@ -239,8 +239,8 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   command
       ->add_option("-o,--output", options->output,
                    "File for the G-code or other output; -: to stdout; a folder: a file in it, "
-                   "named by output_filename_format. Default: a file with the name by "
-                   "output_filename_format in the model's folder")
+                   "named by output_filename_format. Default: a file named by "
+                   "output_filename_format, in the model's folder")
       ->type_name("OUT.gcode");
   command
       ->add_option(

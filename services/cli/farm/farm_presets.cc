@@ -67,7 +67,7 @@ absl::StatusOr<v1::PresetBundle> FetchBundle(const std::string& ref, JobsClient&
   get.set_name(ref.substr(0, at));
   int64_t revision = 0;
   if (at != std::string::npos && !absl::SimpleAtoi(ref.substr(at + 1), &revision))
-    return Malformed(fmt::format("{}: after '@' comes the number of a revision", ref));
+    return Malformed(fmt::format("{}: after '@', the number of a revision is needed", ref));
   get.set_revision(revision);
   return client.GetPresetBundle(get);
 }

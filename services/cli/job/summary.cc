@@ -43,8 +43,9 @@ std::string SummaryText(const Summary& summary) {
   if (summary.beside_print > 0)
     text += fmt::format(" ({} other settings without effect do not matter to this print)",
                         summary.beside_print);
-  return text + fmt::format("; {}\n", summary.report.empty() ? "--report FILE.json lists them"
-                                                             : "listed in " + summary.report);
+  return text + fmt::format("; {}\n", summary.report.empty()
+                                          ? "--report FILE.json lists these settings"
+                                          : "listed in " + summary.report);
 }
 
 std::string MoneyText(double amount, const std::string& currency) {

@@ -18,12 +18,12 @@ TEST(SummaryText, SaysWhatMatters) {
                          .cached = true,
                          .settings_without_effect = 3}),
             "1 layer, 5s to print, 0.01 m of filament; from the cache\n"
-            "3 of the given settings have no effect; --report FILE.json lists them\n");
+            "3 of the given settings have no effect; --report FILE.json lists these settings\n");
   EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 54, .beside_print = 52}),
             "1 layer, 0s to print\n"
             "2 of the given settings have no effect (52 other settings without effect do not "
             "matter to this print); "
-            "--report FILE.json lists them\n");
+            "--report FILE.json lists these settings\n");
   EXPECT_EQ(SummaryText({.layers = 1,
                          .settings_without_effect = 7,
                          .changing = {"a = 1: not yet", "b = 2: x", "c = 3: y", "d = 4: z"},
@@ -32,7 +32,7 @@ TEST(SummaryText, SaysWhatMatters) {
             "5 of the given settings have no effect, such as a = 1, b = 2, c = 3 and 1 more, "
             "which change the print (2 other settings without effect do not matter to this print); "
             "--report FILE.json "
-            "lists them\n");
+            "lists these settings\n");
   EXPECT_EQ(SummaryText({.layers = 1, .job = "0123"}), "1 layer, 0s to print; job 0123\n");
   EXPECT_EQ(SummaryText({.layers = 1, .settings_without_effect = 52, .beside_print = 52}),
             "1 layer, 0s to print\n");

@@ -75,7 +75,7 @@ class LayerKeeper {
   absl::StatusOr<GcodeLayer> Take() && {
     if (layer_.index < layer_.layer_count) return std::move(layer_);
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     fmt::format("there is no layer {}: the last one is {}", layer_.index,
+                     fmt::format("there is no layer {}: the last layer is {}", layer_.index,
                                  layer_.layer_count - 1));
   }
 

@@ -123,7 +123,7 @@ TEST(ReadCliLayer, RefusesWhatTheFormatDoesNotHave) {
 
 TEST(ReadCliLayer, NamesTheLastLayer) {
   const absl::Status status = ReadCliLayer(Ascii(kTwoLayers), 2, 0.1).status();
-  EXPECT_EQ(status.message(), "there is no layer 2: the last one is 1");
+  EXPECT_EQ(status.message(), "there is no layer 2: the last layer is 1");
 }
 
 }  // namespace

@@ -54,8 +54,8 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = 1e6,
        .standard = "0",
-       .doc = "Smallest length of filament that the skirt uses on the first layer; loops are added "
-              "to `skirts` until the skirt uses this length. 0: no loops are added",
+       .doc = "Smallest length of filament that the skirt uses on the first layer; a skirt that "
+              "uses less gets more loops than `skirts` says. 0: no additional loops",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::min_length_nm>(),
        .orca = {{"min_skirt_length"}},
        .needs = {&needs::kSkirt}},

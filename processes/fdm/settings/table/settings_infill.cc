@@ -83,7 +83,8 @@ std::vector<SettingSpec> IroningSettings() {
       {.key = "ironing_pattern",
        .kind = Kind::kChoice,
        .standard = "rectilinear",
-       .doc = "Lines of ironing. rectilinear: straight. concentric: along the edges",
+       .doc = "Pattern of ironing lines. rectilinear: straight lines. concentric: lines along the "
+              "edges",
        .choices = {{"rectilinear", 0}, {"concentric", 1}},
        .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::concentric>(),
        .orca = {{"ironing_pattern", OrcaValue::kChoice}},

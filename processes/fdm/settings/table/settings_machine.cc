@@ -103,10 +103,9 @@ std::vector<SettingSpec> WholeMachineLimits() {
       {.key = "machine_limits_usage",
        .kind = Kind::kChoice,
        .standard = "time_estimate_only",
-       .doc =
-           "Use of the settings machine_max_... and machine_min_... emit_to_gcode: for the "
-           "estimated time, and written into the G-code. time_estimate_only: only for the "
-           "estimated time. ignore: none; the estimated time uses the defaults of these settings",
+       .doc = "Use of the machine_max_ and machine_min_ settings. emit_to_gcode: for the estimated "
+              "time, and written into the G-code. time_estimate_only: only for the estimated time. "
+              "ignore: none; the estimated time uses the defaults of these settings",
        .choices = {{"time_estimate_only", 0}, {"emit_to_gcode", 1}, {"ignore", kIgnoreLimits}},
        .field = Convert<MachineRow>(
            [](MachineRow& row, const Value& value) {

@@ -151,8 +151,8 @@ std::vector<SettingSpec> SeamSettings() {
   gap.list = List::kPerExtruder;
   gap.standard = kNotSet;
   gap.doc =
-      "Value for this filament; overrides the setting with the same name without the prefix "
-      "`filament_`. nil: no override";
+      "Value for this filament, which replaces the setting with the same name without the prefix "
+      "`filament_`. nil: the setting without the prefix applies";
   gap.field = {};
   settings.push_back(gap);
   for (SettingSpec& scarf : ScarfSettings()) settings.push_back(std::move(scarf));

@@ -51,7 +51,7 @@ std::vector<SettingSpec> SlicingSettings() {
        .max = 5,
        .standard = "0.1",
        .doc = "Largest step between adaptive layers that may show on the surface, measured "
-              "perpendicular to it; smaller: lower layers",
+              "perpendicular to the surface; smaller: lower layers",
        .field = Bind<&ObjectSlicingOptions::adaptive, &AdaptiveHeights::cusp_nm>(),
        .needs = {&needs::kAdaptiveLayers, &needs::kNoHeightProfile}},
       {.key = "adaptive_layer_ratio",

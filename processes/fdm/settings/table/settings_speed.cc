@@ -131,12 +131,11 @@ SettingSpec OverBridgeSpeed() {
 /// Returns the speed of bridges over sparse infill. These bridges are a separate feature only if
 /// they have their own speed.
 SettingSpec InternalBridgeSpeed() {
-  SettingSpec spec = Orca(
-      {"internal_bridge_speed"},
-      RelativeSpeed(
-          "internal_bridge_speed", "0", "bridge_speed",
-          "Speed of bridges over sparse infill: of the first solid layer above it. 0: bridge_speed",
-          SpeedOf<Feature::kInternalBridge>()));
+  SettingSpec spec = Orca({"internal_bridge_speed"},
+                          RelativeSpeed("internal_bridge_speed", "0", "bridge_speed",
+                                        "Speed of bridges over sparse infill, in the first solid "
+                                        "layer above the sparse infill; 0: bridge_speed",
+                                        SpeedOf<Feature::kInternalBridge>()));
   spec.also = Convert<RegionRow>(
       [](RegionRow& row, const Value& value) { row.infill.internal_bridges = value.number > 0; },
       [](const RegionRow&) { return Value(); });

@@ -81,7 +81,7 @@ std::vector<SettingSpec> Where() {
        .max = 10,
        .standard = "0",
        .doc = "Distance by which supports with support_material_style = grid or snug extend beyond "
-              "the overhang in x and y; negative: they are smaller than the overhang",
+              "the overhang in x and y; negative: supports are smaller than the overhang",
        .field = Bind<&ObjectRow::support, &SupportOptions::expansion_nm>(),
        .orca = {{"support_expansion"}},
        .needs = {&needs::kColumnSupports}},
@@ -284,8 +284,8 @@ std::vector<SettingSpec> Trees() {
        .min = 0.1,
        .max = 100,
        .standard = "2",
-       .doc = "Diameter that a branch reaches below its thin tip; farther down it widens by "
-              "support_tree_branch_diameter_angle",
+       .doc = "Diameter that a branch reaches below its thin tip; farther down the branch widens "
+              "by support_tree_branch_diameter_angle",
        .field =
            Bind<&ObjectRow::support, &SupportOptions::tree, &TreeOptions::branch_diameter_nm>(),
        .orca = {{"tree_support_branch_diameter"}},

@@ -14,8 +14,8 @@ void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_v
   spec.key = filament_key;
   spec.standard = kNotSet;
   spec.doc =
-      "Value for this filament; overrides the setting with the same name without the prefix "
-      "`filament_`. nil: no override";
+      "Value for this filament, which replaces the setting with the same name without the prefix "
+      "`filament_`. nil: the setting without the prefix applies";
   spec.field = {};
   to.push_back(spec);
 }
@@ -150,18 +150,18 @@ std::vector<SettingSpec> Retraction() {
        .orca = {{"retract_before_wipe"}},
        .needs = {&needs::kWipe}},
       "filament_retract_before_wipe");
-  AddRetraction(
-      settings,
-      {.key = "wipe_distance",
-       .unit = "mm",
-       .min = 0,
-       .max = 100,
-       .standard = "0",
-       .doc = "Length of the move that `wipe` adds. A part of a retraction that takes longer than "
-              "this move is done before it. 0: as long as the retraction takes",
-       .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>(),
-       .needs = {&needs::kWipe}},
-      "filament_wipe_distance");
+  AddRetraction(settings,
+                {.key = "wipe_distance",
+                 .unit = "mm",
+                 .min = 0,
+                 .max = 100,
+                 .standard = "0",
+                 .doc = "Length of the move that `wipe` adds. If the retraction takes longer than "
+                        "this move, the first part of the retraction is done before the move. 0: "
+                        "as long as the retraction takes",
+                 .field = Bind<&ToolRow::retraction, &RetractionOptions::wipe_distance_mm>(),
+                 .needs = {&needs::kWipe}},
+                "filament_wipe_distance");
   return settings;
 }
 

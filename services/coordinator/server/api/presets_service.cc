@@ -55,7 +55,7 @@ absl::StatusOr<size_t> StartOf(const std::string& token) {
   if (token.empty()) return start;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), start);
   if (error != std::errc() || end != token.data() + token.size())
-    return Malformed("page_token", "is not one of an answer");
+    return Malformed("page_token", "is not from an answer of ListPresets");
   return start;
 }
 

@@ -52,7 +52,7 @@ absl::Status DiskGuard::CheckRoom(int64_t bytes) const {
   if (!free || *free - bytes >= min_free_bytes_) return absl::OkStatus();
   return MakeError(
       absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
-      fmt::format("the server has {} MiB of free space; it accepts no new data below {}",
+      fmt::format("the server has {} MiB of free space; it accepts no new data below {} MiB",
                   std::max<int64_t>(0, *free) >> 20, min_free_bytes_ >> 20),
       {{"free_bytes", std::to_string(*free)},
        {"min_free_bytes", std::to_string(min_free_bytes_)},

@@ -18,7 +18,7 @@ absl::StatusOr<int> HttpPost(const std::string& url, const std::string& body,
   request.headers.emplace_back("Content-Type: application/json");
   const auto answer = client.Do(request);
   if (absl::IsPermissionDenied(answer.status()))
-    return absl::PermissionDeniedError("the address is not one of the public Internet");
+    return absl::PermissionDeniedError("the address is not in the public Internet");
   if (!answer.ok()) return answer.status();
   return answer->status;
 }
