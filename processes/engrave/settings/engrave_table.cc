@@ -55,8 +55,8 @@ std::vector<SettingSpec> TextureTable() {
            "Empty: `texture`",
            Bind<&EngraveSettings::texture, &TextureSettings::image>()),
       Text("mask_image", "",
-           "Mask image, a PNG file in base64, that covers the bounding box of the surface after it "
-           "has been laid flat. Only bright areas are worked. Empty: the whole surface",
+           "Mask image, a PNG file in base64, that covers the bounding box of the flattened "
+           "surface. Only bright areas are worked. Empty: the whole surface",
            Bind<&EngraveSettings::texture, &TextureSettings::mask>()),
       Needing({&needs::kImage},
               Number("texture_width", {"mm", 0.001, 10'000}, "20",
@@ -77,11 +77,11 @@ std::vector<SettingSpec> TextureTable() {
              Bind<&EngraveSettings::texture, &TextureSettings::scale>()),
       Text("anchor", "",
            "Point on the surface where the origin of the texture is placed: X,Y,Z in mm. Empty: "
-           "the middle of the surface after it has been laid flat",
+           "the middle of the flattened surface",
            Bind<&EngraveSettings::texture, &TextureSettings::anchor>()),
       Text("orient", "",
            "Direction on the surface, at `anchor`, of the texture's x axis: X,Y,Z. Empty: the x "
-           "axis of the surface after it has been laid flat",
+           "axis of the flattened surface",
            Bind<&EngraveSettings::texture, &TextureSettings::orient>()),
       Number(
           "texture_turn", {"degrees", -360, 360}, "0",
@@ -92,8 +92,8 @@ std::vector<SettingSpec> TextureTable() {
            "the surface",
            Bind<&EngraveSettings::texture, &TextureSettings::once>()),
       Number("margin", {"mm", 0, 10'000}, "0",
-             "Width of a border of the surface that remains untouched, measured on the surface "
-             "after it has been laid flat",
+             "Width of a border of the surface that remains untouched, measured after the surface "
+             "has been laid flat; 0: no border",
              Bind<&EngraveSettings::texture, &TextureSettings::margin_mm>()),
       Flag("engraved", "0", "Engrave the texture into the surface; 0: build it up on the surface",
            Bind<&EngraveSettings::texture, &TextureSettings::engraved>()),

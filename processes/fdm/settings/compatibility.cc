@@ -64,7 +64,7 @@ std::vector<MissingFeature> IncompatibleProfiles(std::span<const Setting> given,
     if (!met.ok() || *met == "1") continue;
     const bool of_printer = each.key == "compatible_printers_condition";
     missing.push_back({std::string(kIncompatibleProfiles),
-                       fmt::format("a profile does not match the {} of this job: {} = {}",
+                       fmt::format("a profile is made for other {} than this job uses: {} = {}",
                                    of_printer ? "printers" : "print settings", each.key, each.text),
                        {{"setting", std::string(each.key)}, {"value", each.text}}});
   }

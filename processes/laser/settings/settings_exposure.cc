@@ -242,12 +242,14 @@ std::vector<SettingSpec> ScanSettings() {
            "line between contours; 0: they remain unexposed",
            Bind<&ExposureOptions::thin_walls>()),
       Count("upskin_layers", 100, "0",
-            "Number of layers above an area that must all contain the area; otherwise the area is "
-            "upskin and is scanned with the upskin_ settings. 0: no upskins",
+            "Number of layers above an area that decide whether the area is upskin. If any of "
+            "these layers does not cover the area, the area is scanned with the upskin_ settings. "
+            "0: no upskins",
             Bind<&ExposureOptions::upskin_layers>()),
       Count("downskin_layers", 100, "0",
-            "Number of layers below an area that must all contain the area; otherwise the area is "
-            "downskin and is scanned with the downskin_ settings. 0: no downskins",
+            "Number of layers below an area that decide whether the area is downskin. If any of "
+            "these layers does not cover the area, the area is scanned with the downskin_ "
+            "settings. 0: no downskins",
             Bind<&ExposureOptions::downskin_layers>()),
       Needing(
           {&needs::kUpskins},
@@ -266,10 +268,10 @@ std::vector<SettingSpec> ScanSettings() {
             "exposed only if it is solid in all of these layers, so that undersides do not become "
             "too thick. 0: no compensation",
             Bind<&ExposureOptions::z_compensation_layers>()),
-      Needing({&needs::kSkins},
-              Length("skin_overlap", 10, "0",
-                     "Distance by which upskins and downskins extend into the area beside them",
-                     Bind<&ExposureOptions::skin_overlap_nm>())),
+      Needing({&needs::kSkins}, Length("skin_overlap", 10, "0",
+                                       "Distance by which upskins and downskins extend into the "
+                                       "neighbouring area; 0: not at all",
+                                       Bind<&ExposureOptions::skin_overlap_nm>())),
       Needing({&needs::kHatched},
               Length("skywriting", 10, "0",
                      "Length by which the scanner moves with the laser off before and after each "

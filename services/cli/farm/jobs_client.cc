@@ -154,7 +154,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
     if (upload.committed_size() < 0 ||
         upload.committed_size() > static_cast<int64_t>(bytes.size())) {
       return MakeError(absl::StatusCode::kInternal, Reason::kBlobDigestMismatch,
-                       fmt::format("the server has {} bytes of a mesh of {}",
+                       fmt::format("the server reports {} bytes of a mesh that has only {} bytes",
                                    upload.committed_size(), bytes.size()));
     }
     sent(upload.committed_size());
@@ -208,9 +208,9 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
                      std::string(outcome.message()));
   }
   if (upload.complete()) return absl::OkStatus();
-  return MakeError(
-      absl::StatusCode::kUnavailable, Reason::kUnavailable,
-      fmt::format("the server has {} of {} bytes", upload.committed_size(), bytes.size()));
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
+                   fmt::format("the upload is incomplete: the server has {} of {} bytes",
+                               upload.committed_size(), bytes.size()));
 }
 
 absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::CreateJobRequest request) {

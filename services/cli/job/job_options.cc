@@ -165,9 +165,9 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                  "Texture for --machine engrave: a flat solid (STL, OBJ, PLY), a height image "
                  "(PNG), or a computed texture as KIND:KEY=VALUE,...")
       ->type_name("TEXTURE");
-  app.add_option("--mask", options.texture.mask,
-                 "Mask image (PNG) that covers the surface after it has been laid flat: only "
-                 "bright areas are engraved")
+  app.add_option(
+         "--mask", options.texture.mask,
+         "Mask image (PNG) that covers the flattened surface: only bright areas are engraved")
       ->type_name("MASK.png");
   app.add_option("--anchor", options.texture.anchor,
                  "Point on the surface where the texture's origin is placed, in mm")

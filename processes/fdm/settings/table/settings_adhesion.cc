@@ -35,7 +35,7 @@ std::vector<SettingSpec> Skirt() {
        .min = 0,
        .max = limits::kMaxLayers,
        .standard = "1",
-       .doc = "Number of layers, counted from the first one, that have a skirt",
+       .doc = "Number of layers, counted from the bed, that have a skirt",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::height_layers>(),
        .orca = {{"skirt_height"}},
        .needs = {&needs::kSkirt}},
@@ -144,8 +144,8 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 100,
        .standard = "1",
-       .doc = "Largest deviation of the simplified outline in which sharp corners are searched for "
-              "brim ears. Larger: small corners are ignored and get no ear",
+       .doc = "Size of details of an outline that are ignored when corners for brim ears are "
+              "searched; larger: fewer ears",
        .field = Bind<&ObjectRow::brim, &BrimOptions::ear_detection_nm>(),
        .orca = {{"brim_ears_detection_length"}},
        .needs = {&needs::kBrimEars}},

@@ -148,7 +148,8 @@ std::vector<SettingSpec> Cooling() {
                 Bind<&ToolRow::cooling, &CoolingOptions::keep_outer_walls>())),
       Orca({"close_fan_the_first_x_layers"},
            whole("disable_fan_first_layers", "layers", 1000, "3",
-                 "Number of first layers that are printed with the fan off",
+                 "Number of layers, counted from the bed, that are printed with the fan off; 0: no "
+                 "layers",
                  Bind<&ToolRow::cooling, &CoolingOptions::disable_fan_first_layers>())),
       Orca({"full_fan_speed_layer"},
            whole("full_fan_speed_layer", "layers", 100'000, "0",
@@ -183,7 +184,8 @@ std::vector<SettingSpec> Cooling() {
            Needing({&needs::kCooling},
                    whole("slowdown_below_layer_time", "s", 1000, "5",
                          "Shortest time that a layer may take; lines of shorter layers are slowed "
-                         "down until the layer takes this time or they reach min_print_speed",
+                         "down until the layer takes this time or the lines reach min_print_speed. "
+                         "0: no lines are slowed down",
                          Bind<&ToolRow::cooling, &CoolingOptions::slowdown_below_layer_time_s>()))),
       PerExtruder(
           {.key = "cooling_slowdown_logic",
@@ -195,16 +197,16 @@ std::vector<SettingSpec> Cooling() {
                   "too short, so that the surface looks even",
            .choices = {{"uniform_cooling", 0}, {"consistent_surface", 1}},
            .field = Bind<&ToolRow::cooling, &CoolingOptions::consistent_surface>()}),
-      PerExtruder({.key = "cooling_perimeter_transition_distance",
-                   .unit = "mm",
-                   .min = 0,
-                   .max = 1000,
-                   .standard = "0",
-                   .doc = "Length of the path before an outer wall that is slowed down together "
-                          "with the wall, so that the flow has become steady where the wall "
-                          "begins. 0: only the walls themselves",
-                   .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>(),
-                   .needs = {&needs::kConsistentSurface}}),
+      PerExtruder(
+          {.key = "cooling_perimeter_transition_distance",
+           .unit = "mm",
+           .min = 0,
+           .max = 1000,
+           .standard = "0",
+           .doc = "Length of the path before an outer wall that is slowed down together with the "
+                  "wall, so that the flow is steady where the wall begins. 0: only the walls",
+           .field = Bind<&ToolRow::cooling, &CoolingOptions::transition_mm>(),
+           .needs = {&needs::kConsistentSurface}}),
       PerExtruder({.key = "min_print_speed",
                    .unit = "mm/s",
                    .min = 0,

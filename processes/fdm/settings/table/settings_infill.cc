@@ -204,7 +204,7 @@ std::vector<SettingSpec> InfillSettings() {
        .needs = {&needs::kAutoPattern}},
       Orca({"internal_solid_infill_pattern", OrcaValue::kChoice},
            SolidFill("solid_fill_pattern", "rectilinear",
-                     "Pattern of solid infill inside the part, which is not visible",
+                     "Pattern of solid infill that is not visible, inside the part",
                      Bind<&RegionRow::infill, &InfillOptions::solid_pattern>())),
       Orca({"top_surface_pattern", OrcaValue::kChoice},
            SolidFill("top_fill_pattern", "monotonic", "Pattern of top surfaces",

@@ -68,12 +68,12 @@ std::vector<SettingSpec> WholeMachineLimits() {
                     "uses classic jerk",
                     Bind<&MachineRow::motion, &MachineMotion::limits,
                          &MachineLimits::junction_deviation_mm>()))),
-      Needing({&needs::kKlipper},
-              Limit("square_corner_velocity", "mm/s", 0, 1000, "5",
-                    "Speed at which the printer passes a corner of 90 degrees (Klipper's "
-                    "square_corner_velocity); larger: faster through corners",
-                    Bind<&MachineRow::motion, &MachineMotion::limits,
-                         &MachineLimits::square_corner_velocity_mm_s>())),
+      Needing({&needs::kKlipper}, Limit("square_corner_velocity", "mm/s", 0, 1000, "5",
+                                        "Speed at which the printer passes a corner of 90 degrees "
+                                        "(Klipper's square_corner_velocity), used as "
+                                        "machine_limits_usage says; larger: faster through corners",
+                                        Bind<&MachineRow::motion, &MachineMotion::limits,
+                                             &MachineLimits::square_corner_velocity_mm_s>())),
       Needing({&needs::kKlipper}, Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
                                         "Smallest share of a short move that runs at constant "
                                         "speed (Klipper's minimum_cruise_ratio); larger: lower top "
@@ -179,7 +179,7 @@ std::vector<SettingSpec> Machine() {
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Add the heating commands that start_gcode lacks (M104, M109, M140, M190, M141, "
-              "M191); 0: only start_gcode heats",
+              "M191); 0: no heating commands are added at the start",
        .field = Bind<&MachineRow::motion, &MachineMotion::emit_temperatures>()},
       {.key = "z_offset",
        .unit = "mm",
@@ -359,7 +359,7 @@ std::vector<SettingSpec> Sequence() {
        .max = 1000,
        .standard = "20",
        .doc = "Radius around the nozzle that the print head needs; with complete_objects, copies "
-              "are at least this far apart",
+              "are at least this distance apart",
        .field = Bind<&MachineRow::plan, &JobPlanOptions::sequence,
                      &SequencePlanOptions::clearance_radius_nm>(),
        .orca = {{"extruder_clearance_radius"}, {"extruder_clearance_max_radius"}},

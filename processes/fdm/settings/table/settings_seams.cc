@@ -142,7 +142,7 @@ std::vector<SettingSpec> SeamSettings() {
                   .standard = "0",
                   .doc =
                       "Gap between the end and the beginning of a loop, so that no blob forms "
-                      "there; loops with a scarf have no gap",
+                      "there; loops with a scarf have no gap. 0: no gap",
                   .relative_to = "nozzle_diameter",
                   .field = Bind<&MachineRow::motion, &MachineMotion::seam_gap_mm>(),
                   .orca = {{"seam_gap"}}};

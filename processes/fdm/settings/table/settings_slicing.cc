@@ -11,7 +11,7 @@ std::vector<SettingSpec> SlicingSettings() {
        .max = 5,
        .standard = "0",
        .doc = "Distance by which the outline of the first layer moves inwards, because the weight "
-              "of the part spreads this layer",
+              "of the part spreads this layer; 0: not moved",
        .field = Bind<&ObjectSlicingOptions::elephant_foot_nm>(),
        .orca = {{"elefant_foot_compensation"}}},
       {.key = "elefant_foot_compensation_layers",

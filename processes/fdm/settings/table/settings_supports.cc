@@ -19,9 +19,8 @@ std::vector<SettingSpec> Where() {
       {.key = "support_material_auto",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc =
-           "Support all overhangs that support_material_threshold selects; 0: only overhangs "
-           "inside painted support enforcers and in the layers of support_material_enforce_layers",
+       .doc = "Support all overhangs that support_material_threshold selects; 0: only overhangs "
+              "inside support enforcers and in the layers of support_material_enforce_layers",
        .field = Bind<&ObjectRow::support, &SupportOptions::automatic>(),
        .orca = {{"support_type", OrcaValue::kChoice}},
        .needs = {&needs::kSupports}},
@@ -71,8 +70,8 @@ std::vector<SettingSpec> Where() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Support only islands that start in the air, overhangs that reach more than 3 mm "
-              "beyond the layer below, and painted support enforcers. 0: all overhangs that "
-              "support_material_threshold selects",
+              "beyond the layer below, and overhangs inside support enforcers. 0: all overhangs "
+              "that support_material_threshold selects",
        .field = Bind<&ObjectRow::support, &SupportOptions::critical_only>(),
        .needs = {&needs::kSupports}},
       {.key = "support_material_expansion",
@@ -92,7 +91,7 @@ std::vector<SettingSpec> Where() {
        .max = kMostLayers,
        .standard = "0",
        .doc = "Number of layers, counted from the bed, in which all overhangs are supported, "
-              "regardless of support_material_threshold",
+              "regardless of support_material_threshold; 0: no layers",
        .field = Bind<&ObjectRow::support, &SupportOptions::enforced_layers>(),
        .orca = {{"enforce_support_layers"}},
        .needs = {&needs::kSupports}},
@@ -334,8 +333,8 @@ std::vector<SettingSpec> Trees() {
        .min = 5,
        .max = 100,
        .standard = "15%",
-       .doc = "Share of the overhang's area that branch tips touch; larger: more tips. 15%: tips "
-              "at support_tree_branch_distance",
+       .doc = "Share of the overhang's area that branch tips touch; larger: more tips. 15% and "
+              "less: tips at support_tree_branch_distance",
        .field = Bind<Scale::kPercent, &ObjectRow::support, &SupportOptions::tree,
                      &TreeOptions::top_rate>(),
        .orca = {{"tree_support_top_rate", OrcaValue::kPercent}},

@@ -64,11 +64,10 @@ std::vector<SettingSpec> Retraction() {
                 "Height by which the nozzle is lifted for a travel (Z hop); 0: no lift",
                 Bind<&ToolRow::retraction, &RetractionOptions::lift_mm>(),
                 {&needs::kRetractLength, &needs::kStraightLift});
-  AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
-                "Height above the bed from which the nozzle is lifted for travels; below this "
-                "height it is not lifted",
-                Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>(),
-                {&needs::kAnyLift});
+  AddRetraction(
+      settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
+      "Height above the bed from which the nozzle is lifted for travels; 0: at all heights",
+      Bind<&ToolRow::retraction, &RetractionOptions::lift_above_mm>(), {&needs::kAnyLift});
   AddRetraction(
       settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
       "Height above the bed up to which the nozzle is lifted for travels; 0: no upper limit",
@@ -98,7 +97,7 @@ std::vector<SettingSpec> Retraction() {
                 "filament_travel_ramping_lift");
   AddRetraction(settings, "travel_max_lift", "filament_travel_max_lift", "mm", 1000, "0",
                 "Largest height by which the nozzle rises along a travel with travel_ramping_lift; "
-                "short travels rise less, because travel_slope limits them",
+                "short travels rise less, because travel_slope limits the rise. 0: no lift",
                 Bind<&ToolRow::retraction, &RetractionOptions::ramp_lift_mm>(),
                 {&needs::kRampingLift});
   AddRetraction(settings, "travel_slope", "filament_travel_slope", "degrees", 90, "0",
@@ -145,7 +144,7 @@ std::vector<SettingSpec> Retraction() {
        .max = 100,
        .standard = "0%",
        .doc = "Share of retract_length that is retracted before the move of `wipe` begins; the "
-              "rest is retracted during this move",
+              "rest is retracted during this move. 0%: all of it",
        .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::before_wipe>(),
        .orca = {{"retract_before_wipe"}},
        .needs = {&needs::kWipe}},
@@ -239,15 +238,15 @@ std::vector<SettingSpec> Travels() {
       {.key = "wipe_on_loops",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Move inwards at the end of each outer wall, as far as the edge of its line, before "
-              "the travel begins, so that the seam is less visible; not on loops with a scarf",
+       .doc = "Move inwards to the edge of the line at the end of each outer wall, before the "
+              "travel, so that the seam is less visible; not on loops with a scarf",
        .field = Bind<&RegionRow::motion, &RegionMotion::wipe_on_loops>(),
        .orca = {{"wipe_on_loops"}}},
       {.key = "wipe_before_external_loop",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "End travels to outer walls at the inner edge of the line, so that filament that is "
-              "pushed forward after the retraction does not thicken the start of the wall",
+       .doc = "End travels to outer walls at the inner edge of the line. The filament that is "
+              "pushed forward after the retraction then does not thicken the start of the wall",
        .field = Bind<&RegionRow::motion, &RegionMotion::wipe_before_outer>(),
        .orca = {{"wipe_before_external_loop"}}},
       {.key = "avoid_crossing_curled_overhangs",

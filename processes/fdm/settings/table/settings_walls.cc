@@ -61,7 +61,8 @@ std::vector<SettingSpec> VariableWalls() {
        .kind = Kind::kFlag,
        .standard = "1",
        .doc = "Print features thinner than two walls as a single line, with perimeter_generator = "
-              "classic; arachne always does this. 0: such features are not printed",
+              "classic; arachne always does this. 0: such features get a loop that overlaps "
+              "itself, if a wall fits",
        .field = Bind<&RegionRow::walls, &BeadingOptions::thin_walls>(),
        .orca = {{"detect_thin_wall"}}},
       Orca({"wall_transition_length", OrcaValue::kPercent},
@@ -81,7 +82,7 @@ std::vector<SettingSpec> VariableWalls() {
        .orca = {{"wall_transition_angle"}}},
       Orca({"wall_transition_filter_deviation", OrcaValue::kPercent},
            OfNozzle("wall_transition_filter_deviation", "25%",
-                    "Distance by which extrusion widths may exceed min_bead_width and "
+                    "Distance by which extrusion widths may be below min_bead_width or above "
                     "max_bead_width so that the number of walls changes less often",
                     Bind<&RegionRow::walls, &BeadingOptions::transition_deviation_nm>())),
       {.key = "wall_distribution_count",
@@ -334,7 +335,8 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Length of the shortest line of gap fill; shorter gaps remain empty",
+       .doc = "Length of the shortest line of gap fill; shorter gaps remain empty. 0: gaps of any "
+              "length are filled",
        .field = Bind<&RegionRow::walls, &BeadingOptions::min_gap_length_nm>(),
        .orca = {{"filter_out_gap_fill"}}},
       {.key = "gap_fill_min_width",

@@ -32,7 +32,8 @@ std::vector<SettingSpec> WritingWords() {
                     &WritingOptions::firmware_retraction>())),
       Orca({"gcode_comments"},
            WritingFlag(
-               "gcode_comments", "0", "Add a comment with its purpose to each move",
+               "gcode_comments", "0",
+               "Add a comment to each move that names the purpose of the move",
                Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::comments>())),
       WritingFlag("binary_gcode", "0", "Write binary G-code (.bgcode), which Prusa printers read",
                   Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::binary>()),

@@ -70,10 +70,10 @@ void AddHow(CLI::App& app, LoadFlags* flags) {
                      "Rate of an open loop, in requests per second; several rates: one run each")
           ->delimiter(',')
           ->check(CLI::Range(0.001, 1e6));
-  auto* closed =
-      app.add_option("--closed", flags->closed,
-                     "Number of requests in flight of a closed loop, each followed by another")
-          ->check(CLI::Range(1, 100'000));
+  auto* closed = app.add_option("--closed", flags->closed,
+                                "Closed loop: number of requests at the same time; the next "
+                                "request starts when one of them has ended")
+                     ->check(CLI::Range(1, 100'000));
   rate->excludes(closed);
   app.add_option("--seconds", flags->seconds, "Duration of each run, in seconds")
       ->check(CLI::Range(0.1, kMaxSeconds))
