@@ -263,7 +263,8 @@ absl::Status CheckUnity(const MaterialField& field) {
     double sum = 0;
     for (const DensityField& part : field.parts) sum += ValuesOf(part)[i];
     if (std::abs(sum - 1) > kUnityTolerance)
-      return Wrong(fmt::format("the parts' values number {} sum to {:.6g}: it must be 1", i, sum));
+      return Wrong(fmt::format("the values number {} of all parts sum to {:.6g}: the sum must be 1",
+                               i, sum));
   }
   return absl::OkStatus();
 }

@@ -433,8 +433,8 @@ std::vector<SettingSpec> Plate() {
       spec.also = Bind<&MachineRow::motion, &MachineMotion::max_print_height_nm>();
     if (spec.key == "duplicate_distance")
       spec.doc =
-          "Distance between copies that are arranged automatically; with complete_objects, "
-          "extruder_clearance_radius if that is larger";
+          "Distance between copies that are arranged automatically; with complete_objects, the "
+          "larger value of duplicate_distance and extruder_clearance_radius";
   }
   return settings;
 }
