@@ -33,7 +33,9 @@ namespace {
 TraceContext TraceOf(const SubmitOptions& options) {
   const auto trace = ParseTraceparent(options.traceparent);
   if (!trace && !options.traceparent.empty()) {
-    Warn({fmt::format("'{}' is no W3C trace context: the job gets its own", options.traceparent)});
+    Warn({fmt::format(
+        "'{}' is not a W3C trace context (--traceparent): the job gets a trace of its own",
+        options.traceparent)});
   }
   return trace.value_or(TraceContext());
 }
@@ -217,7 +219,7 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
   JobsClient client(ClientOptions(options.server, nullptr));
   const auto job = client.CancelJob(id);
   if (!job.ok()) {
-    fmt::print(stderr, "job {} may continue: it could not be cancelled\n", id);
+    fmt::print(stderr, "job {} could not be cancelled and may continue\n", id);
     Fail(job.status());
     return ExitCode::kCancelled;
   }
@@ -236,7 +238,7 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
 void CancelAfterError(const SubmitOptions& options, const std::string& id) {
   JobsClient client(ClientOptions(options.server, nullptr));
   if (const auto job = client.CancelJob(id); !job.ok()) {
-    fmt::print(stderr, "job {} may continue: it could not be cancelled\n", id);
+    fmt::print(stderr, "job {} could not be cancelled and may continue\n", id);
     Fail(job.status());
   }
 }
