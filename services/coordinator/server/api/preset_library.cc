@@ -82,6 +82,7 @@ std::shared_ptr<const LoadedPresets> PresetLibrary::Find(const std::string& tena
       kept_, [&](const Kept& each) { return each.tenant == tenant && each.bundles == bundles; });
   if (found == kept_.end()) return nullptr;
   kept_.splice(kept_.begin(), kept_, found);
+  ++found_;
   return kept_.front().presets;
 }
 
@@ -112,6 +113,7 @@ absl::StatusOr<std::shared_ptr<const LoadedPresets>> PresetLibrary::Load(
   if (auto found = Find(tenant, *bundles)) return found;
   const std::lock_guard reading(reading_);
   if (auto found = Find(tenant, *bundles)) return found;  // another call has read them
+  ++loaded_;
   auto set = ReadAll(tenant, *bundles);
   if (!set.ok()) return set.status();
   auto loaded = std::make_shared<const LoadedPresets>(*std::move(set), *bundles);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <list>
 #include <map>
 #include <memory>
@@ -65,6 +67,11 @@ class PresetLibrary {
   /// config::presets::ReadPresets.
   absl::StatusOr<config::presets::PresetSet> Read(const v1::PresetBundle& bundle);
 
+  /// Number of calls of Load that found their presets in memory.
+  int64_t found() const { return found_; }
+  /// Number of calls of Load that read their presets from the store.
+  int64_t loaded() const { return loaded_; }
+
   /// Drops the presets of a tenant from memory, because it has deleted some.
   void Forget(const std::string& tenant);
 
@@ -84,7 +91,8 @@ class PresetLibrary {
                                                      const std::vector<std::string>& bundles);
 
   ProfileStore& bundles_;
-  std::mutex reading_;    ///< held while presets are read, which takes memory and up to a second
+  std::mutex reading_;  ///< held while presets are read, which takes memory and up to a second
+  std::atomic<int64_t> found_ = 0, loaded_ = 0;
   std::mutex mutex_;      ///< protects kept_
   std::list<Kept> kept_;  ///< the last used set first
 };

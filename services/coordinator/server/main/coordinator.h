@@ -104,6 +104,8 @@ class Coordinator {
   const std::function<absl::StatusOr<DatabaseFill>()>& database_fill() const {
     return stores_.fill;
   }
+  /// Returns the presets of jobs.
+  const PresetLibrary& presets() const { return presets_; }
   /// Returns false if the shared database has not answered for seconds, so that calls fail.
   bool store_answers() const { return !stores_.answers || stores_.answers(); }
 

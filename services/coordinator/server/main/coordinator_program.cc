@@ -175,10 +175,17 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                         {{"error", std::string(coordinator.status().message())}});
     return 1;
   }
-  program.metrics().Show(std::make_shared<CoordinatorMetrics>(
-      CoordinatorMetrics::Sources{(*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir,
-                                  (*coordinator)->database_fill(), flags.max_database_gib << 30,
-                                  flags.maintenance().sweep.keep_jobs_s}));
+  CoordinatorMetrics::Sources sources = {(*coordinator)->jobs(),
+                                         dispatcher,
+                                         fleet,
+                                         flags.stores.state_dir,
+                                         (*coordinator)->database_fill(),
+                                         flags.max_database_gib << 30,
+                                         flags.maintenance().sweep.keep_jobs_s};
+  sources.preset_uses = [&presets = (*coordinator)->presets()] {
+    return CoordinatorMetrics::PresetUses{presets.found(), presets.loaded()};
+  };
+  program.metrics().Show(std::make_shared<CoordinatorMetrics>(std::move(sources)));
   const StatusBoard board(
       {.name = flags.runner.owner,
        .store = StoreName(flags),

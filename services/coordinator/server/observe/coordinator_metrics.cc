@@ -79,6 +79,17 @@ MetricFamily Waiting(const DispatchCounts& counts) {
                static_cast<double>(counts.waiting));
 }
 
+MetricFamily Presets(const CoordinatorMetrics::PresetUses& uses) {
+  MetricFamily family{"slicefarm_preset_sets_total",
+                      "Uses of sets of presets by jobs and calls, by where the sets were",
+                      MetricType::Counter,
+                      {}};
+  for (const auto& [from, count] :
+       {std::pair{"memory", uses.from_memory}, {"store", uses.from_store}})
+    family.metric.push_back(Value(MetricType::Counter, static_cast<double>(count), "from", from));
+  return family;
+}
+
 void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
   int slots = 0;
   int busy = 0;
@@ -196,6 +207,7 @@ std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   families.push_back(Waiting(ranges));
   AddFleet(sources_.fleet, families);
   AddDisk(sources_.state_dir, families);
+  if (sources_.preset_uses) families.push_back(Presets(sources_.preset_uses()));
   return families;
 }
 

@@ -4,6 +4,7 @@
 #include <prometheus/metric_family.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -35,11 +36,18 @@ namespace slicefarm::coordinator {
 ///   slicefarm_database_bytes                size of the shared database;
 ///   slicefarm_database_max_bytes            limit of this size, if there is one;
 ///   slicefarm_database_connections, slicefarm_database_max_connections   of the server;
+///   slicefarm_preset_sets_total{from}       uses of presets, by memory and store;
 ///   slicefarm_retention_overdue             1: a job exists a day after it should have gone.
 /// Coordinators that share a store all report the values of the store: use the maximum over them,
 /// not the sum.
 class CoordinatorMetrics : public prometheus::Collectable {
  public:
+  /// Uses of the sets of presets that jobs and calls name.
+  struct PresetUses {
+    int64_t from_memory = 0;
+    int64_t from_store = 0;  ///< uses for which the set was read, which may take a second
+  };
+
   /// Sources of the metrics.
   struct Sources {
     JobStore& jobs;
@@ -50,7 +58,8 @@ class CoordinatorMetrics : public prometheus::Collectable {
         nullptr;                     ///< measures the shared database; null if there is none
     int64_t max_database_bytes = 0;  ///< largest size of the shared database; 0: no limit
     double keep_jobs_s = 0;          ///< storage time of ended jobs; 0: forever
-    std::chrono::milliseconds patience{1000};  ///< longest wait for the store
+    std::chrono::milliseconds patience{1000};           ///< longest wait for the store
+    std::function<PresetUses()> preset_uses = nullptr;  ///< null if there are no presets
   };
 
   /// Facts that were read from the store.

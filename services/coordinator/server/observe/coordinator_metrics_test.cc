@@ -166,6 +166,19 @@ TEST_F(CoordinatorMetricsTest, TellsOfJobsThatShouldHaveGone) {
   EXPECT_EQ(Value("slicefarm_retention_overdue"), std::nullopt) << "jobs are kept for ever";
 }
 
+TEST_F(CoordinatorMetricsTest, ShowsWherePresetsWere) {
+  const CoordinatorMetrics with_presets(
+      {*jobs_, dispatcher_, fleet_, "", nullptr, 0, 0, kPatience, [] {
+         return CoordinatorMetrics::PresetUses{7, 2};
+       }});
+  const auto uses = [&](const std::string& from) {
+    return MetricValue(with_presets.Collect(), "slicefarm_preset_sets_total", {{"from", from}});
+  };
+  EXPECT_EQ(uses("memory"), 7);
+  EXPECT_EQ(uses("store"), 2);
+  EXPECT_EQ(Value("slicefarm_preset_sets_total", {{"from", "store"}}), std::nullopt);
+}
+
 TEST_F(CoordinatorMetricsTest, ShowsTheDiskOfAStateDirectoryOnly) {
   EXPECT_GT(Value("slicefarm_disk_size_bytes"), 0);
   EXPECT_GT(Value("slicefarm_disk_free_bytes"), 0);
