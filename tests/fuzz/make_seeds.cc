@@ -1,8 +1,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,7 +8,6 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/base/sha256.h"
 #include "common/config/plate.h"
 #include "common/model/options/beading_options.h"
 #include "common/model/options/cutter_text.h"
@@ -46,6 +43,7 @@
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/texture/algo/local_texture_stage.h"
 #include "tests/fuzz/calls.pb.h"
+#include "tests/fuzz/seeds.h"
 
 // Writes seeds for the fuzzers of calls: the calls of a small job, as its stages receive them.
 //
@@ -53,18 +51,6 @@
 
 namespace slicefarm::fuzz {
 namespace {
-
-/// A box of 6 x 6 x 4 mm.
-constexpr std::string_view kBox =
-    "v 0 0 0\nv 6 0 0\nv 6 6 0\nv 0 6 0\nv 0 0 4\nv 6 0 4\nv 6 6 4\nv 0 6 4\n"
-    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-
-constexpr std::pair<const char*, const char*> kSettings[] = {
-    {"layer_height", "1"},         {"first_layer_height", "1"},
-    {"nozzle_diameter", "2"},      {"perimeters", "1"},
-    {"top_solid_layers", "1"},     {"bottom_solid_layers", "1"},
-    {"fill_density", "20%"},       {"extrusion_width", "1.2"},
-    {"start_gcode", "G28 ; home"}, {"layer_gcode", ";[layer_num]"}};
 
 /// Returns the value, or aborts if there is an error.
 template <typename T>
@@ -77,120 +63,10 @@ void Must(const absl::Status& status) {
   if (!status.ok()) Must<int>(status);
 }
 
-class Seeds {
- public:
-  explicit Seeds(std::string folder) : folder_(std::move(folder)) {}
-
-  void Write(const std::string& target, const std::string& name,
-             const google::protobuf::Message& message) const {
-    const std::filesystem::path path = std::filesystem::path(folder_) / target;
-    std::filesystem::create_directories(path);
-    std::ofstream(path / name, std::ios::binary) << message.SerializeAsString();
-  }
-
- private:
-  const std::string folder_;
-};
-
 /// Seeds have no build id, because the fuzzers fill in their own.
 template <typename Start>
 void Anonymous(Start* start) {
   start->mutable_call()->clear_build_id();
-}
-
-/// Returns an object as in a project: a body and a modifier, a range of heights, two copies.
-SceneObject OfParts() {
-  SceneObject object = ObjectOfFile("body", 0, {}, 2);
-  object.parts.push_back(object.parts[0]);
-  object.parts[1].mesh = {0, 0, 2, 4};
-  object.parts[1].role = PartRole::kModifier;
-  object.parts[1].to_object(2, 3) = 0.5;
-  object.parts[1].settings = {{"fill_density", "40%", Source::kProfile}};
-  object.ranges = {{0.5, 1, {{"layer_height", "0.1", Source::kProfile}}}};
-  object.instances[1].placed = true;
-  return object;
-}
-
-v1::JobSpec Spec() {
-  v1::JobSpec spec;
-  v1::Object& object = *spec.add_objects();
-  object.set_mesh_sha256(Sha256Hex(kBox));
-  object.set_name("box.obj");
-  object.set_format(v1::MESH_FORMAT_OBJ);
-  const StoredMesh mesh = {Sha256Hex(kBox), "box.obj", MeshFormat::kObj};
-  ToProto(OfParts(), std::span(&mesh, 1), spec.add_objects());
-  *spec.add_project_settings() = ToProto(Setting{"perimeters", "3", Source::kProfile});
-  spec.add_without_effect("painted seams");
-  spec.set_generic(true);
-  spec.add_allow("several_tools");
-  spec.add_notes()->set_text("painted fuzzy skin of `a`: without effect");
-  for (const auto& [key, value] : kSettings) {
-    v1::Setting& setting = *spec.add_settings();
-    setting.set_key(key);
-    setting.set_value(value);
-  }
-  return spec;
-}
-
-CoordinatorCalls UploadAndCreate() {
-  CoordinatorCalls calls;
-  v1::UploadMeshRequest& chunk = *calls.add_calls()->mutable_upload()->add_requests();
-  chunk.set_sha256(Sha256Hex(kBox));
-  chunk.set_size(std::ssize(kBox));
-  chunk.set_data(std::string(kBox));
-  v1::CreateJobRequest& create = *calls.add_calls()->mutable_create_job();
-  create.set_request_id("8c5ee5a2-6ba7-4f0b-9f9f-6b6b7a3a7a3a");
-  *create.mutable_spec() = Spec();
-  (*create.mutable_labels())["order"] = "17";
-  create.set_priority(v1::JOB_PRIORITY_INTERACTIVE);
-  create.mutable_deadline()->set_seconds(4'000'000'000);
-  return calls;
-}
-
-void WriteCoordinatorSeeds(const Seeds& seeds) {
-  CoordinatorCalls calls = UploadAndCreate();
-  seeds.Write("coordinator", "create", calls);
-  CoordinatorCalls check = UploadAndCreate();
-  check.mutable_calls(1)->mutable_create_job()->set_validate_only(true);
-  seeds.Write("coordinator", "check", check);
-  CoordinatorCalls batch = UploadAndCreate();
-  v1::BatchCreateJobsRequest requests;
-  *requests.add_requests() = batch.calls(1).create_job();
-  *requests.add_requests() = batch.calls(1).create_job();
-  requests.mutable_requests(1)->mutable_spec()->set_mode(v1::JOB_MODE_QUOTE);
-  *batch.add_calls()->mutable_batch_create_jobs() = requests;
-  seeds.Write("coordinator", "batch", batch);
-
-  CoordinatorCalls plates = UploadAndCreate();
-  *plates.mutable_calls(1)->mutable_create_plates()->add_requests() = batch.calls(1).create_job();
-  plates.mutable_calls(1)->mutable_create_plates()->mutable_requests(0)->clear_request_id();
-  seeds.Write("coordinator", "plates", plates);
-  v1::ListJobsRequest& list = *calls.add_calls()->mutable_list_jobs();
-  list.set_page_size(2);
-  list.set_page_token("7");
-  list.add_states(v1::JOB_STATE_QUEUED);
-  (*list.mutable_labels())["order"] = "17";
-  list.mutable_created_from()->set_seconds(1'000'000'000);
-  list.mutable_created_before()->set_seconds(4'000'000'000);
-  calls.add_calls()->mutable_get_upload()->set_sha256(Sha256Hex(kBox));
-  seeds.Write("coordinator", "list", calls);
-  CoordinatorCalls unknown;
-  unknown.add_calls()->mutable_get_job()->set_id("0123");
-  unknown.add_calls()->mutable_watch_job()->set_id("0123");
-  unknown.add_calls()->mutable_cancel_job()->set_id("0123");
-  unknown.add_calls()->mutable_delete_job()->set_id("0123");
-  unknown.add_calls()->mutable_download()->set_artifact(v1::ARTIFACT_GCODE);
-  seeds.Write("coordinator", "unknown", unknown);
-  CoordinatorCalls profiles = UploadAndCreate();
-  v1::PutProfileRequest& put = *profiles.add_calls()->mutable_put_profile();
-  put.set_name("pla");
-  *put.mutable_settings() = Spec().settings();
-  profiles.add_calls()->mutable_get_profile()->set_name("pla");
-  profiles.add_calls()->mutable_list_profiles()->set_page_size(3);
-  v1::CreateJobRequest& create = *profiles.add_calls()->mutable_create_job();
-  *create.mutable_spec()->mutable_objects() = Spec().objects();
-  create.mutable_spec()->add_profiles("pla@1");
-  seeds.Write("coordinator", "profiles", profiles);
 }
 
 /// A job in all intermediate states.
