@@ -211,7 +211,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Flavor",
              {"time", "@out.gcode", "--flavor", "marlni"},
              kUsage,
-             {"--flavor marlni", "marlin"}}),
+             {"--flavor marlni", "marlin"}},
+        Case{"NoFlavor", {"time", "@cube.obj"}, kUsage, {"gcode_flavor", "--flavor klipper"}}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(

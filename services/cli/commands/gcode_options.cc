@@ -9,6 +9,7 @@
 #include "common/model/limits.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/files.h"
+#include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -31,9 +32,9 @@ void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
       ->required();
   app.add_option("--flavor", options.flavor,
                  fmt::format("Firmware of the machine: {}. rrf: RepRapFirmware. jerk: no firmware, "
-                             "but slicefarm's own motion planner",
+                             "but slicefarm's own motion planner. Default: the gcode_flavor of the "
+                             "settings in the G-code file",
                              kFlavors))
-      ->required()
       ->type_name("NAME");
   app.add_option(
          "-c,--config", options.config,
@@ -49,13 +50,17 @@ absl::Status UnknownFlavor(std::string_view flavor) {
 
 absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options) {
   GcodeFile file;
-  file.firmware = motion::FindFirmware(options.flavor);
-  if (file.firmware == nullptr) {
-    return UnknownFlavor(options.flavor);
+  if (!options.flavor.empty()) {
+    file.firmware = motion::FindFirmware(options.flavor);
+    if (file.firmware == nullptr) return UnknownFlavor(options.flavor);
   }
   auto gcode = ReadText(options.gcode, kMaxGcodeBytes, options.plate);
   if (!gcode.ok()) return gcode.status();
   file.gcode = *std::move(gcode);
+  if (file.firmware == nullptr) file.firmware = FirmwareNamedIn(file.gcode);
+  if (file.firmware == nullptr)
+    return Malformed(fmt::format("{} does not name its firmware (gcode_flavor): add --flavor {}",
+                                 options.gcode, kFlavors));
   auto machine = ReadMachine(options.config, file.gcode);
   if (!machine.ok()) return machine.status();
   file.machine = *std::move(machine);

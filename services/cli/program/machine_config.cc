@@ -49,12 +49,29 @@ bool QuotesSettings(std::string_view gcode) {
          gcode.find("\n; machine_max_acceleration_x = ") != gcode.npos;
 }
 
+/// Reads settings in the names of PrusaSlicer.
+absl::StatusOr<std::vector<config::Setting>> ReadSettings(std::string_view text) {
+  auto given = config::ReadIni(text);
+  if (given.ok() && Has(*given, "printable_area")) return config::FromOrca(*given, nullptr);
+  return given;
+}
+
 }  // namespace
 
+const motion::Firmware* FirmwareNamedIn(std::string_view gcode) {
+  if (!QuotesSettings(gcode)) return nullptr;
+  auto given = ReadSettings(gcode);
+  if (!given.ok()) return nullptr;
+  std::erase_if(*given, [](const config::Setting& s) { return s.key != "gcode_flavor"; });
+  if (given->empty()) return nullptr;
+  const auto resolved = config::Resolve(*given, Process::kFdm);
+  if (!resolved.ok()) return nullptr;
+  return &motion::FirmwareOf(MotionOf(FdmOf(resolved->settings)).flavor);
+}
+
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
-  auto given = config::ReadIni(text);
+  auto given = ReadSettings(text);
   if (!given.ok()) return given.status();
-  if (Has(*given, "printable_area")) *given = config::FromOrca(*given, nullptr);
   std::erase_if(*given, [](const config::Setting& s) { return !IsOfMachine(s.key); });
   // No layers are made with this height, but the default height would be refused for fine nozzles.
   given->push_back({"layer_height", std::string(kFinestLayer)});

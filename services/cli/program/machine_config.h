@@ -19,6 +19,10 @@ struct MachineConfig {
 /// Errors: see ReadIni and Resolve.
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text);
 
+/// Returns the firmware that the settings in a G-code file name (gcode_flavor); nullptr if they
+/// name none.
+const motion::Firmware* FirmwareNamedIn(std::string_view gcode);
+
 /// Returns the machine of a G-code file. `config_file`: the file of --config, which is a Klipper
 /// printer.cfg if it has a section [printer], and a settings file otherwise. If `config_file` is
 /// empty, uses the settings in the G-code. If the G-code has no readable settings, uses

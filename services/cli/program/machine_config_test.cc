@@ -62,5 +62,22 @@ TEST(ReadMachine, ByFileByTheGcodeByDefault) {
             Reason::kRequestMalformed);
 }
 
+TEST(FirmwareNamedIn, IsTheOneOfTheQuotedSettings) {
+  const std::pair<const char*, std::string_view> cases[] = {
+      {"G1 X1\n; prusaslicer_config = begin\n; gcode_flavor = klipper\n", "klipper"},
+      {"G1 X1\n; prusaslicer_config = begin\n; gcode_flavor = marlin2\n", "marlin"},
+      {"G1 X1\n; gcode_flavor = marlin\n; machine_max_acceleration_x = 9000\n"
+       "; printable_area = 0x0,256x0,256x256,0x256\n; printer_model = Bambu Lab A1\n",
+       "bambu"}};
+  for (const auto& [gcode, name] : cases) {
+    const motion::Firmware* firmware = FirmwareNamedIn(gcode);
+    ASSERT_NE(firmware, nullptr) << gcode;
+    EXPECT_EQ(firmware, motion::FindFirmware(name)) << gcode;
+  }
+  for (const char* gcode : {"", "G1 X1\n", "; gcode_flavor = klipper\nG1 X1\n",
+                            "\n; prusaslicer_config = begin\n; gcode_flavor = dancing\n"})
+    EXPECT_EQ(FirmwareNamedIn(gcode), nullptr) << gcode;
+}
+
 }  // namespace
 }  // namespace slicefarm::cli::machine_config_test
