@@ -31,16 +31,20 @@ std::string ShownNames(const std::vector<const Preset*>& presets) {
 }
 
 absl::Status UnknownName(PresetKind kind, std::string_view name,
-                         const std::vector<std::string_view>& known, std::string_view where) {
+                         const std::vector<std::string_view>& known, std::string_view printer) {
   const std::string nearest = Nearest(name, known);
   std::map<std::string, std::string> metadata = {{"preset", std::string(name)},
                                                  {"kind", std::string(KindName(kind))}};
   if (!nearest.empty()) metadata["suggestion"] = nearest;
-  return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
-                   fmt::format("there is no {} preset {}{}{}", KindName(kind), Shown(name), where,
-                               nearest.empty() ? "; `slicefarm presets list` shows the names"
-                                               : fmt::format("; do you mean {}?", Shown(nearest))),
-                   std::move(metadata));
+  const bool any = printer.empty();
+  const std::string list = fmt::format("; `slicefarm presets list{}` shows the names",
+                                       any ? "" : " --printer " + Shown(printer));
+  return MakeError(
+      absl::StatusCode::kNotFound, Reason::kProfileNotFound,
+      fmt::format("there is no {} preset {}{}{}", KindName(kind), Shown(name),
+                  any ? "" : " for " + Shown(printer),
+                  nearest.empty() ? list : fmt::format("; do you mean {}?", Shown(nearest))),
+      std::move(metadata));
 }
 
 absl::Status Unfit(const std::string& message) {
@@ -96,7 +100,7 @@ class Chooser {
       known.push_back(preset->alias);
       known.push_back(preset->name);
     }
-    return UnknownName(kind, name, known, " for " + Shown(printer_.name));
+    return UnknownName(kind, name, known, printer_.name);
   }
 
   /// Returns the preset that is most like `model`. `process`: process that a filament must fit, or

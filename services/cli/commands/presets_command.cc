@@ -89,9 +89,13 @@ absl::StatusOr<std::vector<const Preset*>> PresetsNamed(const PresetSet& set,
     for (const Preset* preset : set.Named(kind, name)) found.push_back(preset);
   if (!found.empty()) return found;
   std::vector<std::string_view> known;
-  for (const Preset& preset : set.presets())
-    if (preset.listed) known.push_back(preset.name);
-  const std::string nearest = config::Nearest(name, known);
+  std::string nearest;
+  for (const Preset& preset : set.presets()) {
+    if (!preset.listed) continue;
+    known.push_back(preset.name);
+    if (nearest.empty() && preset.name.starts_with(name + " @")) nearest = preset.name;
+  }
+  if (nearest.empty()) nearest = config::Nearest(name, known);
   return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
                    fmt::format("there is no preset \"{}\"{}", ReplaceControls(name, '?'),
                                nearest.empty() ? "; `slicefarm presets list` shows the names"

@@ -145,6 +145,10 @@ absl::StatusOr<presets::PresetSet> FetchPresets(const std::vector<std::string>& 
       refs.push_back(fmt::format("{}@{}", each.name(), each.revision()));
     list.set_page_token(page->next_page_token());
   } while (!list.page_token().empty());
+  if (refs.empty())
+    return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
+                     "the farm has no presets: import some with `slicefarm presets import "
+                     "DIR|FILE`, or read them from files with --presets DIR|FILE");
   std::vector<presets::PresetFile> files;
   for (const std::string& ref : refs) {
     const auto bundle = FetchBundle(ref, client);
