@@ -19,7 +19,7 @@ import subprocess
 import sys
 
 LIBRARY = "OrcaFilamentLibrary"
-NO_SETTINGS = {"type", "name", "inherits", "from", "instantiation", "setting_id", "filament_id", "include", "version", "description",
+NO_SETTINGS = {"type", "name", "inherits", "from", "instantiation", "setting_id", "include", "version", "description",
                "is_custom_defined", "renamed_from", "base_id", "user_id", "updated_time", "url", "alias"}
 NOT_OF_JOBS = {"compatible_printers", "compatible_printers_condition", "compatible_prints", "compatible_prints_condition"}
 ADDED = {"curr_bed_type", "printer_settings_id", "print_settings_id", "filament_settings_id"}

@@ -263,6 +263,26 @@ def check_farm(program, models, folder):
         assert picture.read_bytes() == archive.read("Metadata/plate_1.png")
 
 
+def check_ids(program, models, folder):
+    """The ids of filament and plate that presets of OrcaSlicer have are in the archive."""
+    presets = {
+        "machine/P": {"type": "machine", "nozzle_diameter": ["0.4"], "gcode_flavor": "marlin", "default_bed_type": "4",
+                      "printable_area": ["0x0", "180x0", "180x180", "0x180"], "printable_height": "180"},
+        "process/Q": {"type": "process", "layer_height": "0.3", "initial_layer_print_height": "0.3"},
+        "filament/F": {"type": "filament", "filament_id": "GFA00", "filament_type": ["PLA"]}}
+    for path, settings in presets.items():
+        file = folder / "presets" / f"{path}.json"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps({"name": file.stem, "from": "User", **settings}))
+    file = folder / "ids.gcode.3mf"
+    sliced(program, file, models / "textbox.stl", "--presets", folder / "presets", "--printer", "P", "--process", "Q", "--filament", "F")
+    with zipfile.ZipFile(file) as archive:
+        assert facts_of(archive)[1].find("filament").get("tray_info_idx") == "GFA00"
+        assert json.loads(archive.read("Metadata/plate_1.json"))["bed_type"] == "textured_plate"
+        project = json.loads(archive.read("Metadata/project_settings.config"))
+        assert project["filament_ids"] == ["GFA00"] and project["curr_bed_type"] == "Textured PEI Plate", project
+
+
 def main():
     program, models = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as name:
@@ -271,6 +291,7 @@ def main():
             file, plain, report = check_printer(program, models, folder, printer, settings)
             check_readers(program, folder, file, plain, report, printer)
             print(f"{printer}: {file.stat().st_size} bytes, {len(plain)} as text")
+        check_ids(program, models, folder)
         check_plates(program, models, folder)
         check_hostile(program, models, folder, file)
         check_farm(program, models, folder)

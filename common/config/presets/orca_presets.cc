@@ -19,10 +19,9 @@ constexpr std::string_view kLists[] = {"machine_model_list", "machine_list", "pr
 
 /// Members that describe a preset and are no settings.
 constexpr std::string_view kNoSettings[] = {
-    "base_id",      "description",  "filament_id",   "from",
-    "include",      "inherits",     "instantiation", "is_custom_defined",
-    "name",         "renamed_from", "setting_id",    "type",
-    "updated_time", "url",          "user_id",       "version"};
+    "base_id",       "description",       "from", "include",      "inherits",
+    "instantiation", "is_custom_defined", "name", "renamed_from", "setting_id",
+    "type",          "updated_time",      "url",  "user_id",      "version"};
 
 bool IsOneOf(std::string_view key, std::span<const std::string_view> keys) {
   return std::ranges::find(keys, key) != keys.end();

@@ -40,6 +40,7 @@ struct ArchivedPlate {
   std::string filament_type;
   std::string filament_colour;  ///< colour in the form #RRGGBB
   std::string filament_id;      ///< id of the filament at its maker, such as `GFA00`; may be empty
+  std::string bed_type;         ///< plate on the bed, such as `textured_plate`; may be empty
   std::string printer_model;    ///< name of the printer, such as `Bambu Lab X1 Carbon`
   double nozzle_mm = 0;
   double layer_height_mm = 0;

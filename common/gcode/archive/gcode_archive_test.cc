@@ -32,6 +32,8 @@ ArchivedPlate PlateOf(const std::string& gcode) {
   plate.filament_mm = 2227.86;
   plate.filament_g = 6.754;
   plate.filament_type = "PLA";
+  plate.filament_id = "GFA00";
+  plate.bed_type = "textured_plate";
   plate.filament_colour = "#00AE42";
   plate.printer_model = "Bambu Lab X1 Carbon";
   plate.nozzle_mm = 0.4;
@@ -83,11 +85,12 @@ TEST(GcodeArchive, TellsWhatPrintersAndFarmsShow) {
         R"(key="nozzle_diameters" value="0.4")",
         R"(<object identify_id="1" name="cube" skipped="false" />)",
         R"(<object identify_id="2" name="x&amp;y" skipped="false" />)",
-        R"(type="PLA" color="#00AE42" used_m="2.23" used_g="6.75")",
+        R"(tray_info_idx="GFA00" type="PLA" color="#00AE42" used_m="2.23" used_g="6.75")",
         R"(<warning msg="a &lt;warning&gt;")", R"(layer_ranges="0 2")"})
     EXPECT_THAT(info, HasSubstr(text));
   EXPECT_THAT(files.at("3D/3dmodel.model"), HasSubstr("a &quot;part&quot; &amp; &lt;more&gt; <"));
   const auto plate = nlohmann::json::parse(files.at("Metadata/plate_1.json"));
+  EXPECT_EQ(plate["bed_type"], "textured_plate");
   EXPECT_EQ(plate["bbox_all"], nlohmann::json({10, 5, 60, 40}));
   EXPECT_EQ(plate["bbox_objects"][1]["name"], "x&y");
   EXPECT_EQ(plate["bbox_objects"][1]["id"], 2);

@@ -133,16 +133,17 @@ std::string PlateJson(const ArchivedPlate& plate) {
                        {"id", object.id},
                        {"layer_height", plate.layer_height_mm},
                        {"name", object.name}});
-  return Dumped({{"bbox_all", BoxJson(BoxOfAll(plate.objects))},
-                 {"bbox_objects", std::move(objects)},
-                 {"filament_colors", {plate.filament_colour}},
-                 {"filament_ids", {0}},
-                 {"first_extruder", 0},
-                 {"first_layer_time", plate.first_layer_time_s},
-                 {"is_seq_print", plate.one_by_one},
-                 {"nozzle_diameter", plate.nozzle_mm},
-                 {"version", 2}},
-                -1);
+  PlateJsonValue json = {{"bbox_all", BoxJson(BoxOfAll(plate.objects))},
+                         {"bbox_objects", std::move(objects)},
+                         {"filament_colors", {plate.filament_colour}},
+                         {"filament_ids", {0}},
+                         {"first_extruder", 0},
+                         {"first_layer_time", plate.first_layer_time_s},
+                         {"is_seq_print", plate.one_by_one},
+                         {"nozzle_diameter", plate.nozzle_mm},
+                         {"version", 2}};
+  if (!plate.bed_type.empty()) json["bed_type"] = plate.bed_type;
+  return Dumped(json, -1);
 }
 
 std::string ProjectSettingsJson(const ArchivedPlate& plate) {

@@ -60,11 +60,29 @@ std::map<std::string, std::string, std::less<>> ValuesOf(std::string_view settin
   return values;
 }
 
+/// Returns the name that archives have for the plate on the bed; empty if it has none.
+std::string BedTypeOf(std::string_view setting) {
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+      {"Cool Plate", "cool_plate"},
+      {"Engineering Plate", "eng_plate"},
+      {"High Temp Plate", "hot_plate"},
+      {"Textured PEI Plate", "textured_plate"},
+      {"Textured Cool Plate", "textured_cool_plate"},
+      {"Supertack Plate", "supertack_plate"}};
+  for (const auto& [name, of_archive] : kNames)
+    if (name == setting) return std::string(of_archive);
+  return "";
+}
+
 void AddSettings(std::string_view settings_text, gcode::ArchivedPlate& plate) {
   auto values = ValuesOf(settings_text);
   values["printer_model"] = plate.printer_model;
   values["filament_type"] = plate.filament_type;
   values["filament_colour"] = plate.filament_colour;
+  if (const auto id = values.find("filament_id"); id != values.end())
+    plate.filament_id = id->second;
+  if (const auto bed = values.find("curr_bed_type"); bed != values.end())
+    plate.bed_type = BedTypeOf(bed->second);
   for (const gcode::ProjectKey& key : gcode::kProjectKeys) {
     const auto found = values.find(key.key);
     if (found == values.end()) continue;

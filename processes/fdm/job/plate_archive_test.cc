@@ -32,7 +32,9 @@ TEST(ArchivedPlate, HasTheFactsOfTheJob) {
   summary.total.features[static_cast<size_t>(Feature::kSupport)].length_mm = 1;
   summary.copies = {{{"a", 0, 0, 1}, MakePolygonsOrDie("(1 2, 11 2, 11 22)")[0].outer, {}},
                     {{"b", 1, 0, 1}, {}, {}}};
-  summary.settings_text = "layer_height = 0.15\ntemperature = 215\nunknown = 1\n";
+  summary.settings_text =
+      "layer_height = 0.15\ntemperature = 215\nunknown = 1\n"
+      "filament_id = GFA00\ncurr_bed_type = Textured PEI Plate\n";
   JobReport report;
   report.file_name = "part_PLA.gcode.3mf";
   report.print_time_s = 100;
@@ -53,6 +55,8 @@ TEST(ArchivedPlate, HasTheFactsOfTheJob) {
   EXPECT_TRUE(plate.has_supports);
   EXPECT_TRUE(plate.has_labels);
   EXPECT_EQ(plate.filament_g, 30);
+  EXPECT_EQ(plate.filament_id, "GFA00");
+  EXPECT_EQ(plate.bed_type, "textured_plate");
   ASSERT_EQ(plate.objects.size(), 2u);
   EXPECT_EQ(plate.objects[0].id, 1);
   EXPECT_EQ(plate.objects[0].box.max_y, 22);

@@ -332,6 +332,12 @@ std::vector<SettingSpec> Material() {
       Orca({"filament_settings_id"},
            text("filament_settings_id", "", "Name of the filament profile, shown by printer hosts",
                 Bind<&ToolRow::filament_settings_id>())),
+      PerExtruder({.key = "filament_id",
+                   .kind = Kind::kText,
+                   .standard = "",
+                   .doc = "Id of the filament at its maker, such as GFA00, by which printers of "
+                          "Bambu Lab find its spool; a .gcode.3mf file has it",
+                   .orca = {{"filament_id"}, {"filament_ids"}}}),
   };
 }
 

@@ -333,6 +333,12 @@ std::vector<SettingSpec> Sequence() {
               "use the same extruder",
        .own_scope = Scope::kRegion,
        .orca = {{"extruder"}}},
+      {.key = "curr_bed_type",
+       .kind = Kind::kText,
+       .standard = "",
+       .doc = "Type of the plate on the printer's bed, such as Textured PEI Plate; a .gcode.3mf "
+              "file has it. In OrcaSlicer's settings it also selects the bed temperature",
+       .orca = {{"curr_bed_type"}}},
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
