@@ -4,6 +4,8 @@
 - the command of each floor stands once, before the first layer of the floor and after the last one of the floor below;
 - walls of a floor have the speed of the table, measured in the program;
 - plates have the flow of the table: extrusion per mm of the top surface;
+- retractions have the length of the table, and each restart feeds what the retraction before it pulled, also between floors;
+- lines and patterns of pressure advance have the command of each value before its lines, within the frame, in each layer;
 - the values are the same from --config and from presets; wrong values are refused with the name of the option.
 
 usage: calibrate_test.py SLICEFARM
@@ -34,7 +36,7 @@ skirts = 0
 CODES = {
     "temperature": (r"M104 S([\d.]+)", [230, 225, 220, 215, 210, 205, 200]),
     "pressure-advance": (r"SET_PRESSURE_ADVANCE ADVANCE=([\d.]+)", [i / 100 for i in range(11)]),
-    "retraction": (r"SET_RETRACTION RETRACT_LENGTH=([\d.]+)", [i / 5 for i in range(11)]),
+    "retraction": (r"; retract_length = ([\d.]+)", [i / 5 for i in range(11)]),
     "cornering": (r"SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=([\d.]+)", list(range(1, 16))),
     "input-shaping": (r"SET_INPUT_SHAPER SHAPER_FREQ_X=([\d.]+) SHAPER_FREQ_Y=\1", list(range(15, 111, 5))),
 }
@@ -52,10 +54,15 @@ def calibrated(program, folder, *words):
     return output.read_text(), table
 
 
+def without_end(gcode):
+    """Returns the program without the end G-code."""
+    return gcode[:max(gcode.rfind(";TYPE:Custom"), gcode.rfind("; FEATURE: Custom"))]
+
+
 def layers(gcode):
     """Yields (z, lines) of each layer; z of the text before the layers is 0. Custom code of a layer is before its Z move."""
-    for part in re.split(r"^;LAYER_CHANGE\n", gcode, flags=re.M):
-        z = re.match(r";Z:([\d.]+)", part)
+    for part in re.split(r"^;LAYER_CHANGE\n|^; CHANGE_LAYER\n", gcode, flags=re.M):
+        z = re.match(r"(?:;Z:|; Z_HEIGHT: )([\d.]+)", part)
         yield (float(z[1]) if z else 0), part.splitlines()
 
 
@@ -81,7 +88,7 @@ def check_codes(program, folder, config):
     for kind, (pattern, wanted) in CODES.items():
         gcode, table = calibrated(program, folder, kind, "--config", config)
         assert table["kind"] == kind and [round(row["value"], 6) for row in table["values"]] == wanted, table
-        gcode = gcode[:gcode.rindex(";TYPE:Custom")]  # without the end G-code
+        gcode = without_end(gcode)
         found = [(z, float(match[1])) for z, lines in layers(gcode) if z > 0 for line in lines if (match := re.match(pattern, line))]
         assert [value for _, value in found] == wanted, (kind, found)
         for (z, _), row in zip(found, table["values"]):
@@ -117,13 +124,64 @@ def check_flow(program, folder, config):
             assert abs(ratio - row["value"]) < 0.01, (row, ratio)
 
 
+def retractions(lines):
+    """Returns the lengths of retractions. Checks that each bead begins with a filament that is fed as far as it was pulled."""
+    pulled, lengths = None, []
+    for line in lines:
+        words = dict(re.findall(r"([XYE])(-?[\d.]+)", line.split(";")[0])) if line.startswith("G1") else {}
+        feed = float(words.get("E", 0))
+        if "X" in words or "Y" in words:
+            assert feed <= 0 or pulled is None or abs(pulled) < 1e-4, (line, pulled)
+            if feed > 0:
+                pulled = 0
+        elif pulled is not None:
+            pulled += feed
+            if feed < 0:
+                lengths.append(round(-feed, 5))
+    return lengths
+
+
+def check_retraction(program, folder, config):
+    for flavor in ("klipper", "bambu", "prusabuddy", "marlin"):
+        gcode, table = calibrated(program, folder, "retraction", "--config", config, "--set", f"gcode_flavor={flavor}")
+        retractions(without_end(gcode).splitlines())
+        for row in table["values"]:
+            lines = [line for z, lines in layers(gcode) if row["from_mm"] + 0.3 < z < row["to_mm"] + 0.01 for line in lines]
+            lengths = retractions(lines)
+            assert set(lengths) == ({round(row["value"], 5)} if row["value"] > 0 else set()), (flavor, row, set(lengths))
+    gcode, table = calibrated(program, folder, "retraction", "--config", config, "--set", "use_firmware_retraction=1")
+    assert re.findall(r"^SET_RETRACTION RETRACT_LENGTH=([\d.]+)", gcode, re.M) == [f"{row['value']:g}" for row in table["values"]]
+
+
+def check_lines(program, folder, config):
+    for method, count, of_layer in (("line", 1, 3), ("pattern", 4, 6)):
+        gcode, table = calibrated(program, folder, "pressure-advance", "--method", method, "--config", config)
+        done = run(program, "check", folder / "out.gcode", "--config", config)
+        assert done.returncode == 0, (method, done.stdout)
+        retractions(without_end(gcode).splitlines())
+        first = [move for z, lines in layers(gcode) if abs(z - 0.2) < 1e-6 for move in moves(lines)]
+        walls = sum(length for feature, length, _, _ in first if "perimeter" in feature.lower())
+        assert walls > 600, (method, walls, "the frame is in the first layer")
+        parts = [(z, "\n".join(lines)) for z, lines in layers(gcode) if ";CUSTOM_GCODE" in lines]
+        assert [round(z, 3) for z, _ in parts] == [round(0.2 * (i + 1), 3) for i in range(count)], (method, parts)
+        for _, text in parts:
+            blocks = re.split(r"^SET_PRESSURE_ADVANCE ADVANCE=", text[:text.index(";TYPE:")], flags=re.M)[1:]
+            assert [float(block.split()[0]) for block in blocks] == [round(row["value"], 6) for row in table["values"]] + [0]
+            for block in blocks[:-1]:
+                assert len(re.findall(r"^G1 X[\d.]+ Y[\d.]+ E", block, re.M)) == of_layer, (method, block)
+    corner = ["--set", "bed_shape=0x0,60x0,60x60,0x60"]
+    done = run(program, "calibrate", "pressure-advance", "--method", "line", "-o", folder / "no.gcode", "--config", config, *corner)
+    assert done.returncode == 4 and "pressure-advance lines" in done.stderr, done
+
+
 def check_refusals(program, folder, config):
     cases = [
         (["temperature", "--step", "0"], 2, "--step"),
         (["temperature", "--start", "20"], 2, "between"),
         (["vfa", "--step", "0.1"], 2, "values"),
         (["vfa", "--end", "600"], 3, "machine_max_feedrate_x"),
-        (["retraction", "--set", "gcode_flavor=bambu"], 3, "gcode_flavor"),
+        (["input-shaping", "--set", "gcode_flavor=bambu"], 3, "gcode_flavor"),
+        (["vfa", "--method", "line"], 2, "--method"),
         (["vfa", "--fine"], 2, "--fine"),
         (["temperatur"], 2, "temperature"),
     ]
@@ -147,7 +205,7 @@ def main():
         folder = pathlib.Path(name)
         config = folder / "printer.ini"
         config.write_text(CONFIG)
-        for check in (check_codes, check_speeds, check_flow, check_refusals, check_presets):
+        for check in (check_codes, check_speeds, check_flow, check_retraction, check_lines, check_refusals, check_presets):
             check(program, folder, config)
             print(check.__name__)
 

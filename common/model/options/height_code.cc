@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -19,7 +20,8 @@ constexpr std::pair<HeightCodeKind, std::string_view> kKinds[] = {
     {HeightCodeKind::kColorChange, "color_change"},
     {HeightCodeKind::kPause, "pause"},
     {HeightCodeKind::kTemplate, "template"},
-    {HeightCodeKind::kCustom, "custom"}};
+    {HeightCodeKind::kCustom, "custom"},
+    {HeightCodeKind::kRetractLength, "retract_length"}};
 
 absl::Status BadCode(std::string_view why) {
   return absl::InvalidArgumentError(
@@ -31,7 +33,7 @@ absl::StatusOr<HeightCodeKind> KindOf(const HeightJson& entry) {
   if (type != entry.end() && type->is_string())
     for (const auto& [kind, name] : kKinds)
       if (type->get_ref<const std::string&>() == name) return kind;
-  return BadCode("type must be color_change, pause, template or custom");
+  return BadCode("type must be color_change, pause, template, custom or retract_length");
 }
 
 absl::StatusOr<Coord> HeightOf(const HeightJson& entry) {
@@ -60,17 +62,28 @@ absl::StatusOr<HeightCode> CodeOf(const HeightJson& entry) {
   if (!height.ok()) return height.status();
   HeightCode code{*height, *kind, {}};
   const auto text = entry.find("text");
-  if (text == entry.end()) return code;
-  if (!text->is_string() || !IsClean(text->get_ref<const std::string&>()))
+  if (text == entry.end() && code.kind != HeightCodeKind::kRetractLength) return code;
+  if (text == entry.end() || !text->is_string() || !IsClean(text->get_ref<const std::string&>()))
     return BadCode("text must be a string without control characters");
   code.text = text->get<std::string>();
   const bool lines = code.text.find_first_of("\r\n") != std::string::npos;
   if (lines && code.kind != HeightCodeKind::kCustom)
     return BadCode("text must be one line, except for type custom");
+  if (code.kind == HeightCodeKind::kRetractLength && !RetractLengthMm(code))
+    return BadCode(fmt::format("text of retract_length must be a length from 0 to {} mm",
+                               kMaxRetractLengthMm));
   return code;
 }
 
 }  // namespace
+
+std::optional<double> RetractLengthMm(const HeightCode& code) {
+  double length = 0;
+  const char* const end = code.text.data() + code.text.size();
+  const auto [read, error] = std::from_chars(code.text.data(), end, length);
+  const bool good = error == std::errc() && read == end && length >= 0;
+  return good && length <= kMaxRetractLengthMm ? std::optional(length) : std::nullopt;
+}
 
 absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text) {
   std::vector<HeightCode> codes;

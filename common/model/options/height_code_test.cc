@@ -26,6 +26,18 @@ TEST(HeightCode, ComesBackByHeightAndInOneLine) {
   EXPECT_EQ(PrintHeightCodes(*ParseHeightCodes(text)), text);
 }
 
+TEST(HeightCode, ARetractionHasALength) {
+  const auto codes = ParseHeightCodes(R"([{"z":1,"type":"retract_length","text":"0.45"}])");
+  ASSERT_TRUE(codes.ok()) << codes.status();
+  EXPECT_EQ(RetractLengthMm(codes->front()), 0.45);
+  EXPECT_EQ(*ParseHeightCodes(PrintHeightCodes(*codes)), *codes);
+  for (const char* text : {R"("text":"")", R"("text":"-1")", R"("text":"1mm")", R"("text":"inf")",
+                           R"("text":"nan")", R"("text":"1e9")", R"("text":1)", R"("z":2)"}) {
+    const std::string list = std::string(R"([{"z":1,"type":"retract_length",)") + text + "}]";
+    EXPECT_FALSE(ParseHeightCodes(list).ok()) << text;
+  }
+}
+
 TEST(HeightCode, NothingIsNoCode) {
   EXPECT_TRUE(ParseHeightCodes(" ")->empty());
   EXPECT_TRUE(ParseHeightCodes("[]")->empty());

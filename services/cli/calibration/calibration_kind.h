@@ -22,6 +22,13 @@ enum class CalibrationKind {
   kInputShaping,
 };
 
+/// Print of a kind that has several.
+enum class CalibrationMethod {
+  kTower,    ///< a value for each floor
+  kLine,     ///< a line for each value, with changes of speed
+  kPattern,  ///< lines with corners for each value
+};
+
 /// Constants of a kind.
 struct CalibrationInfo {
   CalibrationKind kind;

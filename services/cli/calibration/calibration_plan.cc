@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <numbers>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/model/options/height_code.h"
+#include "services/cli/calibration/calibration_lines.h"
 #include "services/cli/calibration/calibration_shapes.h"
 
 namespace slicefarm::cli {
@@ -23,12 +25,18 @@ Setting RequestOf(std::string_view key, std::string value) {
 
 std::string NumberText(double value) { return fmt::format("{:g}", value); }
 
+double NumberAtStart(std::string_view text, double otherwise) {
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? number : otherwise;
+}
+
 /// Builder of one print.
 class CalibrationPlanner {
  public:
-  CalibrationPlanner(CalibrationKind kind, const std::vector<double>& levels,
-                     std::string_view settings_text)
-      : info_(InfoOfCalibration(kind)), levels_(levels), given_(settings_text) {
+  CalibrationPlanner(CalibrationKind kind, CalibrationMethod method,
+                     const std::vector<double>& levels, std::string_view settings_text)
+      : info_(InfoOfCalibration(kind)), method_(method), levels_(levels), given_(settings_text) {
     plan_.table = {
         std::string(info_.name), std::string(info_.unit), std::string(info_.setting), {}};
     for (const auto& [key, value] :
@@ -48,8 +56,10 @@ class CalibrationPlanner {
       case CalibrationKind::kVolumetricSpeed:
         planned = PlanSpeeds();
         break;
-      case CalibrationKind::kTemperature:
       case CalibrationKind::kPressureAdvance:
+        planned = method_ == CalibrationMethod::kTower ? PlanCodes() : PlanLines();
+        break;
+      case CalibrationKind::kTemperature:
       case CalibrationKind::kRetraction:
       case CalibrationKind::kCornering:
       case CalibrationKind::kInputShaping:
@@ -98,12 +108,17 @@ class CalibrationPlanner {
     const Floors floors = FloorsFor(tall ? kTallFloorMm : kFloorMm);
     constexpr double kAboveMm = 0.01;  // selects the first layer above the height
     const std::string_view flavor = TextIn(given_, "gcode_flavor");
+    const bool by_firmware = NumberIn(given_, "use_firmware_retraction", 0) != 0;
     std::vector<HeightCode> codes;
     for (size_t i = 0; i < levels_.size(); ++i) {
+      const Coord z_nm = FromMm((i == 0 ? 0 : floors.Bottom(i)) + kAboveMm);
+      if (info_.kind == CalibrationKind::kRetraction && !by_firmware) {
+        codes.push_back({z_nm, HeightCodeKind::kRetractLength, NumberText(levels_[i])});
+        continue;
+      }
       auto code = CodeOf(info_, flavor, levels_[i]);
       if (!code.ok()) return code.status();
-      const double z_mm = i == 0 ? 0 : floors.Bottom(i);
-      codes.push_back({FromMm(z_mm + kAboveMm), HeightCodeKind::kCustom, *std::move(code)});
+      codes.push_back({z_nm, HeightCodeKind::kCustom, *std::move(code)});
     }
     Set("custom_gcode_per_print_z", PrintHeightCodes(codes));
     if (tall) {
@@ -113,7 +128,6 @@ class CalibrationPlanner {
       Set("first_layer_temperature", NumberText(levels_.front()));
       AddTower(floors, TemperatureTower(floors));
     } else if (info_.kind == CalibrationKind::kRetraction) {
-      Set("use_firmware_retraction", "1");
       Set("retract_length", NumberText(*std::ranges::max_element(levels_)));
       AddTower(floors, PillarPair(floors));
     } else {
@@ -121,6 +135,86 @@ class CalibrationPlanner {
       AddTower(floors, CornerTower(floors));
     }
     return absl::OkStatus();
+  }
+
+  /// Plans lines, each with its value. They are G-code within a frame that is sliced.
+  absl::Status PlanLines() {
+    const std::string_view flavor = TextIn(given_, "gcode_flavor");
+    std::vector<ValueLine> lines;
+    for (const double level : levels_) {
+      auto code = CodeOf(info_, flavor, level);
+      if (!code.ok()) return code.status();
+      lines.push_back({LabelOf(info_, level), *std::move(code)});
+    }
+    LineSettings settings = SettingsOfLines();
+    const auto own = CodeOf(info_, flavor, NumberIn(given_, "pressure_advance", 0));
+    if (own.ok()) settings.code_after = *own;
+    const bool corners = method_ == CalibrationMethod::kPattern;
+    LinePrint print =
+        MakeLinePrint(corners ? LineShape::kCorner : LineShape::kStraight, lines, settings);
+    Set("custom_gcode_per_print_z", PrintHeightCodes(print.codes));
+    // The lines need a retracted filament at the height of the layer, and relative E.
+    for (const auto& [key, value] :
+         {std::pair("use_relative_e_distances", "1"), std::pair("use_volumetric_e", "0"),
+          std::pair("use_firmware_retraction", "0"), std::pair("retract_layer_change", "1"),
+          std::pair("retract_lift", "0"), std::pair("travel_ramping_lift", "0"),
+          std::pair("skirts", "0"), std::pair("brim_width", "0")})
+      Set(key, value);
+    const std::string name = fmt::format("{} {}", info_.name, corners ? "pattern" : "lines");
+    for (size_t i = 0; i < levels_.size(); ++i)
+      plan_.table.rows.push_back({lines[i].label, levels_[i], 0, 0, name});
+    const Point middle = {FromMm(settings.middle[0]), FromMm(settings.middle[1])};
+    plan_.parts.push_back({name, std::move(print.stl), {}, {}, middle});
+    return absl::OkStatus();
+  }
+
+  LineSettings SettingsOfLines() const {
+    constexpr double kFastMmS = 100, kUsualWidth = 1.125;
+    LineSettings settings;
+    settings.first_layer_mm = NumberIn(given_, "first_layer_height", 0.2);
+    settings.layer_mm = NumberIn(given_, "layer_height", 0.2);
+    settings.width_mm = kUsualWidth * NumberIn(given_, "nozzle_diameter", 0.4);
+    settings.flow = NumberIn(given_, "extrusion_multiplier", 1);
+    const double diameter = NumberIn(given_, "filament_diameter", 1.75);
+    settings.filament_mm2 = std::numbers::pi / 4 * diameter * diameter;
+    settings.fast = SpeedWithinLimits(kFastMmS, settings);
+    settings.travel = NumberIn(given_, "travel_speed", settings.travel);
+    settings.retract_mm = NumberIn(given_, "retract_length", 0);
+    settings.retract_speed = NumberIn(given_, "retract_speed", settings.retract_speed);
+    settings.restart_speed = NumberIn(given_, "deretract_speed", 0);
+    if (settings.restart_speed <= 0) settings.restart_speed = settings.retract_speed;
+    settings.middle = MiddleOfBed();
+    return settings;
+  }
+
+  /// Returns the speed, or the largest speed that the machine and the filament allow.
+  double SpeedWithinLimits(double speed, const LineSettings& settings) const {
+    const double section = std::max(settings.first_layer_mm, settings.layer_mm) * settings.width_mm;
+    for (const auto& [key, per_mm] :
+         {std::pair("machine_max_feedrate_x", 1.0), std::pair("machine_max_feedrate_y", 1.0),
+          std::pair("max_volumetric_speed", section),
+          std::pair("filament_max_volumetric_speed", section)})
+      if (const double limit = NumberIn(given_, key, 0) / per_mm; limit > 0)
+        speed = std::min(speed, limit);
+    return speed;
+  }
+
+  /// Returns the middle of the smallest rectangle around the bed, in mm.
+  std::array<double, 2> MiddleOfBed() const {
+    std::array<double, 2> low = {}, high = {};
+    bool first = true;
+    for (const std::string_view corner : Split(TextIn(given_, "bed_shape"), ",")) {
+      const size_t between = corner.find('x');
+      if (between == corner.npos) continue;
+      const std::string_view parts[] = {corner.substr(0, between), corner.substr(between + 1)};
+      for (size_t axis = 0; axis < 2; ++axis) {
+        const double at = NumberAtStart(parts[axis], 0);
+        low[axis] = first ? at : std::min(low[axis], at);
+        high[axis] = first ? at : std::max(high[axis], at);
+      }
+      first = false;
+    }
+    return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
   }
 
   /// Plans a kind with a speed of walls for each floor.
@@ -194,6 +288,7 @@ class CalibrationPlanner {
   }
 
   const CalibrationInfo& info_;
+  const CalibrationMethod method_;
   const std::vector<double>& levels_;
   const std::string_view given_;
   CalibrationPlan plan_;
@@ -210,16 +305,14 @@ std::string_view TextIn(std::string_view settings_text, std::string_view key) {
 }
 
 double NumberIn(std::string_view settings_text, std::string_view key, double otherwise) {
-  const std::string_view text = TextIn(settings_text, key);
-  double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ec == std::errc() ? number : otherwise;
+  return NumberAtStart(TextIn(settings_text, key), otherwise);
 }
 
 absl::StatusOr<CalibrationPlan> PlanCalibration(CalibrationKind kind,
                                                 const std::vector<double>& levels,
-                                                std::string_view settings_text) {
-  return CalibrationPlanner(kind, levels, settings_text).Run();
+                                                std::string_view settings_text,
+                                                CalibrationMethod method) {
+  return CalibrationPlanner(kind, method, levels, settings_text).Run();
 }
 
 }  // namespace slicefarm::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct CalibrationPart {
   std::string stl;  ///< content of a binary STL file, in mm
   std::vector<HeightRange> ranges;
   std::vector<Setting> settings;
+  std::optional<Point> middle = {};  ///< place of its middle on the bed; nothing: anywhere
 };
 
 /// Calibration print: objects, settings of the job, and the table of values.
@@ -28,11 +30,13 @@ struct CalibrationPlan {
 };
 
 /// Returns the calibration print. `settings_text`: effective settings of the printer, process and
-/// filament (ResolvedSettings::effective_text). `levels`: result of LevelsOf. Errors: NOT_SUPPORTED
-/// for a firmware without the command; SETTING_OUT_OF_RANGE for speeds beyond the machine's limit.
+/// filament (ResolvedSettings::effective_text). `levels`: result of LevelsOf. `method`: only for
+/// pressure advance. Errors: NOT_SUPPORTED for a firmware without the command;
+/// SETTING_OUT_OF_RANGE for speeds beyond the machine's limit.
 absl::StatusOr<CalibrationPlan> PlanCalibration(CalibrationKind kind,
                                                 const std::vector<double>& levels,
-                                                std::string_view settings_text);
+                                                std::string_view settings_text,
+                                                CalibrationMethod method = {});
 
 /// Returns the number of a setting in `key = value` lines: the first number of its value, or
 /// `otherwise` if it has none.

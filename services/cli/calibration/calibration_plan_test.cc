@@ -122,6 +122,39 @@ TEST(CalibrationPlan, EachFloorBeginsWithItsCode) {
   }
 }
 
+TEST(CalibrationPlan, LinesStandInTheMiddleOfTheBed) {
+  const std::string settings = std::string(kSettings) +
+                               "bed_shape = -100x-50,200x-50,200x150,-100x150\n"
+                               "filament_max_volumetric_speed = 3.6\n";
+  for (const CalibrationMethod method : {CalibrationMethod::kLine, CalibrationMethod::kPattern}) {
+    const auto plan =
+        PlanCalibration(CalibrationKind::kPressureAdvance, {0, 0.02, 0.04}, settings, method);
+    ASSERT_TRUE(plan.ok()) << plan.status();
+    ASSERT_EQ(plan->parts.size(), 1u);
+    EXPECT_EQ(plan->parts[0].middle, (Point{FromMm(50), FromMm(50)}));
+    EXPECT_EQ(plan->table.rows.size(), 3u);
+    const auto codes = ParseHeightCodes(ValueOfSetting(plan->settings, "custom_gcode_per_print_z"));
+    ASSERT_TRUE(codes.ok()) << codes.status();
+    EXPECT_THAT(codes->front().text, HasSubstr("SET_PRESSURE_ADVANCE ADVANCE=0.02\n"));
+    EXPECT_THAT(codes->front().text, HasSubstr(" F2400")) << "3.6 mm3/s: 40 mm/s of 0.45 x 0.2 mm";
+  }
+}
+
+TEST(CalibrationPlan, TheSlicerRetractsUnlessTheFirmwareDoes) {
+  for (const bool by_firmware : {false, true}) {
+    const std::string settings =
+        std::string("layer_height = 0.2\ngcode_flavor = ") +
+        (by_firmware ? "marlin\nuse_firmware_retraction = 1\n" : "bambu\n");
+    const CalibrationPlan plan = PlanOrDie(CalibrationKind::kRetraction, settings);
+    const auto codes = ParseHeightCodes(ValueOfSetting(plan.settings, "custom_gcode_per_print_z"));
+    ASSERT_TRUE(codes.ok()) << codes.status();
+    ASSERT_EQ(codes->size(), 11u);
+    EXPECT_EQ((*codes)[2].text, by_firmware ? "M207 S0.4" : "0.4");
+    EXPECT_EQ((*codes)[2].kind,
+              by_firmware ? HeightCodeKind::kCustom : HeightCodeKind::kRetractLength);
+  }
+}
+
 TEST(CalibrationPlan, SpeedsFollowTheHeight) {
   const CalibrationPlan plan = PlanOrDie(CalibrationKind::kVolumetricSpeed);
   ASSERT_EQ(plan.parts.size(), 1u);

@@ -26,6 +26,7 @@ struct CalibrateOptions : SubmitOptions {
   std::optional<CalibrationKind> kind;
   GivenLevels levels;
   bool fine = false;
+  CalibrationMethod method = CalibrationMethod::kTower;
 };
 
 /// Values of the second pass of flow: below the best plate of the first pass, in steps of 1 %.
@@ -43,6 +44,9 @@ GivenLevels LevelsGiven(const CalibrateOptions& options) {
 absl::Status CheckCalibrateOptions(const CalibrateOptions& options) {
   if (options.fine && options.kind != CalibrationKind::kFlow)
     return Malformed("--fine works only with the kind flow");
+  if (options.method != CalibrationMethod::kTower &&
+      options.kind != CalibrationKind::kPressureAdvance)
+    return Malformed("--method works only with the kind pressure-advance");
   const bool of_farm = options.detach || options.json || !options.profiles.empty() ||
                        !options.job.presets.bundles.empty();
   if (!options.on_farm && of_farm)
@@ -89,14 +93,16 @@ absl::StatusOr<CalibrationPlan> PlanOf(const CalibrateOptions& options, std::str
   const auto levels =
       LevelsOf(info, LevelsGiven(options), relative ? NumberIn(before, "temperature", 0) : 0);
   if (!levels.ok()) return levels.status();
-  return PlanCalibration(*options.kind, *levels, before);
+  return PlanCalibration(*options.kind, *levels, before, options.method);
 }
 
 /// Adds the objects of the print to the files and to the plate.
 void AddParts(std::vector<CalibrationPart> parts, GivenModels& models) {
   for (CalibrationPart& part : parts) {
+    Placement placement;
+    if (part.middle) placement.centers = {*part.middle};
     SceneObject object =
-        ObjectOfFile(part.name, static_cast<int32_t>(models.files.size()), Placement{}, 1);
+        ObjectOfFile(part.name, static_cast<int32_t>(models.files.size()), placement, 1);
     object.ranges = std::move(part.ranges);
     object.settings = std::move(part.settings);
     models.plates.front().objects.push_back(std::move(object));
@@ -183,6 +189,16 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
   command->add_flag("--fine", options->fine,
                     "Second pass of flow: from -9 % to 0 % in steps of 1 %, relative to the best "
                     "value of the first pass");
+  command
+      ->add_option(
+          "--method", options->method,
+          "Print of pressure-advance: a tower with corners; lines that change their speed; "
+          "or a pattern of corners. The lines and the pattern are flat")
+      ->transform(
+          OneOf(std::map<std::string, CalibrationMethod>{{"tower", CalibrationMethod::kTower},
+                                                         {"line", CalibrationMethod::kLine},
+                                                         {"pattern", CalibrationMethod::kPattern}}))
+      ->type_name("tower|line|pattern");
   command
       ->add_option("--format", options->job.format,
                    "Format of the output: gcode, bgcode, gcode.3mf")

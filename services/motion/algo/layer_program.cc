@@ -17,6 +17,7 @@
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/macro/layer_code.h"
+#include "services/motion/algo/program/custom_use.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/contour_length.h"
 #include "services/motion/algo/toolpath/cooling.h"
@@ -106,7 +107,16 @@ bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
          &block == &BlockOf(layer.visits.back(), layer);
 }
 
-std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
+/// Returns true if only the first visit of the layer prints the block.
+bool IsOnlyFirst(const PathBlock& block, const OrderedLayer& layer) {
+  const auto prints = [&](const BlockVisit& visit) { return &BlockOf(visit, layer) == &block; };
+  return !layer.visits.empty() && prints(layer.visits.front()) &&
+         std::ranges::count_if(layer.visits, prints) == 1;
+}
+
+/// `retracted_mm`: length by which the layer below retracts.
+std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options,
+                              double retracted_mm) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2,
                              options.flow_segment_mm};
   const double filament_mm2 = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
@@ -123,6 +133,7 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
                             below ? &*below : nullptr, carried ? &*carried : nullptr,
                             curled ? &*curled : nullptr);
+    if (IsOnlyFirst(block, layer)) builder.BeginRetracted(retracted_mm);
     if (BeginsReady(block, layer)) builder.BeginAsLeft();
     if (block.spiral && block.paths.size() == 1) {
       builder.AddTurn(block.paths.front(), *block.spiral, block.below);
@@ -230,7 +241,7 @@ class PassProgram {
       if (first) KeepPlace(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
-      if (first && code.climbs) writer.ForgetHeight();
+      if (first && code.moves) writer.ForgetPlace();
       if (first && code.primes) writer.Prime();
       writer.Write(path, approach, approach + 1, shift, out);
       WriteCopy(visit, shift, facts, writer, out);
@@ -425,6 +436,10 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.stats = idle.stats;
     program.ends_retracted = idle.ends_retracted;
   }
+  // The lines of custom G-code belong to no part, like a skirt.
+  if (code->moves)
+    program.stats.features[static_cast<size_t>(Feature::kSkirt)].Add(
+        UseOfCode(code->after, options));
   program.gcode = out.Take();
   program.mode_lines = writer.TakeModeLines();
   // The firmware may skip a copy and the lines in it; then it has not executed all lines.
@@ -436,12 +451,28 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
 
 }  // namespace
 
+namespace {
+
+/// Returns the options with the length of retractions of the layer.
+MotionOptions AtHeight(MotionOptions options, const HeightTexts& heights, const LayerFrame& frame) {
+  double& length_mm = options.tool().retraction.length_mm;
+  length_mm = heights.RetractLengthMm(frame.print_z_nm, length_mm);
+  return options;
+}
+
+}  // namespace
+
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
-                                                       const MotionOptions& options,
+                                                       const MotionOptions& given,
                                                        const LayerCode& code,
                                                        const MaterialField* materials) {
-  const std::vector<BuiltBlock> built = Build(layer, options);
+  std::optional<MotionOptions> own;
+  if (code.heights().ChangesRetraction()) own = AtHeight(given, code.heights(), layer.frame);
+  const MotionOptions& options = own ? *own : given;
+  const double retracted_mm = code.heights().RetractLengthMm(
+      layer.frame.print_z_nm - layer.frame.height_nm, given.tool().retraction.length_mm);
+  const std::vector<BuiltBlock> built = Build(layer, options, retracted_mm);
   std::vector<LayerProgram> programs;
   for (const std::span<const BlockVisit> visits : PassesOf(layer.visits)) {
     auto program = ProgramPass(layer, built, visits, facts, options, code, materials);

@@ -69,8 +69,9 @@ std::vector<SettingSpec> AtHeights() {
       {.key = "custom_gcode_per_print_z",
        .kind = Kind::kHeightCode,
        .doc = "Actions at heights of the print, as a list in JSON: height z in mm, type "
-              "(color_change, pause, template or custom) and its text (the colour, the message on "
-              "the display or the G-code)",
+              "(color_change, pause, template, custom or retract_length) and its text (the colour, "
+              "the message on the display, the G-code, or the length of retractions from this "
+              "height on)",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::height_code>(),
        .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}},
        .needs = {&needs::kLayerByLayer}},

@@ -92,8 +92,12 @@ class LayerWriter {
     jerk_ = -1;
   }
 
-  /// Forces the next travel to write its height, after inserted G-code that moves in z.
-  void ForgetHeight() { z_um_ = std::numeric_limits<int32_t>::min(); }
+  /// Forces the next travel to write its height, and keeps its line in any case, after inserted
+  /// G-code that moves the nozzle.
+  void ForgetPlace() {
+    z_um_ = std::numeric_limits<int32_t>::min();
+    approached_ = true;
+  }
 
  private:
   void WriteMove(const Toolpath& path, size_t index, ShiftUm shift, GcodeText& out);

@@ -1,6 +1,7 @@
 #include "services/motion/algo/macro/height_text.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -35,6 +36,8 @@ absl::StatusOr<std::string> TextOfCode(const HeightCode& code, const macro::JobC
       return filled(";CUSTOM_GCODE\n", templates.at_height);
     case HeightCodeKind::kCustom:
       return absl::StrCat(";CUSTOM_GCODE\n", code.text, "\n");
+    case HeightCodeKind::kRetractLength:
+      return absl::StrCat("; retract_length = ", code.text, "\n");
   }
   return std::string();
 }
@@ -50,6 +53,9 @@ absl::StatusOr<HeightTexts> HeightTexts::Of(const MotionOptions& options) {
         absl::StrCat("custom_gcode_per_print_z: ", std::string(codes.status().message())),
         {{"setting", "custom_gcode_per_print_z"}});
   texts.codes_ = *std::move(codes);
+  for (const HeightCode& code : texts.codes_)
+    if (code.kind == HeightCodeKind::kRetractLength)
+      texts.lengths_.emplace_back(code.print_z_nm, slicefarm::RetractLengthMm(code).value_or(0));
   texts.tool_ = std::max(options.tool().number, 0);
   return texts;
 }
@@ -66,6 +72,12 @@ bool HeightTexts::PrimesAt(const LayerFrame& layer) const {
   return std::ranges::any_of(CodesIn(layer), [](const HeightCode& code) {
     return code.kind == HeightCodeKind::kColorChange;
   });
+}
+
+double HeightTexts::RetractLengthMm(Coord z_nm, double usual_mm) const {
+  const auto next = std::ranges::upper_bound(lengths_, z_nm + kSameHeightNm, {},
+                                             &std::pair<Coord, double>::first);
+  return next == lengths_.begin() ? usual_mm : std::prev(next)->second;
 }
 
 absl::StatusOr<std::string> HeightTexts::At(const LayerFrame& layer, const macro::JobCode& code,

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -32,6 +33,12 @@ class HeightTexts {
   /// primed.
   bool PrimesAt(const LayerFrame& layer) const;
 
+  /// Returns true if a code changes the length of retractions.
+  bool ChangesRetraction() const { return !lengths_.empty(); }
+  /// Returns the length of retractions of the layer with its top at `z_nm`, in mm. `usual_mm`: the
+  /// length below all codes that change it.
+  double RetractLengthMm(Coord z_nm, double usual_mm) const;
+
   /// Returns the text of the layer's codes: the codes with a height above the top of the layer
   /// below, up to and including the layer's own top. `variables`: as for the layer's other
   /// templates. Errors: as RunTemplate. Cost: O(log codes) if the layer has no code.
@@ -42,7 +49,8 @@ class HeightTexts {
  private:
   std::span<const HeightCode> CodesIn(const LayerFrame& layer) const;
 
-  std::vector<HeightCode> codes_;  ///< codes, sorted by height
+  std::vector<HeightCode> codes_;                  ///< codes, sorted by height
+  std::vector<std::pair<Coord, double>> lengths_;  ///< retractions in mm, by the lowest height
   int32_t tool_ = 0;
 };
 

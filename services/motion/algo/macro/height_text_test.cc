@@ -98,5 +98,19 @@ TEST(HeightTexts, ErrorsNameTheSetting) {
             "color_change_gcode");
 }
 
+TEST(HeightTexts, ARetractionLastsUntilTheNextOne) {
+  MotionOptions options;
+  EXPECT_FALSE(HeightTexts::Of(options)->ChangesRetraction());
+  options.writing.height_code = R"([{"z":0.5,"type":"retract_length","text":"0.2"},)"
+                                R"({"z":0.81,"type":"retract_length","text":"0"}])";
+  const auto texts = HeightTexts::Of(options);
+  ASSERT_TRUE(texts.ok()) << texts.status();
+  EXPECT_TRUE(texts->ChangesRetraction());
+  const double want[] = {0.8, 0.8, 0.2, 0.2, 0, 0};
+  for (int32_t i = 0; i < std::ssize(want); ++i)
+    EXPECT_EQ(texts->RetractLengthMm(Layer(i).print_z_nm, 0.8), want[i]) << i;
+  EXPECT_EQ(At(*texts, {}, 2), "; retract_length = 0.2\n");
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::height_text_test

@@ -11,12 +11,12 @@ namespace slicefarm::motion {
 
 namespace {
 
-/// Returns true if a line of the code is a move in z.
-bool Climbs(std::string_view code) {
+/// Returns true if a line of the code moves the nozzle.
+bool MovesNozzle(std::string_view code) {
   return std::ranges::any_of(Split(code, "\n"), [](std::string_view line) {
     line = Trim(line.substr(0, line.find(';')));
     return line.size() > 2 && line[0] == 'G' && line[1] >= '0' && line[1] <= '3' &&
-           line[2] == ' ' && line.find('Z') != line.npos;
+           line[2] == ' ' && line.find_first_of("XYZ") != line.npos;
   });
 }
 
@@ -32,7 +32,7 @@ absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   layer.names_layer_change_ =
       options.before_layer_gcode.str().find(";BEFORE_LAYER_CHANGE") != std::string::npos;
   layer.has_after_ = !options.layer_gcode.empty();
-  layer.climbs_ = Climbs(options.layer_gcode.str());
+  layer.moves_ = MovesNozzle(options.layer_gcode.str());
   if (!layer.any_) return layer;
   auto code = macro::ParseJobCode(options);
   if (!code.ok()) return code.status();
@@ -48,7 +48,7 @@ absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPla
   code.names_layer_change = names_layer_change_;
   code.has_after = has_after_ || heights_.IsAt(layer);
   code.primes = heights_.PrimesAt(layer);
-  code.climbs = climbs_;
+  code.moves = moves_;
   if (!any_ || code.waits) return code;
   const macro::TemplateVariables now = LayerVariables(place, facts);
   macro::TemplateMemory memory;
@@ -58,6 +58,7 @@ absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPla
   if (!after.ok()) return after.status();
   code.before = *std::move(before);
   code.after = *std::move(after);
+  code.moves = code.moves || MovesNozzle(code.after);
   return code;
 }
 

@@ -26,7 +26,7 @@ struct CustomCode {
   bool names_layer_change = false;
   bool has_after = false;  ///< true if `after` will have text, now or when FrameProgram fills it in
   bool primes = false;     ///< true if `after` leaves the filament ready to print
-  bool climbs = false;     ///< true if `after` moves in z
+  bool moves = false;      ///< true if `after` moves the nozzle
 };
 
 /// Templates of the layers, parsed once for all of them.
@@ -39,6 +39,8 @@ class LayerCode {
   absl::StatusOr<CustomCode> At(const LayerFrame& layer, const LayerPlace& place,
                                 const JobFacts& facts) const;
 
+  const HeightTexts& heights() const { return heights_; }
+
  private:
   macro::JobCode code_;
   HeightTexts heights_;
@@ -46,7 +48,7 @@ class LayerCode {
   bool any_ = false;
   bool names_layer_change_ = false;
   bool has_after_ = false;
-  bool climbs_ = false;
+  bool moves_ = false;
 };
 
 }  // namespace slicefarm::motion

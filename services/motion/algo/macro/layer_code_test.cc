@@ -36,6 +36,21 @@ TEST(LayerCode, WaitsForSums) {
   EXPECT_EQ(code->after, "");
 }
 
+TEST(LayerCode, KnowsCodeThatMovesTheNozzle) {
+  const std::pair<const char*, bool> cases[] = {{"M117 X", false},      {"G1 E-1 F60", false},
+                                                {"G1 X5 ; away", true}, {"G4 P1\nG0 Z9", true},
+                                                {"; G1 X5", false},     {"G92 X0", false}};
+  for (const auto& [text, moves] : cases) {
+    MotionOptions options;
+    options.layer_gcode = text;
+    EXPECT_EQ(LayerCode::Of(options)->At({}, {}, {})->moves, moves) << text;
+    options.layer_gcode = "";
+    options.writing.height_code = PrintHeightCodes({{100'000, HeightCodeKind::kCustom, text}});
+    const LayerFrame first = {.index = 0, .print_z_nm = 200'000, .height_nm = 200'000};
+    EXPECT_EQ(LayerCode::Of(options)->At(first, {}, {})->moves, moves) << text;
+  }
+}
+
 TEST(LayerCode, ErrorsNameTheSetting) {
   MotionOptions options;
   options.layer_gcode = "{oops";

@@ -59,13 +59,16 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
   z_um_ = ToUm(frame.print_z_nm + offset_nm);
   bottom_um_ = ToUm(frame.print_z_nm - bead_height_nm + offset_nm);
   retract_units_ = Units(retraction.length_mm);
-  restart_units_ = retract_units_ > 0 ? retract_units_ + Units(retraction.restart_extra_mm) : 0;
+  extra_units_ = Units(retraction.restart_extra_mm);
+  pulled_units_ = retract_units_;
   const int32_t lift_um = ToUm(FromMm(LiftOf(retraction)));
   lift_um_ = LiftsIn(retraction, frame) ? lift_um : 0;
   start_lift_um_ = LiftsToStart(retraction, frame) ? lift_um : 0;
   path_.start_z_um = ToUm(frame.print_z_nm - frame.height_nm + offset_nm);
   at_.z_um = path_.start_z_um;
 }
+
+void ToolpathBuilder::BeginRetracted(double length_mm) { pulled_units_ = Units(length_mm); }
 
 void ToolpathBuilder::BeginPath(const Path& path, const SimplifiedPath& simple) {
   print_acceleration_ = accelerations_.Print(path.feature);

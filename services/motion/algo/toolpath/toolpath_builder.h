@@ -47,6 +47,10 @@ class ToolpathBuilder {
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
                   const LayerBelow* carried = nullptr, const LayerBelow* curled = nullptr);
 
+  /// Starts with a filament that the layer below has retracted by another length, in mm. Call
+  /// before anything is added.
+  void BeginRetracted(double length_mm);
+
   /// Starts with the filament in the state in which the layer below ends. Call before anything is
   /// added.
   void BeginAsLeft() {
@@ -146,8 +150,9 @@ class ToolpathBuilder {
   bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
   Wipe wipe_;
   std::vector<PlaceUm> wipe_path_;  ///< points of the wipe from the end of the path before
-  int32_t retract_units_;
-  int32_t restart_units_;
+  int32_t retract_units_;           ///< length of a retraction, in 1e-5 mm
+  int32_t extra_units_;   ///< filament that a restart feeds beyond the retraction, in 1e-5 mm
+  int32_t pulled_units_;  ///< length of the last retraction, in 1e-5 mm
 
   Toolpath path_;
   Move at_;              ///< position of the nozzle, and values that the next move inherits

@@ -77,6 +77,25 @@ TEST(ToolpathBuilder, OneLineFromAndToTheCanonicalState) {
   EXPECT_EQ(built.stats.travel_mm, 0);
 }
 
+TEST(ToolpathBuilder, TheFirstRestartFeedsWhatTheLayerBelowRetracted) {
+  const MotionOptions options;
+  for (const double pulled_mm : {0.0, 0.3, 2.0}) {
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
+    builder.BeginRetracted(pulled_mm);
+    builder.Add(Line("(10 10, 20 10)"));
+    builder.Add(Line("(50 10, 60 10)"));
+    std::vector<int32_t> restarts, retractions;
+    for (const Move& move : builder.Finish().moves) {
+      if (move.kind == MoveKind::kRestart) restarts.push_back(move.filament);
+      if (move.kind == MoveKind::kRetract) retractions.push_back(move.filament);
+    }
+    std::vector<int32_t> fed = {80'000};
+    if (pulled_mm > 0) fed.insert(fed.begin(), static_cast<int32_t>(pulled_mm * 1e5));
+    EXPECT_EQ(restarts, fed) << pulled_mm;
+    EXPECT_THAT(retractions, ElementsAre(-80'000, -80'000)) << pulled_mm;
+  }
+}
+
 std::vector<MoveKind> KindsAsLeft(const Travel& way_in, const std::optional<Leave>& leave) {
   MotionOptions options;
   options.tool().retraction.lift_mm = 0.3;

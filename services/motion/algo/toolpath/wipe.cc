@@ -64,6 +64,7 @@ std::vector<PlaceUm> WipePath(const Path& path, double length_mm) {
 void ToolpathBuilder::Retract() {
   if (retracted_ || retract_units_ == 0) return;
   retracted_ = true;
+  pulled_units_ = retract_units_;
   ++stats_.retractions;
   const int32_t before = UnitsBeforeWipe();
   PullBack(before);
@@ -124,10 +125,10 @@ void ToolpathBuilder::Restart() {
   MoveZ(z_um_);
   retracted_ = false;
   const bool if_needed = std::exchange(as_left_, false);
-  if (restart_units_ == 0) return;
-  at_.filament = restart_units_;
+  if (pulled_units_ == 0) return;
+  at_.filament = pulled_units_ + extra_units_;
   at_.feed_rate = FeedRate(options_.tool().retraction.restart_speed_mm_s);
-  if (!if_needed) filament_ += restart_units_ - retract_units_;
+  if (!if_needed) filament_ += extra_units_;
   Push(MoveKind::kRestart, accelerations_.Retract(set_acceleration_));
   path_.moves.back().if_needed = if_needed;
 }

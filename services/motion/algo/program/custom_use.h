@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "common/model/layers/layer.h"
+
+namespace slicefarm {
+struct MotionOptions;
+}  // namespace slicefarm
+
+namespace slicefarm::motion {
+
+/// Returns the totals of custom G-code: the beads that it prints, and the time of all its moves.
+/// The machine stands still before and after the code, and is where its first move goes.
+FeatureUse UseOfCode(std::string_view code, const MotionOptions& options);
+
+}  // namespace slicefarm::motion
