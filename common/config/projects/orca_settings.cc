@@ -438,6 +438,7 @@ class OrcaReader {
       }
     }
     known_.insert("curr_bed_type");
+    if (!in_printer.empty()) Set("curr_bed_type", in_printer, type->second->source);
     TakeTemperature(std::string(chosen->key), "bed_temperature");
     TakeTemperature(std::string(chosen->key) + "_initial_layer", "first_layer_bed_temperature");
   }

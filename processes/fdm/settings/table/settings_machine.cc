@@ -337,8 +337,7 @@ std::vector<SettingSpec> Sequence() {
        .kind = Kind::kText,
        .standard = "",
        .doc = "Type of the plate on the printer's bed, such as Textured PEI Plate; a .gcode.3mf "
-              "file has it. In OrcaSlicer's settings it also selects the bed temperature",
-       .orca = {{"curr_bed_type"}}},
+              "file has it. In OrcaSlicer's settings it also selects the bed temperature"},
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
