@@ -160,6 +160,7 @@ TEST(Resolve, TakesAWholeProfile) {
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("gcode_flavor = reprap")));
   // The entries that a user should read.
   EXPECT_EQ(std::ssize(resolved.no_effect) - resolved.beside_print, 2);
+  EXPECT_THAT(TextsOf(resolved.no_effect), Not(Contains(HasSubstr("describes the profile"))));
 
   // Defaults differ from PrusaSlicer's only for a reason given in the table's documentation.
   JobRows ours = Job({});
@@ -709,17 +710,13 @@ TEST(Resolve, RefusesAnglesThatAreNone) {
   EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
 }
 
-TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
-  const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/COLPIC, 640x480/PNG"}};
-  const ResolvedSettings resolved = ResolveOrDie(Settings(given, Source::kProfile));
-  EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16/QOI,313x173,640x480\n"));
-  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("written as PNG")));
-  EXPECT_EQ(TextsOf(resolved.no_effect), resolved.warnings);
-
-  const absl::Status status = Refusal(given);
-  EXPECT_EQ(DetailOf(status).reason, Reason::kNotSupported);
-  EXPECT_EQ(DetailOf(status).metadata.at("setting"), "thumbnails");
-  EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG, /JPG or /QOI"));
+TEST(Resolve, TakesAllPictureFormats) {
+  const ResolvedSettings resolved = ResolveOrDie(Settings(
+      {{"thumbnails", "16x16/QOI, 313x173/COLPIC, 640x480"}, {"thumbnails_format", "BTT_TFT"}},
+      Source::kProfile));
+  EXPECT_THAT(resolved.effective_text,
+              HasSubstr("thumbnails = 16x16/QOI,313x173/COLPIC,640x480/BTT_TFT\n"));
+  EXPECT_THAT(resolved.warnings, IsEmpty());
 }
 
 TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
@@ -898,7 +895,7 @@ TEST(Resolve, CompleteObjectsAreArrangedWithRoomForTheHead) {
 
 TEST(Resolve, ShortensLongValuesInReports) {
   const ResolvedSettings resolved =
-      ResolveOrDie(Settings({{"notes", std::string(1000, 'n')}}, Source::kProfile));
+      ResolveOrDie(Settings({{"no_such_key", std::string(1000, 'n')}}, Source::kProfile));
   ASSERT_EQ(resolved.no_effect.size(), 1);
   EXPECT_LT(resolved.no_effect[0].text.size(), 150);
 }

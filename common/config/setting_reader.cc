@@ -111,12 +111,6 @@ const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
   return nullptr;
 }
 
-/// Returns true if a picture is requested in an unsupported format. Such pictures are made as PNG
-/// in the same size.
-bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
-  return spec.kind == Kind::kSizes && !OnlyOurFormats(value);
-}
-
 absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
                    fmt::format("{} = {} is not supported yet: the value must be {}", spec.key,
@@ -206,7 +200,6 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, SettingValues
   if (!parsed.ok()) return parsed.status();
   if (setting.source == Source::kRequest) {
     if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);
-    if (WantsOtherFormat(spec, value)) return RefuseStandIn(spec, value);
   }
   entry.value = *std::move(parsed);
   return absl::OkStatus();
@@ -246,9 +239,6 @@ void SettingReader::NoteEffective(const SettingSpec& spec, const SettingValues::
   const std::string_view value = entry.written;
   if (const Choice* choice = StandIn(spec, value)) {
     Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
-  }
-  if (WantsOtherFormat(spec, value)) {
-    Warn(Quoted(spec.key, value) + ": thumbnails are written as PNG, in the same sizes");
   }
   NoteOtherItems(spec, entry);
   if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
@@ -305,8 +295,9 @@ void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
     Warn(text);
     if (known->spoils_print) missing_.push_back({key, text, {{"setting", key}, {"value", value}}});
   } else {
+    // A profile describes itself, its host and several extruders; these settings change no print.
     const bool matters = known->of_print && !known->of_several_extruders;
-    (matters ? no_effect_ : last_notes_).push_back({text});
+    if (matters) no_effect_.push_back({text});
   }
 }
 

@@ -43,6 +43,8 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
       {"start_filament_gcode", options.tool().start_filament_gcode.str(), code.start_filament},
       {"before_layer_gcode", options.before_layer_gcode.str(), code.before_layer},
       {"layer_gcode", options.layer_gcode.str(), code.layer},
+      {"change_extrusion_role_gcode", options.role_gcode.str(), code.role},
+      {"file_start_gcode", options.file_start_gcode.str(), code.file_start},
       {"between_objects_gcode", options.between_objects_gcode.str(), code.between_objects},
       {"end_gcode", options.end_gcode.str(), code.end},
       {"output_filename_format", options.writing.file_name, code.file_name},
@@ -65,9 +67,15 @@ absl::Status CheckJobCode(const MotionOptions& options, std::string_view setting
   const TemplateVariables print = VariablesOfThePrint();
   const TemplateScope scope = {settings, print};
   TemplateMemory memory;
+  TemplateVariables roles = print;
+  roles["extrusion_role"] = roles["last_extrusion_role"] = std::string();
+  TemplateMemory of_roles;
+  if (absl::Status status = CheckTemplate(code->role, {settings, roles}, of_roles); !status.ok())
+    return status;
   for (const Template* part :
-       {&code->start, &code->start_filament, &code->before_layer, &code->layer, &code->color_change,
-        &code->pause, &code->at_height, &code->between_objects, &code->end, &code->file_name})
+       {&code->file_start, &code->start, &code->start_filament, &code->before_layer, &code->layer,
+        &code->color_change, &code->pause, &code->at_height, &code->between_objects, &code->end,
+        &code->file_name})
     if (absl::Status status = CheckTemplate(*part, scope, memory); !status.ok()) return status;
   return absl::OkStatus();
 }
@@ -76,7 +84,8 @@ bool NamesClock(const JobCode& code) {
   const auto is_clock = [](const std::string& name) {
     return std::ranges::find(kClock, name) != std::end(kClock);
   };
-  return AnyName(code.start, is_clock) || AnyName(code.start_filament, is_clock) ||
+  return AnyName(code.file_start, is_clock) || AnyName(code.role, is_clock) ||
+         AnyName(code.start, is_clock) || AnyName(code.start_filament, is_clock) ||
          AnyName(code.before_layer, is_clock) || AnyName(code.layer, is_clock) ||
          AnyName(code.between_objects, is_clock) || AnyName(code.color_change, is_clock) ||
          AnyName(code.pause, is_clock) || AnyName(code.at_height, is_clock) ||

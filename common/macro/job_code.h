@@ -19,6 +19,8 @@ struct JobCode {
   Template start_filament;
   Template before_layer;
   Template layer;
+  Template role;  ///< `change_extrusion_role_gcode`
+  Template file_start;
   Template between_objects;
   Template end;
   Template color_change;

@@ -55,7 +55,13 @@ constexpr Relation kAliases[] = {
 constexpr std::array<std::string_view, 4> kOfALayer = {"layer_num", "layer_z", "max_layer_z",
                                                        "current_object_idx"};
 
-constexpr std::array<std::string_view, 28> kWaiting = {
+constexpr std::array<std::string_view, 34> kWaiting = {
+    "print_time_total_sec",
+    "print_time_day",
+    "print_time_hour",
+    "print_time_minute",
+    "print_time_sec",
+    "used_filament_length",
     "first_layer_center_no_wipe_tower",
     "model_name",
     "max_print_z",

@@ -27,7 +27,7 @@ CONTEXTS = {
         "small_area_infill_flow_compensation": "1"},
     "automatic_infill_combination": {"layer_height": "0.15", "first_layer_height": "0.15"},
     "automatic_infill_combination_max_layer_height": {"automatic_infill_combination": "1"}, "gap_fill_": {"perimeter_generator": "classic"},
-    "scarf_seam_on_inner_perimeters": {"scarf_seam_only_on_smooth": "0"}, "thin_walls": {"perimeter_generator": "classic"}, "extra_perimeters": {"perimeters": "1"},
+    "scarf_seam_max_overhang": {"scarf_seam_smooth_angle": "60"}, "scarf_seam_on_inner_perimeters": {"scarf_seam_only_on_smooth": "0"}, "thin_walls": {"perimeter_generator": "classic"}, "extra_perimeters": {"perimeters": "1"},
     "overhang_reverse_": {"overhang_reverse": "1"}, "min_width_top_surface": {"top_one_perimeter_type": "top"},
     "top_solid_min_thickness": {"top_solid_layers": "1"}, "bottom_solid_min_thickness": {"bottom_solid_layers": "1"}}
 # Values for settings where half or twice the default does not show the effect.

@@ -83,8 +83,7 @@ JobPresets FromOrcaPresets(const std::vector<SourcedValue>& values) {
   for (const SourcedValue& each : values)
     if (each.from != nullptr) given.insert(each.key);
   for (std::string& line : unused.others)
-    if (given.contains(std::string_view(line).substr(0, line.find(" = "))))
-      job.others.push_back(std::move(line));
+    if (given.contains(KeyOfUnused(line))) job.others.push_back(std::move(line));
   return job;
 }
 

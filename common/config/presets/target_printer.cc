@@ -206,7 +206,7 @@ class Converter {
     std::vector<std::string> lines = made_.project.without_effect;
     for (const auto* texts : {&unused.of_print, &unused.others})
       for (const std::string& text : *texts)
-        if (!LastValue(made_.kept, text.substr(0, text.find(" = "))).empty()) lines.push_back(text);
+        if (!LastValue(made_.kept, KeyOfUnused(text)).empty()) lines.push_back(text);
     made_.project = InPrusaNames(std::move(made_.project));
     made_.project.without_effect = std::move(lines);
     return kept;

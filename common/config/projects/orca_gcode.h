@@ -17,9 +17,14 @@ struct AddedGcode {
   std::string_view because = {};  ///< setting of OrcaSlicer that asks for the lines
 };
 
-/// Returns the additions, in the order in which they are made: the scan of the first layer
-/// (scan_first_layer), the fan beside the bed (additional_cooling_fan_speed) and the exhaust fan of
-/// the chamber (activate_air_filtration). `given` is asked for each setting that has an effect.
+/// Returns the additions, in the order in which they are made:
+/// - scan_first_layer: scan of the first layer;
+/// - additional_cooling_fan_speed: fan beside the bed;
+/// - activate_air_filtration: exhaust fan of the chamber;
+/// - input_shaping_emit: input shapers;
+/// - enable_power_loss_recovery: recovery after a power loss.
+///
+/// `given` is asked for each setting that has an effect.
 /// Source: the G-code of OrcaSlicer 2.3 and Bambu Studio 2.4.
 std::vector<AddedGcode> AddedGcodeOf(const OrcaLookup& given);
 

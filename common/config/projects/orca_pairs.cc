@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/base/text.h"
+#include "common/config/table/setting_spec.h"
 #include "common/config/table/value.h"
 
 namespace slicefarm::config {
@@ -43,6 +44,33 @@ void AddFlows(const OrcaLookup& given, std::vector<PairedSetting>& settings) {
   const bool on = IsOn(given, "set_other_flow_ratios");
   for (const auto& [from, to] : kFlows)
     if (const auto ratio = given(from); ratio && on) settings.push_back({to, *ratio, from});
+}
+
+/// Adds the model of pressure advance, if pressure advance is on. OrcaSlicer's default model, two
+/// points of zeros, is none.
+void AddAdaptiveAdvance(const OrcaLookup& given, std::vector<PairedSetting>& settings) {
+  constexpr std::string_view kOn = "adaptive_pressure_advance";
+  constexpr std::string_view kModel = "adaptive_pressure_advance_model";
+  constexpr std::string_view kNone = "0,0,0;0,0,0";
+  const bool on = IsOn(given, kOn), any = IsOn(given, "enable_pressure_advance");
+  const auto lines = given(kModel);
+  if (!on || !any || !lines) return;
+  std::string model = *lines;
+  for (size_t at = 0; (at = model.find("\\n", at)) != model.npos;) model.replace(at, 2, ";");
+  settings.push_back({kOn, "1", kOn});
+  settings.push_back({kModel, model == kNone ? "" : model, kModel});
+}
+
+/// Adds the ironing of the filament, which replaces that of the process.
+void AddFilamentIroning(const OrcaLookup& given, std::vector<PairedSetting>& settings) {
+  constexpr std::pair<std::string_view, std::string_view> kIroning[] = {
+      {"filament_ironing_flow", "ironing_flowrate"},
+      {"filament_ironing_spacing", "ironing_spacing"},
+      {"filament_ironing_inset", "ironing_inset"},
+      {"filament_ironing_speed", "ironing_speed"}};
+  for (const auto& [from, to] : kIroning)
+    if (const auto value = given(from); value && !value->empty() && *value != kNotSet)
+      settings.push_back({to, *value, from});
 }
 
 /// Adds the diameter of the filament that has the pellets' flow.
@@ -100,8 +128,8 @@ void AddTreeBrim(const OrcaLookup& given, std::vector<PairedSetting>& settings) 
 
 std::vector<PairedSetting> PairedSettingsOf(const OrcaLookup& given) {
   std::vector<PairedSetting> settings;
-  for (const auto add :
-       {AddAccelToDecel, AddFlows, AddPellets, AddSupportWalls, AddTreeOverhangs, AddTreeBrim})
+  for (const auto add : {AddAccelToDecel, AddAdaptiveAdvance, AddFilamentIroning, AddFlows,
+                         AddPellets, AddSupportWalls, AddTreeOverhangs, AddTreeBrim})
     add(given, settings);
   return settings;
 }

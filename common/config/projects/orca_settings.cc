@@ -67,6 +67,12 @@ std::string WithoutQuotes(std::string text) {
   return text;
 }
 
+/// Returns a point as `XxY`.
+std::string PointOf(std::string text) {
+  if (text.find('x') == text.npos) std::ranges::replace(text, ',', 'x');
+  return text;
+}
+
 /// Value in PrusaSlicer's form, with a flag for exact equivalence.
 struct Converted {
   std::optional<std::string> text;
@@ -108,9 +114,10 @@ class OrcaReader {
       if (stand_ins_.contains(setting.key) || weight == OrcaWeight::kPrint)
         unused.of_print.push_back(setting.key + " = " + ShortValue(setting.value));
       else if (inexact_.contains(setting.key))
-        unused.others.push_back(setting.key + " = " + ShortValue(setting.value));
+        unused.others.push_back(setting.key + " = " + ShortValue(setting.value) +
+                                ": no exact counterpart");
       else if (!known && weight == OrcaWeight::kDetail)
-        unused.others.push_back(setting.key);
+        unused.others.push_back(setting.key + ": " + std::string(WhyIdle(setting.key)));
     }
     return unused;
   }
@@ -178,18 +185,18 @@ class OrcaReader {
 
   /// Converts slope lifts, which rise by z_hop at travel_slope (default 3 degrees), and automatic
   /// lifts, which are slopes where the nozzle meets nothing and steeper elsewhere. Spiral lifts
-  /// become vertical lifts.
+  /// rise on a circle with this slope.
   void TakeSlopes() {
     const std::string type = LiftType();
     for (const std::string_view key : {"z_hop_types", "filament_z_hop_types", "travel_slope"}) {
       const auto found = by_key_.find(key);
       if (found == by_key_.end()) continue;
       known_.emplace(key);
-      if (type == "Spiral Lift" && key != "travel_slope") inexact_.emplace(key);
     }
-    if (type != "Slope Lift" && type != "Auto Lift") return;
+    if (type != "Slope Lift" && type != "Auto Lift" && type != "Spiral Lift") return;
     constexpr Source kSource = Source::kProfile;
     if (type == "Auto Lift") Set("travel_lift_before_obstacle", "1", kSource);
+    if (type == "Spiral Lift") Set("travel_spiral_lift", "1", kSource);
     Set("travel_ramping_lift", "1", kSource);
     Set("travel_slope", PrintNumber(NumberOf("travel_slope").value_or(3)), kSource);
     for (const auto& [from, to] : {std::pair{"z_hop", "travel_max_lift"},
@@ -279,6 +286,8 @@ class OrcaReader {
         return {RestOf(*first)};
       case OrcaValue::kNot:
         return {*first == "0" ? "1" : "0"};
+      case OrcaValue::kPoint:
+        return {PointOf(*first)};
       case OrcaValue::kChoice:
         return Choice(row.to, *first);
       case OrcaValue::kGcode:
@@ -466,6 +475,10 @@ class OrcaReader {
 };
 
 }  // namespace
+
+std::string_view KeyOfUnused(std::string_view line) {
+  return line.substr(0, line.find_first_of(" :"));
+}
 
 std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused,
                               size_t filament) {

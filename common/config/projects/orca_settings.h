@@ -11,9 +11,13 @@ namespace slicefarm::config {
 /// Settings without an exact equivalent in PrusaSlicer, in the order in which they were given.
 struct OrcaUnused {
   std::vector<std::string> of_print;  ///< `key = value` of each setting that would change the print
-  /// other settings: `key`, or `key = value` if PrusaSlicer has the setting but not this value
+  /// other settings: `key: reason`, or `key = value: reason` if PrusaSlicer has the setting but not
+  /// this value
   std::vector<std::string> others;
 };
+
+/// Returns the key at the beginning of a line of OrcaUnused.
+std::string_view KeyOfUnused(std::string_view line);
 
 /// Converts settings of OrcaSlicer or Bambu Studio to PrusaSlicer's names and values. The result
 /// has each setting once, in an order that does not depend on the order of `settings`. Each setting

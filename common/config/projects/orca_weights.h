@@ -15,4 +15,7 @@ enum class OrcaWeight {
 /// list.
 OrcaWeight WeightOf(std::string_view key, std::string_view value);
 
+/// Returns the reason why a setting has no effect, for reports.
+std::string_view WhyIdle(std::string_view key);
+
 }  // namespace slicefarm::config

@@ -17,11 +17,17 @@ TEST(WeightOf, DependsOnTheValue) {
                         Case{"fill_multiline", "2", OrcaWeight::kPrint},
                         Case{"top_surface_density", R"(["100%", "100%"])", OrcaWeight::kNothing},
                         Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
-                        Case{"file_start_gcode", "", OrcaWeight::kNothing},
-                        Case{"file_start_gcode", R"(["G28"])", OrcaWeight::kPrint},
+                        Case{"post_process", "", OrcaWeight::kNothing},
+                        Case{"post_process", R"(["a.py"])", OrcaWeight::kPrint},
                         Case{"temperature_vitrification", "60", OrcaWeight::kNothing},
-                        Case{"nozzle_volume", "92", OrcaWeight::kDetail}})
+                        Case{"nozzle_volume", "92", OrcaWeight::kNothing},
+                        Case{"overhang_totally_speed", "10", OrcaWeight::kDetail}})
     EXPECT_EQ(WeightOf(c.key, c.value), c.weight) << c.key << " = " << c.value;
+}
+
+TEST(WhyIdle, GivesAReason) {
+  EXPECT_EQ(WhyIdle("overhang_totally_speed"), "acts in Bambu Studio only");
+  EXPECT_EQ(WhyIdle("zaa_min_z"), "unknown, or not supported yet");
 }
 
 TEST(WeightOf, KnowsNoSettingThatHasACounterpart) {

@@ -53,7 +53,8 @@ TEST(JobOfProject, WarnsOfWhatIsNoSetting) {
   project.without_effect = {"painted seams of `b`"};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
-  EXPECT_THAT(job->without_effect, ElementsAre("painted seams of `b`", "no_such"));
+  EXPECT_THAT(job->without_effect,
+              ElementsAre("painted seams of `b`", "no_such: unknown, or not supported yet"));
   EXPECT_THAT(job->warnings, ElementsAre("painted seams of `b`: without effect"));
 }
 
@@ -69,7 +70,7 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
               ElementsAre("brim_type = painted", "sparse_infill_pattern = crosszag",
-                          "b: fill_multiline = 2", "no_such"));
+                          "b: fill_multiline = 2", "no_such: unknown, or not supported yet"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 
@@ -154,7 +155,8 @@ TEST(InPrusaNames, TranslatesSettingsOfEveryPlace) {
   // Percentage of the nozzle diameter, which only the project gives.
   EXPECT_THAT(named.objects[1].ranges[0].settings,
               ElementsAre(Setting{"external_perimeter_extrusion_width", "0.44", Source::kProfile}));
-  EXPECT_THAT(named.without_effect, ElementsAre("no_such", "b, body: odd"));
+  EXPECT_THAT(named.without_effect, ElementsAre("no_such: unknown, or not supported yet",
+                                                "b, body: odd: unknown, or not supported yet"));
   EXPECT_EQ(InPrusaNames(named), named);
 }
 

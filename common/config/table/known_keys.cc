@@ -26,7 +26,6 @@ constexpr KnownKey kSwitches[] = {
      .has_neutral = true,
      .changes_print = true,
      .spoils_print = true},
-    {"single_extruder_multi_material", kNotYet, "0", true},
     // These settings improve the part or change details of it.
     {.key = "colorprint_heights",
      .why = kNotYet,
@@ -34,17 +33,15 @@ constexpr KnownKey kSwitches[] = {
      .changes_print = true,
      .spoils_print = true},
     {"extrusion_axis", kNotYet, "E", true},
-    {"infill_extruder", kNotYet, "1", true},
+    {"infill_extruder", kNotYet, "0|1", true},
     {"interlocking_beam", kNotYet, "0", true},
     {"ooze_prevention", kNotYet, "0", true},
-    {"perimeter_extruder", kNotYet, "1", true},
-    {"solid_infill_extruder", kNotYet, "1", true},
-    {"support_material_extruder", kNotYet, "1", true},
-    {"support_material_interface_extruder", kNotYet, "1", true},
-    {"toolchange_gcode", kNotYet, "", true},
+    {"perimeter_extruder", kNotYet, "0|1", true},
+    {"solid_infill_extruder", kNotYet, "0|1", true},
+    {"support_material_extruder", kNotYet, "0|1", true},
+    {"support_material_interface_extruder", kNotYet, "0|1", true},
     {"wipe_into_infill", kNotYet, "0", true},
     {"wipe_into_objects", kNotYet, "0", true},
-    {"wipe_tower", kNotYet, "0", true},
 };
 
 struct Group {
@@ -70,9 +67,9 @@ constexpr Group kGroups[] = {
      "mmu_* multimaterial_purging "
      "parking_pos_retraction retract_length_toolchange "
      "retract_restart_extra_toolchange "
-     "single_extruder_multi_material_priming "
-     "standby_temperature_delta "
-     "wipe_tower_* wiping_volumes_*"},
+     "single_extruder_multi_material single_extruder_multi_material_priming "
+     "standby_temperature_delta toolchange_gcode "
+     "wipe_tower wipe_tower_* wiping_volumes_*"},
     {kProfile,
      "bed_custom_model bed_custom_texture color_change_* custom_parameters_* "
      "default_filament_profile "
@@ -135,9 +132,11 @@ const KnownKey* FindKnownKey(std::string_view key) {
 bool IsNeutral(const KnownKey& key, std::string_view value) {
   if (!key.has_neutral) return false;
   if (value == "\"\"") value = "";  // an empty text in a list
-  const std::vector<std::string_view> items = Split(value, ",;");
-  return std::all_of(items.begin(), items.end(),
-                     [&](std::string_view item) { return SameValue(Trim(item), key.neutral); });
+  const std::vector<std::string_view> neutral = Split(key.neutral, "|");
+  return std::ranges::all_of(Split(value, ",;"), [&](std::string_view item) {
+    return std::ranges::any_of(neutral,
+                               [&](std::string_view each) { return SameValue(Trim(item), each); });
+  });
 }
 
 }  // namespace slicefarm::config

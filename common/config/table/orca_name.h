@@ -15,6 +15,7 @@ enum class OrcaValue {
   kOrAuto,
   kRest,    ///< percentage that becomes its complement to 100 %
   kNot,     ///< flag with the opposite meaning
+  kPoint,   ///< point, `x,y` or `XxY`
   kPoints,  ///< list of which all items are used, not only the first
   kPairs,   ///< list of which all items are used, with `;` between them
   kChoice,  ///< name of a choice, converted by OrcaChoices

@@ -34,6 +34,8 @@ enum class Kind {
   kMaterialField,
   kAngles,     ///< angles by layer (common/model/options/fill_angles.h); empty: no angles
   kFlowTable,  ///< factors by length (common/model/options/flow_table.h)
+  /// Pressure advance by flow and acceleration (common/model/options/advance_model.h); empty: none
+  kAdvancePoints,
   /// G-code at heights, as JSON on one line (common/model/options/height_code.h); empty: none
   kHeightCode,
   /// Alternately z and height (common/model/options/layer_heights.h); empty: no heights.
@@ -46,11 +48,11 @@ enum class Kind {
 /// Returns the kind's name for clients that build forms, such as "flag" or "number_or_percent".
 constexpr std::string_view KindName(Kind kind) {
   constexpr std::string_view kNames[] = {
-      "flag",   "integer",    "number",        "percent",       "number_or_percent",
-      "choice", "text",       "gcode",         "bed_shape",     "areas",
-      "point",  "sizes",      "density_field", "stress_field",  "material_field",
-      "angles", "flow_table", "height_code",   "layer_heights", "substitutions",
-      "cutter"};
+      "flag",          "integer",    "number",         "percent",      "number_or_percent",
+      "choice",        "text",       "gcode",          "bed_shape",    "areas",
+      "point",         "sizes",      "density_field",  "stress_field", "material_field",
+      "angles",        "flow_table", "advance_points", "height_code",  "layer_heights",
+      "substitutions", "cutter"};
   return kNames[static_cast<size_t>(kind)];
 }
 

@@ -51,7 +51,7 @@ std::vector<SettingSpec> PlateSettings() {
        .doc = "Centre of automatically arranged parts on the bed, as shares of the bed's width and "
               "depth from 0 to 1; 0.5x0.5: the middle of the bed",
        .field = PlaceField(),
-       .orca = {{"best_object_pos"}}},
+       .orca = {{"best_object_pos", OrcaValue::kPoint}}},
   };
 }
 

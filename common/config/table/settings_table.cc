@@ -14,6 +14,7 @@
 #include "common/gcode/substitutions.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
+#include "common/model/options/advance_model.h"
 #include "common/model/options/cutter.h"
 #include "common/model/options/cutter_text.h"
 #include "common/model/options/fill_angles.h"
@@ -184,6 +185,9 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
       return ParseField<std::vector<AngleStep>>(spec, text, ParseFillAngles, PrintFillAngles);
     case Kind::kFlowTable:
       return Canonical<FlowTable>(spec, text, ParseFlowTable(Unescape(text)), PrintFlowTable);
+    case Kind::kAdvancePoints:
+      return Canonical<std::vector<AdvancePoint>>(spec, text, ParseAdvancePoints(Unescape(text)),
+                                                  PrintAdvancePoints);
     case Kind::kHeightCode:
       return Canonical<std::vector<HeightCode>>(spec, text, ParseHeightCodes(text),
                                                 PrintHeightCodes);
@@ -228,6 +232,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kMaterialField:
     case Kind::kAngles:
     case Kind::kFlowTable:
+    case Kind::kAdvancePoints:
     case Kind::kHeightCode:
     case Kind::kLayerHeights:
     case Kind::kSubstitutions:
@@ -275,8 +280,9 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kPoint:
       return "XxY";
     case Kind::kSizes:
-      return fmt::format("up to {} WIDTHxHEIGHT, WIDTHxHEIGHT/PNG, /JPG or /QOI, 1 to {} each",
-                         limits::kMaxThumbnails, limits::kMaxThumbnailPx);
+      return fmt::format(
+          "up to {} WIDTHxHEIGHT, WIDTHxHEIGHT/PNG, /JPG, /QOI, /BTT_TFT or /COLPIC, 1 to {} each",
+          limits::kMaxThumbnails, limits::kMaxThumbnailPx);
     case Kind::kDensityField:
     case Kind::kStressField:
     case Kind::kMaterialField:
@@ -285,6 +291,8 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "angles by layer, as 0,90 or +30 or 45#2";
     case Kind::kFlowTable:
       return "LENGTH,FACTOR;LENGTH,FACTOR;... from 0 mm up to factor 1";
+    case Kind::kAdvancePoints:
+      return "ADVANCE,FLOW,ACCELERATION;... in mm3/s and mm/s2, or none";
     case Kind::kHeightCode:
       return "a JSON list as [{\"z\":1.2,\"type\":\"pause\",\"text\":\"...\"}]";
     case Kind::kLayerHeights:

@@ -78,6 +78,8 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
       return {"", R"([{"z":1.5,"type":"pause","text":"a"}])"};
     case Kind::kSubstitutions:
       return {"", R"(a;"b c";r;)"};
+    case Kind::kAdvancePoints:
+      return {"", "0.04,4,3000;0.03,8,3000"};
     case Kind::kFlowTable:
       return {"0,0.5;2,1", "0,1.25;0.5,0.75;1,1"};
     case Kind::kCutter:
@@ -304,8 +306,10 @@ TEST(KnownKeys, SayWhy) {
 }
 
 TEST(KnownKeys, KnowWhichValueAsksForNothing) {
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("wipe_tower"), "0"));
-  EXPECT_FALSE(IsNeutral(*FindKnownKey("wipe_tower"), "1"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("interlocking_beam"), "0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("interlocking_beam"), "1"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("infill_extruder"), "0,1"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("infill_extruder"), "2"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("ooze_prevention"), "0.0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("infill_extruder"), "1,1"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("infill_extruder"), "1,2"));
@@ -331,8 +335,8 @@ TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
     regions += spec.scope() == Scope::kRegion;
     objects += spec.scope() == Scope::kObject;
   }
-  EXPECT_EQ(regions, 110);
-  EXPECT_EQ(objects, 73);
+  EXPECT_EQ(regions, 112);
+  EXPECT_EQ(objects, 76);
 }
 
 TEST(SettingsTable, EverySettingHasAKindAndAGroup) {

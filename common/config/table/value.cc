@@ -20,10 +20,8 @@ namespace {
 constexpr double kSteps = 1e6;
 constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a double
 constexpr size_t kMaxCorners = 1000;
-constexpr std::string_view kQoi = "QOI";
-constexpr std::string_view kJpg = "JPG";
-/// Picture formats of PrusaSlicer.
-constexpr const char* kPictureFormats[] = {"PNG", "JPG", "QOI", "BTT_TFT", "COLPIC"};
+/// Names of PictureFormat, as in PrusaSlicer and OrcaSlicer.
+constexpr const char* kPictureFormats[] = {"PNG", "QOI", "JPG", "BTT_TFT", "COLPIC"};
 
 absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
 
@@ -40,21 +38,16 @@ absl::StatusOr<Point> ParseCorner(std::string_view text) {
   return Point{FromMm(x->number), FromMm(y->number)};
 }
 
-bool IsPictureFormat(std::string_view name) {
-  return std::find(std::begin(kPictureFormats), std::end(kPictureFormats), name) !=
-         std::end(kPictureFormats);
-}
-
-/// Returns the format in which a picture is made for a format name of PrusaSlicer.
-PictureFormat MadeFormat(std::string_view name) {
-  return name == kQoi   ? PictureFormat::kQoi
-         : name == kJpg ? PictureFormat::kJpg
-                        : PictureFormat::kPng;
+std::optional<PictureFormat> FormatOf(std::string_view name) {
+  const auto found = std::ranges::find(kPictureFormats, name);
+  if (found == std::end(kPictureFormats)) return std::nullopt;
+  return static_cast<PictureFormat>(found - std::begin(kPictureFormats));
 }
 
 absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "/");
-  if (parts.size() > 2 || (parts.size() == 2 && !IsPictureFormat(parts[1]))) {
+  const auto format = parts.size() == 2 ? FormatOf(parts[1]) : PictureFormat::kPng;
+  if (parts.size() > 2 || !format) {
     return Malformed(fmt::format("'{}': the format must be one of {}", text,
                                  absl::StrJoin(kPictureFormats, ", ")));
   }
@@ -70,8 +63,7 @@ absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
     }
     px[i] = static_cast<int32_t>(*side);
   }
-  return ThumbnailSize{px[0], px[1],
-                       parts.size() == 2 ? MadeFormat(parts[1]) : PictureFormat::kPng};
+  return ThumbnailSize{px[0], px[1], *format};
 }
 
 }  // namespace
@@ -257,23 +249,13 @@ absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text) {
   return sizes;
 }
 
-bool OnlyOurFormats(std::string_view text) {
-  for (const std::string_view item : Split(text, ",")) {
-    const size_t slash = item.find('/');
-    if (slash == std::string_view::npos) continue;
-    const std::string_view format = Trim(item.substr(slash + 1));
-    if (format != "PNG" && format != kQoi && format != kJpg) return false;
-  }
-  return true;
-}
-
 std::string PrintSizes(const std::vector<ThumbnailSize>& sizes) {
   std::string text;
   for (const auto& [width, height, format, role] : sizes) {
     if (role != PictureRole::kProgram) continue;
     text += fmt::format("{}{}x{}", text.empty() ? "" : ",", width, height);
-    if (format == PictureFormat::kQoi) text += "/QOI";
-    if (format == PictureFormat::kJpg) text += "/JPG";
+    if (format != PictureFormat::kPng)
+      text += fmt::format("/{}", kPictureFormats[static_cast<size_t>(format)]);
   }
   return text;
 }

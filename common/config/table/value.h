@@ -59,13 +59,10 @@ std::string PrintAreas(const std::vector<Polygon>& areas);
 absl::StatusOr<Point> ParsePoint(std::string_view text);
 std::string PrintPoint(const Point& point);
 
-/// Parses picture sizes in pixels, such as `32x32, 300x300/QOI`; an empty text gives no sizes. All
-/// formats of PrusaSlicer are accepted; QOI and JPG are stored, other formats become PNG. Errors:
-/// unknown format, more than limits::kMaxThumbnails pictures, a side beyond
-/// limits::kMaxThumbnailPx.
+/// Parses picture sizes in pixels, such as `32x32, 300x300/QOI`; an empty text gives no sizes. The
+/// formats are PNG, QOI, JPG, BTT_TFT and COLPIC. Errors: unknown format, more than
+/// limits::kMaxThumbnails pictures, a side beyond limits::kMaxThumbnailPx.
 absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text);
-/// Returns true if `text`, in the form of ParseSizes, requests only the formats PNG, JPG and QOI.
-bool OnlyOurFormats(std::string_view text);
 std::string PrintSizes(const std::vector<ThumbnailSize>& sizes);
 
 }  // namespace slicefarm::config

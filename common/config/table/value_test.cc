@@ -165,12 +165,9 @@ TEST(ParseSizes, ReadsOldAndNewForms) {
   EXPECT_EQ(PrintSizes({{16, 16}, {220, 124, PictureFormat::kQoi}}), "16x16,220x124/QOI");
 }
 
-TEST(ParseSizes, TakesTheSizesOfOtherFormats) {
-  const char* text = "16x16/QOI, 313x173/BTT_TFT, 640x480/JPG, 1x1";
-  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16/QOI,313x173,640x480/JPG,1x1");
-  EXPECT_FALSE(OnlyOurFormats(text));
-  EXPECT_TRUE(OnlyOurFormats("640x480/PNG, 1x1, 16x16/QOI, 1x1/JPG"));
-  EXPECT_TRUE(OnlyOurFormats(""));
+TEST(ParseSizes, TakesAllFormats) {
+  const char* text = "16x16/QOI, 313x173/BTT_TFT, 640x480/JPG, 1x1, 2x2/COLPIC";
+  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16/QOI,313x173/BTT_TFT,640x480/JPG,1x1,2x2/COLPIC");
 }
 
 TEST(ParseSizes, RefusesWhatCannotBeMade) {

@@ -4,6 +4,11 @@
 
 namespace slicefarm {
 
+double PrinterCost(const MotionOptions& options, double time_s) {
+  constexpr double kSecondsPerHour = 3600;
+  return options.cost_per_hour * time_s / kSecondsPerHour;
+}
+
 FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options) {
   return FilamentUseOf(
       FeatureUse{.filament_mm = total.FilamentMm(), .volume_mm3 = total.VolumeMm3()}, options);

@@ -17,6 +17,9 @@ struct FilamentUse {
   friend bool operator==(const FilamentUse&, const FilamentUse&) = default;
 };
 
+/// Returns the cost of the printer for a time (time_cost).
+double PrinterCost(const MotionOptions& options, double time_s);
+
 /// Return the filament use of a print, or of a part of it, from its totals and the filament's
 /// settings.
 FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options);

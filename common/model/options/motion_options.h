@@ -64,6 +64,26 @@ struct JerkOptions {
   friend bool operator==(const JerkOptions&, const JerkOptions&) = default;
 };
 
+/// Speeds at which the machine resonates. Outer walls are not printed at them.
+struct ResonanceOptions {
+  bool avoid = false;       ///< setting resonance_avoidance
+  double from_mm_s = 70;    ///< `min_resonance_avoidance_speed`: speed of walls in the range
+  double until_mm_s = 120;  ///< setting max_resonance_avoidance_speed
+
+  friend bool operator==(const ResonanceOptions&, const ResonanceOptions&) = default;
+};
+
+/// Flow and reach of the turns of a spiral (spiral_vase).
+struct SpiralMotion {
+  double start_flow =
+      0;                ///< `spiral_vase_starting_flow_ratio`: flow at the start of the first turn
+  double end_flow = 0;  ///< `spiral_vase_finishing_flow_ratio`: flow at the end of the last turn
+  /// `spiral_vase_max_xy_smoothing`: longest shift of a point towards the turn below; 0: four beads
+  Coord reach_nm = 0;
+
+  friend bool operator==(const SpiralMotion&, const SpiralMotion&) = default;
+};
+
 /// Machine settings for motion planning and G-code.
 struct MachineMotion {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< setting gcode_flavor
@@ -125,8 +145,15 @@ struct MachineMotion {
   bool clockwise = false;    ///< JobOrder::clockwise
   double fan_speedup_s = 0;  ///< `fan_speedup_time`: time by which the fan starts before its beads
   bool fan_speedup_all = false;  ///< fan_speedup_overhangs = 0: speedup for all faster fans
+  /// `fan_kickstart`: time at full speed before the fan turns faster by 100 %
+  double fan_kickstart_s = 0;
+  int32_t fan_least_percent = 0;  ///< `part_cooling_fan_min_pwm`: least speed of a fan that runs
+  ResonanceOptions resonance;
+  SpiralMotion spiral;
   /// max_volumetric_extrusion_rate_slope_segment_length: length of beads with one flow
   double flow_segment_mm = 1;
+  /// extrusion_rate_smoothing_external_perimeter_only: the flow of other lines may change at once.
+  bool flow_slopes_of_outer_walls = false;
   double seam_gap_mm = 0;  ///< `seam_gap_distance`: length of the gap at the end of a closed path
 
   std::string printer_model;  ///< setting printer_model
@@ -150,7 +177,12 @@ struct MachineMotion {
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
   SharedText before_layer_gcode;  ///< setting before_layer_gcode
   SharedText layer_gcode;         ///< setting layer_gcode, including time_lapse_gcode
-  /// Settings that before_layer_gcode and layer_gcode refer to, as `key = value` lines.
+  /// `change_extrusion_role_gcode`, then the filament's and the process's: G-code before the first
+  /// bead of another feature.
+  SharedText role_gcode;
+  SharedText file_start_gcode;  ///< setting file_start_gcode
+  double cost_per_hour = 0;     ///< setting time_cost
+  /// Settings that before_layer_gcode, layer_gcode and role_gcode refer to, as `key = value` lines.
   SharedText layer_settings;
   ObjectLabels labels = ObjectLabels::kNone;  ///< setting gcode_label_objects
   SharedText between_objects_gcode;           ///< setting between_objects_gcode
@@ -196,7 +228,8 @@ inline bool LooksBelow(const MotionOptions& options) {
          options.slow_curled ||
          (options.tool().retraction.ramping && options.tool().retraction.before_obstacles) ||
          std::ranges::any_of(options.speeds, [](const RegionMotion& region) {
-           return region.dynamic_overhangs || region.bridging_walls || region.reversal.on;
+           return region.dynamic_overhangs || region.bridging_walls || region.reversal.on ||
+                  LimitsOverhang(region.scarf);
          });
 }
 

@@ -52,6 +52,7 @@ struct JobOrder {
   /// `prefer_clockwise_movements`: walls of outer rings are printed clockwise, walls of holes
   /// counter-clockwise
   bool clockwise = false;
+  bool as_listed = false;  ///< `print_order = as_obj_list`: copies in the order of the plate
   TravelOptions travel;
   int32_t improvement_moves =
       /// largest number of 2-opt moves that are tried per layer; a time limit instead would make

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "common/geometry/point.h"
 #include "common/model/path.h"
 
 namespace slicefarm {
@@ -23,8 +24,14 @@ enum class ScarfPlacement : uint8_t {
 struct ScarfOptions {
   ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< setting scarf_seam_placement
   bool only_on_smooth = true;  ///< `scarf_seam_only_on_smooth`: no scarf at corners
-  bool on_inner = false;       ///< setting scarf_seam_on_inner_perimeters
-  bool entire_loop = false;    ///< `scarf_seam_entire_loop`: the scarf is as long as the loop
+  /// `scarf_seam_smooth_angle`: smallest angle between the edges of a loop at a start that is no
+  /// corner
+  double smooth_angle_deg = 150;
+  /// `scarf_seam_max_overhang`, with only_on_smooth: unsupported share of the width at the start
+  /// from which the loop has no scarf; 0: no limit
+  double most_overhang = 0;
+  bool on_inner = false;     ///< setting scarf_seam_on_inner_perimeters
+  bool entire_loop = false;  ///< `scarf_seam_entire_loop`: the scarf is as long as the loop
   /// `scarf_seam_start_height`: start height as a share of the layer height
   double start_height_ratio = 0;
   double length_mm = 20;       ///< setting scarf_seam_length
@@ -38,6 +45,12 @@ struct ScarfOptions {
 
   friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
 };
+
+/// Returns true if a scarf depends on the layer below.
+inline bool LimitsOverhang(const ScarfOptions& scarf) {
+  return scarf.placement != ScarfPlacement::kNowhere && scarf.only_on_smooth &&
+         scarf.most_overhang > 0;
+}
 
 /// Direction of walls over air: reversed in every second layer.
 struct OverhangReversal {
@@ -77,6 +90,13 @@ struct RegionMotion {
   double first_layer_flow = 1;  ///< first_layer_flow_ratio: further factor in the first layer
   /// skirt_speed: speed of skirts in all layers; 0: the speed of supports. Set in the skirt's row.
   double skirt_speed_mm_s = 0;
+  /// `small_support_perimeter_speed`: speed of small loops of supports; 0: small_support_ratio
+  double small_support_mm_s = 0;
+  double small_support_ratio = 0.5;    ///< share of the supports' speed, if given as a percentage
+  double small_support_radius_mm = 0;  ///< `small_support_perimeter_threshold`; 0: no loop is small
+  bool wipe_inward = false;            ///< `wipe_inward`: wipes of outer walls are shifted inwards
+  Coord wipe_inward_nm = 0;            ///< `wipe_inward_distance`; 0: wipe_inward_share applies
+  double wipe_inward_share = 0.5;      ///< share of the wall's width, if given as a percentage
   bool wipe_on_loops = false;  ///< `wipe_on_loops`: a move inwards at the end of outer walls
   /// `wipe_before_external_loop`: a move inwards before outer walls.
   bool wipe_before_outer = false;

@@ -51,6 +51,7 @@ struct ObjectSlicingOptions {
   int32_t hollow_from = 0;
   /// Setting counterbore_hole_bridging.
   CounterboreBridging counterbores = CounterboreBridging::kNone;
+  bool precise_top = false;  ///< `precise_z_height`: the last layers end at the object's top
   AdaptiveHeights adaptive;
   /// `layer_height_profile`: layer heights at ascending z, interpolated linearly. They replace
   /// layer_height, height ranges and `adaptive`. Empty: no profile.

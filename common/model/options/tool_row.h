@@ -40,6 +40,10 @@ struct RetractionOptions {
   bool wipe = false;
   /// `retract_before_wipe`: share of the length that is retracted before the wipe begins
   double before_wipe = 0;
+  /// `retract_after_wipe`: share of the length that is retracted after the wipe
+  double after_wipe = 0;
+  /// `travel_spiral_lift`: the nozzle rises on a circle before the travel, with ramp_slope_deg
+  bool spiral = false;
   /// `wipe_distance`: length of the wipe; 0: the wipe lasts as long as the retraction
   double wipe_distance_mm = 0;
 
@@ -72,11 +76,24 @@ struct CoolingOptions {
   double overhang_fan_share = 1;
   /// `support_material_interface_fan_speed`; -1: the layer's fan speed
   int32_t interface_fan_percent = -1;
+  int32_t internal_bridge_fan_percent = -1;  ///< internal_bridge_fan_speed; -1: bridge_fan_percent
+  int32_t ironing_fan_percent = -1;          ///< ironing_fan_speed; -1: the layer's fan speed
+  int32_t first_layer_fan_percent = -1;      ///< first_layer_fan_speed; -1: as in other layers
   bool bridge_fan = true;  ///< `enable_overhang_bridge_fan`: bridges have a fan of their own
   /// `dont_slow_down_outer_wall`: outer walls keep their speed in short layers
   bool keep_outer_walls = false;
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
+};
+
+/// Pressure advance that depends on the flow and the acceleration of a feature.
+struct AdaptiveAdvance {
+  bool on = false;    ///< setting adaptive_pressure_advance
+  std::string model;  ///< `adaptive_pressure_advance_model` (advance_model.h); empty: none
+  bool within_features = false;  ///< `adaptive_pressure_advance_overhangs`: at each flow change
+  double bridges = 0;            ///< adaptive_pressure_advance_bridges; 0: by the model
+
+  friend bool operator==(const AdaptiveAdvance&, const AdaptiveAdvance&) = default;
 };
 
 /// Settings of one tool: its nozzle and its filament.
@@ -89,6 +106,8 @@ struct ToolRow {
   int32_t number = -1;  ///< number of the extruder from 0; -1: the machine has one tool
   double max_volumetric_speed_mm3_s = 0;  ///< setting filament_max_volumetric_speed; 0: unlimited
   double pressure_advance = 0;            ///< `pressure_advance` in the firmware's unit; 0: not set
+
+  AdaptiveAdvance advance;
 
   double filament_diameter_mm = 1.75;    ///< setting filament_diameter
   double extrusion_multiplier = 1;       ///< setting extrusion_multiplier

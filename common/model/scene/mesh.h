@@ -74,7 +74,13 @@ struct MeshReport {
 };
 
 /// File format of a picture.
-enum class PictureFormat : uint8_t { kPng, kQoi, kJpg };
+enum class PictureFormat : uint8_t {
+  kPng,
+  kQoi,
+  kJpg,
+  kBtt,     ///< text for touch screens of BigTreeTech
+  kColPic,  ///< text for screens of Elegoo and Qidi
+};
 
 /// View and use of a picture of the plate.
 enum class PictureRole : uint8_t {

@@ -1,8 +1,10 @@
 #include "common/wire/options/options_check.h"
 
+#include <string>
 #include <string_view>
 
 #include "common/model/limits.h"
+#include "common/model/options/advance_model.h"
 #include "common/model/options/beading_options.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/motion_options.h"
@@ -145,6 +147,13 @@ absl::Status CheckSpeeds(const RegionMotion& speeds) {
     status.Update(CheckNoLessThanZero("speed_mm_s", speed));
   for (const double speed : speeds.overhang_speed_mm_s)
     status.Update(CheckNoLessThanZero("overhang_speed_mm_s", speed));
+  status.Update(CheckRange("scarf.smooth_angle_deg", speeds.scarf.smooth_angle_deg, 0, 180));
+  status.Update(CheckRange("scarf.most_overhang", speeds.scarf.most_overhang, 0, 1));
+  status.Update(CheckNoLessThanZero("small_support_mm_s", speeds.small_support_mm_s));
+  status.Update(CheckAboveZero("small_support_ratio", speeds.small_support_ratio));
+  status.Update(CheckNoLessThanZero("small_support_radius_mm", speeds.small_support_radius_mm));
+  status.Update(CheckNoLessThanZero("wipe_inward_share", speeds.wipe_inward_share));
+  status.Update(CheckNotNegative({{"wipe_inward_nm", speeds.wipe_inward_nm}}));
   status.Update(CheckRange("scarf.start_height_ratio", speeds.scarf.start_height_ratio, 0, 1));
   status.Update(CheckNoLessThanZero("scarf.length_mm", speeds.scarf.length_mm));
   status.Update(CheckAboveZero("scarf.max_segment_mm", speeds.scarf.max_segment_mm));
@@ -158,7 +167,9 @@ absl::Status CheckCooling(const CoolingOptions& cooling) {
   status.Update(CheckRange(kFans, cooling.bridge_fan_percent, 0, 100));
   for (const int32_t percent : cooling.overhang_fan_percent)
     status.Update(CheckRange(kFans, percent, 0, 100));
-  status.Update(CheckRange(kFans, cooling.interface_fan_percent, -1, 100));
+  for (const int32_t percent : {cooling.interface_fan_percent, cooling.internal_bridge_fan_percent,
+                                cooling.ironing_fan_percent, cooling.first_layer_fan_percent})
+    status.Update(CheckRange(kFans, percent, -1, 100));
   status.Update(CheckRange("overhang_fan_share", cooling.overhang_fan_share, 0, 1));
   return status;
 }
@@ -167,6 +178,10 @@ absl::Status CheckTool(const ToolRow& tool) {
   absl::Status status = CheckAboveZero("nozzle_diameter_mm", tool.nozzle_diameter_mm);
   status.Update(CheckAboveZero("filament_diameter_mm", tool.filament_diameter_mm));
   status.Update(CheckCooling(tool.cooling));
+  status.Update(CheckRange("retraction.after_wipe", tool.retraction.after_wipe, 0, 1));
+  status.Update(CheckNoLessThanZero("advance.bridges", tool.advance.bridges));
+  if (const auto points = ParseAdvancePoints(tool.advance.model); !points.ok())
+    status.Update(Malformed("advance.model", std::string(points.status().message())));
   return status;
 }
 

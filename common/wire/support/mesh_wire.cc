@@ -14,11 +14,13 @@ namespace {
 
 using google::protobuf::RepeatedField;
 
-constexpr int kPictureFormats = 3;
+constexpr int kPictureFormats = 5;
 constexpr int kPictureRoles = 5;
 static_assert(v1::PICTURE_FORMAT_PNG == static_cast<int>(PictureFormat::kPng) + 1);
 static_assert(v1::PICTURE_FORMAT_QOI == static_cast<int>(PictureFormat::kQoi) + 1);
 static_assert(v1::PICTURE_FORMAT_JPG == static_cast<int>(PictureFormat::kJpg) + 1);
+static_assert(v1::PICTURE_FORMAT_BTT == static_cast<int>(PictureFormat::kBtt) + 1);
+static_assert(v1::PICTURE_FORMAT_COLPIC == static_cast<int>(PictureFormat::kColPic) + 1);
 static_assert(v1::PictureFormat_MAX == kPictureFormats);
 static_assert(v1::PictureRole_MAX == kPictureRoles);
 static_assert(v1::MESH_FORMAT_UNSPECIFIED == static_cast<int>(MeshFormat::kUnknown));

@@ -124,12 +124,27 @@ void DeriveCombination(SettingValues& draft) {
 }
 
 void DeriveFilament(SettingValues& draft) {
-  for (const std::string_view key :
-       {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
-        "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below",
-        "retract_lift_enforce", "retract_lift_enforce", "travel_ramping_lift", "travel_max_lift",
-        "travel_slope", "travel_lift_before_obstacle", "seam_gap_distance", "wipe",
-        "retract_before_wipe", "wipe_distance", "retract_layer_change"}) {
+  for (const std::string_view key : {"retract_length",
+                                     "retract_speed",
+                                     "deretract_speed",
+                                     "retract_restart_extra",
+                                     "retract_before_travel",
+                                     "retract_lift",
+                                     "retract_lift_above",
+                                     "retract_lift_below",
+                                     "retract_lift_enforce",
+                                     "retract_lift_enforce",
+                                     "travel_ramping_lift",
+                                     "travel_max_lift",
+                                     "travel_slope",
+                                     "travel_lift_before_obstacle",
+                                     "travel_spiral_lift",
+                                     "seam_gap_distance",
+                                     "wipe",
+                                     "retract_before_wipe",
+                                     "retract_after_wipe",
+                                     "wipe_distance",
+                                     "retract_layer_change"}) {
     const SettingValues::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.At(key).value = own.value;
   }
@@ -177,15 +192,16 @@ void DeriveExtraWalls(SettingValues& draft) {
 
 /// Adds the format of thumbnails_format to thumbnails that do not name a format.
 void DeriveThumbnails(SettingValues& draft) {
-  const auto format = static_cast<PictureFormat>(std::lround(draft.Number("thumbnails_format")));
-  if (format == PictureFormat::kPng) return;
-  const std::string_view suffix = format == PictureFormat::kQoi ? "/QOI" : "/JPG";
+  constexpr std::string_view kFormat = "thumbnails_format";
+  const SettingSpec& spec = SettingsTable(draft.process())[FindSetting(kFormat, draft.process())];
+  const std::string format = PrintValue(spec, *draft.At(kFormat).value);
+  if (format == "PNG") return;
   SettingValues::Entry& thumbnails = draft.At("thumbnails");
   const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text.str();
   std::string text;
   for (const std::string_view size : Split(written, ",")) {
     const bool names_one = size.empty() || size.find('/') != size.npos;
-    text += fmt::format("{}{}{}", text.empty() ? "" : ",", size, names_one ? "" : suffix);
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", size, names_one ? "" : "/" + format);
   }
   if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
 }

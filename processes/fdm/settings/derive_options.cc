@@ -49,7 +49,8 @@ size_t ToolCount(std::span<const Setting> given) {
 }
 
 absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) {
-  std::string code = options.before_layer_gcode.str() + "\n" + options.layer_gcode.str();
+  std::string code = options.before_layer_gcode.str() + "\n" + options.layer_gcode.str() + "\n" +
+                     options.role_gcode.str();
   const WritingOptions& writing = options.writing;
   if (!writing.height_code.empty())
     for (const SharedText& text_there :

@@ -48,10 +48,12 @@ struct Joint {
   bool other_first = true;
 };
 
-std::array<Joint, 2> JointsOf(const SettingValues& draft) {
+std::array<Joint, 4> JointsOf(const SettingValues& draft) {
   const bool bambu = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kBambu);
   return {Joint{"end_gcode", "end_filament_gcode"},
-          Joint{"layer_gcode", "time_lapse_gcode", !bambu}};
+          Joint{"layer_gcode", "time_lapse_gcode", !bambu},
+          Joint{"change_extrusion_role_gcode", "filament_change_extrusion_role_gcode", false},
+          Joint{"change_extrusion_role_gcode", "process_change_extrusion_role_gcode", false}};
 }
 
 }  // namespace
@@ -74,15 +76,20 @@ absl::Status NamingOwnGcode(const absl::Status& status, const SettingValues& dra
   if (status.ok() || setting == detail.metadata.end() || at == detail.metadata.end() ||
       !absl::SimpleAtoi(at->second, &line))
     return status;
-  for (const Joint& joint : JointsOf(draft)) {
-    const int32_t others = LinesOf(Text(draft, joint.other));
-    if (setting->second != joint.into || others == 0) continue;
-    const int32_t first = joint.other_first ? others : LinesOf(Text(draft, joint.into)) - others;
+  const auto joints = JointsOf(draft);
+  int32_t total = -1;  // lines of the text without the joints that the loop has passed
+  for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
+    const int32_t others = LinesOf(Text(draft, joint->other));
+    if (setting->second != joint->into || others == 0) continue;
+    if (total < 0) total = LinesOf(Text(draft, joint->into));
+    const int32_t first = joint->other_first ? others : total - others;
     const bool in_first = line <= first;
-    return Renamed(status, detail, in_first == joint.other_first ? joint.other : joint.into,
-                   in_first ? line : line - first);
+    if (in_first == joint->other_first)
+      return Renamed(status, detail, joint->other, in_first ? line : line - first);
+    if (joint->other_first) line -= others;
+    total -= others;
   }
-  return status;
+  return total < 0 ? status : Renamed(status, detail, setting->second, line);
 }
 
 }  // namespace slicefarm::config::fdm

@@ -9,6 +9,8 @@ namespace slicefarm::config::fdm {
 /// setting.
 /// - end_filament_gcode comes before end_gcode. start_filament_gcode is separate from start_gcode,
 ///   since the machine is heated between the two.
+/// - change_extrusion_role_gcode comes before the setting of the filament with this name, and this
+///   before the setting of the process.
 /// - time_lapse_gcode comes before layer_gcode. On machines of Bambu Lab it comes after
 ///   layer_gcode, as in OrcaSlicer and Bambu Studio.
 ///

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -118,7 +119,7 @@ bool IsOnlyFirst(const PathBlock& block, const OrderedLayer& layer) {
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options,
                               double retracted_mm) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2,
-                             options.flow_segment_mm};
+                             options.flow_segment_mm, options.flow_slopes_of_outer_walls};
   const double filament_mm2 = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
                               options.tool().filament_diameter_mm;
   std::vector<BuiltBlock> built;
@@ -382,13 +383,30 @@ LayerState StateOf(const OrderedLayer& layer, std::span<const BlockVisit> visits
   state.to_plate = {ToUm(options.tool().offset.x), ToUm(options.tool().offset.y)};
   state.fan_percent = FanPercent(cooling, index, time_s);
   if (PrintsNoPart(visits, layer) && layer.frame.index > 0) state.fan_percent = kFanAsBefore;
+  state.fan_limits = {options.fan_least_percent, options.fan_kickstart_s};
+  state.fan_percent = state.fan_limits.Raised(state.fan_percent);
+  state.fan_is_off = IsOffBefore(cooling, index);
   state.bridge_fan_percent = BridgeFanPercent(cooling, index, state.fan_percent);
   state.overhang_fan_percent = OverhangFanPercent(cooling, index, state.fan_percent);
   state.cooled_rest = CooledRest(cooling);
-  state.interface_fan_percent = InterfaceFanPercent(cooling, index);
+  state.line_fans = LineFanPercent(cooling, index);
   state.fan_early_s = options.fan_speedup_s;
   state.fan_early_all = options.fan_speedup_all;
   return state;
+}
+
+/// Returns the changes of the feature in a pass, in the order of printing.
+std::set<RoleChange> RoleChangesIn(std::span<const BuiltBlock> built,
+                                   std::span<const BlockVisit> visits) {
+  std::set<RoleChange> changes;
+  int32_t last = -1;
+  for (const BlockVisit& visit : visits)
+    for (const Move& move : built[static_cast<size_t>(visit.block)].path.moves) {
+      const auto role = static_cast<int32_t>(move.feature);
+      if (move.kind != MoveKind::kPrint || role == last) continue;
+      changes.emplace(std::exchange(last, role), role);
+    }
+  return changes;
 }
 
 absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
@@ -414,8 +432,17 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.exit = ExitOf(visits.back(), built) - options.tool().offset;
     program.ends_retracted = built[static_cast<size_t>(visits.back().block)].ends_retracted;
   }
-  LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers),
-                     StateOf(layer, visits, place.index, program.stats.TimeS(), options),
+  LayerState state = StateOf(layer, visits, place.index, program.stats.TimeS(), options);
+  const std::optional<AdvanceControl> advance = AdvanceControl::Of(options);
+  if (advance) state.advance = &*advance;
+  RoleTexts roles;
+  if (layer_code.HasRoles()) {
+    auto texts = layer_code.RolesAt(place, facts, RoleChangesIn(built, visits));
+    if (!texts.ok()) return texts.status();
+    roles = *std::move(texts);
+    state.roles = &roles;
+  }
+  LayerWriter writer(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers), state,
                      pass ? materials : nullptr, ExtruderWords(options), options.writing.comments);
   size_t moves = 0;
   for (const BlockVisit& visit : visits)

@@ -29,6 +29,7 @@ class CodeWalk {
     PrintCode filled;
     // Start G-code is before the first layer, so the layer number is -1.
     Put({.number = -1, .print_z_nm = 0, .top_nm = TopOf(summary_)}, 0);
+    if (absl::Status ok = Add(code_.file_start, filled.file_start); !ok.ok()) return ok;
     if (absl::Status ok = Add(code_.start, filled.start); !ok.ok()) return ok;
     if (absl::Status ok = Add(code_.start_filament, filled.start_filament); !ok.ok()) return ok;
     if (absl::Status ok = AddLayers(changes, filled); !ok.ok()) return ok;

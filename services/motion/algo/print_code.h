@@ -18,6 +18,7 @@ namespace slicefarm::motion {
 
 /// Filled-in templates of a job.
 struct PrintCode {
+  std::string file_start;
   std::string start;
   std::string start_filament;
   std::vector<std::string> between;  ///< filled-in between_objects_gcode, one per pass change

@@ -211,7 +211,9 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   text.changes = PassChanges(summary);
   auto filled = FillIn(code, summary, text.changes, options, time_s, times.SilentS());
   if (!filled.ok()) return filled.status();
-  text.head = Head(summary, options, time_s);
+  GcodeText top;
+  top.Lines(filled->file_start);
+  text.head = top.Take() + Head(summary, options, time_s);
   text.file_name = FileName(filled->file_name, options.writing);
   text.prologue = Prologue(summary, options, times, {filled->start, filled->start_filament});
   text.ways = PathsBetween(summary, options, text.prologue);

@@ -89,8 +89,12 @@ struct CopyVisit {
 /// Orders the visits of one layer.
 class LayerVisits {
  public:
-  LayerVisits(OrderedLayer& layer, std::span<const Copy> copies)
-      : layer_(layer), copies_(copies), by_object_(BlocksByObject(layer.blocks)) {}
+  /// `as_listed`: true to visit the copies in their order on the plate.
+  LayerVisits(OrderedLayer& layer, std::span<const Copy> copies, bool as_listed)
+      : layer_(layer),
+        copies_(copies),
+        as_listed_(as_listed),
+        by_object_(BlocksByObject(layer.blocks)) {}
 
   void Add(Point entry, WorkBudget& budget) {
     Point at = entry;
@@ -130,6 +134,7 @@ class LayerVisits {
   /// Returns the visits in an order with little travel, beginning at `from`.
   std::vector<CopyVisit> Ordered(const std::vector<CopyVisit>& visits, Point from,
                                  WorkBudget& budget) const {
+    if (as_listed_) return visits;
     std::vector<Leg> legs;
     for (const CopyVisit& visit : visits)
       legs.push_back({visit.shift + StartOf(FirstOf(*visit.blocks).paths.front()),
@@ -142,6 +147,7 @@ class LayerVisits {
 
   OrderedLayer& layer_;
   const std::span<const Copy> copies_;
+  const bool as_listed_;
   const std::map<int32_t, ObjectBlocks> by_object_;
 };
 
@@ -196,7 +202,7 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
     if (!block.paths.empty()) ordered.blocks.push_back(std::move(block));
   }
   WorkBudget budget{options.improvement_moves};
-  LayerVisits(ordered, copies).Add(plan.entry, budget);
+  LayerVisits(ordered, copies, options.as_listed).Add(plan.entry, budget);
   WorkBudget sights{kSightsOfCopies};
   if (options.travel.avoid_curled) KeepOffCurled(plan, sights, ordered);
   KeepInRoom(options.travel.room, ordered);

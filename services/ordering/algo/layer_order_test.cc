@@ -62,6 +62,15 @@ TEST(OrderLayer, CopiesAreOneBlockAndAreVisitedAlongTheWay) {
               ElementsAre(2, 0, 3, 1));
 }
 
+TEST(OrderLayer, CopiesAreVisitedInTheirOrderIfAsked) {
+  const std::vector<Copy> copies = {{0, Mm(90, 0), 0}, {0, Mm(30, 0), 0}, {0, Mm(120, 0), 0}};
+  OrderingOptions options;
+  options.as_listed = true;
+  const auto ordered = OrderLayer(LayerOf({SectionOf(0, kSquare)}), {}, copies, options);
+  ASSERT_TRUE(ordered.ok()) << ordered.status();
+  EXPECT_THAT(CopiesOf(*ordered), ElementsAre(0, 1, 2));
+}
+
 // A block is the same at every position and with any neighbours.
 TEST(OrderLayer, ABlockDoesNotDependOnThePlate) {
   const OrderedLayer alone = Order(LayerOf({SectionOf(1, kSquare)}), {{1, Mm(7, 9), 0}});

@@ -101,9 +101,13 @@ class SlicingRun {
         slicing.on_bed ? options_.first_layer_height_nm : slicing.layer_height_nm;
     const AdaptiveHeights& adaptive = slicing.adaptive;
     // An object lower than half the first layer has no layers. Its error is reported later.
-    if (!adaptive.on || !slicing.height_profile.empty() || first_nm / 2 >= object.top_nm)
-      return LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges,
-                                         slicing.height_profile, adaptive.min_nm / 2});
+    if (!adaptive.on || !slicing.height_profile.empty() || first_nm / 2 >= object.top_nm) {
+      auto planes = LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges,
+                                                slicing.height_profile, adaptive.min_nm / 2});
+      if (planes.ok() && slicing.precise_top)
+        MeetTop(object.top_nm, {adaptive.min_nm, adaptive.max_nm}, *planes);
+      return planes;
+    }
     HeightProblem problem{
         .solids = {}, .top_nm = object.top_nm, .first_nm = first_nm, .ranges = object.ranges};
     for (const PreparedPart& part : object.parts)

@@ -205,4 +205,16 @@ inline constexpr Need kNoThreshold{"support_material_threshold = 0", [](const Jo
                                      return FdmOf(s).object.support.threshold_rad <= 0;
                                    }};
 
+inline constexpr Need kSpiral{.what = "spiral_vase = 1",
+                              .met = [](const JobRows& s) { return s.object.hollow_from > 0; },
+                              .only_requested = true};
+inline constexpr Need kAdaptiveAdvance{
+    .what = "adaptive_pressure_advance = 1",
+    .met = [](const JobRows& s) { return FdmOf(s).tool.advance.on; },
+    .only_requested = true};
+inline constexpr Need kResonance{
+    .what = "resonance_avoidance = 1",
+    .met = [](const JobRows& s) { return FdmOf(s).machine.motion.resonance.avoid; },
+    .only_requested = true};
+
 }  // namespace slicefarm::config::fdm::needs

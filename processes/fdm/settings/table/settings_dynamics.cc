@@ -212,11 +212,50 @@ std::vector<SettingSpec> Jerks() {
   };
 }
 
+std::vector<SettingSpec> Resonance() {
+  const auto speed = [](std::string_view key, std::string_view standard, std::string_view doc,
+                        Field field, OrcaName orca) {
+    return SettingSpec{.key = key,
+                       .unit = "mm/s",
+                       .min = 0,
+                       .max = 10'000,
+                       .standard = standard,
+                       .doc = doc,
+                       .field = field,
+                       .orca = {orca},
+                       .needs = {&needs::kResonance}};
+  };
+  return {
+      {.key = "resonance_avoidance",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Print outer walls at min_resonance_avoidance_speed if their speed is between it and "
+              "max_resonance_avoidance_speed",
+       .field = Bind<&MachineRow::motion, &MachineMotion::resonance, &ResonanceOptions::avoid>(),
+       .orca = {{"resonance_avoidance"}}},
+      speed("min_resonance_avoidance_speed", "70", "Lowest speed at which the machine resonates",
+            Bind<&MachineRow::motion, &MachineMotion::resonance, &ResonanceOptions::from_mm_s>(),
+            {"min_resonance_avoidance_speed"}),
+      speed("max_resonance_avoidance_speed", "120", "Highest speed at which the machine resonates",
+            Bind<&MachineRow::motion, &MachineMotion::resonance, &ResonanceOptions::until_mm_s>(),
+            {"max_resonance_avoidance_speed"}),
+      {.key = "extrusion_rate_smoothing_external_perimeter_only",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Apply max_volumetric_extrusion_rate_slope_positive and _negative to outer walls and "
+              "walls over air only",
+       .field = Bind<&MachineRow::motion, &MachineMotion::flow_slopes_of_outer_walls>(),
+       .orca = {{"extrusion_rate_smoothing_external_perimeter_only"}},
+       .needs = {&needs::kFlowSlope}},
+  };
+}
+
 }  // namespace
 
 std::vector<SettingSpec> DynamicsSettings() {
   std::vector<SettingSpec> settings = Accelerations();
-  for (SettingSpec& spec : Jerks()) settings.push_back(std::move(spec));
+  for (auto part : {Jerks(), Resonance()})
+    for (SettingSpec& spec : part) settings.push_back(std::move(spec));
   return settings;
 }
 

@@ -346,7 +346,8 @@ std::vector<SettingSpec> Material() {
 std::vector<SettingSpec> FilamentSettings() {
   std::vector<SettingSpec> settings = Material();
   for (SettingSpec& spec : Temperatures()) settings.push_back(std::move(spec));
-  for (SettingSpec& spec : Cooling()) settings.push_back(std::move(spec));
+  for (auto part : {Cooling(), FanSettings()})
+    for (SettingSpec& spec : part) settings.push_back(std::move(spec));
   return settings;
 }
 

@@ -33,8 +33,11 @@ std::vector<SettingSpec> SpeedSettings();     ///< defined in settings_speed.cc
 std::vector<SettingSpec> DynamicsSettings();
 std::vector<SettingSpec> FlowSettings();      ///< defined in settings_flow.cc
 std::vector<SettingSpec> FilamentSettings();  ///< defined in settings_filament.cc
-std::vector<SettingSpec> MachineSettings();   ///< defined in settings_machine.cc
-std::vector<SettingSpec> TravelSettings();    ///< defined in settings_travel.cc
-std::vector<SettingSpec> WritingSettings();   ///< defined in settings_writing.cc
+/// Fans and pressure advance by kinds of lines, a part of FilamentSettings; defined in
+/// settings_fans.cc.
+std::vector<SettingSpec> FanSettings();
+std::vector<SettingSpec> MachineSettings();  ///< defined in settings_machine.cc
+std::vector<SettingSpec> TravelSettings();   ///< defined in settings_travel.cc
+std::vector<SettingSpec> WritingSettings();  ///< defined in settings_writing.cc
 
 }  // namespace slicefarm::config::fdm

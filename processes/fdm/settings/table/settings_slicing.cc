@@ -37,6 +37,12 @@ std::vector<SettingSpec> SlicingSettings() {
                    {"sacrificiallayer", static_cast<int>(CounterboreBridging::kSacrificial)}},
        .field = Bind<&ObjectSlicingOptions::counterbores>(),
        .orca = {{"counterbore_hole_bridging"}}},
+      {.key = "precise_z_height",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Adapt the heights of the last layers so that the top of the object is met exactly",
+       .field = Bind<&ObjectSlicingOptions::precise_top>(),
+       .orca = {{"precise_z_height"}}},
       {.key = "adaptive_layer_height",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -105,8 +111,8 @@ std::vector<SettingSpec> SlicingSettings() {
        .choices = {{"PNG", static_cast<int>(PictureFormat::kPng)},
                    {"QOI", static_cast<int>(PictureFormat::kQoi)},
                    {"JPG", static_cast<int>(PictureFormat::kJpg)},
-                   {"BTT_TFT", static_cast<int>(PictureFormat::kPng), "made as PNG"},
-                   {"COLPIC", static_cast<int>(PictureFormat::kPng), "made as PNG"}},
+                   {"BTT_TFT", static_cast<int>(PictureFormat::kBtt)},
+                   {"COLPIC", static_cast<int>(PictureFormat::kColPic)}},
        .orca = {{"thumbnails_format"}}},
   };
 }

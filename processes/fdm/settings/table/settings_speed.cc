@@ -143,6 +143,32 @@ SettingSpec InternalBridgeSpeed() {
   return spec;
 }
 
+/// Returns the speed of small loops of supports: mm/s, or a percentage of the supports' speed.
+SettingSpec SmallSupportSpeed() {
+  const auto set = [](RegionRow& row, const Value& value) {
+    row.motion.small_support_mm_s = value.percent ? 0 : value.number;
+    row.motion.small_support_ratio = value.percent && value.number > 0 ? value.number / 100 : 0.5;
+  };
+  const auto get = [](const RegionRow& row) -> Value {
+    const RegionMotion& motion = row.motion;
+    if (motion.small_support_mm_s != 0) return {.number = motion.small_support_mm_s};
+    return {.number = Quantise(motion.small_support_ratio * 100), .percent = true};
+  };
+  return {.key = "small_support_perimeter_speed",
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm/s",
+          .min = 0.1,
+          .max = 10'000,
+          .standard = "50%",
+          .doc =
+              "Speed of loops of supports with a radius of small_support_perimeter_threshold or "
+              "less",
+          .percent_of = "the speed of the supports",
+          .field = Convert<RegionRow>(set, get),
+          .own_scope = Scope::kObject,
+          .orca = {{"small_support_perimeter_speed", OrcaValue::kOrAuto, "0"}}};
+}
+
 std::vector<SettingSpec> Speeds() {
   return {
       Orca({"inner_wall_speed"},
@@ -165,6 +191,17 @@ std::vector<SettingSpec> Speeds() {
               "loops of walls of the same length; 0: no loops. Default in OrcaSlicer: 0",
        .field = Bind<&RegionRow::motion, &RegionMotion::small_perimeter_radius_mm>(),
        .orca = {{"small_perimeter_threshold"}}},
+      SmallSupportSpeed(),
+      {.key = "small_support_perimeter_threshold",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "Radius of the largest loops of supports that are printed at "
+              "small_support_perimeter_speed; 0: no loops",
+       .field = Bind<&RegionRow::motion, &RegionMotion::small_support_radius_mm>(),
+       .own_scope = Scope::kObject,
+       .orca = {{"small_support_perimeter_threshold"}}},
       Orca({"sparse_infill_speed"},
            Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
                  SpeedOf<Feature::kInternalInfill>())),

@@ -149,6 +149,29 @@ std::vector<SettingSpec> Retraction() {
        .orca = {{"retract_before_wipe"}},
        .needs = {&needs::kWipe}},
       "filament_retract_before_wipe");
+  AddRetraction(
+      settings,
+      {.key = "retract_after_wipe",
+       .kind = Kind::kPercent,
+       .min = 0,
+       .max = 100,
+       .standard = "0%",
+       .doc = "Share of retract_length that is retracted after the wipe, at most the rest that "
+              "retract_before_wipe leaves",
+       .field = Bind<Scale::kPercent, &ToolRow::retraction, &RetractionOptions::after_wipe>(),
+       .orca = {{"retract_after_wipe"}},
+       .needs = {&needs::kWipe}},
+      "filament_retract_after_wipe");
+  AddRetraction(
+      settings,
+      {.key = "travel_spiral_lift",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Lift the nozzle on a circle before the travel, as steeply as travel_slope says, "
+              "instead of along the travel",
+       .field = Bind<&ToolRow::retraction, &RetractionOptions::spiral>(),
+       .needs = {&needs::kRampingLift}},
+      "filament_travel_spiral_lift");
   AddRetraction(settings,
                 {.key = "wipe_distance",
                  .unit = "mm",
@@ -190,6 +213,33 @@ SettingSpec MaxDetour() {
           .needs = {&needs::kAvoidCrossing}};
 }
 
+/// Returns the shift of wipes: mm, or a percentage of the wall's width.
+SettingSpec WipeInwardDistance() {
+  const auto set = [](RegionRow& row, const Value& value) {
+    row.motion.wipe_inward_nm = value.percent ? 0 : FromMm(value.number);
+    row.motion.wipe_inward_share = value.percent ? value.number / 100 : 0;
+  };
+  const auto get = [](const RegionRow& row) -> Value {
+    const RegionMotion& motion = row.motion;
+    if (motion.wipe_inward_nm != 0)
+      return {.number = Quantise(ToMm(static_cast<double>(motion.wipe_inward_nm)))};
+    return {.number = Quantise(motion.wipe_inward_share * 100),
+            .percent = motion.wipe_inward_share != 0};
+  };
+  return {.key = "wipe_inward_distance",
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm",
+          .min = 0,
+          .max = 100,
+          .standard = "50%",
+          .doc = "Distance by which wipe_inward shifts the wipe, at most the width of the wall",
+          .percent_of = "the width of the wall",
+          .field = Convert<RegionRow>(set, get),
+          .own_scope = Scope::kJob,
+          .orca = {{"wipe_inward_distance"}},
+          .needs = {&needs::kWipe}};
+}
+
 std::vector<SettingSpec> Travels() {
   return {
       {.key = "only_retract_when_crossing_perimeters",
@@ -216,6 +266,15 @@ std::vector<SettingSpec> Travels() {
               "fewer strings; 0: straight travels",
        .field = Bind<&MachineRow::order, &JobOrder::travel, &TravelOptions::avoid_crossing>(),
        .orca = {{"reduce_crossing_wall"}}},
+      {.key = "print_order",
+       .kind = Kind::kChoice,
+       .standard = "default",
+       .doc =
+           "Order of the copies in a layer. default: short travels. as_obj_list: in the order of "
+           "the plate",
+       .choices = {{"default", 0}, {"as_obj_list", 1}},
+       .field = Bind<&MachineRow::order, &JobOrder::as_listed>(),
+       .orca = {{"print_order", OrcaValue::kChoice}}},
       MaxDetour(),
       {.key = "wipe_speed",
        .kind = Kind::kPercent,
@@ -242,6 +301,16 @@ std::vector<SettingSpec> Travels() {
               "travel, so that the seam is less visible; not on loops with a scarf",
        .field = Bind<&RegionRow::motion, &RegionMotion::wipe_on_loops>(),
        .orca = {{"wipe_on_loops"}}},
+      {.key = "wipe_inward",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Shift the wipes of outer walls inwards, over the inner wall that was printed just "
+              "before; walls without such an inner wall keep their wipe",
+       .field = Bind<&RegionRow::motion, &RegionMotion::wipe_inward>(),
+       .own_scope = Scope::kJob,
+       .orca = {{"wipe_inward"}},
+       .needs = {&needs::kWipe}},
+      WipeInwardDistance(),
       {.key = "wipe_before_external_loop",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -32,6 +32,17 @@ SettingSpec OfNozzle(std::string_view key, std::string_view standard, std::strin
           .own_scope = Scope::kObject};
 }
 
+SettingSpec SpiralFlow(std::string_view key, std::string_view doc, Field field, OrcaName orca) {
+  return {.key = key,
+          .min = 0,
+          .max = 1,
+          .standard = "0",
+          .doc = doc,
+          .field = field,
+          .orca = {orca},
+          .needs = {&needs::kSpiral}};
+}
+
 /// Returns the field of spiral_vase. Other settings determine the first hollow layer of the vase
 /// (derive_options.h).
 Field SpiralField() {
@@ -292,6 +303,26 @@ std::vector<SettingSpec> WallSettings() {
               "own contour; 0: each turn keeps its contour, so that slopes show a seam",
        .own_scope = Scope::kJob,
        .orca = {{"spiral_mode_smooth"}}},
+      SpiralFlow("spiral_vase_starting_flow_ratio",
+                 "Flow at the start of the first turn of spiral_vase; it rises to 1 in this turn",
+                 Bind<&MachineRow::motion, &MachineMotion::spiral, &SpiralMotion::start_flow>(),
+                 {"spiral_starting_flow_ratio"}),
+      SpiralFlow("spiral_vase_finishing_flow_ratio",
+                 "Flow at the end of the last turn of spiral_vase; it falls from 1 in this turn",
+                 Bind<&MachineRow::motion, &MachineMotion::spiral, &SpiralMotion::end_flow>(),
+                 {"spiral_finishing_flow_ratio"}),
+      {.key = "spiral_vase_max_xy_smoothing",
+       .kind = Kind::kNumberOrPercent,
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "0",
+       .doc = "Longest distance from the turn below at which spiral_vase_smooth moves a point "
+              "towards it; 0: four times the width of the wall",
+       .relative_to = "nozzle_diameter",
+       .field = Bind<&MachineRow::motion, &MachineMotion::spiral, &SpiralMotion::reach_nm>(),
+       .orca = {{"spiral_mode_max_xy_smoothing"}},
+       .needs = {&needs::kSpiral}},
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",

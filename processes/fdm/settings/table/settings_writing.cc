@@ -59,6 +59,42 @@ std::vector<SettingSpec> WritingWords() {
   };
 }
 
+std::vector<SettingSpec> AroundBeads() {
+  const auto role = [](std::string_view key, std::string_view doc) {
+    return SettingSpec{.key = key, .kind = Kind::kGcode, .doc = doc};
+  };
+  SettingSpec machine =
+      role("change_extrusion_role_gcode",
+           "G-code before the first line of another feature; {extrusion_role} and "
+           "{last_extrusion_role} are Perimeter, ExternalPerimeter, InternalInfill, ... At the "
+           "start of a layer, last_extrusion_role is empty");
+  machine.field = Bind<&MachineRow::motion, &MachineMotion::role_gcode>();
+  SettingSpec filament = role("filament_change_extrusion_role_gcode",
+                              "G-code of the filament, after change_extrusion_role_gcode");
+  filament.list = List::kPerExtruder;
+  return {
+      Orca({"change_extrusion_role_gcode", OrcaValue::kGcode}, machine),
+      Orca({"filament_change_extrusion_role_gcode", OrcaValue::kGcode}, filament),
+      Orca({"process_change_extrusion_role_gcode", OrcaValue::kGcode},
+           role("process_change_extrusion_role_gcode",
+                "G-code of the process, after filament_change_extrusion_role_gcode")),
+      {.key = "file_start_gcode",
+       .kind = Kind::kGcode,
+       .doc = "Text at the very top of the file, such as data that the firmware reads from the "
+              "first lines; binary G-code has none",
+       .field = Bind<&MachineRow::motion, &MachineMotion::file_start_gcode>(),
+       .orca = {{"file_start_gcode", OrcaValue::kGcode}}},
+      {.key = "time_cost",
+       .unit = "money/h",
+       .min = 0,
+       .max = 1e6,
+       .standard = "0",
+       .doc = "Cost of the printer per hour, added to the cost of the filament in the report",
+       .field = Bind<&MachineRow::motion, &MachineMotion::cost_per_hour>(),
+       .orca = {{"time_cost"}}},
+  };
+}
+
 std::vector<SettingSpec> AtHeights() {
   const auto gcode = [](std::string_view key, std::string_view standard, std::string_view doc,
                         Field field) {
@@ -93,7 +129,8 @@ std::vector<SettingSpec> AtHeights() {
 
 std::vector<SettingSpec> WritingSettings() {
   std::vector<SettingSpec> settings = WritingWords();
-  for (SettingSpec& spec : AtHeights()) settings.push_back(std::move(spec));
+  for (auto part : {AroundBeads(), AtHeights()})
+    for (SettingSpec& spec : part) settings.push_back(std::move(spec));
   return settings;
 }
 

@@ -54,19 +54,15 @@ std::string PlaceText(PlaceUm place) { return absl::StrCat(place.x, " ", place.y
 
 }  // namespace
 
-void WriteFan(int32_t percent, GcodeText& out) {
-  if (percent <= 0) {
-    out << "M107\n";
-    return;
-  }
-  out << "M106 S";
-  out.Integer(std::lround(std::min(percent, 100) * 2.55)) << '\n';
-}
-
 void LayerWriter::WriteLayerFan(GcodeText& out) {
   if (state_.fan_percent == kFanAsBefore) return;
   const size_t begin = out.text().size();
-  WriteFan(state_.fan_percent, out);
+  if (state_.fan_limits.kickstart_s > 0 && state_.fan_is_off && state_.fan_percent > 0) {
+    fan_ = FanCommand(state_.fan_limits, 0);
+    fan_.Set(state_.fan_percent, out);
+  } else {
+    WriteFan(state_.fan_percent, out);
+  }
   mode_lines_.push_back(LineSince(begin, MachineMode::kFan, out));
 }
 
@@ -76,7 +72,7 @@ ModeValues LayerWriter::Modes() const {
     return values[static_cast<size_t>(mode)];
   };
   GcodeText text;
-  if (fan_percent_ != kFanAsBefore) WriteFan(fan_percent_, text);
+  if (fan_.percent() != kFanAsBefore) WriteFan(fan_.percent(), text);
   value(MachineMode::kFan) = text.Take();
   for (const auto& [mode, told] : {std::pair(MachineMode::kAcceleration, acceleration_),
                                    {MachineMode::kTravelAcceleration, travel_acceleration_}}) {
@@ -125,6 +121,7 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   move.filament = 0;
   for (size_t i = arc.first; i < arc.last; ++i) move.filament += path.moves[i].filament;
   Describe(move, kSeenLengthUm, FanAhead(path, arc.first), out);
+  advance_.SetFor(path, arc.first, out);
   SetAcceleration(move, out);
   SetJerk(move, out);
   out << (arc.clockwise ? "G2 X" : "G3 X");
@@ -134,6 +131,7 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   out.Micrometers(arc.centre.y - from.y_um);
   at_ = PlaceUm{move.x_um + shift.x, move.y_um + shift.y};
   WriteEnd(move, comments_ ? CommentOn(path, arc.first) : "", out);
+  for (size_t i = arc.first; i < arc.last && fan_.IsKicking(); ++i) fan_.Pass(TimeS(path, i), out);
 }
 
 /// Writes the coordinates that have changed. This saves text: a coordinate is an eighth of a line.
@@ -155,12 +153,14 @@ void LayerWriter::BeginBlock(GcodeText& out) {
   extruder_.Reset(out);
   feed_rate_.Forget();
   mix_.Forget();
+  advance_.Forget();
   type_ = -1;
 }
 
 void LayerWriter::EndBlock(GcodeText& out) {
   extruder_.Reset(out);
-  SetFan(state_.fan_percent, out);
+  fan_.Set(state_.fan_percent, out);
+  fan_.Finish(out);
   SetHeight(state_.height_um, out);
 }
 
@@ -171,10 +171,17 @@ bool LayerWriter::HasBridgeFan(const Move& move) const {
   return move.rest <= state_.cooled_rest;
 }
 
+/// Returns the fan speed that settings give to a feature, or -1.
+int32_t LayerWriter::OwnFan(Feature feature) const {
+  if (feature == Feature::kSupportInterface) return state_.line_fans.interface_percent;
+  if (feature == Feature::kIroning) return state_.line_fans.ironing_percent;
+  if (feature == Feature::kInternalBridge) return state_.line_fans.internal_bridge_percent;
+  return -1;
+}
+
 int32_t LayerWriter::FanFor(const Move& move) const {
+  if (const int32_t own = OwnFan(move.feature); own >= 0) return own;
   if (HasBridgeFan(move)) return state_.bridge_fan_percent;
-  if (move.feature == Feature::kSupportInterface && state_.interface_fan_percent >= 0)
-    return state_.interface_fan_percent;
   if (move.rest == kFullRest || !state_.overhang_fan_percent) return state_.fan_percent;
   return static_cast<int32_t>(
       std::lround(ByRest(*state_.overhang_fan_percent, state_.fan_percent, move.rest)));
@@ -193,11 +200,6 @@ int32_t LayerWriter::FanAhead(const Toolpath& path, size_t index) const {
     time_s += TimeS(path, i);
   }
   return percent;
-}
-
-void LayerWriter::SetFan(int32_t percent, GcodeText& out) {
-  if (percent != fan_percent_) WriteFan(percent, out);
-  fan_percent_ = percent;
 }
 
 void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
@@ -231,9 +233,10 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   const Move& move = path.moves[index];
   CountAnew(move, out);
   if (move.kind != MoveKind::kPrint && state_.fan_early_s > 0)
-    SetFan(std::max(fan_percent_, FanAhead(path, index)), out);
+    SetFan(std::max(fan_.percent(), FanAhead(path, index)), out);
   if (move.kind == MoveKind::kPrint) {
     Describe(move, LengthUm(path, index), FanAhead(path, index), out);
+    advance_.SetFor(path, index, out);
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
     mix_.SetFor({mm(move.x_um + shift.x + state_.to_plate.x),
                  mm(move.y_um + shift.y + state_.to_plate.y), mm(move.z_um)},
@@ -254,6 +257,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
     z_um_ = move.z_um;
   }
   WriteEnd(move, comments_ ? CommentOn(path, index) : "", out);
+  if (fan_.IsKicking()) fan_.Pass(TimeS(path, index), out);
   if (!MovesInPlane(move.kind) || std::exchange(approached_, true)) return;
   if (move.kind != MoveKind::kTravel || climbs) return;
   mode_lines_.push_back(LineSince(begin, MachineMode::kPlace, out));
@@ -276,10 +280,23 @@ void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
   if (feed_rate_.Changes(move.feed_rate)) (out << " F").Integer(move.feed_rate);
 }
 
+/// Writes the G-code before the first bead of another feature.
+void LayerWriter::WriteRole(Feature feature, GcodeText& out) {
+  const auto role = static_cast<int32_t>(feature);
+  const int32_t before = std::exchange(role_, role);
+  if (state_.roles == nullptr || role == before) return;
+  const auto text = state_.roles->texts.find({before, role});
+  if (text == state_.roles->texts.end()) return;
+  out.Lines(text->second);
+  Forget();
+  at_.reset();
+}
+
 void LayerWriter::Describe(const Move& move, double length_um, int32_t fan_percent,
                            GcodeText& out) {
   const auto type = static_cast<int32_t>(move.feature);
   if (type != type_) {
+    WriteRole(move.feature, out);
     type_ = type;
     width_um_ = -1;
     out << firmware_.comments().feature << firmware_.WordsOf(move.feature) << '\n';

@@ -12,7 +12,10 @@
 #include "common/model/layers/layer.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/firmware/material_mix.h"
+#include "services/motion/algo/gcode/advance_command.h"
 #include "services/motion/algo/gcode/extruder_words.h"
+#include "services/motion/algo/gcode/fan_command.h"
+#include "services/motion/algo/macro/role_code.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/toolpath.h"
@@ -32,10 +35,14 @@ struct LayerState {
   std::optional<OverhangFans> overhang_fan_percent = {};
   /// Walls with at most this supported share, in percent, get bridge_fan_percent; -1: no wall does.
   int32_t cooled_rest = -1;
-  int32_t interface_fan_percent = -1;  ///< fan for support interfaces; -1: fan_percent
-  double fan_early_s = 0;              ///< time by which a faster fan starts before its beads
+  LineFans line_fans = {};  ///< fans for other kinds of lines
+  FanLimits fan_limits = {};
+  bool fan_is_off = false;     ///< true if the fan is off before the layer
+  double fan_early_s = 0;      ///< time by which a faster fan starts before its beads
   bool fan_early_all = false;  ///< true: every faster fan starts early; false: that of bridges
   ShiftUm to_plate = {};       ///< shift from G-code coordinates to plate coordinates
+  const AdvanceControl* advance = nullptr;  ///< null: no adaptive pressure advance
+  const RoleTexts* roles = nullptr;         ///< null: no G-code between features
 };
 
 /// Writes moves as G-code, with the comments and modes that previewers and the firmware need:
@@ -57,7 +64,8 @@ class LayerWriter {
         extruder_(extruder),
         comments_(comments),
         height_um_(state.height_um),
-        fan_percent_(state.fan_percent) {}
+        fan_(state.fan_limits, state.fan_percent),
+        advance_(firmware, state.advance) {}
 
   /// Writes the command for the layer's fan speed.
   void WriteLayerFan(GcodeText& out);
@@ -109,9 +117,11 @@ class LayerWriter {
   void WritePlace(PlaceUm to, GcodeText& out);
   void WriteEnd(const Move& move, std::string_view comment, GcodeText& out);
   bool HasBridgeFan(const Move& move) const;
+  int32_t OwnFan(Feature feature) const;
   int32_t FanFor(const Move& move) const;
   int32_t FanAhead(const Toolpath& path, size_t index) const;
-  void SetFan(int32_t percent, GcodeText& out);
+  void SetFan(int32_t percent, GcodeText& out) { fan_.Set(state_.fan_limits.Raised(percent), out); }
+  void WriteRole(Feature feature, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);
   void Describe(const Move& move, double length_um, int32_t fan_percent, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
@@ -131,7 +141,9 @@ class LayerWriter {
   int32_t type_ = -1;
   int32_t width_um_ = -1;
   int32_t height_um_;
-  int32_t fan_percent_;
+  int32_t role_ = -1;  ///< feature of the last bead in the layer
+  FanCommand fan_;
+  AdvanceCommand advance_;
   int32_t z_um_ = -1;
   std::optional<PlaceUm> at_;
   bool wipes_ = false;
@@ -144,8 +156,5 @@ class LayerWriter {
   bool approached_ = false;  ///< the first move in the plane was written
   std::vector<ModeLine> mode_lines_;
 };
-
-/// Writes `M106 S89`, or `M107` for 0.
-void WriteFan(int32_t percent, GcodeText& out);
 
 }  // namespace slicefarm::motion

@@ -37,14 +37,6 @@ std::string Written(const std::vector<Move>& moves, GcodeFlavor flavor = GcodeFl
   return out.Take();
 }
 
-TEST(WriteFan, InTheUnitsOfM106) {
-  GcodeText out;
-  WriteFan(0, out);
-  WriteFan(35, out);
-  WriteFan(100, out);
-  EXPECT_EQ(out.text(), "M107\nM106 S89\nM106 S255\n");
-}
-
 TEST(LayerWriter, TellsWhatChanges) {
   Move wide = Print(3'000, Feature::kPerimeter);
   wide.width_um = 600;
@@ -157,7 +149,8 @@ TEST(LayerWriter, FanByFeatureAndRest) {
   LayerState all = state;
   all.cooled_rest = kFullRest;
   LayerState interface = state;
-  interface.interface_fan_percent = 60;
+  interface.line_fans = {
+      .interface_percent = 60, .ironing_percent = 15, .internal_bridge_percent = 0};
   struct Case {
     const LayerState& state;
     Feature feature;
@@ -172,6 +165,7 @@ TEST(LayerWriter, FanByFeatureAndRest) {
                         {all, Feature::kExternalPerimeter, kFullRest, 100},
                         {all, Feature::kPerimeter, kFullRest, 35},
                         {interface, Feature::kSupportInterface, kFullRest, 60},
+                        {interface, Feature::kIroning, kFullRest, 15},
                         {interface, Feature::kSupport, kFullRest, 35}})
     EXPECT_EQ(fans(c.state, c.feature, c.rest), c.fan)
         << FeatureName(c.feature) << " " << int{c.rest};
@@ -360,7 +354,7 @@ TEST(LayerWriter, AFasterFanStartsEarly) {
 
 TEST(LayerWriter, OtherFansStartEarlyIfAllDo) {
   LayerState state{.height_um = 200, .fan_percent = 0, .bridge_fan_percent = 100};
-  state.interface_fan_percent = 60;
+  state.line_fans.interface_percent = 60;
   state.fan_early_s = 10;
   const std::vector<Move> moves = {Print(1'000, Feature::kSupport),
                                    Print(2'000, Feature::kSupportInterface)};
@@ -369,6 +363,48 @@ TEST(LayerWriter, OtherFansStartEarlyIfAllDo) {
   state.fan_early_all = true;
   EXPECT_LT(Written(moves, GcodeFlavor::kMarlin2, {}, state).find("M106 S153"),
             Written(moves, GcodeFlavor::kMarlin2, {}, state).find("X1"));
+}
+
+TEST(LayerWriter, ARunningFanHasItsLeastSpeed) {
+  LayerState state{.height_um = 200, .fan_percent = 0, .bridge_fan_percent = 20};
+  state.fan_limits.least_percent = 40;
+  const std::string text =
+      Written({Print(1'000, Feature::kBridgeInfill), Print(2'000, Feature::kPerimeter)},
+              GcodeFlavor::kMarlin2, {}, state);
+  EXPECT_NE(text.find("M106 S102\n"), text.npos);
+  EXPECT_NE(text.find("M107\n"), text.npos) << "off stays off";
+}
+
+TEST(LayerWriter, KickstartEndsWithTheBlock) {
+  Toolpath path;
+  path.moves = {Print(1'000, Feature::kPerimeter)};
+  LayerState state{.height_um = 200, .fan_percent = 30};
+  state.fan_limits.kickstart_s = 100;
+  state.fan_is_off = true;
+  GcodeText out;
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, state);
+  writer.WriteLayerFan(out);
+  EXPECT_EQ(out.text(), "M106 S255\n");
+  writer.BeginBlock(out);
+  writer.Write(path, 0, 1, {}, out);
+  writer.EndBlock(out);
+  EXPECT_NE(out.text().find("M106 S77\n"), std::string::npos);
+}
+
+TEST(LayerWriter, WritesGcodeBetweenFeatures) {
+  RoleTexts roles;
+  const auto role = [](Feature feature) { return static_cast<int32_t>(feature); };
+  roles.texts[{-1, role(Feature::kPerimeter)}] = "M1";
+  roles.texts[{role(Feature::kPerimeter), role(Feature::kIroning)}] = "M2";
+  LayerState state{.height_um = 200};
+  state.roles = &roles;
+  const std::string text =
+      Written({Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter),
+               Print(3'000, Feature::kIroning)},
+              GcodeFlavor::kMarlin2, {}, state);
+  EXPECT_EQ(text.find("M1\n;TYPE:Perimeter"), 0u);
+  EXPECT_NE(text.find("M2\n;TYPE:Ironing"), text.npos);
+  EXPECT_NE(text.find("G1 X3 Y0 E.03 F1800"), text.npos) << "place and speed are set again";
 }
 
 }  // namespace

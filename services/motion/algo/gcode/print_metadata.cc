@@ -30,14 +30,16 @@ void Line(std::string_view key, const std::string& value, GcodeText& out) {
   out << "; " << key << " = " << value << '\n';
 }
 
-void WriteUse(const MotionOptions& options, const ProgramStats& total, GcodeText& out) {
+/// `time_s`: time of the print, for the cost of the printer.
+void WriteUse(const MotionOptions& options, const ProgramStats& total, double time_s,
+              GcodeText& out) {
   const FilamentUse use = FilamentUseOf(total, options);
   Line("filament used [mm]", Number(use.length_mm, 2), out);
   Line("filament used [cm3]", Number(use.volume_mm3 / 1000, 2), out);
   Line("filament used [g]", Number(use.mass_g, 2), out);
   Line("filament cost", Number(use.cost, 2), out);
   Line("total filament used [g]", Number(use.mass_g, 2), out);
-  Line("total filament cost", Number(use.cost, 2), out);
+  Line("total filament cost", Number(use.cost + PrinterCost(options, time_s), 2), out);
 }
 
 void WriteTimes(std::string_view mode, const PrintTimes& times, GcodeText& out) {
@@ -176,7 +178,7 @@ std::string MetadataTail(const MotionOptions& options, const ProgramSummary& sum
                          const PrintTimes& times, const std::optional<PrintTimes>& silent) {
   GcodeText out;
   out << '\n';
-  WriteUse(options, summary.total, out);
+  WriteUse(options, summary.total, times.TotalS(), out);
   WriteLayers(summary, times, silent, out);
   WriteSettings(options, summary, out);
   return out.Take();

@@ -1,6 +1,7 @@
 #include "services/motion/algo/gcode/thumbnails_block.h"
 
 #include <string_view>
+#include <utility>
 
 #include "absl/strings/escaping.h"
 
@@ -17,9 +18,15 @@ std::string TagOf(PictureFormat format) {
       return "thumbnail_QOI";
     case PictureFormat::kJpg:
       return "thumbnail_JPG";
+    case PictureFormat::kBtt:
+    case PictureFormat::kColPic:
+      break;
   }
   return "thumbnail";
 }
+
+/// Returns the tag of a picture in the format ColPic: the first one is shown in lists.
+std::string_view ColPicTag(bool first) { return first ? ";gimage:" : ";simage:"; }
 
 void Append(const Thumbnail& thumbnail, std::string& block) {
   std::string code;
@@ -39,9 +46,20 @@ void Append(const Thumbnail& thumbnail, std::string& block) {
 
 std::string ThumbnailsBlock(const std::vector<Thumbnail>& thumbnails) {
   std::string block;
+  bool first_colpic = true, any_btt = false;
   for (const Thumbnail& thumbnail : thumbnails) {
-    if (!thumbnail.data.empty()) Append(thumbnail, block);
+    if (thumbnail.data.empty()) continue;
+    if (thumbnail.format == PictureFormat::kColPic) {
+      block.append("\n").append(ColPicTag(std::exchange(first_colpic, false)));
+      block.append(thumbnail.data).append("\n\n");
+    } else if (thumbnail.format == PictureFormat::kBtt) {
+      block += thumbnail.data;
+      any_btt = true;
+    } else {
+      Append(thumbnail, block);
+    }
   }
+  if (any_btt) block += "; bigtree thumbnail end\r\n\r\n";
   return block;
 }
 

@@ -46,5 +46,14 @@ TEST(ThumbnailsBlock, PrinterHostsCanReadIt) {
   EXPECT_EQ(decoded, png);
 }
 
+TEST(ThumbnailsBlock, TextForScreens) {
+  const Thumbnail first{2, 3, "abc", PictureFormat::kColPic};
+  const Thumbnail second{2, 3, "def", PictureFormat::kColPic};
+  const Thumbnail rows{1, 1, ";00010001\r\n;ffff\r\n", PictureFormat::kBtt};
+  EXPECT_EQ(ThumbnailsBlock({first, second, rows}),
+            "\n;gimage:abc\n\n\n;simage:def\n\n;00010001\r\n;ffff\r\n"
+            "; bigtree thumbnail end\r\n\r\n");
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::thumbnails_block_test

@@ -33,11 +33,13 @@ absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
       options.before_layer_gcode.str().find(";BEFORE_LAYER_CHANGE") != std::string::npos;
   layer.has_after_ = !options.layer_gcode.empty();
   layer.moves_ = MovesNozzle(options.layer_gcode.str());
-  if (!layer.any_) return layer;
+  layer.has_roles_ = !options.role_gcode.empty();
+  if (!layer.any_ && !layer.has_roles_) return layer;
   auto code = macro::ParseJobCode(options);
   if (!code.ok()) return code.status();
   layer.code_ = *std::move(code);
-  if (!layer.code_.layers_wait) layer.job_ = JobVariables(options, options.layer_settings);
+  if (!layer.code_.layers_wait || layer.has_roles_)
+    layer.job_ = JobVariables(options, options.layer_settings);
   return layer;
 }
 
@@ -60,6 +62,11 @@ absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPla
   code.after = *std::move(after);
   code.moves = code.moves || MovesNozzle(code.after);
   return code;
+}
+
+absl::StatusOr<RoleTexts> LayerCode::RolesAt(const LayerPlace& place, const JobFacts& facts,
+                                             const std::set<RoleChange>& changes) const {
+  return RoleTextsOf(code_.role, changes, job_, LayerVariables(place, facts));
 }
 
 }  // namespace slicefarm::motion

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "absl/status/statusor.h"
@@ -7,6 +8,7 @@
 #include "common/macro/template_value.h"
 #include "common/model/job_facts.h"
 #include "services/motion/algo/macro/height_text.h"
+#include "services/motion/algo/macro/role_code.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 
 namespace slicefarm {
@@ -41,6 +43,12 @@ class LayerCode {
 
   const HeightTexts& heights() const { return heights_; }
 
+  /// Returns true if there is G-code between features.
+  bool HasRoles() const { return has_roles_; }
+  /// Fills in the code between features. Errors: as RunTemplate.
+  absl::StatusOr<RoleTexts> RolesAt(const LayerPlace& place, const JobFacts& facts,
+                                    const std::set<RoleChange>& changes) const;
+
  private:
   macro::JobCode code_;
   HeightTexts heights_;
@@ -49,6 +57,7 @@ class LayerCode {
   bool names_layer_change_ = false;
   bool has_after_ = false;
   bool moves_ = false;
+  bool has_roles_ = false;
 };
 
 }  // namespace slicefarm::motion

@@ -81,6 +81,13 @@ void AddHull(const Polygon& hull, TemplateVariables& variables) {
 }
 
 void AddTime(double time_s, double silent_s, TemplateVariables& variables) {
+  const auto whole = static_cast<int64_t>(time_s);
+  constexpr int64_t kMinute = 60, kHour = 60 * kMinute, kDay = 24 * kHour;
+  variables["print_time_total_sec"] = whole;
+  variables["print_time_day"] = whole / kDay;
+  variables["print_time_hour"] = whole % kDay / kHour;
+  variables["print_time_minute"] = whole % kHour / kMinute;
+  variables["print_time_sec"] = whole % kMinute;
   variables["print_time"] = variables["normal_print_time"] = DurationText(time_s);
   variables["silent_print_time"] = DurationText(silent_s);
 }
@@ -97,11 +104,13 @@ void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variable
   variables["scale"] = TemplateVariable::List({std::string("x:100% y:100% z:100%")});
 }
 
-void AddUse(const MotionOptions& options, const ProgramStats& total, TemplateVariables& variables) {
+void AddUse(const MotionOptions& options, const ProgramStats& total, double time_s,
+            TemplateVariables& variables) {
   const FilamentUse use = FilamentUseOf(total, options);
   variables["used_filament"] = use.length_mm / 1000;
+  variables["used_filament_length"] = use.length_mm;
   variables["total_weight"] = use.mass_g;
-  variables["total_cost"] = use.cost;
+  variables["total_cost"] = use.cost + PrinterCost(options, time_s);
   variables["total_wipe_tower_cost"] = variables["total_wipe_tower_filament"] = 0.0;
 }
 
@@ -135,7 +144,7 @@ TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSumm
       Pair(box.Empty() ? Point{} : Point{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2});
   variables["max_print_z"] = ToMm(static_cast<double>(TopOf(summary)));
   AddHull(first_layer, variables);
-  AddUse(options, summary.total, variables);
+  AddUse(options, summary.total, time_s, variables);
   AddTime(time_s, silent_s.value_or(time_s), variables);
   AddObjects(summary.copies, variables);
   variables["position"] = TemplateVariable::List({0.0, 0.0, 0.0});

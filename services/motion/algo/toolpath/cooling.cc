@@ -97,10 +97,22 @@ int32_t FastestBead(const Layer& full, Beads beads, std::span<const Toolpath> pa
   return fastest;
 }
 
-/// Returns the fan speed in percent for one of the first layers: 0 at first, then a share of
-/// `percent` that grows layer by layer.
+/// Returns true if the first layer has a fan speed of its own.
+bool HasFirstFan(const CoolingOptions& cooling) {
+  return cooling.first_layer_fan_percent >= 0 && cooling.disable_fan_first_layers == 0;
+}
+
+/// Returns the fan speed in percent for one of the first layers: 0 or first_layer_fan_speed at
+/// first, then a speed that grows layer by layer up to `percent`.
 int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percent) {
   const int32_t full = cooling.full_fan_speed_layer;
+  if (HasFirstFan(cooling)) {
+    const int32_t first = cooling.first_layer_fan_percent;
+    if (layer_index == 0) return first;
+    if (layer_index + 1 >= full) return percent;
+    const double share = static_cast<double>(layer_index) / (full - 1);
+    return static_cast<int32_t>(std::lround(first + (percent - first) * share));
+  }
   // If the fan speed grows over the first layers, the fan is off in the very first one.
   const int32_t off = std::max(cooling.disable_fan_first_layers, full > 0 ? 1 : 0);
   if (layer_index < off) return 0;
@@ -203,7 +215,8 @@ int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double la
 }
 
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent) {
-  if (!cooling.bridge_fan) return fan_percent;
+  const bool is_first = layer_index == 0 && HasFirstFan(cooling);
+  if (!cooling.bridge_fan || is_first) return fan_percent;
   return std::max(fan_percent, Grown(cooling, layer_index, cooling.bridge_fan_percent));
 }
 
@@ -212,8 +225,18 @@ int32_t CooledRest(const CoolingOptions& cooling) {
   return static_cast<int32_t>(std::lround((1 - cooling.overhang_fan_share) * kFullRest));
 }
 
-int32_t InterfaceFanPercent(const CoolingOptions& cooling, int32_t layer_index) {
-  return layer_index < cooling.disable_fan_first_layers ? -1 : cooling.interface_fan_percent;
+bool IsOffBefore(const CoolingOptions& cooling, int32_t layer_index) {
+  constexpr int32_t kFull = 100;
+  return layer_index == 0 || Grown(cooling, layer_index - 1, kFull) == 0;
+}
+
+LineFans LineFanPercent(const CoolingOptions& cooling, int32_t layer_index) {
+  const bool is_first = layer_index == 0 && HasFirstFan(cooling);
+  if (is_first || layer_index < cooling.disable_fan_first_layers) return {};
+  LineFans fans = {.interface_percent = cooling.interface_fan_percent,
+                   .ironing_percent = cooling.ironing_fan_percent};
+  if (cooling.bridge_fan) fans.internal_bridge_percent = cooling.internal_bridge_fan_percent;
+  return fans;
 }
 
 std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index,

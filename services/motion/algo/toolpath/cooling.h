@@ -30,8 +30,12 @@ std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const 
 
 /// Returns the fan speed in percent for a layer that takes `layer_time_s`. The speed is between
 /// min_fan_speed and max_fan_speed, and is higher for a shorter layer. The fan is off in the first
-/// layers. Then its speed rises layer by layer up to full_fan_speed_layer.
+/// layers, or has first_layer_fan_speed in the first one. Then its speed rises layer by layer up to
+/// full_fan_speed_layer.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
+
+/// Returns true if the fan is off before this layer in any case. The times of layers do not matter.
+bool IsOffBefore(const CoolingOptions& cooling, int32_t layer_index);
 
 /// Returns the fan speed in percent for bridges and overhangs, at least `fan_percent`.
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
@@ -40,9 +44,17 @@ int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int
 /// speed for bridges. Returns -1 if only bridges get this speed.
 int32_t CooledRest(const CoolingOptions& cooling);
 
-/// Returns the fan speed in percent for support interfaces, or -1 if they get the layer's fan
-/// speed.
-int32_t InterfaceFanPercent(const CoolingOptions& cooling, int32_t layer_index);
+/// Fan speeds in percent for kinds of lines; -1: the layer's fan speed, or that of bridges.
+struct LineFans {
+  int32_t interface_percent = -1;  ///< support interfaces
+  int32_t ironing_percent = -1;
+  int32_t internal_bridge_percent = -1;  ///< bridges over sparse infill
+
+  friend bool operator==(const LineFans&, const LineFans&) = default;
+};
+
+/// Returns the fan speeds for kinds of lines in a layer.
+LineFans LineFanPercent(const CoolingOptions& cooling, int32_t layer_index);
 
 /// Returns the fan speeds in percent for walls over air, each at least `fan_percent`. Returns
 /// nullopt without enable_dynamic_fan_speeds.

@@ -220,12 +220,40 @@ TEST(CooledRest, IsWhatTheThresholdLeaves) {
   }
 }
 
-TEST(InterfaceFanPercent, AfterTheFirstLayers) {
+TEST(LineFanPercent, AfterTheFirstLayers) {
   CoolingOptions cooling;
-  EXPECT_EQ(InterfaceFanPercent(cooling, 5), -1);
+  EXPECT_EQ(LineFanPercent(cooling, 5), LineFans{});
   cooling.interface_fan_percent = 0;
-  EXPECT_EQ(InterfaceFanPercent(cooling, 0), -1);
-  EXPECT_EQ(InterfaceFanPercent(cooling, 1), 0);
+  cooling.ironing_fan_percent = 20;
+  cooling.internal_bridge_fan_percent = 70;
+  EXPECT_EQ(LineFanPercent(cooling, 0), LineFans{});
+  EXPECT_EQ(LineFanPercent(cooling, 1), (LineFans{0, 20, 70}));
+  cooling.bridge_fan = false;
+  EXPECT_EQ(LineFanPercent(cooling, 1), (LineFans{0, 20, -1}));
+}
+
+TEST(FanPercent, HasItsOwnSpeedInTheFirstLayer) {
+  CoolingOptions cooling;
+  cooling.first_layer_fan_percent = 30;
+  EXPECT_EQ(FanPercent(cooling, 0, 1), 0) << "the first layers have no fan";
+  cooling.disable_fan_first_layers = 0;
+  cooling.ironing_fan_percent = 20;
+  EXPECT_EQ(FanPercent(cooling, 0, 1), 30);
+  EXPECT_EQ(BridgeFanPercent(cooling, 0, 30), 30);
+  EXPECT_EQ(LineFanPercent(cooling, 0), LineFans{});
+  EXPECT_EQ(FanPercent(cooling, 1, 1), 100);
+  cooling.full_fan_speed_layer = 5;
+  for (const auto& [layer, want] :
+       {std::pair{0, 30}, {1, 48}, {2, 65}, {3, 83}, {4, 100}, {9, 100}})
+    EXPECT_EQ(FanPercent(cooling, layer, 1), want) << layer;
+}
+
+TEST(IsOffBefore, OnlyIfTheTimesDoNotMatter) {
+  CoolingOptions cooling;
+  cooling.disable_fan_first_layers = 2;
+  EXPECT_TRUE(IsOffBefore(cooling, 0));
+  EXPECT_TRUE(IsOffBefore(cooling, 2));
+  EXPECT_FALSE(IsOffBefore(cooling, 3));
 }
 
 TEST(OverhangFanPercent, OnlyIfAskedFor) {

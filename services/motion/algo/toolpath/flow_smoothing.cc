@@ -28,7 +28,7 @@ class Smoother {
     const std::vector<Move>& moves = path_.moves;
     for (size_t i = 0; i < moves.size();) {
       size_t end = i;
-      while (end < moves.size() && moves[end].kind == MoveKind::kPrint) ++end;
+      while (end < moves.size() && IsLimited(moves[end])) ++end;
       if (end - i > 1) {
         Smooth(i, end);
       } else {
@@ -41,6 +41,12 @@ class Smoother {
   }
 
  private:
+  bool IsLimited(const Move& move) const {
+    if (move.kind != MoveKind::kPrint) return false;
+    return !slopes_.outer_walls || move.feature == Feature::kExternalPerimeter ||
+           move.feature == Feature::kOverhangPerimeter;
+  }
+
   void Smooth(size_t first, size_t last) {
     pieces_.clear();
     for (size_t i = first; i < last; ++i) Cut(i);

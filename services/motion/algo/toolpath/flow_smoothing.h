@@ -8,7 +8,8 @@ namespace slicefarm::motion {
 struct FlowSlopes {
   double rise_mm3_s2 = 0;
   double fall_mm3_s2 = 0;
-  double piece_mm = 1;  ///< length of beads with one flow
+  double piece_mm = 1;       ///< length of beads with one flow
+  bool outer_walls = false;  ///< true: only outer walls and walls over air have limits
 };
 
 /// Slows down beads next to slower ones, so that the flow q rises and falls no faster than the

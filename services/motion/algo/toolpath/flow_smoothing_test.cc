@@ -93,5 +93,17 @@ TEST(SmoothFlow, LongerPiecesAreFewer) {
   }
 }
 
+TEST(SmoothFlow, OfOuterWallsOnly) {
+  FlowSlopes slopes{5, 5};
+  slopes.outer_walls = true;
+  Toolpath path = Beads({20, 100});
+  const std::vector<Move> before = path.moves;
+  SmoothFlow(slopes, kFilamentMm2, path);
+  EXPECT_EQ(path.moves, before) << "inner walls change their flow at once";
+  for (Move& move : path.moves) move.feature = Feature::kExternalPerimeter;
+  SmoothFlow(slopes, kFilamentMm2, path);
+  EXPECT_GT(path.moves.size(), before.size());
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::flow_smoothing_test

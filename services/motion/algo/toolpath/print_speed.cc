@@ -21,6 +21,11 @@ bool IsSmallWall(const Path& path, double length_mm, double radius_mm) {
          (path.feature == Feature::kExternalPerimeter || path.feature == Feature::kPerimeter);
 }
 
+bool IsSmallSupport(const Path& path, double length_mm, double radius_mm) {
+  return path.closed && length_mm <= 2 * std::numbers::pi * radius_mm &&
+         (path.feature == Feature::kSupport || path.feature == Feature::kSupportInterface);
+}
+
 }  // namespace
 
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
@@ -34,6 +39,9 @@ double PrintSpeeds::Of(const Path& path, double length_mm) const {
       region.small_perimeter_speed_mm_s > 0) {
     speed = region.small_perimeter_speed_mm_s;
   }
+  if (IsSmallSupport(path, length_mm, region.small_support_radius_mm))
+    speed = region.small_support_mm_s > 0 ? region.small_support_mm_s
+                                          : region.small_support_ratio * speed;
   speed = OnGround(ground_, path.feature, speed);
   if (speed <= 0)
     speed = options_.max_print_speed_mm_s > 0 ? options_.max_print_speed_mm_s : kDefaultSpeedMmS;
@@ -80,6 +88,13 @@ double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {
   const double most = options_.tool().max_volumetric_speed_mm3_s;
   if (most <= 0 || section_mm2 <= 0) return speed_mm_s;
   return std::min(speed_mm_s, most / section_mm2);
+}
+
+double PrintSpeeds::OutsideResonance(Feature feature, double speed_mm_s) const {
+  const ResonanceOptions& resonance = options_.resonance;
+  if (!resonance.avoid || feature != Feature::kExternalPerimeter) return speed_mm_s;
+  const bool inside = resonance.from_mm_s < speed_mm_s && speed_mm_s <= resonance.until_mm_s;
+  return inside ? resonance.from_mm_s : speed_mm_s;
 }
 
 int32_t PrintSpeeds::WithinFlow(int32_t feed_rate, double section_mm2) const {

@@ -27,6 +27,8 @@ class PrintSpeeds {
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
   /// Returns `speed_mm_s`, or the speed at the largest volumetric flow if that is lower.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;
+  /// Returns the speed of a bead without the speeds at which outer walls resonate.
+  double OutsideResonance(Feature feature, double speed_mm_s) const;
   /// Returns `feed_rate` (mm/min), or the feed rate at the largest volumetric flow if `feed_rate`
   /// exceeds it by more than 0.1 %.
   int32_t WithinFlow(int32_t feed_rate, double section_mm2) const;

@@ -48,6 +48,33 @@ TEST(PrintSpeeds, SmallWalls) {
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kGapFill, true), 10), 20);
 }
 
+TEST(PrintSpeeds, SmallSupports) {
+  MotionOptions options = Options();
+  const PrintSpeeds speeds(options, Ground::kLayers);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSupport, true), 1), 60);
+  options.speeds[0].small_support_radius_mm = 2;
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSupport, true), 12.5), 30) << "half of the speed";
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSupport, true), 12.6), 60);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSupport, false), 1), 60);
+  options.speeds[0].small_support_mm_s = 12;
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSupportInterface, true), 1), 12);
+}
+
+TEST(PrintSpeeds, OutsideResonance) {
+  MotionOptions options = Options();
+  options.resonance = {.avoid = false, .from_mm_s = 70, .until_mm_s = 120};
+  const PrintSpeeds speeds(options, Ground::kLayers);
+  const auto wall = [&](double speed) {
+    return speeds.OutsideResonance(Feature::kExternalPerimeter, speed);
+  };
+  EXPECT_EQ(wall(100), 100);
+  options.resonance.avoid = true;
+  for (const auto& [speed, want] :
+       {std::pair{60.0, 60.0}, {70.0, 70.0}, {71.0, 70.0}, {120.0, 70.0}, {121.0, 121.0}})
+    EXPECT_EQ(wall(speed), want) << speed;
+  EXPECT_EQ(speeds.OutsideResonance(Feature::kPerimeter, 100), 100);
+}
+
 TEST(PrintSpeeds, SmallWallsByRadius) {
   MotionOptions options = Options();
   const PrintSpeeds speeds(options, Ground::kLayers);

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/between.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::motion {
 namespace {
 
-/// Distance before and after a loop's start at which its turn is measured. A turn of more than 30
-/// degrees makes the start a corner.
+/// Distance before and after a loop's start at which its turn is measured.
 constexpr double kArmNm = 500'000;
-constexpr double kSmoothCosine = 0.866;
 
 /// Points of a loop from its start around to its start again, and the width at each point.
 struct OpenedLine {
@@ -40,12 +40,19 @@ Point Along(const std::vector<Point>& line, double length_nm) {
   return line.back();
 }
 
-bool StartsAtCorner(const Path& path) {
+/// Returns the cosine of the largest turn at a start that is no corner.
+double SmoothCosine(const ScarfOptions& options) {
+  constexpr double kUsualAngle = 150, kUsualCosine = 0.866;
+  if (options.smooth_angle_deg == kUsualAngle) return kUsualCosine;
+  return Cos((180 - options.smooth_angle_deg) * std::numbers::pi / 180);
+}
+
+bool StartsAtCorner(const Path& path, const ScarfOptions& options) {
   std::vector<Point> line = Opened(path).points;
   const Point out = Along(line, kArmNm) - line.front();
   std::ranges::reverse(line);
   const Point in = line.front() - Along(line, kArmNm);
-  return Dot(in, out) < kSmoothCosine * Norm(in) * Norm(out);
+  return Dot(in, out) < SmoothCosine(options) * Norm(in) * Norm(out);
 }
 
 /// Cuts the first `length_nm` of a line into pieces: at its points and so that no piece is longer
@@ -95,7 +102,7 @@ bool HasScarf(const Path& path, const ScarfOptions& options) {
   const bool external = path.feature == Feature::kExternalPerimeter;
   if (!external && !(options.on_inner && path.feature == Feature::kPerimeter)) return false;
   if (options.placement == ScarfPlacement::kContours && SignedArea(path.points) < 0) return false;
-  return !options.only_on_smooth || !StartsAtCorner(path);
+  return !options.only_on_smooth || !StartsAtCorner(path, options);
 }
 
 std::vector<ScarfPiece> ScarfedLoop(const Path& path, const ScarfOptions& options) {

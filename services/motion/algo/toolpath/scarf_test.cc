@@ -152,5 +152,19 @@ TEST(Scarf, HasItsLeastNumberOfSegments) {
   EXPECT_GE(segments(), 19) << "the last one ends at the top";
 }
 
+TEST(HasScarf, CornersByTheAngleOfTheSettings) {
+  ScarfOptions options = Everywhere();
+  // A turn of 20 degrees: the edges form an angle of 160 degrees.
+  const Path bent = Loop("(0 0, 9.397 3.420, 0 30, -20 0)");
+  EXPECT_TRUE(HasScarf(bent, options));
+  options.smooth_angle_deg = 165;
+  EXPECT_FALSE(HasScarf(bent, options));
+  options.smooth_angle_deg = 155;
+  EXPECT_TRUE(HasScarf(bent, options));
+  EXPECT_FALSE(LimitsOverhang(options));
+  options.most_overhang = 0.4;
+  EXPECT_TRUE(LimitsOverhang(options));
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::scarf_test

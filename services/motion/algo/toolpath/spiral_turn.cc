@@ -47,14 +47,20 @@ class Loop {
 
 }  // namespace
 
-std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const MultiPolygon& below) {
+std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const MultiPolygon& below,
+                              const SpiralMotion& options) {
   const Coord width_nm = path.widths_nm.front();
+  const double reach_nm = options.reach_nm > 0 ? static_cast<double>(options.reach_nm)
+                                               : kNearWidths * static_cast<double>(width_nm);
+  const auto between = [](double from, double to, double share) {
+    return from + (to - from) * share;
+  };
   const std::optional<Polygon> turn_below =
       turn.blends && turn.from ? SpiralLoop(below, width_nm) : std::nullopt;
   const auto placed = [&](Point point, double share) {
     if (!turn_below) return point;
     const Point under = NearestPlace(*turn_below, point).at;
-    const bool near = Distance(point, under) <= kNearWidths * static_cast<double>(width_nm);
+    const bool near = Distance(point, under) <= reach_nm;
     return near ? PointBetween(under, point, share) : point;
   };
   const Loop loop(path);
@@ -63,13 +69,14 @@ std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const Mu
   double last_share = 0;
   loop.ForEach(first ? kRampPieceNm : 0, [&](Point point, double share) {
     const double middle = (last_share + share) / 2;
-    pieces.push_back({placed(point, share), share, first ? middle : 1});
+    pieces.push_back(
+        {placed(point, share), share, first ? between(options.start_flow, 1, middle) : 1});
     last_share = share;
   });
   if (!turn.last) return pieces;
   last_share = 0;
   loop.ForEach(kRampPieceNm, [&](Point point, double share) {
-    pieces.push_back({point, 1, 1 - (last_share + share) / 2});
+    pieces.push_back({point, 1, between(1, options.end_flow, (last_share + share) / 2)});
     last_share = share;
   });
   return pieces;

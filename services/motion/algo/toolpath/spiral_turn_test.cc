@@ -93,5 +93,30 @@ TEST(SpiralTurn, DoesNotLeadOverFromFarAwayNorWhereItMustNot) {
   }
 }
 
+TEST(TurnOf, BeginsAndEndsWithTheFlowOfTheSettings) {
+  const Path path = TurnIn(10);
+  const SpiralMotion options = {.start_flow = 0.5, .end_flow = 0.25};
+  const auto first = TurnOf(path, {.start = path.points[0]}, {}, options);
+  EXPECT_NEAR(first.front().flow, 0.5, 0.02);
+  EXPECT_NEAR(first.back().flow, 1, 0.02);
+  const auto last =
+      TurnOf(path, {.start = path.points[0], .from = path.points[0], .last = true}, {}, options);
+  EXPECT_EQ(last.front().flow, 1);
+  EXPECT_NEAR(last.back().flow, 0.25, 0.02);
+}
+
+TEST(TurnOf, ReachesAsFarAsTheSettingsSay) {
+  const Path path = TurnIn(10);
+  const Point from{-9'700'000, 0};
+  const SpiralTurn turn = {.start = path.points[0], .from = from};
+  const auto moved = [&](Coord reach_nm) {
+    const auto pieces = TurnOf(path, turn, {{Ring(9.7), {}}}, {.reach_nm = reach_nm});
+    return pieces.front().to != path.points[1];
+  };
+  EXPECT_TRUE(moved(0));
+  EXPECT_TRUE(moved(1'000'000));
+  EXPECT_FALSE(moved(100'000));
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::spiral_turn_test

@@ -8,6 +8,7 @@
 #include "common/base/portable_math.h"
 #include "common/gcode/gcode_text.h"
 #include "common/geometry/arc_fit.h"
+#include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/motion_options.h"
@@ -102,9 +103,16 @@ void ToolpathBuilder::AddTurn(const Path& path, const SpiralTurn& turn, const Mu
 void ToolpathBuilder::Add(const Path& path, const Travel& travel,
                           std::optional<double> contour_mm) {
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
-  const bool scarfed = !first_layer_ && HasScarf(path, region.scarf);
+  const bool scarfed =
+      !first_layer_ && HasScarf(path, region.scarf) && !OverhangsAtStart(path, region.scarf);
   const bool reversed = IsReversed(path, region.reversal, layer_, below_);
   AddPath(reversed ? Reversed(path) : path, travel, contour_mm, scarfed, reversed);
+}
+
+/// Returns true if a wall's start rests too little on the layer below for a scarf.
+bool ToolpathBuilder::OverhangsAtStart(const Path& path, const ScarfOptions& scarf) const {
+  if (!LimitsOverhang(scarf) || below_ == nullptr) return false;
+  return 1 - below_->RestOf(path.points.front(), path.WidthAt(0)) >= scarf.most_overhang;
 }
 
 void ToolpathBuilder::AddPath(const Path& path, const Travel& travel,
@@ -123,6 +131,7 @@ void ToolpathBuilder::AddPath(const Path& path, const Travel& travel,
                                     : Simplified(DividedByWidth(path, bead_height_nm_), simplify);
   const double speed_mm_s = speeds_.Of(path, contour_mm.value_or(ToMm(PathLength(path))));
   BeginPath(path, simple);
+  reversed_ = reversed;
   const int64_t filament_before = filament_;
   const bool outer = path.closed && path.feature == Feature::kExternalPerimeter && !scarfed;
   if (path_.approach == Toolpath::kNone) {
@@ -150,7 +159,9 @@ void ToolpathBuilder::EndPath(const Path& path, bool moved_on, int64_t filament_
   moved_on_ = moved_on;
   if (path.feature != Feature::kGapFill) after_top_ = IsTop(path.feature);
   wipe_path_.clear();
-  if (wipe_.length_mm > 0 && !moved_on) wipe_path_ = WipePath(path, wipe_.length_mm);
+  if (wipe_.length_mm > 0 && !moved_on)
+    wipe_path_ = WipePath(path, wipe_.length_mm, WipeShiftOf(path));
+  after_inner_ = path.feature == Feature::kPerimeter;
   Count(path, filament_ - filament_before);
 }
 
@@ -172,8 +183,9 @@ Toolpath ToolpathBuilder::FinishAt(const std::optional<Leave>& leave) {
 ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s) const {
   const double section_mm2 =
       SectionMm2(width_nm, bead_height_nm_) * options_.tool().extrusion_multiplier * flow_;
+  const double limited_mm_s = speeds_.LimitedByFlow(speed_mm_s, section_mm2);
   return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
-          FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2))};
+          FeedRate(speeds_.OutsideResonance(at_.feature, limited_mm_s))};
 }
 
 void ToolpathBuilder::PrintSegments(const SimplifiedPath& simple, double speed_mm_s) {
@@ -219,7 +231,7 @@ void ToolpathBuilder::PrintTurn(const SimplifiedPath& simple, const SpiralTurn& 
                                 const MultiPolygon& below, double speed_mm_s) {
   const auto height_um = static_cast<double>(z_um_ - bottom_um_);
   const Coord width_nm = simple.path.widths_nm.front();
-  const std::vector<TurnPiece> turns = TurnOf(simple.path, turn, below);
+  const std::vector<TurnPiece> turns = TurnOf(simple.path, turn, below, options_.spiral);
   std::vector<PathSegment> segments;
   Point from{FromUm(at_.x_um), FromUm(at_.y_um)};
   for (const TurnPiece& piece : turns)
@@ -338,11 +350,26 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   for (const PlaceUm place : way) MoveTo(place.x, place.y);
 }
 
+/// Returns the points of a travel on which the nozzle rises. A circle that would leave the room of
+/// travels becomes a straight rise.
+std::vector<RampPlace> ToolpathBuilder::RiseOf(std::span<const PlaceUm> way) const {
+  const RetractionOptions& retraction = options_.tool().retraction;
+  const PlaceUm from{at_.x_um, at_.y_um};
+  if (!retraction.spiral) return RampedTravel(from, way, retraction, below_);
+  std::vector<RampPlace> places = SpiralledTravel(from, way, retraction);
+  const auto is_outside = [&](const RampPlace& point) {
+    return !Covers(options_.room, {FromUm(point.place.x), FromUm(point.place.y)});
+  };
+  const auto circle = std::span(places).first(places.size() - way.size());
+  if (!options_.room.empty() && std::ranges::any_of(circle, is_outside))
+    places.erase(places.begin(), places.begin() + std::ssize(circle) - 1);
+  return places;
+}
+
 void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
   stats_.travel_mm += MovesMm(way);
   ++stats_.travels;
-  const PlaceUm from{at_.x_um, at_.y_um};
-  for (const auto [place, up_um] : RampedTravel(from, way, options_.tool().retraction, below_)) {
+  for (const auto [place, up_um] : RiseOf(way)) {
     if (place == PlaceUm{at_.x_um, at_.y_um}) {
       MoveZ(z_um_ + up_um);
       continue;

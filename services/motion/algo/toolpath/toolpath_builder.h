@@ -11,6 +11,7 @@
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/simplified_path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
+#include "services/motion/algo/toolpath/travel_ramp.h"
 #include "services/motion/algo/toolpath/wipe.h"
 
 namespace slicefarm {
@@ -98,6 +99,9 @@ class ToolpathBuilder {
   void AddPath(const Path& path, const Travel& travel, std::optional<double> contour_mm,
                bool scarfed, bool reversed);
   Point InsideOf(const Path& path, bool reversed) const;
+  bool OverhangsAtStart(const Path& path, const ScarfOptions& scarf) const;
+  double WipeShiftOf(const Path& path) const;
+  std::vector<RampPlace> RiseOf(std::span<const PlaceUm> route) const;
   void GlideTo(Point to, double speed_mm_s);
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
@@ -145,9 +149,11 @@ class ToolpathBuilder {
   const LayerBelow* carried_;
   const LayerBelow* curled_;
   int32_t z_um_;
-  int32_t lift_um_;         ///< height by which travels rise; 0 if they do not
-  int32_t start_lift_um_;   ///< rise of the travel to the first path
-  bool after_top_ = false;  ///< true if the last bead, except gap fill, is part of a top surface
+  int32_t lift_um_;           ///< height by which travels rise; 0 if they do not
+  int32_t start_lift_um_;     ///< rise of the travel to the first path
+  bool after_top_ = false;    ///< true if the last bead, except gap fill, is part of a top surface
+  bool reversed_ = false;     ///< true if the current path is reversed (reversal.h)
+  bool after_inner_ = false;  ///< true if the last path was an inner wall
   Wipe wipe_;
   std::vector<PlaceUm> wipe_path_;  ///< points of the wipe from the end of the path before
   int32_t retract_units_;           ///< length of a retraction, in 1e-5 mm

@@ -11,6 +11,8 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr double kUmPerMillimetre = 1e3;
+/// Number of moves of a circle on which the nozzle rises.
+constexpr int kSpiralMoves = 24;
 
 double LengthUm(PlaceUm from, PlaceUm to) { return Hypot(to.x - from.x, to.y - from.y); }
 
@@ -46,6 +48,31 @@ double LiftOf(const RetractionOptions& retraction) {
 
 bool RisesAlongTheWay(const RetractionOptions& retraction) {
   return retraction.ramping && retraction.ramp_slope_deg > 0 && retraction.ramp_slope_deg < 90;
+}
+
+std::vector<RampPlace> SpiralledTravel(PlaceUm from, std::span<const PlaceUm> travel,
+                                       const RetractionOptions& retraction) {
+  const double lift_um = retraction.ramp_lift_mm * kUmPerMillimetre;
+  const double slope = Tan(retraction.ramp_slope_deg * std::numbers::pi / 180);
+  const double radius_um = lift_um / slope / (2 * std::numbers::pi);
+  const PlaceUm to = travel.front();
+  const double length = LengthUm(from, to);
+  const auto up_um = static_cast<int32_t>(std::lround(lift_um));
+  std::vector<RampPlace> places;
+  // The circle begins and ends in the direction of the travel.
+  const double x = length > 0 ? (to.x - from.x) / length : 1;
+  const double y = length > 0 ? (to.y - from.y) / length : 0;
+  for (int i = 1; i < kSpiralMoves; ++i) {
+    const double share = static_cast<double>(i) / kSpiralMoves;
+    const double angle = 2 * std::numbers::pi * share;
+    const double along = radius_um * Sin(angle), aside = radius_um * (1 - Cos(angle));
+    const PlaceUm place{from.x + static_cast<int32_t>(std::lround(along * x - aside * y)),
+                        from.y + static_cast<int32_t>(std::lround(along * y + aside * x))};
+    places.push_back({place, static_cast<int32_t>(std::lround(share * lift_um))});
+  }
+  places.push_back({from, up_um});
+  for (const PlaceUm next : travel) places.push_back({next, up_um});
+  return places;
 }
 
 std::vector<RampPlace> RampedTravel(PlaceUm from, std::span<const PlaceUm> travel,

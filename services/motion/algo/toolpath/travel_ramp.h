@@ -25,6 +25,12 @@ double LiftOf(const RetractionOptions& retraction);
 /// Returns true if the nozzle rises along the travel and not straight up.
 bool RisesAlongTheWay(const RetractionOptions& retraction);
 
+/// Returns the points of a travel from `from`. The nozzle first rises to travel_max_lift, on a
+/// circle with the slope travel_slope. The circle begins and ends in the direction of the travel.
+/// REQUIRES: RisesAlongTheWay; `travel` is not empty.
+std::vector<RampPlace> SpiralledTravel(PlaceUm from, std::span<const PlaceUm> travel,
+                                       const RetractionOptions& retraction);
+
 /// Returns the points of a travel from `from`, along which the nozzle rises with the angle
 /// travel_slope up to travel_max_lift. On a short travel the nozzle does not reach this height.
 ///

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "common/geometry/text_format_test.h"
 
 namespace slicefarm::motion::travel_ramp_test {
@@ -80,6 +82,26 @@ TEST(Lift, IsTheRampsIfThereIsOne) {
   retraction.ramping = false;
   EXPECT_EQ(LiftOf(retraction), 0.4);
   EXPECT_FALSE(RisesAlongTheWay(retraction));
+}
+
+TEST(SpiralledTravel, RisesOnACircleThatTouchesTheTravel) {
+  const PlaceUm travel[] = {{40'000, 0}};
+  const std::vector<RampPlace> places = SpiralledTravel(kFrom, travel, Ramp());
+  ASSERT_GT(places.size(), 10u);
+  const RampPlace top = places[places.size() - 2];
+  EXPECT_EQ(top, (RampPlace{kFrom, 1'000})) << "the circle ends where it began";
+  EXPECT_EQ(places.back(), (RampPlace{{40'000, 0}, 1'000}));
+  double length_um = 0;
+  PlaceUm last = kFrom;
+  for (size_t i = 0; i + 1 < places.size(); ++i) {
+    const auto [place, up_um] = places[i];
+    length_um += std::hypot(place.x - last.x, place.y - last.y);
+    EXPECT_NEAR(up_um, length_um / 10, 20) << i;
+    EXPECT_GE(place.y, -1) << "the circle is on the left of the travel";
+    last = place;
+  }
+  EXPECT_NEAR(length_um, 10'000, 50);
+  EXPECT_GT(places.front().place.x, 5 * places.front().place.y) << "it begins along the travel";
 }
 
 }  // namespace

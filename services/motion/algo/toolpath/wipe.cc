@@ -34,6 +34,19 @@ std::vector<Point> WayOn(const Path& path) {
   return travel;
 }
 
+/// Returns the points of a line, each shifted to the left of the line there.
+std::vector<Point> ShiftedLeft(const std::vector<Point>& line, double shift_nm) {
+  std::vector<Point> shifted;
+  for (size_t i = 0; i < line.size(); ++i) {
+    const Point from = line[i > 0 ? i - 1 : 0], to = line[std::min(i + 1, line.size() - 1)];
+    const double length = Distance(from, to);
+    const double scale = length > 0 ? shift_nm / length : 0;
+    shifted.push_back(line[i] + Point{std::llround(-scale * static_cast<double>(to.y - from.y)),
+                                      std::llround(scale * static_cast<double>(to.x - from.x))});
+  }
+  return shifted;
+}
+
 }  // namespace
 
 Wipe WipeOf(const MotionOptions& options) {
@@ -45,10 +58,9 @@ Wipe WipeOf(const MotionOptions& options) {
   return {speed_mm_s, pulled_mm / retraction.speed_mm_s * speed_mm_s};
 }
 
-std::vector<PlaceUm> WipePath(const Path& path, double length_mm) {
+std::vector<PlaceUm> WipePath(const Path& path, double length_mm, double shift_nm) {
   const std::vector<Point> travel = WayOn(path);
-  std::vector<PlaceUm> places;
-  const auto add = [&](Point place) { places.push_back({ToUm(place.x), ToUm(place.y)}); };
+  std::vector<Point> kept = {travel.front()};
   double left_nm = length_mm * static_cast<double>(kNmPerMm);
   Point last = travel.front();
   for (size_t i = 1; i < travel.size() && left_nm >= kLeastStepNm; ++i) {
@@ -56,9 +68,26 @@ std::vector<PlaceUm> WipePath(const Path& path, double length_mm) {
     if (step_nm < kLeastStepNm) continue;
     last = step_nm <= left_nm ? travel[i] : PointBetween(last, travel[i], left_nm / step_nm);
     left_nm -= step_nm;
-    add(last);
+    kept.push_back(last);
   }
-  return places;
+  std::vector<PlaceUm> places;
+  for (const Point place :
+       shift_nm == 0 ? std::vector(kept.begin() + 1, kept.end()) : ShiftedLeft(kept, shift_nm))
+    places.push_back({ToUm(place.x), ToUm(place.y)});
+  return kept.size() > 1 ? places : std::vector<PlaceUm>();
+}
+
+/// Returns the distance in nm to the left by which the wipe of a path is shifted; negative: to the
+/// right.
+double ToolpathBuilder::WipeShiftOf(const Path& path) const {
+  const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
+  const bool shifts = region.wipe_inward && after_inner_ && path.closed &&
+                      path.feature == Feature::kExternalPerimeter;
+  if (!shifts) return 0;
+  const auto width_nm = static_cast<double>(path.WidthAt(0));
+  const double asked_nm = region.wipe_inward_nm > 0 ? static_cast<double>(region.wipe_inward_nm)
+                                                    : region.wipe_inward_share * width_nm;
+  return (options_.clockwise == reversed_ ? 1 : -1) * std::min(asked_nm, width_nm);
 }
 
 void ToolpathBuilder::Retract() {
@@ -68,7 +97,11 @@ void ToolpathBuilder::Retract() {
   ++stats_.retractions;
   const int32_t before = UnitsBeforeWipe();
   PullBack(before);
-  if (!wipe_path_.empty()) PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
+  if (wipe_path_.empty()) return;
+  const double share = options_.tool().retraction.after_wipe;
+  const auto after =
+      std::min(retract_units_ - before, static_cast<int32_t>(std::lround(share * retract_units_)));
+  PullBack(retract_units_ - before - WipeBack(retract_units_ - before - after));
 }
 
 void ToolpathBuilder::PullBack(int32_t units) {

@@ -83,6 +83,13 @@ TEST(WipePath, Cases) {
   }
 }
 
+TEST(WipePath, IsShiftedToTheLeft) {
+  const Path loop = Loop("(0 0, 10 0, 10 10, 0 10)");
+  EXPECT_THAT(WipePath(loop, 2, 200'000), ElementsAre(PlaceUm{0, 200}, PlaceUm{2'000, 200}));
+  EXPECT_THAT(WipePath(loop, 2, -200'000), ElementsAre(PlaceUm{0, -200}, PlaceUm{2'000, -200}));
+  EXPECT_THAT(WipePath(MakePathOrDie("(0 0, 0.1 0)"), 2, 200'000), IsEmpty());
+}
+
 TEST(WipePath, OfADotThereIsNone) {
   EXPECT_THAT(WipePath(MakePathOrDie("(0 0, 0.1 0)"), 2), IsEmpty());
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/geometry/point.h"
@@ -83,6 +84,26 @@ absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHei
     }
     planes.push_back({{index, bottom + height, height}, std::min(bottom + height / 2, top_nm - 1)});
     bottom += height;
+  }
+}
+
+void MeetTop(Coord top_nm, const HeightLimits& range, std::vector<LayerPlane>& planes) {
+  constexpr size_t kChanged = 5;
+  const size_t count = std::min(kChanged, planes.size() - 1);
+  const std::span<LayerPlane> last = std::span(planes).last(count);
+  Coord gap_nm = top_nm - planes.back().frame.print_z_nm;
+  for (size_t i = 0; i < count; ++i) {
+    Coord& height_nm = last[i].frame.height_nm;
+    const Coord wanted_nm = height_nm + gap_nm / static_cast<Coord>(count - i);
+    const Coord next_nm = std::clamp(wanted_nm, std::min(range.least_nm, height_nm),
+                                     std::max(range.most_nm, height_nm));
+    gap_nm -= next_nm - std::exchange(height_nm, next_nm);
+  }
+  Coord bottom_nm = count > 0 ? planes[planes.size() - count - 1].frame.print_z_nm : 0;
+  for (LayerPlane& plane : last) {
+    plane.frame.print_z_nm = bottom_nm + plane.frame.height_nm;
+    plane.z_nm = std::min(bottom_nm + plane.frame.height_nm / 2, top_nm - 1);
+    bottom_nm = plane.frame.print_z_nm;
   }
 }
 

@@ -40,6 +40,17 @@ struct LayerHeights {
 /// too many layers; NOTHING_TO_PRINT if even the first layer's middle is above the top.
 absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights);
 
+/// Limits of the layer heights that MeetTop changes.
+struct HeightLimits {
+  Coord least_nm = 0;
+  Coord most_nm = 0;
+};
+
+/// Changes the heights of the last five layers evenly, but not of the first layer, so that the
+/// print ends at `top_nm` (precise_z_height). Heights stay in `range`, unless they already are
+/// outside of it; if the top cannot be met then, the last layers get as near as possible.
+void MeetTop(Coord top_nm, const HeightLimits& range, std::vector<LayerPlane>& planes);
+
 /// Returns layers with the tops `tops_nm`, each cut in its middle. The tops must ascend, from above
 /// 0. Errors: MESH_TOO_LARGE above limits::kMaxLayers tops.
 absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm);

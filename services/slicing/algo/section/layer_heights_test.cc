@@ -73,5 +73,48 @@ TEST(LayerPlanes, RangesHaveHeightsOfTheirOwn) {
   EXPECT_EQ(planes->back().frame.print_z_nm, 1'900'000);
 }
 
+struct TopCase {
+  Coord top, first, layer;
+  HeightLimits range;
+  std::vector<Coord> last_heights;  ///< heights of the last layers
+  Coord end;
+};
+
+TEST(MeetTop, ChangesTheLastFiveLayersEvenly) {
+  const HeightLimits wide = {70'000, 300'000};
+  for (const TopCase& c :
+       {TopCase{2'050'000,
+                200'000,
+                200'000,
+                wide,
+                {200'000, 210'000, 210'000, 210'000, 210'000, 210'000},
+                2'050'000},
+        {1'950'000,
+         200'000,
+         200'000,
+         wide,
+         {200'000, 190'000, 190'000, 190'000, 190'000, 190'000},
+         1'950'000},
+        {2'000'000, 200'000, 200'000, wide, {200'000, 200'000}, 2'000'000},
+        {450'000, 200'000, 200'000, wide, {200'000, 250'000}, 450'000},
+        // The heights reach their limit before the top is met.
+        {490'000, 200'000, 200'000, {70'000, 250'000}, {200'000, 250'000}, 450'000}}) {
+    auto planes = *LayerPlanes(c.top, Heights(c.first, c.layer));
+    MeetTop(c.top, c.range, planes);
+    EXPECT_EQ(planes.back().frame.print_z_nm, c.end) << c.top;
+    Coord bottom = 0;
+    for (size_t i = 0; i < planes.size(); ++i) {
+      const LayerFrame& frame = planes[i].frame;
+      EXPECT_EQ(frame.print_z_nm, bottom + frame.height_nm);
+      EXPECT_GT(planes[i].z_nm, bottom);
+      EXPECT_LT(planes[i].z_nm, frame.print_z_nm);
+      bottom = frame.print_z_nm;
+      const size_t left = planes.size() - i;
+      if (left > c.last_heights.size()) continue;
+      EXPECT_EQ(frame.height_nm, c.last_heights[c.last_heights.size() - left]) << c.top << ' ' << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::slicing::layer_heights_test

@@ -9,6 +9,8 @@
 #include "common/base/error.h"
 #include "common/geometry/vector.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/thumbnail/btt_image.h"
+#include "services/slicing/algo/thumbnail/colpic_image.h"
 #include "services/slicing/algo/thumbnail/jpg_image.h"
 #include "services/slicing/algo/thumbnail/png_image.h"
 #include "services/slicing/algo/thumbnail/qoi_image.h"
@@ -323,9 +325,20 @@ absl::Status SizeError(const ThumbnailSize& size) {
 }
 
 absl::StatusOr<std::string> Encode(const std::vector<Rgba>& pixels, const ThumbnailSize& size) {
-  if (size.format == PictureFormat::kQoi) return EncodeQoi(pixels, size.width_px, size.height_px);
-  if (size.format == PictureFormat::kJpg) return EncodeJpg(pixels, size.width_px, size.height_px);
-  return EncodePng(pixels, size.width_px, size.height_px);
+  const int32_t width = size.width_px, height = size.height_px;
+  switch (size.format) {
+    case PictureFormat::kPng:
+      return EncodePng(pixels, width, height);
+    case PictureFormat::kQoi:
+      return EncodeQoi(pixels, width, height);
+    case PictureFormat::kJpg:
+      return EncodeJpg(pixels, width, height);
+    case PictureFormat::kBtt:
+      return EncodeBtt(pixels, width, height);
+    case PictureFormat::kColPic:
+      return EncodeColPic(pixels, width, height);
+  }
+  return SizeError(size);
 }
 
 }  // namespace
