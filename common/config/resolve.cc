@@ -98,8 +98,9 @@ namespace {
 bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
          spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles ||
-         spec.kind == Kind::kHeightCode || spec.kind == Kind::kLayerHeights ||
-         spec.kind == Kind::kSubstitutions || spec.kind == Kind::kAreas ||
+         spec.kind == Kind::kSolidLayers || spec.kind == Kind::kHeightCode ||
+         spec.kind == Kind::kLayerHeights || spec.kind == Kind::kSubstitutions ||
+         spec.kind == Kind::kAreas ||
          (spec.kind == Kind::kGcode && spec.list == List::kPerExtruder);
 }
 

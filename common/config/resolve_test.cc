@@ -106,6 +106,7 @@ TEST(Resolve, ReadsThePeersProfile) {
   InfillOptions infill;  // the rest is the model's
   infill.angle_rad = std::numbers::pi / 4;
   infill.walls_nm = 1'350'000;
+  infill.zones.skin_width_nm = infill.zones.skeleton_width_nm = 400'000;  // the nozzle's diameter
   EXPECT_EQ(FdmOf(s).region.infill, infill);
   EXPECT_EQ(FdmOf(s).machine.order, OrderingOptions{});
 

@@ -28,6 +28,13 @@ CONTEXTS = {
     "automatic_infill_combination": {"layer_height": "0.15", "first_layer_height": "0.15"},
     "automatic_infill_combination_max_layer_height": {"automatic_infill_combination": "1"}, "gap_fill_": {"perimeter_generator": "classic"},
     "scarf_seam_max_overhang": {"scarf_seam_smooth_angle": "60"}, "scarf_seam_on_inner_perimeters": {"scarf_seam_only_on_smooth": "0"}, "thin_walls": {"perimeter_generator": "classic"}, "extra_perimeters": {"perimeters": "1"},
+    "fuzzy_skin_scale": {"fuzzy_skin_noise_type": "perlin"}, "fuzzy_skin_octaves": {"fuzzy_skin_noise_type": "perlin"},
+    "fuzzy_skin_persistence": {"fuzzy_skin_noise_type": "perlin"}, "fuzzy_skin_ripple": {"fuzzy_skin_noise_type": "ripple"},
+    "fuzzy_skin_layers_between_ripple_offset": {"fuzzy_skin_noise_type": "ripple"},
+    "lateral_lattice_": {"fill_pattern": "laterallattice"}, "infill_overhang_angle": {"fill_pattern": "lateralhoneycomb"},
+    "infill_shift_step": {"fill_pattern": "crosszag"}, "symmetric_infill_y_axis": {"fill_pattern": "zigzag"},
+    "skin_infill_": {"fill_pattern": "lockedzag"}, "skeleton_infill_": {"fill_pattern": "lockedzag"},
+    "infill_lock_depth": {"fill_pattern": "lockedzag"},
     "overhang_reverse_": {"overhang_reverse": "1"}, "min_width_top_surface": {"top_one_perimeter_type": "top"},
     "top_solid_min_thickness": {"top_solid_layers": "1"}, "bottom_solid_min_thickness": {"bottom_solid_layers": "1"}}
 # Values for settings where half or twice the default does not show the effect.
@@ -36,6 +43,7 @@ VALUES = {
     "fill_angle_template": ["10,70"], "solid_fill_angle_template": ["10,70"], "bridge_angle": ["30"], "fill_angle": ["20"],
     "small_area_infill_flow_compensation_model": ["0,0;5,0.5;20,1"], "infill_every_layers": ["2"], "solid_infill_every_layers": ["3"],
     "top_solid_min_thickness": ["1.2"], "bottom_solid_min_thickness": ["1.2"], "solid_infill_below_area": ["0", "300"], "over_bridge_speed": ["33"],
+    "extra_solid_infills": ["3"], "top_surface_density": ["50"], "bottom_surface_density": ["50"], "fuzzy_skin_ripples_per_layer": ["31"],
     "gap_fill_min_length": ["3"], "solid_fill_angle": ["20"], "top_bottom_infill_overlap": ["0.3"], "min_width_top_surface": ["3", "15"],
     "overhang_reverse_threshold": ["0", "2"], "scarf_seam_steps": ["100"], "scarf_seam_speed": ["10"],
     "internal_bridge_speed": ["33"], "internal_bridge_flow": ["0.8"], "ironing_inset": ["1"],

@@ -15,18 +15,8 @@ struct Weighty {
 
 constexpr Weighty kWeighty[] = {
     // Settings that change the material or sizes.
-    {"hole_to_polyhole", "0"},
-    {"make_overhang_printable", "0"},
     {"zaa_enabled", "0"},
     {"interlocking_beam", "0"},
-    // Settings that change walls and infill.
-    {"alternate_extra_wall", "0"},
-    {"extra_solid_infills", ""},
-    {"fill_multiline", "1"},
-    {"top_surface_density", "100%|100"},
-    {"bottom_surface_density", "100%|100"},
-    {"fuzzy_skin_first_layer", "0"},
-    {"fuzzy_skin_noise_type", "classic"},
     {"skirt_type", "combined"},
     // Settings for the machine.
     {"timelapse_type", "0"},

@@ -13,10 +13,10 @@ TEST(WeightOf, DependsOnTheValue) {
     const char* value;
     OrcaWeight weight;
   };
-  for (const Case& c : {Case{"fill_multiline", "1", OrcaWeight::kNothing},
-                        Case{"fill_multiline", "2", OrcaWeight::kPrint},
-                        Case{"top_surface_density", R"(["100%", "100%"])", OrcaWeight::kNothing},
-                        Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
+  for (const Case& c : {Case{"interlocking_beam", "0", OrcaWeight::kNothing},
+                        Case{"interlocking_beam", "1", OrcaWeight::kPrint},
+                        Case{"interlocking_beam", R"(["0", "0"])", OrcaWeight::kNothing},
+                        Case{"interlocking_beam", R"(["0", "1"])", OrcaWeight::kPrint},
                         Case{"post_process", "", OrcaWeight::kNothing},
                         Case{"post_process", R"(["a.py"])", OrcaWeight::kPrint},
                         Case{"temperature_vitrification", "60", OrcaWeight::kNothing},

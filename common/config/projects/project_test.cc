@@ -63,14 +63,14 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   project.dialect = SettingsDialect::kOrca;
   project.settings = {{"no_such", "1"},
                       {"brim_type", "painted"},
-                      {"hole_to_polyhole", "0"},
-                      {"sparse_infill_pattern", "crosszag"}};
-  project.objects[1].settings = {{"fill_multiline", "2"}, {"sparse_infill_pattern", "grid"}};
+                      {"zaa_enabled", "0"},
+                      {"sparse_infill_pattern", "no_such"}};
+  project.objects[1].settings = {{"interlocking_beam", "1"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
-              ElementsAre("brim_type = painted", "sparse_infill_pattern = crosszag",
-                          "b: fill_multiline = 2", "no_such: unknown, or not supported yet"));
+              ElementsAre("brim_type = painted", "sparse_infill_pattern = no_such",
+                          "b: interlocking_beam = 1", "no_such: unknown, or not supported yet"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 

@@ -32,8 +32,9 @@ enum class Kind {
   kDensityField,
   kStressField,
   kMaterialField,
-  kAngles,     ///< angles by layer (common/model/options/fill_angles.h); empty: no angles
-  kFlowTable,  ///< factors by length (common/model/options/flow_table.h)
+  kAngles,       ///< angles by layer (common/model/options/fill_angles.h); empty: no angles
+  kSolidLayers,  ///< layers (common/model/options/solid_layers.h); empty: no layers
+  kFlowTable,    ///< factors by length (common/model/options/flow_table.h)
   /// Pressure advance by flow and acceleration (common/model/options/advance_model.h); empty: none
   kAdvancePoints,
   /// G-code at heights, as JSON on one line (common/model/options/height_code.h); empty: none
@@ -48,11 +49,11 @@ enum class Kind {
 /// Returns the kind's name for clients that build forms, such as "flag" or "number_or_percent".
 constexpr std::string_view KindName(Kind kind) {
   constexpr std::string_view kNames[] = {
-      "flag",          "integer",    "number",         "percent",      "number_or_percent",
-      "choice",        "text",       "gcode",          "bed_shape",    "areas",
-      "point",         "sizes",      "density_field",  "stress_field", "material_field",
-      "angles",        "flow_table", "advance_points", "height_code",  "layer_heights",
-      "substitutions", "cutter"};
+      "flag",          "integer",      "number",        "percent",        "number_or_percent",
+      "choice",        "text",         "gcode",         "bed_shape",      "areas",
+      "point",         "sizes",        "density_field", "stress_field",   "material_field",
+      "angles",        "solid_layers", "flow_table",    "advance_points", "height_code",
+      "layer_heights", "substitutions", "cutter"};
   return kNames[static_cast<size_t>(kind)];
 }
 

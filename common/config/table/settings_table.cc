@@ -21,6 +21,7 @@
 #include "common/model/options/flow_table.h"
 #include "common/model/options/height_code.h"
 #include "common/model/options/layer_heights.h"
+#include "common/model/options/solid_layers.h"
 
 namespace slicefarm::config {
 namespace {
@@ -183,6 +184,8 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
       return ParseField<MaterialField>(spec, text, ParseMaterialField, PrintMaterialField);
     case Kind::kAngles:
       return ParseField<std::vector<AngleStep>>(spec, text, ParseFillAngles, PrintFillAngles);
+    case Kind::kSolidLayers:
+      return ParseField<SolidLayerList>(spec, text, ParseSolidLayers, PrintSolidLayers);
     case Kind::kFlowTable:
       return Canonical<FlowTable>(spec, text, ParseFlowTable(Unescape(text)), PrintFlowTable);
     case Kind::kAdvancePoints:
@@ -231,6 +234,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kStressField:
     case Kind::kMaterialField:
     case Kind::kAngles:
+    case Kind::kSolidLayers:
     case Kind::kFlowTable:
     case Kind::kAdvancePoints:
     case Kind::kHeightCode:
@@ -289,6 +293,8 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "a field as JSON on one line";
     case Kind::kAngles:
       return "angles by layer, as 0,90 or +30 or 45#2";
+    case Kind::kSolidLayers:
+      return "layers, as 5 or 5#2 or 1,7,9";
     case Kind::kFlowTable:
       return "LENGTH,FACTOR;LENGTH,FACTOR;... from 0 mm up to factor 1";
     case Kind::kAdvancePoints:

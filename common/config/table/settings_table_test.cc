@@ -74,6 +74,8 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
       return {"", "0;0.2", "0;0.2;5.5;0.1;5.5;0.3"};
     case Kind::kAngles:
       return {"", "0,90", "45#2,+30"};
+    case Kind::kSolidLayers:
+      return {"", "5#2", "1,7#2,9"};
     case Kind::kHeightCode:
       return {"", R"([{"z":1.5,"type":"pause","text":"a"}])"};
     case Kind::kSubstitutions:
@@ -335,8 +337,8 @@ TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
     regions += spec.scope() == Scope::kRegion;
     objects += spec.scope() == Scope::kObject;
   }
-  EXPECT_EQ(regions, 112);
-  EXPECT_EQ(objects, 76);
+  EXPECT_EQ(regions, 140);
+  EXPECT_EQ(objects, 88);
 }
 
 TEST(SettingsTable, EverySettingHasAKindAndAGroup) {

@@ -19,6 +19,9 @@ enum class DraftShield : uint8_t {
   kEnabled,  ///< skirt close to the parts on all layers
 };
 
+/// Start angles below this one mean that a loop begins anywhere.
+inline constexpr double kNoStartAngle = -6.283;
+
 /// Options of the skirt.
 struct SkirtOptions {
   /// Number of skirt loops; 0 disables the skirt and overrides the other options.
@@ -29,6 +32,9 @@ struct SkirtOptions {
   Coord min_length_nm = 0;    ///< `min_skirt_length`: minimum length of filament on each layer
   int32_t height_layers = 1;  ///< `skirt_height`: number of layers
   DraftShield draft_shield = DraftShield::kDisabled;  ///< setting draft_shield
+  /// `skirt_start_angle`: direction of each loop's start from the middle of the skirt, from the x
+  /// axis; below kNoStartAngle: any start
+  double start_angle_rad = -7;
   Coord width_nm = 400'000;   ///< `first_layer_extrusion_width`: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer
   /// Cross section of the filament; the default is a diameter of 1.75 mm.
@@ -71,6 +77,12 @@ struct BrimOptions {
   /// `brim_ears_detection_length`: tolerance to which the outline is simplified before corners are
   /// detected
   Coord ear_detection_nm = 1'000'000;
+  bool ears_outside_only = true;  ///< `brim_ears_outer_only`: no ears in holes
+  double flow = 1;                ///< `brim_flow_ratio`: factor on the plastic of the brim's lines
+  /// `brim_use_efc_outline`: true: the separation begins at the compensated outline of the first
+  /// layer; false: at the outline without elefant_foot_compensation
+  bool compensated = true;
+  Coord foot_nm = 0;  ///< setting elefant_foot_compensation
 
   friend bool operator==(const BrimOptions&, const BrimOptions&) = default;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "common/geometry/point.h"
+#include "common/model/options/fuzzy_options.h"
 
 namespace slicefarm {
 
@@ -29,8 +30,9 @@ enum class GapFillTarget : uint8_t {
 /// Walls that get a rough surface.
 enum class FuzzySkin : uint8_t {
   kNone,
-  kContours,  ///< `fuzzy_skin = external`: the outermost walls of outer rings only
-  kAllWalls,  ///< `fuzzy_skin = all`: the outermost walls of outer rings and of holes
+  kContours,   ///< `fuzzy_skin = external`: the outermost walls of outer rings only
+  kAllWalls,   ///< `fuzzy_skin = all`: the outermost walls of outer rings and of holes
+  kEveryWall,  ///< `fuzzy_skin = allwalls`: inner walls too
 };
 
 /// Number of layers above and below a layer that kArachne reads to compute the layer's walls.
@@ -42,12 +44,15 @@ struct BeadingOptions {
   int32_t perimeters = 3;                             ///< setting perimeters
   bool one_on_bed = false;                            ///< setting only_one_perimeter_first_layer
   OneWallOnTop one_on_top = OneWallOnTop::kNowhere;   ///< setting top_one_perimeter_type
+  /// `alternate_extra_wall`: odd layers have one more wall
+  bool alternate_extra = false;
   bool extra_perimeters = false;  ///< `extra_perimeters`: adds walls where a slope would have gaps
   FuzzySkin fuzzy = FuzzySkin::kNone;  ///< setting fuzzy_skin
   /// `fuzzy_skin_thickness`: largest displacement of points, inwards and outwards
   Coord fuzzy_thickness_nm = 300'000;
   /// `fuzzy_skin_point_dist`: average distance between displaced points
   Coord fuzzy_point_distance_nm = 800'000;
+  FuzzyTexture texture = {};
   Coord external_width_nm = 450'000;  ///< setting external_perimeter_extrusion_width
   Coord inner_width_nm = 450'000;     ///< setting perimeter_extrusion_width
   /// `first_layer_extrusion_width`: width of all walls of layer 0
@@ -69,7 +74,9 @@ struct BeadingOptions {
   Coord min_feature_nm = 100'000;           ///< setting min_feature_size
   Coord min_bead_width_nm = 340'000;        ///< setting min_bead_width
   Coord max_bead_width_nm = 800'000;        ///< setting max_bead_width
-  bool lock_outer_width = false;            ///< setting lock_outer_width
+  /// `min_length_factor`: shorter open lines are left out, in widths of the outer wall
+  double min_length_factor = 0;
+  bool lock_outer_width = false;  ///< setting lock_outer_width
   /// `precise_outer_wall`: the wall beside an outer wall is laid against it without pressing it
   /// outwards
   bool precise_outer = false;

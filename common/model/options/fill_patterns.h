@@ -39,6 +39,10 @@ enum class FillPattern : uint8_t {
   kVoronoi,
   kCrosshatch,
   kQuarterCubic,
+  kCrossZag,
+  kLockedZag,
+  kLateralLattice,
+  kLateralHoneycomb,
 };
 
 /// Method by which a pattern fills a solid region.
@@ -129,6 +133,17 @@ inline constexpr FillPatternInfo kFillPatterns[] = {
      "bands"},
     {FillPattern::kQuarterCubic, "quartercubic", true, SolidFillStyle::kNone,
      "Planes inclined to four sides, which enclose tetrahedra and tetrahedra with cut corners"},
+    {FillPattern::kCrossZag, "crosszag", true, SolidFillStyle::kNone,
+     "Parallel lines that shift from layer to layer by infill_shift_step, in even layers to one "
+     "side and in odd layers to the other. A layer's lines lie on the lines two layers below"},
+    {FillPattern::kLockedZag, "lockedzag", true, SolidFillStyle::kNone,
+     "A skin of crosszag lines along the walls, and a skeleton of lines across them that reaches "
+     "into the skin. Each part has a density and a width of its own",
+     false},
+    {FillPattern::kLateralLattice, "laterallattice", true, SolidFillStyle::kNone,
+     "Two families of inclined planes that cross each other, seen from the side as a lattice"},
+    {FillPattern::kLateralHoneycomb, "lateralhoneycomb", true, SolidFillStyle::kNone,
+     "Honeycomb seen from the side: upright planes that fork and join again"},
 };
 
 inline constexpr int kFillPatternCount = std::size(kFillPatterns);
@@ -136,6 +151,14 @@ inline constexpr int kFillPatternCount = std::size(kFillPatterns);
 /// Returns the description of a pattern.
 constexpr const FillPatternInfo& InfoOf(FillPattern pattern) {
   return kFillPatterns[static_cast<int>(pattern)];
+}
+
+/// Returns true if a pattern can have several lines side by side in place of each line. Its lines
+/// follow from a formula, and at most two of them meet in a point.
+constexpr bool TakesSeveralLines(FillPattern pattern) {
+  const FillPatternInfo& info = InfoOf(pattern);
+  return info.sparse && info.has_law && !info.planned && pattern != FillPattern::kMedialAxis &&
+         pattern != FillPattern::kVoronoi && pattern != FillPattern::kHoneycombCells;
 }
 
 namespace internal {

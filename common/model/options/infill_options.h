@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/options/flow_table.h"
+#include "common/model/options/pattern_options.h"
 #include "common/model/options/shell_extra.h"
+#include "common/model/options/solid_options.h"
 
 namespace slicefarm {
 
@@ -56,6 +59,9 @@ struct InfillOptions {
   /// `fill_pattern = auto`: planning chooses a pattern for each object
   bool choose_pattern = false;
   FillGoal goal = FillGoal::kStrength;  ///< setting infill_goal
+  PatternOptions shape = {};
+  LockedZagOptions zones = {};
+  SolidOptions solid = {};
   /// `solid_fill_pattern`: pattern of solid infill inside the part
   FillPattern solid_pattern = FillPattern::kRectilinear;
   FillPattern top_pattern = FillPattern::kMonotonic;     ///< setting top_fill_pattern
@@ -127,11 +133,22 @@ struct InfillOptions {
   friend bool operator==(const InfillOptions&, const InfillOptions&) = default;
 };
 
+/// Returns the number of lines side by side in place of each line of a pattern.
+inline int32_t LinesOf(const InfillOptions& options, FillPattern pattern) {
+  return TakesSeveralLines(pattern) ? options.shape.lines : 1;
+}
+
+/// Returns the density of the sparse infill where it is least dense.
+inline double LeastDensity(const InfillOptions& options) {
+  if (options.pattern != FillPattern::kLockedZag || options.density <= 0) return options.density;
+  return std::min(options.zones.skin_density, options.zones.skeleton_density);
+}
+
 /// Returns true if skins over sparse infill are bridges, because the gaps between the sparse lines
 /// are at least two beads wide. Returns false if the density or the lines follow a field.
 inline bool BridgesSparse(const InfillOptions& options) {
-  constexpr double kDensest = 1.0 / 3;
-  return options.density <= kDensest && options.density_field.empty() &&
+  const int32_t lines = LinesOf(options, options.pattern);
+  return LeastDensity(options) <= lines / (lines + 2.0) && options.density_field.empty() &&
          options.stress_field.empty();
 }
 

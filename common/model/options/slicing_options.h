@@ -7,6 +7,7 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/polygon.h"
+#include "common/model/options/hole_options.h"
 #include "common/model/options/layer_heights.h"
 #include "common/model/scene/mesh.h"
 
@@ -52,6 +53,8 @@ struct ObjectSlicingOptions {
   /// Setting counterbore_hole_bridging.
   CounterboreBridging counterbores = CounterboreBridging::kNone;
   bool precise_top = false;  ///< `precise_z_height`: the last layers end at the object's top
+  PolyholeOptions polyholes = {};
+  PrintableOverhangs printable = {};
   AdaptiveHeights adaptive;
   /// `layer_height_profile`: layer heights at ascending z, interpolated linearly. They replace
   /// layer_height, height ranges and `adaptive`. Empty: no profile.

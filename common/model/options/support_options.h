@@ -57,10 +57,13 @@ struct SupportOptions {
   int32_t enforced_layers = 0;
   /// `support_material_buildplate_only`: supports begin only on the bed, not on the part
   bool bed_only = false;
-  bool skip_bridges = true;             ///< setting dont_support_bridges
-  Coord top_gap_nm = 200'000;           ///< setting support_material_contact_distance
-  Coord bottom_gap_nm = 200'000;        ///< setting support_material_bottom_contact_distance
-  Coord xy_gap_nm = 225'000;            ///< setting support_material_xy_spacing
+  bool skip_bridges = true;       ///< setting dont_support_bridges
+  Coord top_gap_nm = 200'000;     ///< setting support_material_contact_distance
+  Coord bottom_gap_nm = 200'000;  ///< setting support_material_bottom_contact_distance
+  Coord xy_gap_nm = 225'000;      ///< setting support_material_xy_spacing
+  /// `support_object_first_layer_gap`: xy_gap_nm of the first layer; below 0: xy_gap_nm
+  Coord first_xy_gap_nm = -1;
+  bool ignore_small = false;            ///< setting support_remove_small_overhang
   Coord closing_radius_nm = 2'000'000;  ///< setting support_material_closing_radius
   int32_t top_interface_layers = 3;     ///< setting support_material_interface_layers
   int32_t bottom_interface_layers = 3;  ///< setting support_material_bottom_interface_layers
@@ -95,6 +98,13 @@ struct SupportOptions {
 
   friend bool operator==(const SupportOptions&, const SupportOptions&) = default;
 };
+
+/// Returns the distance of supports from a layer of a part in x and y. `bottom_nm`: height of the
+/// layer's lower side above the bed.
+inline Coord XyGap(const SupportOptions& options, Coord bottom_nm) {
+  return bottom_nm <= 0 && options.first_xy_gap_nm >= 0 ? options.first_xy_gap_nm
+                                                        : options.xy_gap_nm;
+}
 
 /// Kinds of support region. Each kind has its own row of region settings.
 enum class SupportRow : uint8_t {

@@ -1,5 +1,6 @@
 #include "common/wire/options/options_check.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ namespace slicefarm {
 namespace {
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
+constexpr double kRightAngle = 1.5708;
+constexpr int kMostOctaves = 10;
+constexpr int kMostLinesSideBySide = 10;
+constexpr double kLeastLean = 0.26, kMostLean = 1.31;  // radians: 15 and 75 degrees
 
 absl::Status CheckProfile(const std::vector<LayerHeightAt>& profile) {
   Coord least = 0;
@@ -56,6 +61,10 @@ absl::Status CheckSlicedObject(const ObjectSlicingOptions& object) {
   status.Update(CheckRange("hollow_from", object.hollow_from, 0, limits::kMaxLayers));
   status.Update(CheckAdaptive(object.adaptive));
   status.Update(CheckProfile(object.height_profile));
+  status.Update(CheckPositive({{"polyholes.nozzle_nm", object.polyholes.nozzle_nm}}));
+  status.Update(CheckNotNegative({{"polyholes.threshold_nm", object.polyholes.threshold_nm}}));
+  status.Update(CheckNoLessThanZero("polyholes.threshold_share", object.polyholes.threshold_share));
+  status.Update(CheckRange("printable.angle_rad", object.printable.angle_rad, 0, kRightAngle));
   return status;
 }
 
@@ -65,6 +74,15 @@ absl::Status CheckThumbnails(const std::vector<ThumbnailSize>& thumbnails) {
   for (const auto& [width, height, format, role] : thumbnails)
     for (const int32_t px : {width, height})
       status.Update(CheckRange("thumbnails", px, 1, limits::kMaxThumbnailPx));
+  return status;
+}
+
+absl::Status CheckTexture(const FuzzyTexture& texture) {
+  absl::Status status = CheckAboveZero("texture.scale_mm", texture.scale_mm);
+  status.Update(CheckRange("texture.octaves", texture.octaves, 1, kMostOctaves));
+  status.Update(CheckNoLessThanZero("texture.persistence", texture.persistence));
+  status.Update(CheckAboveZero("texture.ripples", texture.ripples));
+  status.Update(CheckAboveZero("texture.ripple_layers", texture.ripple_layers));
   return status;
 }
 
@@ -85,6 +103,8 @@ absl::Status CheckWalls(const BeadingOptions& walls) {
                                   {"min_top_width_nm", walls.min_top_width_nm},
                                   {"first_layer_min_bead_nm", walls.first_layer_min_bead_nm},
                                   {"max_bead_width_nm", walls.max_bead_width_nm}}));
+  status.Update(CheckTexture(walls.texture));
+  status.Update(CheckNoLessThanZero("min_length_factor", walls.min_length_factor));
   status.Update(CheckAboveZero("transition_angle", walls.transition_angle));
   status.Update(CheckRange("transition_angle", walls.transition_angle, 0, kMaxTransitionAngle));
   status.Update(
@@ -104,10 +124,28 @@ absl::Status CheckSkins(const InfillOptions& infill) {
   return status;
 }
 
+absl::Status CheckShape(const PatternOptions& shape, const LockedZagOptions& zones) {
+  absl::Status status = CheckRange("shape.lines", shape.lines, 1, kMostLinesSideBySide);
+  status.Update(CheckRange("shape.lattice_1_rad", std::abs(shape.lattice_1_rad), 0, kMostLean));
+  status.Update(CheckRange("shape.lattice_2_rad", std::abs(shape.lattice_2_rad), 0, kMostLean));
+  status.Update(CheckRange("shape.honeycomb_rad", shape.honeycomb_rad, kLeastLean, kMostLean));
+  status.Update(CheckRange("zones.skin_density", zones.skin_density, 0, 1));
+  status.Update(CheckRange("zones.skeleton_density", zones.skeleton_density, 0, 1));
+  status.Update(CheckPositive({{"zones.skin_width_nm", zones.skin_width_nm},
+                               {"zones.skeleton_width_nm", zones.skeleton_width_nm}}));
+  status.Update(CheckNotNegative({{"shape.shift_nm", shape.shift_nm},
+                                  {"zones.skin_depth_nm", zones.skin_depth_nm},
+                                  {"zones.lock_depth_nm", zones.lock_depth_nm}}));
+  return status;
+}
+
 absl::Status CheckInfill(const InfillOptions& infill) {
   absl::Status status = CheckSkins(infill);
   status.Update(CheckRange("field_halo_layers", infill.field_halo_layers, 0, limits::kMaxLayers));
   status.Update(CheckRange("density", infill.density, 0, 1));
+  status.Update(CheckShape(infill.shape, infill.zones));
+  status.Update(CheckRange("solid.top_density", infill.solid.top_density, 0, 1));
+  status.Update(CheckRange("solid.bottom_density", infill.solid.bottom_density, 0, 1));
   status.Update(CheckNoLessThanZero("solid_below_area_mm2", infill.solid_below_area_mm2));
   status.Update(CheckPositive({{"sparse_width_nm", infill.sparse_width_nm},
                                {"solid_width_nm", infill.solid_width_nm},

@@ -38,6 +38,8 @@ JobRows BrimRow(JobRows settings) {
   beading.gap_fill = true;
   FillAlike(1, 0, FdmOf(settings).region.infill);
   FdmOf(settings).region.order = {.towards_holes = true};
+  FdmOf(settings).region.motion.flow[static_cast<size_t>(Feature::kSkirt)] =
+      FdmOf(settings).object.brim.flow;
   return settings;
 }
 
@@ -45,6 +47,7 @@ JobRows SkirtRow(JobRows settings) {
   const double speed_mm_s = FdmOf(settings).machine.plan.skirt.speed_mm_s;
   JobRows row = BrimRow(std::move(settings));
   FdmOf(row).region.motion.skirt_speed_mm_s = speed_mm_s;
+  FdmOf(row).region.motion.flow[static_cast<size_t>(Feature::kSkirt)] = 1;
   return row;
 }
 

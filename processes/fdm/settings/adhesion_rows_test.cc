@@ -47,6 +47,13 @@ TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
   EXPECT_TRUE(FdmOf(row).region.order.towards_holes);
 }
 
+TEST(BrimRow, HasItsOwnFlow) {
+  const JobRows job = Resolved({{"brim_flow_ratio", "0.8"}, {"skirts", "1"}});
+  constexpr auto kLine = static_cast<size_t>(Feature::kSkirt);
+  EXPECT_EQ(FdmOf(BrimRow(job)).region.motion.flow[kLine], 0.8);
+  EXPECT_EQ(FdmOf(SkirtRow(job)).region.motion.flow[kLine], 1);
+}
+
 TEST(SkirtRow, HasItsOwnSpeed) {
   const JobRows job = Resolved({{"skirt_speed", "45"}, {"skirts", "1"}});
   EXPECT_EQ(FdmOf(SkirtRow(job)).region.motion.skirt_speed_mm_s, 45);

@@ -50,6 +50,10 @@ void DeriveWidths(SettingValues& draft) {
     DeriveWidth(draft, key, kWidthPerNozzle * nozzle);
   }
   DeriveWidth(draft, "top_infill_extrusion_width", nozzle);
+  for (const std::string_view key : {"skin_infill_line_width", "skeleton_infill_line_width"}) {
+    TakePercentage(draft, key);
+    FallBack(draft, key, "infill_extrusion_width");
+  }
   DeriveWidth(draft, "support_material_extrusion_width", nozzle);
   TakePercentage(draft, "support_material_xy_spacing");
   FallBack(draft, "support_material_bottom_contact_distance", "support_material_contact_distance");

@@ -71,6 +71,11 @@ void TakeFootWidth(JobRows& settings) {
   settings.object.elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
 }
 
+/// Copies the nozzle's diameter, which decides the number of edges of polyholes.
+void TakePolyholes(JobRows& settings) {
+  settings.object.polyholes.nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
+}
+
 /// Sets the space for the head around arranged copies that are printed one after another.
 void TakeClearance(JobRows& settings) {
   const SequencePlanOptions& sequence = FdmOf(settings).machine.plan.sequence;
@@ -124,6 +129,7 @@ void TakeAdhesion(JobRows& settings) {
   skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
   ObjectPlanOptions& object = FdmOf(settings).object;
   object.brim.line_width_nm = line_width_nm;
+  object.brim.foot_nm = settings.object.elephant_foot_nm;
   object.brim.automatic = AutomaticBrimOf(settings);
   RaftHeights& raft = object.raft.heights;
   raft.first_nm = first_height_nm;
@@ -315,6 +321,7 @@ size_t ToolOf(std::span<const Setting> given) {
 absl::Status DeriveOptions(const OptionSources& settling) {
   JobRows& settings = settling.result.settings;
   settling.result.growth = GrowthOf(settling.draft);
+  TakePolyholes(settings);
   TakeFootWidth(settings);
   TakeTool(settling);
   if (absl::Status ok = TakeSilentMode(settling.draft, settings); !ok.ok()) return ok;

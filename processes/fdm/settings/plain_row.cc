@@ -17,8 +17,11 @@ void SetWidths(Coord width_nm, JobRows& settings) {
 void MakePlain(BeadingOptions& beading) {
   beading.one_on_bed = false;
   beading.one_on_top = OneWallOnTop::kNowhere;
+  beading.alternate_extra = false;
+  beading.min_length_factor = 0;
   beading.extra_perimeters = false;
   beading.fuzzy = FuzzySkin::kNone;
+  beading.texture = {};
   beading.precise_outer = false;
   beading.gap_target = GapFillTarget::kEverywhere;
   beading.min_gap_length_nm = 0;
@@ -32,6 +35,9 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.density = density;
   infill.pattern = FillPattern::kAlignedRectilinear;
   infill.choose_pattern = false;
+  infill.shape = {};
+  infill.zones = {};
+  infill.solid = {};
   infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
       FillPattern::kAlignedRectilinear;
   infill.angle_rad = angle_rad;

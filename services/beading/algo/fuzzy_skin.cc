@@ -1,15 +1,22 @@
 #include "services/beading/algo/fuzzy_skin.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "common/geometry/measure.h"
+#include "common/model/bead_section.h"
 #include "common/model/options/beading_options.h"
+#include "services/beading/algo/noise/skin_noise.h"
 
 namespace slicefarm::beading {
 namespace {
 
 constexpr double kLeastStep = 0.75;  ///< smallest step, as a fraction of the mean distance
 constexpr double kStepRange = 0.5;
+/// Spacing of the narrowest bead, in nm. A narrower bead would break.
+constexpr Coord kLeastSpacing = 50'000;
 
 /// SplitMix64 random generator (G. L. Steele, D. Lea, C. H. Flood, 2014): short, and equal on all
 /// machines.
@@ -31,9 +38,9 @@ class Random {
 };
 
 bool WantsSkin(FuzzySkin skin, const Path& wall) {
-  const bool outermost = wall.closed && wall.inset == 0 && wall.feature != Feature::kGapFill;
-  if (!outermost || skin == FuzzySkin::kNone) return false;
-  return skin == FuzzySkin::kAllWalls || SignedArea(wall.points) > 0;
+  if (!wall.closed || wall.feature == Feature::kGapFill || skin == FuzzySkin::kNone) return false;
+  if (skin == FuzzySkin::kEveryWall) return true;
+  return wall.inset == 0 && (skin == FuzzySkin::kAllWalls || SignedArea(wall.points) > 0);
 }
 
 /// Returns the point at distance `along_nm` on an edge and `beside_nm` to its left.
@@ -45,41 +52,103 @@ Point PlaceBeside(Point from, Point to, double along_nm, double beside_nm) {
           from.y + std::llround(y * along_nm + x * beside_nm)};
 }
 
-void RoughenWall(const BeadingOptions& options, Random& random, Path& wall) {
-  const auto distance = static_cast<double>(options.fuzzy_point_distance_nm);
-  const auto thickness = static_cast<double>(options.fuzzy_thickness_nm);
-  Path rough = wall;
-  rough.points.clear();
-  rough.widths_nm.clear();
-  double along = random.Next() * kLeastStep / 2 * distance;
-  const size_t count = wall.points.size();
-  for (size_t i = 0; i < count; ++i) {
-    const size_t next = (i + 1) % count;
-    const double length = Distance(wall.points[i], wall.points[next]);
-    for (; along < length; along += (kLeastStep + kStepRange * random.Next()) * distance) {
-      const double beside = (2 * random.Next() - 1) * thickness;
-      rough.points.push_back(PlaceBeside(wall.points[i], wall.points[next], along, beside));
-      rough.widths_nm.push_back(wall.WidthAt(next));
-    }
-    along -= length;
+/// Maker of the rough copy of a wall.
+class RoughWall {
+ public:
+  RoughWall(const BeadingOptions& options, const SkinPlace& place, const Path& wall)
+      : options_(options),
+        place_(place),
+        wall_(wall),
+        thickness_(static_cast<double>(options.fuzzy_thickness_nm)),
+        least_width_(WidthForSpacing(kLeastSpacing, place.height_nm)) {
+    rough_ = wall;
+    rough_.points.clear();
+    rough_.widths_nm.clear();
+    if (options.texture.noise == FuzzyNoise::kRipple)
+      ripples_.emplace(options.texture, wall, place.layer);
   }
-  if (rough.points.size() < 3) return;  // a dot is not roughened
-  if (wall.widths_nm.size() == 1) rough.widths_nm = wall.widths_nm;
-  wall = std::move(rough);
-}
+
+  /// Returns the rough wall, or nullopt for a dot, which has no space for roughness.
+  std::optional<Path> Make(Random& random) && {
+    const auto distance = static_cast<double>(options_.fuzzy_point_distance_nm);
+    double along = random.Next() * kLeastStep / 2 * distance;
+    double before = 0;
+    int32_t new_points = 0;
+    const size_t count = wall_.points.size();
+    for (size_t i = 0; i < count; ++i) {
+      const size_t next = (i + 1) % count;
+      const double length = Distance(wall_.points[i], wall_.points[next]);
+      if (KeepsCorners()) Add(i, next, 0, before, random);
+      for (; along < length; along += (kLeastStep + kStepRange * random.Next()) * distance) {
+        Add(i, next, along, before + along, random);
+        ++new_points;
+      }
+      along -= length;
+      before += length;
+    }
+    if (new_points < 3) return std::nullopt;
+    if (options_.texture.mode == FuzzyMode::kDisplacement && wall_.widths_nm.size() == 1)
+      rough_.widths_nm = wall_.widths_nm;
+    return std::move(rough_);
+  }
+
+ private:
+  bool KeepsCorners() const { return options_.texture.mode == FuzzyMode::kExtrusion; }
+
+  /// Adds the point `along_nm` on the edge from corner `i` to corner `next`. `total_nm`: distance
+  /// from the wall's first point.
+  void Add(size_t i, size_t next, double along_nm, double total_nm, Random& random) {
+    const Point from = wall_.points[i], to = wall_.points[next];
+    const Coord width = wall_.WidthAt(next);
+    const double change = thickness_ * NoiseAt(from, to, along_nm, total_nm, random);
+    if (options_.texture.mode == FuzzyMode::kDisplacement) {
+      // Lumps and ridges of the other noises stand out of the part, which is to the left.
+      const bool classic = options_.texture.noise == FuzzyNoise::kClassic;
+      AddPoint(PlaceBeside(from, to, along_nm, classic ? change : -change), width);
+      return;
+    }
+    const Coord rough = std::max<Coord>(least_width_, width + std::llround(change));
+    // The inner side of the bead stays, so that it holds to the next wall. The part is to the left.
+    const double beside =
+        options_.texture.mode == FuzzyMode::kCombined ? static_cast<double>(width - rough) / 2 : 0;
+    AddPoint(PlaceBeside(from, to, along_nm, beside), rough);
+  }
+
+  double NoiseAt(Point from, Point to, double along_nm, double total_nm, Random& random) const {
+    const FuzzyTexture& texture = options_.texture;
+    if (texture.noise == FuzzyNoise::kClassic) return 2 * random.Next() - 1;
+    if (ripples_) return ripples_->At(total_nm);
+    return TextureNoise(texture, PlaceBeside(from, to, along_nm, 0), place_.z_nm);
+  }
+
+  void AddPoint(Point point, Coord width) {
+    rough_.points.push_back(point);
+    rough_.widths_nm.push_back(width);
+  }
+
+  const BeadingOptions& options_;
+  const SkinPlace& place_;
+  const Path& wall_;
+  const double thickness_;
+  const Coord least_width_;
+  std::optional<Ripples> ripples_;
+  Path rough_;
+};
 
 }  // namespace
 
-void Roughen(const BeadingOptions& options, SkinSeed seed, std::vector<Path>& walls) {
-  if (options.fuzzy == FuzzySkin::kNone) return;
+void Roughen(const BeadingOptions& options, const SkinPlace& place, std::vector<Path>& walls) {
+  if (options.fuzzy == FuzzySkin::kNone || (place.layer == 0 && !options.texture.first_layer))
+    return;
   for (Path& wall : walls) {
     if (!WantsSkin(options.fuzzy, wall)) continue;
     // The seed contains the wall's own position, so skins do not depend on the rest of the section.
-    uint64_t bits = static_cast<uint32_t>(seed.object);
-    for (const int64_t part : {int64_t{seed.layer}, wall.points[0].x, wall.points[0].y})
+    uint64_t bits = static_cast<uint32_t>(place.object);
+    for (const int64_t part : {int64_t{place.layer}, wall.points[0].x, wall.points[0].y})
       bits = (bits ^ static_cast<uint64_t>(part)) * 0x100000001B3;
     Random random(bits);
-    RoughenWall(options, random, wall);
+    if (std::optional<Path> rough = RoughWall(options, place, wall).Make(random))
+      wall = *std::move(rough);
   }
 }
 

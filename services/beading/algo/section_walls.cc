@@ -92,7 +92,9 @@ int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
   const bool topmost = place.section.layer + 1 >= place.section.layer_count;
   const bool only_one = (place.on_bed && options.one_on_bed) ||
                         (topmost && options.one_on_top != OneWallOnTop::kNowhere);
-  return only_one ? std::min(options.perimeters, 1) : options.perimeters;
+  const bool one_more = options.alternate_extra && place.section.layer % 2 != 0;
+  const int32_t perimeters = options.perimeters + (one_more ? 1 : 0);
+  return only_one ? std::min(perimeters, 1) : perimeters;
 }
 
 /// Makes walls of islands by one set of options. The plan of an island may differ from the usual
@@ -302,6 +304,16 @@ absl::StatusOr<IslandBeads> WallsOf(const PolygonWithHoles& outline, const Secti
   return island;
 }
 
+/// Removes open lines between walls that are too short to be worth a travel. Lines of the lowest
+/// and the highest layer stay, because they are visible.
+void RemoveShortLines(const ObjectSection& section, const BeadingOptions& options,
+                      std::vector<Path>& walls) {
+  const double least = options.min_length_factor * static_cast<double>(options.external_width_nm);
+  if (least <= 0 || section.layer == 0 || section.layer + 1 >= section.layer_count) return;
+  std::erase_if(walls,
+                [least](const Path& wall) { return !wall.closed && PathLength(wall) < least; });
+}
+
 /// Sets the settings, tool and feature of a region on its walls.
 void Sign(const Region& region, std::vector<Path>& walls) {
   for (Path& wall : walls) {
@@ -331,9 +343,11 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
           WallsOf(outline, place, *waller, options, cancel, result.plain_islands);
       if (!walls.ok()) return walls.status();
       if (section.stack.IsPart()) {
+        if (options.generator == WallGenerator::kArachne)
+          RemoveShortLines(section, options, walls->walls);
         NameRings(OutlineOf(section), walls->walls);
-        if (section.layer > 0)
-          Roughen(options, {section.stack.object, section.layer}, walls->walls);
+        Roughen(options, {section.stack.object, section.layer, section.z_nm, section.height_nm},
+                walls->walls);
       }
       Sign(first, walls->walls);
       result.walled.islands.push_back(

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "common/geometry/boolean/boolean.h"
@@ -81,6 +82,46 @@ TEST(WallSection, OneWallOnTheBed) {
     options.perimeters = 0;
     EXPECT_TRUE(Walled(Halves(), {options, options}, true).islands[0].walls.empty());
   }
+}
+
+TEST(WallSection, OneMoreWallInEverySecondLayer) {
+  BeadingOptions options;
+  options.alternate_extra = true;
+  for (const int32_t layer : {3, 4}) {
+    ObjectSection section = Halves();
+    section.layer = layer;
+    const WalledSection walled = Walled(section, {options, options});
+    EXPECT_EQ(walled.islands[0].walls.size(), layer % 2 != 0 ? 4u : 3u);
+  }
+}
+
+// A strip of 1.2 mm has a line between its walls, 18 mm long.
+TEST(WallSection, ShortLinesBetweenWallsAreLeftOut) {
+  BeadingOptions options;
+  const auto open_lines = [&](int32_t layer) {
+    const ObjectSection strip{
+        0,
+        layer,
+        9,
+        200'000,
+        {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 20 0, 20 1.2, 0 1.2)")}},
+        {},
+        0,
+        {}};
+    const WalledSection walled = Walled(strip, {options});
+    return std::ranges::count(walled.islands[0].walls, false, &Path::closed);
+  };
+  ASSERT_GT(open_lines(4), 0);
+  options.min_length_factor = 10;
+  EXPECT_GT(open_lines(4), 0);
+  options.min_length_factor = 90;
+  EXPECT_EQ(open_lines(4), 0);
+  EXPECT_GT(open_lines(0), 0) << "visible from below";
+  EXPECT_GT(open_lines(8), 0) << "visible from above";
+  options.generator = WallGenerator::kClassic;
+  const auto classic = open_lines(4);
+  options.min_length_factor = 0;
+  EXPECT_EQ(open_lines(4), classic);
 }
 
 TEST(WallSection, LoopsHaveTheOutlineToTheirRight) {

@@ -1,7 +1,6 @@
 #include "services/infill/algo/section_fill.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -13,16 +12,18 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
-#include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/axis/middle_lines.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/infill_check.h"
 #include "services/infill/algo/ironing.h"
 #include "services/infill/algo/lines/line_flow.h"
+#include "services/infill/algo/locked_zag.h"
 #include "services/infill/algo/quality/fill_plastic.h"
+#include "services/infill/algo/quality/line_bead.h"
 #include "services/infill/algo/section_view.h"
 #include "services/infill/algo/skins/bridge_angle.h"
+#include "services/infill/algo/skins/narrow_parts.h"
 #include "services/infill/algo/skins/overhang_fill.h"
 #include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/skins/sparse_bridges.h"
@@ -33,9 +34,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Distance between the edges of the round strands of thick bridges, in nm. Strands sag, and would
-/// otherwise touch.
-constexpr double kThreadGapNm = 50'000;
+/// Width in nm below which solid infill is narrow: its lines would be so short that the head
+/// vibrates. OrcaSlicer's limit of a line's length.
+constexpr Coord kNarrowSolidNm = 4'000'000;
 
 /// Returns the plan of a region's sparse infill, or null if there is none.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
@@ -48,14 +49,6 @@ const MultiPolygon& CarriedOf(int32_t stack, const LayerPlan& plan) {
   static const MultiPolygon kNothing;
   const SectionPlan* found = FindPlan(stack, plan.sections);
   return found == nullptr ? kNothing : found->carried;
-}
-
-/// Gives beads of height `from_nm` the share `share` of their plastic, in a layer of height
-/// `to_nm`.
-void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& paths) {
-  if (share == 1 && from_nm == to_nm) return;
-  for (Path& path : paths)
-    for (Coord& width : path.widths_nm) width = WidthFor(share, width, from_nm, to_nm);
 }
 
 /// Groups of paths that fill areas, and the reports of their plastic.
@@ -101,22 +94,31 @@ class RegionFill {
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     const Coord surface_overlap_nm =
         options_.surface_overlap_nm >= 0 ? options_.surface_overlap_nm : options_.overlap_nm;
-    absl::Status status =
-        AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
-                    options_.top_width_nm, options_.top_flow, surface_overlap_nm, fills);
+    absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
+                                      options_.top_width_nm, options_.top_flow, surface_overlap_nm,
+                                      fills, options_.solid.top_density);
     if (status.ok()) status = AppendBridges(skins.bridge, fills);
     if (status.ok()) status = AppendSparseBridges(over_sparse, fills);
     const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                            double flow, Coord overlap_nm) {
+                            double flow, Coord overlap_nm, double density = 1) {
       if (status.ok())
         status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, flow, overlap_nm,
-                             fills);
+                             fills, density);
     };
     append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern, options_.bottom_flow,
-           surface_overlap_nm);
+           surface_overlap_nm, options_.solid.bottom_density);
     append(skins.over_bridge, Feature::kSolidOverBridge, inner, 1, options_.overlap_nm);
-    append(skins.solid, Feature::kSolidInfill, inner, cover_.on_bed ? options_.bottom_flow : 1,
-           cover_.on_bed ? surface_overlap_nm : options_.overlap_nm);
+    if (cover_.on_bed) {
+      append(skins.solid, Feature::kSolidInfill, inner, options_.bottom_flow, surface_overlap_nm,
+             options_.solid.bottom_density);
+    } else if (options_.solid.narrow_loops) {
+      const SolidParts parts =
+          PartByWidth(skins.solid, kNarrowSolidNm, Width(options_.solid_width_nm));
+      append(parts.wide, Feature::kSolidInfill, inner, 1, options_.overlap_nm);
+      append(parts.narrow, Feature::kSolidInfill, FillPattern::kConcentric, 1, options_.overlap_nm);
+    } else {
+      append(skins.solid, Feature::kSolidInfill, inner, 1, options_.overlap_nm);
+    }
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
     if (status.ok() && bare && fill_area.role == Role::kSupport && fills.groups.empty())
       AppendMiddle(skins.sparse, PlainDensity(field), fills);
@@ -138,8 +140,7 @@ class RegionFill {
   bool IsSolidLayer(const LayerField* field) const {
     const bool filled = PlainDensity(field) > 0 || (field != nullptr && field->density != nullptr &&
                                                     field->density->Greatest() > 0);
-    return filled && options_.solid_every_layers > 0 &&
-           view_.layer % options_.solid_every_layers == 0;
+    return filled && IsAllSolid(options_, view_.layer);
   }
 
   /// Returns the angle of solid lines. It turns by a right angle from layer to layer, except for
@@ -155,15 +156,19 @@ class RegionFill {
   }
 
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                           Coord width_nm, double flow, Coord overlap_nm, Fills& fills) const {
+                           Coord width_nm, double flow, Coord overlap_nm, Fills& fills,
+                           double density = 1) const {
+    if (density <= 0) return absl::OkStatus();
+    const LineBead bead = SparseBead(Width(width_nm), view_.height_nm, flow, density);
     for (const PolygonWithHoles& region : regions) {
       auto group =
-          SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm), overlap_nm);
+          SolidLines(region, feature, pattern, SolidAngle(pattern), bead.width_nm, overlap_nm);
       if (!group.ok()) return group.status();
       if (!flows_.empty())
         for (Path& path : group->paths) ThinShortLines(flows_, view_.height_nm, path);
-      ScaleSections(flow, view_.height_nm, view_.height_nm, group->paths);
-      Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm, flow}, fills);
+      ScaleSections(bead.share, view_.height_nm, view_.height_nm, group->paths);
+      Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm, bead.share},
+             fills);
     }
     return absl::OkStatus();
   }
@@ -212,33 +217,17 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Width of a bridge's lines, and their plastic as a share of the plastic that would fill the
-  /// layer.
-  struct BridgeBead {
-    Coord width_nm = 0;
-    double share = 1;
-  };
   /// Returns the bead of a bridge. `carried`: true if a support is below it; then it is no round
   /// strand, because strands hang below their layer and would weld to the support.
-  BridgeBead BridgeBeadOf(bool carried) const {
-    if (!options_.thick_bridges || carried)
-      return LineBead(options_.bridge_flow, options_.bridge_density);
-    return ThreadBead(options_.bridge_flow, options_.bridge_density);
+  LineBead BridgeBeadOf(bool carried) const {
+    return BridgeBead(options_.thick_bridges && !carried, options_.bridge_flow,
+                      options_.bridge_density);
   }
-  /// Returns the bead of a bridge's line as high as the layer. `density`: share of the bridge under
-  /// its lines.
-  BridgeBead LineBead(double flow, double density) const {
-    const Coord width_nm = Width(options_.solid_width_nm);
-    if (density >= 1) return {width_nm, flow};
-    const auto spacing_nm = static_cast<double>(Spacing(width_nm, view_.height_nm));
-    return {WidthForSpacing(std::llround(spacing_nm / density), view_.height_nm), flow * density};
-  }
-  BridgeBead ThreadBead(double flow, double density) const {
-    const double thread_nm = static_cast<double>(options_.nozzle_nm) * std::sqrt(flow);
-    const double spacing_nm = (thread_nm + kThreadGapNm) / density;
-    const double room = spacing_nm * static_cast<double>(view_.height_nm);
-    return {WidthForSpacing(std::llround(spacing_nm), view_.height_nm),
-            std::numbers::pi / 4 * thread_nm * thread_nm / room};
+  /// Returns the bead of a bridge's round strands or of its lines. `density`: share of the bridge
+  /// under its lines.
+  LineBead BridgeBead(bool thick, double flow, double density) const {
+    if (thick) return ThreadBead(options_.nozzle_nm, view_.height_nm, flow, density);
+    return SparseBead(Width(options_.solid_width_nm), view_.height_nm, flow, density);
   }
 
   /// Adds the lines of each bridge region in its best direction. Regions that lines cannot span get
@@ -247,7 +236,7 @@ class RegionFill {
     const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
     const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
     for (const PolygonWithHoles& region : regions) {
-      const BridgeBead bead =
+      const LineBead bead =
           BridgeBeadOf(!view_.carried.empty() && !Intersection({region}, view_.carried).empty());
       const auto span = SpanOf(region, below);
       RequestedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
@@ -282,7 +271,7 @@ class RegionFill {
   absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area, Skins& skins) {
     const Coord width_nm = Width(options_.solid_width_nm);
     const MultiPolygon middles =
-        BridgeMiddles(skins.solid, SparsePitchNm(options_, view_.height_nm), width_nm);
+        BridgeMiddles(skins.solid, LeastBridgedGapNm(options_, view_.height_nm), width_nm);
     if (middles.empty()) return SparseBridges{};
     if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
     return under_->TakeBridges(fill_area, middles, width_nm, skins);
@@ -290,16 +279,15 @@ class RegionFill {
 
   /// Returns the bead of a bridge over sparse infill. It is a round strand only with
   /// thick_internal_bridges; thick_bridges has no effect on it.
-  BridgeBead InternalBridgeBead() const {
+  LineBead InternalBridgeBead() const {
     const double flow =
         options_.internal_bridge_flow > 0 ? options_.internal_bridge_flow : options_.bridge_flow;
-    if (options_.thick_internal_bridges) return ThreadBead(flow, options_.internal_bridge_density);
-    return LineBead(flow, options_.internal_bridge_density);
+    return BridgeBead(options_.thick_internal_bridges, flow, options_.internal_bridge_density);
   }
 
   /// Appends bridges between the lines of the sparse infill below.
   absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
-    const BridgeBead bead = InternalBridgeBead();
+    const LineBead bead = InternalBridgeBead();
     const bool own = options_.internal_bridges || options_.internal_bridge_flow > 0;
     const Feature feature = own ? Feature::kInternalBridge : Feature::kBridgeInfill;
     for (const PolygonWithHoles& region : bridges.regions) {
@@ -365,10 +353,11 @@ class RegionFill {
                             Fills& fills) const {
     const bool plain =
         field == nullptr || (field->directions == nullptr && IsPlain(*field->density, *field));
-    SparseFill fill{.pattern = plan_ == nullptr ? options_.pattern : plan_->pattern,
+    const FillPattern pattern = plan_ == nullptr ? options_.pattern : plan_->pattern;
+    SparseFill fill{.pattern = pattern,
                     .density = PlainDensity(field),
                     .angle_rad = angles_.sparse_rad,
-                    .layer = angles_.sparse_planned ? 0 : view_.layer,
+                    .layer = PatternLayer(pattern, angles_, view_.layer),
                     .z_nm = view_.z_nm,
                     .width_nm = Width(options_.sparse_width_nm),
                     .height_nm = view_.height_nm,
@@ -376,6 +365,7 @@ class RegionFill {
                     .anchor_nm = options_.anchor_nm,
                     .anchor_max_nm = options_.anchor_max_nm,
                     .smoothing_nm = options_.smoothing_nm,
+                    .shape = options_.shape,
                     .field = plain ? nullptr : field};
     if (plan_ == nullptr) return AppendSparsePart(region, fill, fills);
     fill.planned = plan_->lines;
@@ -402,6 +392,8 @@ class RegionFill {
   absl::Status AppendSparsePart(const MultiPolygon& region, const SparseFill& fill,
                                 Fills& fills) const {
     if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return absl::OkStatus();
+    if (fill.pattern == FillPattern::kLockedZag && fill.field == nullptr)
+      return AppendZones(region, fill, fills);
     auto paths = FillSparse(region, fill);
     if (!paths.ok()) return paths.status();
     if (fill.height_nm != view_.height_nm)
@@ -416,6 +408,16 @@ class RegionFill {
     }
     Append({false, *std::move(paths)}, asked, fills);
     return absl::OkStatus();
+  }
+
+  /// Adds skin and skeleton of the pattern lockedzag.
+  absl::Status AppendZones(const MultiPolygon& region, const SparseFill& fill, Fills& fills) const {
+    absl::Status status;
+    for (SparseZone& zone : LockedZones(region, fill, options_.zones)) {
+      zone.fill.width_nm = Width(zone.fill.width_nm);
+      status.Update(AppendSparsePart(zone.area, zone.fill, fills));
+    }
+    return status;
   }
 
   static bool IsPlain(const DensityField& density, const LayerField& field) {

@@ -733,5 +733,105 @@ TEST(FillSection, SolidLinesHaveTheirDirection) {
   EXPECT_GT(lines, 10);
 }
 
+/// Fills the prism's area in one layer, without skins of neighbouring layers unless `options` has
+/// some.
+FilledSection OneLayer(const InfillOptions& options, int32_t layer,
+                       std::string_view area = "(1 1, 19 1, 19 19, 1 19)") {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P(area)}};
+  auto filled = FillPlain({0, layer, 200'000, {island}}, layer == 0, objects, {options});
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  return *std::move(filled);
+}
+
+// Lines of a surface with half the density are twice as far apart, each with its full plastic.
+TEST(FillSection, SurfacesHaveTheirDensity) {
+  InfillOptions options;
+  const auto plastic = [&](int32_t layer, Feature feature) {
+    return VolumeOf(PathsIn(OneLayer(options, layer)), feature);
+  };
+  const double top = plastic(9, Feature::kTopSolidInfill),
+               inner = plastic(8, Feature::kSolidInfill),
+               bottom = plastic(0, Feature::kSolidInfill);
+  ASSERT_GT(top, 0);
+  options.solid.top_density = 0.5;
+  options.solid.bottom_density = 0.8;
+  EXPECT_NEAR(plastic(9, Feature::kTopSolidInfill), 0.5 * top, 0.03 * top);
+  EXPECT_NEAR(plastic(0, Feature::kSolidInfill), 0.8 * bottom, 0.03 * bottom);
+  EXPECT_EQ(plastic(8, Feature::kSolidInfill), inner);
+  EXPECT_NEAR(LengthOf(OneLayer(options, 9), Feature::kTopSolidInfill) /
+                  LengthOf(OneLayer({}, 9), Feature::kTopSolidInfill),
+              0.5, 0.1);
+  options.solid.top_density = 0;
+  EXPECT_EQ(plastic(9, Feature::kTopSolidInfill), 0);
+}
+
+TEST(FillSection, ListedLayersAreSolid) {
+  InfillOptions options;
+  options.top_solid_layers = options.bottom_solid_layers = 0;
+  options.solid.extra_layers = "4#2,8";
+  std::set<int32_t> solid;
+  for (int32_t layer = 1; layer < 9; ++layer)
+    if (!FeaturesOf(OneLayer(options, layer), 0).contains(Feature::kInternalInfill))
+      solid.insert(layer + 1);
+  EXPECT_EQ(solid, (std::set{4, 5, 8}));
+}
+
+// A strip of 3 mm inside the object has loops, a wide area lines.
+TEST(FillSection, NarrowSolidPartsHaveLoopsIfAskedFor) {
+  InfillOptions options;
+  options.density = 1;
+  const auto loops = [&](std::string_view area) {
+    const auto paths = PathsOf(OneLayer(options, 5, area));
+    return std::ranges::count_if(paths, &Path::closed);
+  };
+  constexpr std::string_view kStrip = "(1 1, 19 1, 19 4, 1 4)", kWide = "(1 1, 19 1, 19 19, 1 19)";
+  EXPECT_EQ(loops(kStrip), 0);
+  options.solid.narrow_loops = true;
+  EXPECT_GE(loops(kStrip), 3);
+  EXPECT_EQ(loops(kWide), 0);
+}
+
+// Lines at 20 % are 2 mm apart: a skin of 1.5 mm rests on them.
+TEST(FillSection, NarrowSkinsAreBridgedIfAskedFor) {
+  InfillOptions options;
+  options.top_solid_layers = 3;
+  options.bottom_solid_layers = 0;
+  const auto bridged = [&](std::string_view area) {
+    return FeaturesOf(OneLayer(options, 7, area), 0).contains(Feature::kBridgeInfill);
+  };
+  constexpr std::string_view kNarrow = "(1 1, 19 1, 19 2.7, 1 2.7)",
+                             kThin = "(1 1, 19 1, 19 1.8, 1 1.8)", kWide = "(1 1, 19 1, 19 9, 1 9)";
+  EXPECT_FALSE(bridged(kNarrow));
+  EXPECT_TRUE(bridged(kWide));
+  options.solid.bridges = SparseBridgeFilter::kMedium;
+  EXPECT_TRUE(bridged(kNarrow));
+  EXPECT_FALSE(bridged(kThin));
+  options.solid.bridges = SparseBridgeFilter::kAll;
+  EXPECT_TRUE(bridged(kThin));
+}
+
+// Skin and skeleton have the widths and densities of the settings, and the report has both.
+TEST(FillSection, LockedZagHasASkinAndASkeleton) {
+  InfillOptions options;
+  options.top_solid_layers = options.bottom_solid_layers = 0;
+  options.pattern = FillPattern::kLockedZag;
+  options.zones = {.skin_density = 0.4,
+                   .skeleton_density = 0.1,
+                   .skin_width_nm = 400'000,
+                   .skeleton_width_nm = 600'000,
+                   .skin_depth_nm = 3'000'000,
+                   .lock_depth_nm = 1'000'000};
+  const FilledSection filled = OneLayer(options, 5);
+  std::set<Coord> widths;
+  for (const Path& path : PathsOf(filled)) widths.insert(path.widths_nm[0]);
+  EXPECT_EQ(widths, (std::set<Coord>{400'000, 600'000}));
+  double asked = 0;
+  for (const FillStats& use : filled.uses) asked += use.asked_mm3;
+  EXPECT_NEAR(asked, 0.2 * (0.4 * (324 - 144) + 0.1 * 196), 0.01);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::section_fill_test

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "common/model/options/fill_angles.h"
+#include "common/model/options/infill_options.h"
+#include "common/model/options/solid_layers.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -66,6 +68,19 @@ Cover CoverOf(const SectionView& view, const InfillOptions& options, std::option
   if (row || options.over_bridges)
     cover.bearers = Side(view, {}, outline, -1, std::min(bearers, view.layer));
   return cover;
+}
+
+bool IsAllSolid(const InfillOptions& options, int32_t layer) {
+  if (options.solid_every_layers > 0 && layer % options.solid_every_layers == 0) return true;
+  const SharedText& extra = options.solid.extra_layers;
+  if (extra.empty()) return false;
+  const auto& list = extra.Once([](const std::string& text) { return ParseSolidLayers(text); });
+  return list.ok() && ContainsLayer(*list, layer);
+}
+
+int32_t PatternLayer(FillPattern pattern, const FillLineAngles& angles, int32_t layer) {
+  const bool shifts = pattern == FillPattern::kCrossZag || pattern == FillPattern::kLockedZag;
+  return angles.sparse_planned && !shifts ? 0 : layer;
 }
 
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {

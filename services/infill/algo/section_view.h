@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/model/layers/layer.h"
+#include "common/model/options/fill_patterns.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/skins/skins.h"
 
@@ -37,6 +38,10 @@ struct SectionView {
 /// outlines of the whole object. The outlines for bridges are always outlines of the whole object.
 Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row);
 
+/// Returns true if a layer of a stack has only solid infill, by the intervals and lists of the
+/// settings.
+bool IsAllSolid(const InfillOptions& options, int32_t layer);
+
 /// Directions of lines in a layer.
 struct FillLineAngles {
   double sparse_rad = 0;
@@ -45,6 +50,10 @@ struct FillLineAngles {
   bool sparse_planned = false;
   bool solid_planned = false;
 };
+
+/// Returns the index of a layer for a pattern. It is 0 in all layers if a template contains the
+/// turns of the lines, except for patterns that shift their lines from layer to layer.
+int32_t PatternLayer(FillPattern pattern, const FillLineAngles& angles, int32_t layer);
 
 /// Returns the directions of lines in a layer. `layer`: index of the layer in the stack.
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer);

@@ -14,7 +14,7 @@
 #include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/linking/linked_paths.h"
 #include "services/infill/algo/linking/taken_edge.h"
-#include "services/infill/algo/patterns/registry.h"
+#include "services/infill/algo/patterns/side_by_side.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -36,8 +36,10 @@ constexpr double kMostSettled = 0.15;
 
 absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
                                             const PatternPlace& place) {
-  if (fill.field != nullptr) return PiecesOfField(area, fill.pattern, place, *fill.field);
-  return PatternOf(fill.pattern)(area, place);
+  if (fill.field == nullptr) return PiecesOfPattern(fill.pattern, area, place);
+  PatternPlace single = place;  // a field has one line in each place
+  single.shape.lines = 1;
+  return PiecesOfField(area, fill.pattern, single, *fill.field);
 }
 
 /// Returns an island's area inset by `inset_nm`, or nullopt if the island may be narrow somewhere.
@@ -123,9 +125,9 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   if (!density.ok()) return density.status();
   if (*density <= 0) return paths;
   const double pitch = static_cast<double>(spacing) / std::min(1.0, *density);
-  const auto pieces = PiecesOf(
-      fill, area,
-      {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, 0, fill.planned, fill.smoothing_nm});
+  const auto pieces = PiecesOf(fill, area,
+                               {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, 0,
+                                fill.planned, fill.smoothing_nm, fill.shape});
   if (!pieces.ok()) return pieces.status();
   const auto width = static_cast<double>(fill.width_nm);
   paths =

@@ -5,6 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/options/fill_patterns.h"
+#include "common/model/options/pattern_options.h"
 #include "common/model/path.h"
 #include "services/infill/algo/fields/layer_field.h"
 
@@ -31,6 +32,7 @@ struct SparseFill {
   Coord anchor_max_nm = 0;  ///< longest link; 0: no links
   Coord smoothing_nm = 0;   ///< length in nm over which medial-axis lines are smoothed; 0: none
   std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out
+  PatternOptions shape = {};
   /// Fields that give the density (instead of `density`) and the directions at each point; null:
   /// none.
   const LayerField* field = nullptr;

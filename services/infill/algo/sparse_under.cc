@@ -7,7 +7,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
-#include "services/infill/algo/patterns/registry.h"
+#include "services/infill/algo/patterns/side_by_side.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -16,15 +16,11 @@ namespace {
 /// are bridges.
 constexpr double kVoidPitchBeads = 5;
 
-bool IsSolidLayer(const InfillOptions& options, int32_t layer) {
-  return options.density > 0 && options.solid_every_layers > 0 &&
-         layer % options.solid_every_layers == 0;
-}
-
 /// Returns true if the positions of the lines follow from a formula.
 bool HasLaw(FillPattern pattern, const RegionView& region) {
   const FillPatternInfo& info = InfoOf(pattern);
   return region.options.density > 0 && !info.planned && info.solid != SolidFillStyle::kAlongEdge &&
+         pattern != FillPattern::kLockedZag &&
          (region.plan == nullptr || region.plan->combined.empty());
 }
 
@@ -51,7 +47,20 @@ SectionView Below(SectionView view) {
 
 double SparsePitchNm(const InfillOptions& options, Coord height_nm) {
   const auto spacing = static_cast<double>(Spacing(options.sparse_width_nm, height_nm));
-  return options.density > 0 ? spacing / options.density : kVoidPitchBeads * spacing;
+  const int32_t lines = LinesOf(options, options.pattern);
+  return options.density > 0 ? lines * spacing / LeastDensity(options) : kVoidPitchBeads * spacing;
+}
+
+double LeastBridgedGapNm(const InfillOptions& options, Coord height_nm) {
+  switch (options.solid.bridges) {
+    case SparseBridgeFilter::kWide:
+      return SparsePitchNm(options, height_nm);
+    case SparseBridgeFilter::kMedium:
+      return SparsePitchNm(options, height_nm) / 2;
+    case SparseBridgeFilter::kAll:
+      break;
+  }
+  return 0;
 }
 
 SparseUnder::SparseUnder(const RegionView& region)
@@ -74,10 +83,11 @@ SparseBelow SparseUnder::Within(const MultiPolygon& fill_area, const MultiPolygo
   if (outline_ == nullptr) return sparse;
   const InfillOptions& options = region_.options;
   sparse.pitch_nm = SparsePitchNm(options, below_.height_nm);
+  sparse.least_gap_nm = LeastBridgedGapNm(options, below_.height_nm);
   sparse.region = SparsePart(fill_area, *outline_, cover_,
                              {.width_nm = options.solid_width_nm,
                               .solid_below_area_mm2 = options.solid_below_area_mm2,
-                              .all_solid = IsSolidLayer(options, below_.layer),
+                              .all_solid = options.density > 0 && IsAllSolid(options, below_.layer),
                               .shells = options.shells},
                              wanted);
   if (!sparse.region.empty() && !same_outline_)
@@ -90,13 +100,15 @@ absl::StatusOr<MultiPolygon> SparseUnder::BeadsIn(const SparseBelow& sparse) con
   const FillPattern pattern = region_.plan == nullptr ? options.pattern : region_.plan->pattern;
   if (!HasLaw(pattern, region_)) return MultiPolygon{};
   const FillLineAngles angles = AnglesOf(options, below_.layer);
-  const auto pieces = PatternOf(pattern)(
-      sparse.region, {.z_nm = below_.z_nm,
-                      .layer = angles.sparse_planned ? 0 : below_.layer,
-                      .pitch_nm = sparse.pitch_nm,
-                      .angle_rad = angles.sparse_rad,
-                      .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
-                      .smoothing_nm = options.smoothing_nm});
+  const auto pieces =
+      PiecesOfPattern(pattern, sparse.region,
+                      {.z_nm = below_.z_nm,
+                       .layer = PatternLayer(pattern, angles, below_.layer),
+                       .pitch_nm = sparse.pitch_nm / LinesOf(options, options.pattern),
+                       .angle_rad = angles.sparse_rad,
+                       .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
+                       .smoothing_nm = options.smoothing_nm,
+                       .shape = options.shape});
   if (!pieces.ok()) return pieces.status();
   return BeadsOf(*pieces, options.sparse_width_nm);
 }

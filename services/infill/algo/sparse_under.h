@@ -25,6 +25,10 @@ struct RegionView {
 /// sparse infill, returns the distance for which skins above are planned: five spacings.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
+/// Returns the width in nm that a skin over sparse infill has at least, besides its own line, to be
+/// bridged.
+double LeastBridgedGapNm(const InfillOptions& options, Coord height_nm);
+
 /// Sparse infill of the layer below a region. It decides where skins of the region are bridges. One
 /// object serves all fill areas of the region. Not thread-safe.
 class SparseUnder {

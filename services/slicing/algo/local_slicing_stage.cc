@@ -17,6 +17,8 @@
 #include "common/stage/job_memory.h"
 #include "common/stage/print_layers.h"
 #include "services/slicing/algo/counterbores/bridged_counterbores.h"
+#include "services/slicing/algo/holes/polyholes.h"
+#include "services/slicing/algo/holes/printable_overhangs.h"
 #include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/arranging/overlaps.h"
 #include "services/slicing/algo/placement/orientation/orientation_advice.h"
@@ -225,7 +227,7 @@ class SlicingRun {
         CutSection(scratch[static_cast<size_t>(worker)], section);
     });
     if (call_.cancel.Cancelled()) return call_.cancel.Check();
-    ChangeCounterbores();
+    ChangeHoles();
     if (call_.cancel.Cancelled()) return call_.cancel.Check();
     for (const SlicedLayer& layer : job_.layers)
       for (const ObjectSection& section : layer.sections)
@@ -233,14 +235,18 @@ class SlicingRun {
     return NoOutlines();
   }
 
-  void ChangeCounterbores() {
+  /// Changes outlines that depend on several layers: overhangs, counterbores and polyholes.
+  void ChangeHoles() {
     std::vector<std::vector<ObjectSection*>> sections(objects_.size());
     for (SlicedLayer& layer : job_.layers)
       for (ObjectSection& section : layer.sections)
         sections[static_cast<size_t>(section.stack.object)].push_back(&section);
-    for (size_t object = 0; object < objects_.size(); ++object)
-      BridgeCounterbores(options_.objects[object].counterbores, sections[object], call_.threads,
-                         call_.cancel);
+    for (size_t object = 0; object < objects_.size(); ++object) {
+      const ObjectSlicingOptions& options = options_.objects[object];
+      MakeOverhangsPrintable(options.printable, sections[object], call_.cancel);
+      BridgeCounterbores(options.counterbores, sections[object], call_.threads, call_.cancel);
+      MakePolyholes(options.polyholes, sections[object], call_.cancel);
+    }
   }
 
   absl::Status NoOutlines() const {

@@ -492,7 +492,8 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Bind<&MachineRow::order, &JobOrder::infill_first>(),
        .orca = {{"is_infill_first"}}},
   };
-  for (SettingSpec& ironing : IroningSettings()) settings.push_back(std::move(ironing));
+  for (const auto& section : {IroningSettings, PatternSettings, SolidSettings})
+    for (SettingSpec& spec : section()) settings.push_back(std::move(spec));
   return settings;
 }
 

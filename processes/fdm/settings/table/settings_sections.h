@@ -22,10 +22,18 @@ struct RowOf<ToolRow> : MemberRow<&FdmRows::tool, Scope::kJob> {};
 namespace slicefarm::config::fdm {
 
 // Sections of the settings table, by topic.
-std::vector<SettingSpec> SlicingSettings();   ///< defined in settings_slicing.cc
-std::vector<SettingSpec> WallSettings();      ///< defined in settings_walls.cc
-std::vector<SettingSpec> SeamSettings();      ///< defined in settings_seams.cc
-std::vector<SettingSpec> InfillSettings();    ///< defined in settings_infill.cc
+std::vector<SettingSpec> SlicingSettings();  ///< defined in settings_slicing.cc
+/// Polyholes and printable overhangs, a part of SlicingSettings; defined in settings_holes.cc.
+std::vector<SettingSpec> HoleSettings();
+std::vector<SettingSpec> WallSettings();  ///< defined in settings_walls.cc
+/// Rough walls, a part of WallSettings; defined in settings_fuzzy.cc.
+std::vector<SettingSpec> FuzzySkinSettings();
+std::vector<SettingSpec> SeamSettings();    ///< defined in settings_seams.cc
+std::vector<SettingSpec> InfillSettings();  ///< defined in settings_infill.cc
+/// Skins and other solid infill, a part of InfillSettings; defined in settings_solid.cc.
+std::vector<SettingSpec> SolidSettings();
+/// Single infill patterns, a part of InfillSettings; defined in settings_patterns.cc.
+std::vector<SettingSpec> PatternSettings();
 std::vector<SettingSpec> AdhesionSettings();  ///< defined in settings_adhesion.cc
 std::vector<SettingSpec> SupportSettings();   ///< defined in settings_supports.cc
 std::vector<SettingSpec> SpeedSettings();     ///< defined in settings_speed.cc

@@ -4,7 +4,7 @@
 namespace slicefarm::config::fdm {
 
 std::vector<SettingSpec> SlicingSettings() {
-  return {
+  std::vector<SettingSpec> settings = {
       {.key = "elefant_foot_compensation",
        .unit = "mm",
        .min = 0,
@@ -115,6 +115,8 @@ std::vector<SettingSpec> SlicingSettings() {
                    {"COLPIC", static_cast<int>(PictureFormat::kColPic)}},
        .orca = {{"thumbnails_format"}}},
   };
+  for (SettingSpec& hole : HoleSettings()) settings.push_back(std::move(hole));
+  return settings;
 }
 
 }  // namespace slicefarm::config::fdm

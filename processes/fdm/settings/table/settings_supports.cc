@@ -150,6 +150,31 @@ std::vector<SettingSpec> Where() {
        .field = Bind<&ObjectRow::support, &SupportOptions::xy_gap_nm>(),
        .orca = {{"support_object_xy_distance"}},
        .needs = {&needs::kSupportsIfRequested}},
+      {.key = "support_object_first_layer_gap",
+       .unit = "mm",
+       .min = -1,
+       .max = 20,
+       .standard = "-1",
+       .doc = "Horizontal gap between supports and the part in the first layer; -1: "
+              "support_material_xy_spacing. OrcaSlicer's default: 0.2",
+       .field = Convert<ObjectRow>(
+           [](ObjectRow& row, const Value& value) {
+             row.support.first_xy_gap_nm = value.number < 0 ? -1 : FromMm(value.number);
+           },
+           [](const ObjectRow& row) {
+             const Coord gap = row.support.first_xy_gap_nm;
+             return Value{.number = gap < 0 ? -1 : Quantise(ToMm(gap))};
+           }),
+       .orca = {{"support_object_first_layer_gap"}},
+       .needs = {&needs::kSupportsIfRequested}},
+      {.key = "support_remove_small_overhang",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Do not support overhangs that are nowhere wider than three walls, unless they begin "
+              "in the air or reach more than 3 mm. OrcaSlicer's default: 1",
+       .field = Bind<&ObjectRow::support, &SupportOptions::ignore_small>(),
+       .orca = {{"support_remove_small_overhang"}},
+       .needs = {&needs::kSupportsIfRequested}},
       {.key = "support_material_closing_radius",
        .unit = "mm",
        .min = 0,

@@ -126,6 +126,16 @@ std::vector<SettingSpec> VariableWalls() {
                "Largest extrusion width of walls with perimeter_generator = arachne; at least the "
                "width settings of the walls",
                Bind<&RegionRow::walls, &BeadingOptions::max_bead_width_nm>()),
+      {.key = "min_length_factor",
+       .min = 0,
+       .max = 100,
+       .standard = "0",
+       .doc = "Length of the shortest open line between walls of variable width, in widths of the "
+              "outer wall. Shorter lines are left out, except in the lowest and the highest layer "
+              "of the object; 0: none. OrcaSlicer's default: 0.5",
+       .field = Bind<&RegionRow::walls, &BeadingOptions::min_length_factor>(),
+       .orca = {{"min_length_factor"}},
+       .needs = {&needs::kArachne}},
       {.key = "lock_outer_width",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -133,40 +143,6 @@ std::vector<SettingSpec> VariableWalls() {
               "between them; 0: both may become wider instead, up to max_bead_width",
        .field = Bind<&RegionRow::walls, &BeadingOptions::lock_outer_width>(),
        .own_scope = Scope::kObject},
-  };
-}
-
-std::vector<SettingSpec> FuzzySkins() {
-  return {
-      {.key = "fuzzy_skin",
-       .kind = Kind::kChoice,
-       .standard = "none",
-       .doc = "Outermost walls that get a rough surface, except in the first layer. none: no "
-              "walls. external: walls of outer contours. all: walls of outer contours and of holes",
-       .choices = {{"none", static_cast<int>(FuzzySkin::kNone)},
-                   {"external", static_cast<int>(FuzzySkin::kContours)},
-                   {"all", static_cast<int>(FuzzySkin::kAllWalls)}},
-       .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy>(),
-       .orca = {{"fuzzy_skin", OrcaValue::kChoice}}},
-      {.key = "fuzzy_skin_thickness",
-       .unit = "mm",
-       .min = 0,
-       .max = 10,
-       .standard = "0.3",
-       .doc = "Largest distance by which points of a fuzzy skin move outwards or inwards from the "
-              "wall; larger: rougher",
-       .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_thickness_nm>(),
-       .orca = {{"fuzzy_skin_thickness"}},
-       .needs = {&needs::kFuzzySkin}},
-      {.key = "fuzzy_skin_point_dist",
-       .unit = "mm",
-       .min = 0.01,
-       .max = 100,
-       .standard = "0.8",
-       .doc = "Mean distance between the points of a fuzzy skin; smaller: a finer texture",
-       .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_point_distance_nm>(),
-       .orca = {{"fuzzy_skin_point_distance"}},
-       .needs = {&needs::kFuzzySkin}},
   };
 }
 
@@ -344,6 +320,13 @@ std::vector<SettingSpec> WallSettings() {
               "that inner wall; overrides external_perimeters_first",
        .field = Bind<&RegionRow::order, &WallOrder::inner_outer_inner>(),
        .orca = {{"wall_sequence", OrcaValue::kChoice}}},
+      {.key = "alternate_extra_wall",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Print one more wall in every second layer, so that the infill is held between walls "
+              "from above and from below",
+       .field = Bind<&RegionRow::walls, &BeadingOptions::alternate_extra>(),
+       .orca = {{"alternate_extra_wall"}}},
       {.key = "gap_fill_enabled",
        .kind = Kind::kFlag,
        .standard = "1",
@@ -402,7 +385,7 @@ std::vector<SettingSpec> WallSettings() {
        .field = Bind<&MachineRow::order, &JobOrder::improvement_moves>()},
   };
   for (SettingSpec& wall : VariableWalls()) settings.push_back(std::move(wall));
-  for (SettingSpec& fuzzy : FuzzySkins()) settings.push_back(std::move(fuzzy));
+  for (SettingSpec& fuzzy : FuzzySkinSettings()) settings.push_back(std::move(fuzzy));
   for (SettingSpec& width : Widths()) settings.push_back(std::move(width));
   return settings;
 }

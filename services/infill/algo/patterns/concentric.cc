@@ -28,15 +28,20 @@ absl::StatusOr<std::vector<Piece>> Concentric(const MultiPolygon& region,
   const double spare = (place.pitch_nm - static_cast<double>(place.spacing_nm)) / 2;
   const Coord narrow =
       std::llround(std::clamp(spare, 0.0, kNarrow * static_cast<double>(place.spacing_nm)));
-  MultiPolygon left = FastOffset(region, -std::llround(place.first_line * place.pitch_nm));
+  // The last loop of a group is so far from the next group that the groups have the pitch.
+  const int32_t lines = place.shape.lines;
+  const auto spacing = static_cast<double>(place.spacing_nm);
+  const double to_group = lines * place.pitch_nm - (lines - 1) * spacing;
+  int32_t count = 0;
+  MultiPolygon left = FastOffset(region, -std::llround(place.first_line * to_group));
   while (!left.empty()) {
     ForEachRing(left, [&pieces](const Polygon& ring) {
       Piece& loop = pieces.emplace_back();
       loop.points = ring;
       loop.closed = true;
     });
-    left = FastOffset(
-        FastOffset(left, -(std::max<Coord>(1, std::llround(place.pitch_nm)) + narrow)), narrow);
+    const double step = ++count % lines == 0 ? to_group : spacing;
+    left = FastOffset(FastOffset(left, -(std::max<Coord>(1, std::llround(step)) + narrow)), narrow);
   }
   return pieces;
 }

@@ -14,6 +14,19 @@ TEST(Concentric, LoopsAreAPitchApart) {
   for (const Piece& loop : *loops) EXPECT_TRUE(loop.closed);
 }
 
+// Two lines side by side, then the space of two pitches less the group's width.
+TEST(Concentric, GroupsAreTwoPitchesApart) {
+  PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 400'000};
+  place.shape.lines = 2;
+  const auto loops = Concentric(SampleBox(), place);
+  ASSERT_EQ(loops->size(), 12u);
+  EXPECT_NEAR(LengthOf(*loops) * 2e6 / Area(SampleBox()), 1, 1e-6);
+  const auto side = [&](size_t i) { return Bounds((*loops)[i].points).max.x; };
+  EXPECT_EQ(side(0) - side(1), 400'000);
+  EXPECT_EQ(side(1) - side(2), 3'600'000);
+  EXPECT_EQ(side(2) - side(3), 400'000);
+}
+
 TEST(Concentric, HolesHaveLoopsOfTheirOwn) {
   const auto region =
       MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24) (-5 -5, -5 5, 5 5, 5 -5)");

@@ -27,4 +27,14 @@ absl::StatusOr<std::vector<Piece>> QuarterCubic(const MultiPolygon& region,
   return StraightPieces(region, LineFamiliesOf(FillPattern::kQuarterCubic, place));
 }
 
+absl::StatusOr<std::vector<Piece>> LateralLattice(const MultiPolygon& region,
+                                                  const PatternPlace& place) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kLateralLattice, place));
+}
+
+absl::StatusOr<std::vector<Piece>> LateralHoneycomb(const MultiPolygon& region,
+                                                    const PatternPlace& place) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kLateralHoneycomb, place));
+}
+
 }  // namespace slicefarm::infill

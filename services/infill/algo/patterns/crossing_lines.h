@@ -22,5 +22,11 @@ MakePattern Cubic;
 /// families, which move towards each other and apart again, each by height / sqrt 2. Their lines
 /// stay at least a spacing apart.
 MakePattern QuarterCubic;
+/// Section of two families of planes, inclined by two angles. Both families have the same
+/// direction. Where they meet, their lines stay a spacing apart.
+MakePattern LateralLattice;
+/// Section of upright hexagons: single lines, and in every third part of the height pairs of lines
+/// that move apart and to their other neighbours. Density: exact over a period in z.
+MakePattern LateralHoneycomb;
 
 }  // namespace slicefarm::infill

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+
+#include "common/base/portable_math.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -47,13 +50,76 @@ std::vector<LineFamily> QuarterCubicFamilies(const PatternPlace& place) {
           {place.angle_rad + kRightAngle, -second, apart}};
 }
 
-}  // namespace
+/// Returns the angle of lines in direction `place.angle_rad`, or of these lines mirrored in the y
+/// axis.
+double MirroredAngle(const PatternPlace& place) {
+  return place.shape.mirrored ? -place.angle_rad : place.angle_rad;
+}
 
-std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& place) {
+/// Returns parallel lines that are shifted from their position two layers below, in even layers to
+/// the right and in odd layers to the left.
+std::vector<LineFamily> CrossZagFamilies(const PatternPlace& place) {
+  const auto steps = static_cast<double>(place.layer / 2);
+  const double side = place.layer % 2 != 0 ? 1 : -1;
+  return {{MirroredAngle(place), side * steps * static_cast<double>(place.shape.shift_nm),
+           place.pitch_nm}};
+}
+
+/// Returns the tangent of an angle.
+double Tangent(double angle_rad) { return Sin(angle_rad) / Cos(angle_rad); }
+
+/// Returns two families of parallel lines, `apart_nm` between lines of one family. Their distance
+/// from each other is at least a spacing, so that no line lies on another; if there is no room for
+/// this, lines of one family are in the middle between lines of the other.
+std::vector<LineFamily> BesideEachOther(const PatternPlace& place, double first_nm,
+                                        double second_nm, double apart_nm) {
+  const auto least = std::min(static_cast<double>(place.spacing_nm), apart_nm / 2);
+  const double turns = (second_nm - first_nm) / apart_nm;
+  const double between = (turns - std::floor(turns)) * apart_nm;
+  const double kept = std::clamp(between, least, apart_nm - least);
+  const double middle = first_nm + between / 2;
+  const double angle = place.angle_rad + kRightAngle;
+  return {{angle, middle - kept / 2, apart_nm}, {angle, middle + kept / 2, apart_nm}};
+}
+
+/// Returns the sections of two families of planes that are inclined by two angles against the
+/// vertical.
+std::vector<LineFamily> LateralLatticeFamilies(const PatternPlace& place) {
+  const auto z = static_cast<double>(place.z_nm);
+  return BesideEachOther(place, z * Tangent(place.shape.lattice_1_rad),
+                         z * Tangent(place.shape.lattice_2_rad), 2 * place.pitch_nm);
+}
+
+/// Returns the section of upright hexagons. Each third of a period in z is as high as a sloped wall
+/// of a hexagon. Two thirds have upright walls. In one third each wall forks, and its branches join
+/// the branches of the walls beside it half a period further.
+std::vector<LineFamily> LateralHoneycombFamilies(const PatternPlace& place) {
+  const double half = 2 * place.pitch_nm / 3;
+  const double third = half / Tangent(place.shape.honeycomb_rad);
+  const double height = static_cast<double>(place.z_nm) / third;
+  const auto number = static_cast<int64_t>(std::floor(height));
+  // The first fork begins two thirds above the bed.
+  const bool forks = (number + 1) % 3 == 0;
+  const double middle = ((number + 1) / 3) % 2 != 0 ? half : 0;
+  if (!forks) return {{place.angle_rad + kRightAngle, middle, 2 * half}};
+  const double aside = (1 - (height - static_cast<double>(number))) * half;
+  return BesideEachOther(place, middle - aside, middle + aside, 2 * half);
+}
+
+/// Returns the families that form a pattern, with one line in place of several lines side by side.
+std::vector<LineFamily> SingleFamilies(FillPattern pattern, const PatternPlace& place) {
   switch (pattern) {
     case FillPattern::kAlignedRectilinear:
-    case FillPattern::kZigzag:
       return {{place.angle_rad, 0, place.pitch_nm}};
+    case FillPattern::kZigzag:
+      return {{MirroredAngle(place), 0, place.pitch_nm}};
+    case FillPattern::kCrossZag:
+    case FillPattern::kLockedZag:
+      return CrossZagFamilies(place);
+    case FillPattern::kLateralLattice:
+      return LateralLatticeFamilies(place);
+    case FillPattern::kLateralHoneycomb:
+      return LateralHoneycombFamilies(place);
     case FillPattern::kRectilinear:
     case FillPattern::kLine:
     case FillPattern::kMonotonic:
@@ -76,6 +142,29 @@ std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& 
     default:
       return {};
   }
+}
+
+/// Returns `lines` families in place of each family, a spacing apart.
+std::vector<LineFamily> SideBySide(std::span<const LineFamily> families, int32_t lines,
+                                   Coord spacing_nm) {
+  std::vector<LineFamily> all;
+  for (const LineFamily& family : families)
+    for (int32_t i = 0; i < lines; ++i) {
+      LineFamily& line = all.emplace_back(family);
+      line.phase_nm += (i - (lines - 1) / 2.0) * static_cast<double>(spacing_nm);
+    }
+  return all;
+}
+
+}  // namespace
+
+std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& place) {
+  const int32_t lines = place.shape.lines;
+  if (lines == 1) return SingleFamilies(pattern, place);
+  PatternPlace wide = place;
+  wide.pitch_nm *= lines;
+  wide.spacing_nm *= lines;
+  return SideBySide(SingleFamilies(pattern, wide), lines, place.spacing_nm);
 }
 
 }  // namespace slicefarm::infill

@@ -3,18 +3,103 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slicefarm::infill::line_families_test {
 namespace {
 
 TEST(LineFamilies, TogetherHaveThePitchThatIsAskedFor) {
   for (const FillPatternInfo& info : kFillPatterns) {
+    // Heights are spread over a period of lateral honeycombs, which have more lines at some
+    // heights.
+    constexpr int kHeights = 30;
     double per_area = 0;
-    for (const LineFamily& family : LineFamiliesOf(info.pattern, {.pitch_nm = 2e6}))
-      per_area += 1 / family.pitch_nm;
+    for (int i = 0; i < kHeights; ++i) {
+      const double thirds = 3.0 * (i + 0.5) / kHeights;
+      PatternPlace place{.z_nm = std::llround(thirds * 4e6 / 3), .pitch_nm = 2e6};
+      place.shape.honeycomb_rad = 0.78539816339744831;
+      for (const LineFamily& family : LineFamiliesOf(info.pattern, place))
+        per_area += 1 / family.pitch_nm / kHeights;
+    }
     if (per_area > 0) {
       EXPECT_NEAR(per_area, 1 / 2e6, 1e-15) << info.name;
     }
+  }
+}
+
+TEST(LineFamilies, CrossZagShiftsEvenAndOddLayersApart) {
+  const auto shift = [](int32_t layer) {
+    return LineFamiliesOf(FillPattern::kCrossZag, {.layer = layer, .pitch_nm = 2e6})[0].phase_nm;
+  };
+  EXPECT_EQ(shift(0), 0);
+  EXPECT_EQ(shift(1), 0);
+  EXPECT_EQ(shift(6), -3 * 400'000);
+  EXPECT_EQ(shift(7), 3 * 400'000);
+}
+
+TEST(LineFamilies, MirroredLinesHaveTheOppositeAngle) {
+  PatternPlace place{.layer = 4, .pitch_nm = 2e6, .angle_rad = 0.6};
+  for (const FillPattern pattern : {FillPattern::kZigzag, FillPattern::kCrossZag}) {
+    place.shape.mirrored = false;
+    const LineFamily plain = LineFamiliesOf(pattern, place)[0];
+    place.shape.mirrored = true;
+    const LineFamily mirrored = LineFamiliesOf(pattern, place)[0];
+    EXPECT_EQ(mirrored.angle_rad, -plain.angle_rad);
+    EXPECT_EQ(mirrored.phase_nm, plain.phase_nm);
+  }
+}
+
+/// Returns the distance between the two families of a pattern at a height, modulo the pitch of a
+/// family, or -1 for a single family.
+double Between(FillPattern pattern, const PatternPlace& place) {
+  const auto families = LineFamiliesOf(pattern, place);
+  if (families.size() < 2) return -1;
+  const double turns = (families[1].phase_nm - families[0].phase_nm) / families[0].pitch_nm;
+  return (turns - std::floor(turns)) * families[0].pitch_nm;
+}
+
+// With 45 degrees to each side, the families move apart by twice the height. They never come nearer
+// than a spacing.
+TEST(LineFamilies, LatticeMovesWithTheHeight) {
+  const auto at = [](double z_mm) {
+    return Between(FillPattern::kLateralLattice,
+                   {.z_nm = FromMm(z_mm), .pitch_nm = 2e6, .spacing_nm = 400'000});
+  };
+  EXPECT_NEAR(at(0), 4e5, 1);
+  EXPECT_NEAR(at(0.5), 1e6, 1);
+  EXPECT_NEAR(at(1), 2e6, 1);
+  EXPECT_NEAR(at(1.95), 3.6e6, 1);
+}
+
+// Pitch 2 mm: walls of a row are 2.667 mm apart, half of that is the width of a fork. At 45
+// degrees, a fork is as high as it is wide.
+TEST(LineFamilies, LateralHoneycombForksInEveryThirdPartOfTheHeight) {
+  PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 400'000};
+  place.shape.honeycomb_rad = 0.78539816339744831;
+  const double third_mm = 4.0 / 3;
+  const auto at = [&](double thirds) {
+    place.z_nm = FromMm(thirds * third_mm);
+    return Between(FillPattern::kLateralHoneycomb, place);
+  };
+  for (const double upright : {0.1, 1.0, 1.9, 3.1, 4.9}) EXPECT_EQ(at(upright), -1) << upright;
+  EXPECT_NEAR(at(2.5), 2e6 * 2 / 3, 10);
+  EXPECT_NEAR(at(5.5), 2e6 * 2 / 3, 10);
+  // Rows above a fork are half a period further.
+  place.z_nm = 0;
+  const double low = LineFamiliesOf(FillPattern::kLateralHoneycomb, place)[0].phase_nm;
+  place.z_nm = FromMm(3.5 * third_mm);
+  const double high = LineFamiliesOf(FillPattern::kLateralHoneycomb, place)[0].phase_nm;
+  EXPECT_NEAR(high - low, 2e6 * 2 / 3, 1);
+}
+
+TEST(LineFamilies, SeveralLinesAreASpacingApart) {
+  PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 400'000};
+  place.shape.lines = 3;
+  const auto families = LineFamiliesOf(FillPattern::kZigzag, place);
+  ASSERT_EQ(families.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(families[static_cast<size_t>(i)].pitch_nm, 6e6);
+    EXPECT_EQ(families[static_cast<size_t>(i)].phase_nm, (i - 1) * 400'000);
   }
 }
 

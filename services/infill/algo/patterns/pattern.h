@@ -5,6 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
+#include "common/model/options/pattern_options.h"
 #include "services/infill/algo/lines/piece.h"
 
 namespace slicefarm::infill {
@@ -24,6 +25,7 @@ struct PatternPlace {
   std::span<const Polyline> planned = {};  ///< lines of patterns that planning lays out
   /// length in nm over which lines that follow the region are smoothed; 0: none
   Coord smoothing_nm = 0;
+  PatternOptions shape = {};
 };
 
 /// Function that returns the parts of a pattern inside a region. Every pattern has this form;

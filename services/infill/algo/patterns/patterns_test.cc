@@ -242,7 +242,9 @@ TEST_P(PatternsLaidOutHere, TooManyLinesAreRefused) {
                              FillPattern::kGrid,           FillPattern::kTriangles,
                              FillPattern::kStars,          FillPattern::kCubic,
                              FillPattern::kMonotonic,      FillPattern::kConcentric,
-                             FillPattern::kMonotonicLines, FillPattern::kQuarterCubic};
+                             FillPattern::kMonotonicLines, FillPattern::kQuarterCubic,
+                             FillPattern::kCrossZag,       FillPattern::kLockedZag,
+                             FillPattern::kLateralLattice, FillPattern::kLateralHoneycomb};
   if (std::ranges::find(few, GetParam()) != std::end(few)) {
     EXPECT_TRUE(paths.ok()) << paths.status();
     return;

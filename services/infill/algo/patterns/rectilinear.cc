@@ -10,6 +10,14 @@ absl::StatusOr<std::vector<Piece>> AlignedRectilinear(const MultiPolygon& region
   return StraightPieces(region, LineFamiliesOf(FillPattern::kAlignedRectilinear, place));
 }
 
+absl::StatusOr<std::vector<Piece>> Zigzag(const MultiPolygon& region, const PatternPlace& place) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kZigzag, place));
+}
+
+absl::StatusOr<std::vector<Piece>> CrossZag(const MultiPolygon& region, const PatternPlace& place) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kCrossZag, place));
+}
+
 absl::StatusOr<std::vector<Piece>> Rectilinear(const MultiPolygon& region,
                                                const PatternPlace& place) {
   return StraightPieces(region, LineFamiliesOf(FillPattern::kRectilinear, place));

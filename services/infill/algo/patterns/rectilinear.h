@@ -8,5 +8,9 @@ namespace slicefarm::infill {
 /// aligned ones do not. The length per area is exactly 1 / pitch.
 MakePattern Rectilinear;
 MakePattern AlignedRectilinear;
+/// Aligned lines, mirrored if the options say so.
+MakePattern Zigzag;
+/// Zigzag lines that shift from layer to layer, in even and in odd layers to opposite sides.
+MakePattern CrossZag;
 
 }  // namespace slicefarm::infill

@@ -28,7 +28,7 @@ constexpr Row kRows[] = {
     {FillPattern::kRectilinear, Rectilinear},
     {FillPattern::kAlignedRectilinear, AlignedRectilinear},
     {FillPattern::kLine, Rectilinear},
-    {FillPattern::kZigzag, AlignedRectilinear},
+    {FillPattern::kZigzag, Zigzag},
     {FillPattern::kGrid, Grid},
     {FillPattern::kTriangles, Triangles},
     {FillPattern::kStars, Stars},
@@ -56,6 +56,10 @@ constexpr Row kRows[] = {
     {FillPattern::kVoronoi, Voronoi},
     {FillPattern::kCrosshatch, Crosshatch},
     {FillPattern::kQuarterCubic, QuarterCubic},
+    {FillPattern::kCrossZag, CrossZag},
+    {FillPattern::kLockedZag, CrossZag},  // its parts: locked_zag.h
+    {FillPattern::kLateralLattice, LateralLattice},
+    {FillPattern::kLateralHoneycomb, LateralHoneycomb},
 };
 
 constexpr bool InOrder() {

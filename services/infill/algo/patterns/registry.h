@@ -5,8 +5,9 @@
 
 namespace slicefarm::infill {
 
-/// Returns the function of a pattern. All code that uses patterns calls this function: sparse fill,
-/// solid fill, the gallery, benchmarks and tests. Each pattern is one file of this folder.
+/// Returns the function of a pattern. All code that uses patterns calls this function, most of it
+/// through PiecesOfPattern: sparse fill, solid fill, the gallery, benchmarks and tests. Each
+/// pattern is one file of this folder.
 MakePattern* PatternOf(FillPattern pattern);
 
 }  // namespace slicefarm::infill

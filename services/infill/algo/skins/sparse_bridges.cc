@@ -40,20 +40,21 @@ MultiPolygon ToBeads(const MultiPolygon& bridged, const SparseBelow& below,
 }
 
 /// Returns the least width of a skin that is bridged.
-Coord LeastBridgeNm(double pitch_nm, Coord width_nm) {
-  return static_cast<Coord>(std::llround(pitch_nm)) + width_nm;
+Coord LeastBridgeNm(double gap_nm, Coord width_nm) {
+  return static_cast<Coord>(std::llround(gap_nm)) + width_nm;
 }
 
 }  // namespace
 
-MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm) {
+MultiPolygon BridgeMiddles(const MultiPolygon& solid, double gap_nm, Coord width_nm) {
   // The layer below may be higher, and its lines nearer to each other.
   constexpr double kSurely = 0.8;
-  return SmoothOffset(solid, -LeastBridgeNm(kSurely * pitch_nm, width_nm) / 2);
+  return SmoothOffset(solid, -LeastBridgeNm(kSurely * gap_nm, width_nm) / 2);
 }
 
 MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins) {
-  return WidePart(Intersection(skins.solid, below.region), LeastBridgeNm(below.pitch_nm, width_nm));
+  return WidePart(Intersection(skins.solid, below.region),
+                  LeastBridgeNm(below.least_gap_nm, width_nm));
 }
 
 SparseBridges TakeSparseBridges(MultiPolygon bridged, const SparseBelow& below, Coord width_nm,

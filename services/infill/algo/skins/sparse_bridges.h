@@ -12,7 +12,8 @@ struct SparseBelow {
   MultiPolygon region;  ///< part of the fill area that has sparse infill below it
   /// area of the infill's beads; empty if the positions of its lines are not known
   MultiPolygon beads;
-  double pitch_nm = 0;  ///< distance between lines of the infill, in nm
+  double pitch_nm = 0;      ///< distance between lines of the infill, in nm
+  double least_gap_nm = 0;  ///< least width of a skin to be bridged, besides its own line, in nm
 };
 
 /// Bridges over sparse infill.
@@ -22,13 +23,13 @@ struct SparseBridges {
   MultiPolygon bearers;
 };
 
-/// Returns the points of `solid` around which it is wide enough for a bridge over infill of this
-/// pitch, with beads of `width_nm`. For most solid parts the result is empty. Cost: one offset.
-MultiPolygon BridgeMiddles(const MultiPolygon& solid, double pitch_nm, Coord width_nm);
+/// Returns the points of `solid` around which it is wide enough for a bridge over gaps of
+/// `gap_nm`, with beads of `width_nm`. For most solid parts the result is empty. Cost: one offset.
+MultiPolygon BridgeMiddles(const MultiPolygon& solid, double gap_nm, Coord width_nm);
 
 /// Returns the parts of `skins.solid` over sparse infill that need bridges: the parts that are at
-/// least below.pitch_nm + `width_nm` wide. The positions of the lines below are not used. Cost: one
-/// intersection; a few offsets and one intersection more for the parts found.
+/// least below.least_gap_nm + `width_nm` wide. The positions of the lines below are not used. Cost:
+/// one intersection; a few offsets and one intersection more for the parts found.
 MultiPolygon UnheldParts(const SparseBelow& below, Coord width_nm, const Skins& skins);
 
 /// Removes `bridged` (the result of UnheldParts) from the skins and returns it as bridges. If the

@@ -20,7 +20,8 @@ double Mm2(const MultiPolygon& region) { return Area(region) / 1e12; }
 SparseBelow LinesBelow(double pitch_mm) {
   SparseBelow below{.region = MakePolygonsOrDie("(-20 -20, 20 -20, 20 20, -20 20)"),
                     .beads = {},
-                    .pitch_nm = pitch_mm * kNmPerMm};
+                    .pitch_nm = pitch_mm * kNmPerMm,
+                    .least_gap_nm = pitch_mm * kNmPerMm};
   std::vector<Polyline> lines;
   for (double x = -20; x <= 20; x += pitch_mm)
     lines.push_back({{FromMm(x), FromMm(-20)}, {FromMm(x), FromMm(20)}});

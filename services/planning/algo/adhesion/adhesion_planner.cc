@@ -99,6 +99,7 @@ BrimOptions AdhesionPlanner::BrimOf(int32_t object, const Seen& seen) const {
   BrimOptions brim = options_.objects[static_cast<size_t>(object)].brim;
   if (brim.automatic.on)
     brim.width_nm = AutomaticBrimWidth(brim.automatic, seen.on_bed, seen.height_nm);
+  if (!brim.compensated) brim.separation_nm += brim.foot_nm;
   return brim;
 }
 

@@ -94,6 +94,20 @@ TEST(AdhesionPlanner, BrimsGiveWayToADraftShieldAndSkirtsToBrims) {
   EXPECT_EQ(Bounds(RegionsOf(shield, 0, Role::kBrim)).max.x, FromMm(8)) << "up to the line's edge";
 }
 
+// The brim begins at the outline without the compensation of the first layer.
+TEST(AdhesionPlanner, TheBrimKeepsOffTheCompensatedOutlineIfAskedFor) {
+  PlanningOptions options = WithBrim(3);
+  options.objects[0].brim.foot_nm = FromMm(0.4);
+  const auto left = [&] {
+    const JobPlan plan = PlanOrDie(options, {{0, Mm(100, 50), {}}}, LayersOrDie({kSquare})).plan;
+    EXPECT_EQ(plan.stacks.size(), 1u);
+    return Bounds(plan.stacks[0].sections[0].regions[0].outlines).min.x;
+  };
+  const Coord close = left();
+  options.objects[0].brim.compensated = false;
+  EXPECT_EQ(left(), close - FromMm(0.4));
+}
+
 TEST(AdhesionPlanner, BrimsOfCopiesThatStandCloseAreOneRegion) {
   const Planned plan =
       PlanOrDie(WithBrim(2, 0.1), {{0, Mm(0, 0), {}}, {0, Mm(13, 0), {}}, {0, Mm(60, 0), {}}},

@@ -67,17 +67,17 @@ MultiPolygon United(std::span<const Polygon> discs) {
   return Union(United(discs.first(half)), United(discs.subspan(half)));
 }
 
-/// Returns discs around the sharp corners of islands without holes.
-MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
+/// Returns discs around the sharp corners of the rings of islands.
+MultiPolygon Ears(const MultiPolygon& outlines, const BrimOptions& options) {
   std::vector<Polygon> discs;
-  for (const PolygonWithHoles& island : filled) {
-    const Polygon ring = SimplifyRing(island.outer, options.ear_detection_nm);
+  ForEachRing(outlines, [&](const Polygon& outline) {
+    const Polygon ring = SimplifyRing(outline, options.ear_detection_nm);
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point before = ring[(i + ring.size() - 1) % ring.size()];
       if (IsSharp(before, ring[i], ring[(i + 1) % ring.size()], options.ear_max_angle_rad))
         discs.push_back(Disc(ring[i], options.width_nm));
     }
-  }
+  });
   return United(discs);
 }
 
@@ -86,7 +86,10 @@ MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
 MultiPolygon Zone(const BrimObject& object) {
   const BrimOptions& options = object.options;
   const MultiPolygon filled = Filled(object.outlines);
-  if (options.type == BrimType::kEars) return Difference(Ears(filled, options), filled);
+  if (options.type == BrimType::kEars) {
+    const MultiPolygon& corners = options.ears_outside_only ? filled : object.outlines;
+    return Difference(Ears(corners, options), corners);
+  }
   const MultiPolygon wide = Offset(object.outlines, Separation(options) + options.width_nm, kRound);
   if (options.type == BrimType::kOuterAndInner) return wide;
   return options.type == BrimType::kOuterOnly ? Difference(wide, filled)

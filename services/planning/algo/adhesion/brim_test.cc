@@ -125,6 +125,19 @@ TEST(BrimRegions, EarsAtSharpConvexCornersOnly) {
                        [](Point p) { EXPECT_GT(DistanceToRegion(p, P(kBox)), 0.19e6); });
 }
 
+// A tooth reaches into the hole of a frame: it has two sharp corners.
+TEST(BrimRegions, EarsInHolesOnlyIfAskedFor) {
+  const MultiPolygon toothed =
+      P("(0 0, 60 0, 60 60, 0 60) (10 10, 10 50, 50 50, 50 10, 32 10, 32 25, 28 25, 28 10)");
+  BrimOptions ears = Options(BrimType::kEars, 3);
+  ears.ear_detection_nm = 50'000;
+  const double outside = Mm2(Brims({{toothed, ears}})[0]);
+  ears.ears_outside_only = false;
+  const double both = Mm2(Brims({{toothed, ears}})[0]);
+  EXPECT_GT(both, outside + kPi * 9 * 0.75);
+  EXPECT_LT(both, outside + 2 * kPi * 9);
+}
+
 TEST(BrimRegions, NeighboursShareWhatLiesBetween) {
   const MultiPolygon left = P(kBox), right = P("(24 0, 44 0, 44 20, 24 20)");
   const auto brims = Brims({{left, Outer(4)}, {right, Outer(4)}});

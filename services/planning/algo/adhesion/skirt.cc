@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/between.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
@@ -28,6 +29,26 @@ Path SkirtLoop(Polygon ring, const SkirtOptions& options) {
   path.points = std::move(ring);
   path.widths_nm = {options.width_nm};
   return path;
+}
+
+/// Returns a ring that begins where the ray from `middle` at an angle leaves it. A ring that the
+/// ray does not meet is not changed. REQUIRES: `middle` is inside the ring, which is convex.
+Polygon BeginningAt(Polygon ring, Point middle, double angle_rad) {
+  const double x = Cos(angle_rad), y = Sin(angle_rad);
+  const auto side = [&](Point p) {
+    const Point from = p - middle;
+    return x * static_cast<double>(from.y) - y * static_cast<double>(from.x);
+  };
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    const double before = side(a), after = side(b);
+    if (!(before < 0 && after >= 0)) continue;  // the ring is counter-clockwise
+    const Point start = PointBetween(a, b, before / (before - after));
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, ring.end());
+    if (ring.front() != start && ring.back() != start) ring.insert(ring.begin(), start);
+    return ring;
+  }
+  return ring;
 }
 
 /// Returns the length of filament that a loop uses on the first layer, in nm.
@@ -116,6 +137,8 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   const Polygon hull = ConvexHull(std::move(points));
   if (hull.size() < 3) return {};
 
+  const Box box = Bounds(hull);
+  const Point middle{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
   std::vector<Path> loops;
   double filament_nm = 0;
   const auto wanted = [&] {
@@ -127,7 +150,10 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   for (; wanted(); distance_nm += spacing_nm) {
     const MultiPolygon around = Offset({{hull, {}}}, distance_nm, {.join = Join::kRound});
     if (around.empty()) return {};  // the hull is only a few nm wide
-    loops.push_back(SkirtLoop(around.front().outer, options));
+    Polygon ring = around.front().outer;
+    if (options.start_angle_rad > kNoStartAngle)
+      ring = BeginningAt(std::move(ring), middle, options.start_angle_rad);
+    loops.push_back(SkirtLoop(std::move(ring), options));
     filament_nm += FilamentNm(loops.back(), options);
   }
   std::reverse(loops.begin(), loops.end());

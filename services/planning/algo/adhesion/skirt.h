@@ -41,7 +41,8 @@ class SkirtReach {
 /// brims, with round corners. With a draft shield it is at this distance from the hull of the parts
 /// alone. Further loops surround this loop at the bead's spacing. Loops are added until there are
 /// `options.loops` of them and their filament on the first layer reaches `options.min_length_nm`,
-/// up to limits::kMaxSkirtLoops.
+/// up to limits::kMaxSkirtLoops. With options.start_angle_rad each loop begins in this direction
+/// from the middle of the hull's box.
 ///
 /// Shapes: `parts` has the outlines of the first `SkirtLayers` layers, supports and rafts included,
 /// in any order. The outlines may overlap. Paths are closed, counter-clockwise, Feature::kSkirt,

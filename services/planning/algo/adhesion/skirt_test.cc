@@ -36,6 +36,22 @@ struct Case {
   std::vector<double> distances_mm;
 };
 
+TEST(SkirtLoops, BeginInTheDirectionOfTheSetting) {
+  for (const double degrees : {-135.0, -90.0, 0.0, 30.0, 180.0, 225.0}) {
+    SkirtOptions options{.loops = 2};
+    options.start_angle_rad = degrees * kPi / 180;
+    const std::vector<Path> plain = SkirtLoops(Box20(), {}, {.loops = 2});
+    const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
+    ASSERT_EQ(loops.size(), 2u);
+    for (size_t i = 0; i < 2; ++i) {
+      const Point start = loops[i].points.front() - Point{FromMm(10), FromMm(10)};
+      const double angle = std::atan2(static_cast<double>(start.y), static_cast<double>(start.x));
+      EXPECT_NEAR(std::remainder(angle - options.start_angle_rad, 2 * kPi), 0, 1e-6) << degrees;
+      EXPECT_NEAR(PathLength(loops[i]), PathLength(plain[i]), 10);
+    }
+  }
+}
+
 TEST(SkirtLoops, StandWhereTheSettingsSay) {
   const double s = 0.4 - 0.2 * (1 - kPi / 4);
   const MultiPolygon brim = P("(-4 -4, 24 -4, 24 24, -4 24) (0 0, 20 0, 20 20, 0 20)");

@@ -39,7 +39,7 @@ Clearance::Clearance(const SupportProblem& problem, const SupportOptions& option
     if (cancel.Cancelled()) return;
     Layer& layer = *all[i];
     layer.box = Bounds(*layer.solid.outlines);
-    layer.spaced = FastOffset(*layer.solid.outlines, options_.xy_gap_nm);
+    layer.spaced = FastOffset(*layer.solid.outlines, XyGap(options_, layer.solid.bottom_nm()));
     layer.edged = FastOffset(*layer.solid.outlines, kEdgeNm);
   });
 }

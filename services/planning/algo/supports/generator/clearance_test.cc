@@ -41,6 +41,20 @@ INSTANTIATE_TEST_SUITE_P(Box, ClearanceTest,
                                          Case{"AtTheLowerGap", 4'300'000, 4'500'000, 0}),
                          [](const auto& info) { return info.param.name; });
 
+// Only the layer of the part on the bed has the gap of the first layer.
+TEST(Clearance, HasAGapOfItsOwnInTheFirstLayer) {
+  const TestStack box(20, [](double) { return BoxOf(0, 0, 5, 5); });
+  const SupportProblem problem = box.Problem();
+  SupportOptions options;
+  options.first_xy_gap_nm = 600'000;
+  const Clearance clearance(problem, options, 100'000'000, 1);
+  const auto free_mm = [&](Coord bottom_nm, Coord top_nm) {
+    return AreaMm2(clearance.Free(BoxOf(0, 1, 10, 2), bottom_nm, top_nm));
+  };
+  EXPECT_NEAR(free_mm(0, 200'000), 10 - 5.6, 1e-6);
+  EXPECT_NEAR(free_mm(1'000'000, 1'200'000), 10 - 5.225, 1e-6);
+}
+
 TEST(Clearance, KeepsOffOthersAndOnTheBed) {
   const TestStack nothing(5, [](double) { return MultiPolygon(); });
   const TestStack other(5, [](double) { return BoxOf(0, 0, 5, 5); });

@@ -134,4 +134,17 @@ Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOp
   return overhang;
 }
 
+void KeepSteep(const SupportProblem& problem, size_t index, const SupportOptions& options,
+               MultiPolygon steep, Overhang& overhang) {
+  overhang.steep = std::move(steep);
+  if (overhang.steep.empty()) {
+    overhang.contact.clear();
+    return;
+  }
+  const Coord threshold =
+      OverhangThreshold(options, problem.part[index].height_nm, problem.part[index - 1].height_nm);
+  const Coord reach = std::max(threshold, kEnforcedNm) + kAlongNm;
+  overhang.contact = Intersection(overhang.contact, FastOffset(overhang.steep, reach));
+}
+
 }  // namespace slicefarm::planning

@@ -40,6 +40,10 @@ Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord be
 /// layer, and an offset if something is steep.
 Overhang OverhangOf(const SupportProblem& problem, size_t index, const SupportOptions& options);
 
+/// Replaces the steep area of an overhang by a part of it, and reduces the contact accordingly.
+void KeepSteep(const SupportProblem& problem, size_t index, const SupportOptions& options,
+               MultiPolygon steep, Overhang& overhang);
+
 /// Returns the islands of layer `index` of the part that do not touch the layer below.
 MultiPolygon IslandsInAirOf(const SupportProblem& problem, size_t index);
 

@@ -67,7 +67,8 @@ class FieldMaker {
     FillBetween(problem_.part, bottom, top, blocked);
     for (const auto& other : problem_.others) FillBetween(other, bottom, top, blocked);
     std::vector<PixelDistance> clear = DistanceTo(blocked);
-    Subtract(clear, static_cast<int>(options_.xy_gap_nm * kDistanceSteps / grid_.pixel_nm));
+    const Coord gap = XyGap(options_, slab.bottom_nm);
+    Subtract(clear, static_cast<int>(gap * kDistanceSteps / grid_.pixel_nm));
     return clear;
   }
 

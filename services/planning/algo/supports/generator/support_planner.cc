@@ -19,6 +19,7 @@
 #include "services/planning/algo/supports/generator/kept_rings.h"
 #include "services/planning/algo/supports/generator/overhangs.h"
 #include "services/planning/algo/supports/generator/reach_field.h"
+#include "services/planning/algo/supports/generator/small_overhangs.h"
 #include "services/planning/algo/supports/generator/standing.h"
 #include "services/planning/algo/supports/generator/support_heights.h"
 
@@ -82,6 +83,8 @@ class Planner {
     ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
       if (!cancel_.Cancelled()) overhangs_[i] = OverhangOf(problem_, i, options_);
     });
+    if (options_.ignore_small && !cancel_.Cancelled())
+      RemoveSmallOverhangs(problem_, options_, overhangs_);
   }
 
   void FindContacts(const Clearance& clearance) {

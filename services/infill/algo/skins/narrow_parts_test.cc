@@ -1,0 +1,44 @@
+#include "services/infill/algo/skins/narrow_parts.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format_test.h"
+
+namespace slicefarm::infill::narrow_parts_test {
+namespace {
+
+double Mm2(const MultiPolygon& area) { return Area(area) / 1e12; }
+
+TEST(PartByWidth, CutsLimbsOff) {
+  // A square of 20 mm with a limb of 3 x 15 mm.
+  const auto parts = PartByWidth(
+      MakePolygonsOrDie("(0 0, 20 0, 20 5, 35 5, 35 8, 20 8, 20 20, 0 20)"), FromMm(4), 450'000);
+  EXPECT_NEAR(Mm2(parts.wide), 400, 1e-3);
+  EXPECT_NEAR(Mm2(parts.narrow), 45, 1e-3);
+}
+
+TEST(PartByWidth, KeepsCornersOfWideParts) {
+  const MultiPolygon box = MakePolygonsOrDie("(0 0, 9 0, 9 7, 0 7)");
+  const auto parts = PartByWidth(box, FromMm(4), 450'000);
+  EXPECT_TRUE(parts.narrow.empty());
+  EXPECT_EQ(parts.wide, box);
+}
+
+TEST(PartByWidth, ARingIsNarrowAllAround) {
+  const auto parts = PartByWidth(
+      MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (3 3, 3 27, 27 27, 27 3)"), FromMm(4), 450'000);
+  EXPECT_TRUE(parts.wide.empty());
+  EXPECT_NEAR(Mm2(parts.narrow), 900 - 576, 1e-3);
+}
+
+TEST(PartByWidth, LosesNothing) {
+  const MultiPolygon solid =
+      MakePolygonsOrDie("(0 0, 20 0, 30 1, 20 3, 20 20, 10 20, 9 30, 8 20, 0 20) (5 5, 5 8, 8 8)");
+  const auto parts = PartByWidth(solid, FromMm(4), 450'000);
+  ASSERT_FALSE(parts.narrow.empty());
+  EXPECT_NEAR(Mm2(parts.wide) + Mm2(parts.narrow), Mm2(solid), 1e-3);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill::narrow_parts_test
