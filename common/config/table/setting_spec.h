@@ -49,10 +49,10 @@ enum class Kind {
 /// Returns the kind's name for clients that build forms, such as "flag" or "number_or_percent".
 constexpr std::string_view KindName(Kind kind) {
   constexpr std::string_view kNames[] = {
-      "flag",          "integer",      "number",        "percent",        "number_or_percent",
-      "choice",        "text",         "gcode",         "bed_shape",      "areas",
-      "point",         "sizes",        "density_field", "stress_field",   "material_field",
-      "angles",        "solid_layers", "flow_table",    "advance_points", "height_code",
+      "flag",          "integer",       "number",        "percent",        "number_or_percent",
+      "choice",        "text",          "gcode",         "bed_shape",      "areas",
+      "point",         "sizes",         "density_field", "stress_field",   "material_field",
+      "angles",        "solid_layers",  "flow_table",    "advance_points", "height_code",
       "layer_heights", "substitutions", "cutter"};
   return kNames[static_cast<size_t>(kind)];
 }

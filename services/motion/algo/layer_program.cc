@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -13,6 +12,7 @@
 
 #include "common/gcode/custom_code.h"
 #include "common/model/options/motion_options.h"
+#include "services/motion/algo/built_block.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/layer_writer.h"
 #include "services/motion/algo/gcode/machine_setup.h"
@@ -20,15 +20,12 @@
 #include "services/motion/algo/macro/layer_code.h"
 #include "services/motion/algo/program/custom_use.h"
 #include "services/motion/algo/toolpath/accelerations.h"
-#include "services/motion/algo/toolpath/contour_length.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
-#include "services/motion/algo/toolpath/flow_smoothing.h"
 #include "services/motion/algo/toolpath/footprint.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/toolpath/lifts.h"
-#include "services/motion/algo/toolpath/move_arcs.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion {
@@ -68,90 +65,11 @@ void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeT
   }
 }
 
-/// Moves of a block, with their statistics except times.
-struct BuiltBlock {
-  Toolpath path;
-  ProgramStats stats;
-  bool ends_retracted = true;
-
-  /// Returns the last position of the nozzle. With a wipe or a scarf seam it is beyond the end of
-  /// the last path.
-  Point Exit() const {
-    const Move& last = path.moves.back();
-    return {FromUm(last.x_um), FromUm(last.y_um)};
-  }
-};
-
-Ground GroundOf(const LayerFrame& frame, const PathBlock& block) {
-  if (frame.index == 0) return Ground::kBed;
-  return block.stack.IsPart() && block.layer == 0 ? Ground::kRaft : Ground::kLayers;
-}
-
-const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
-  return layer.blocks[static_cast<size_t>(visit.block)];
-}
-
 /// Returns true if the visits print no part: there are only supports, or no visits.
 bool PrintsNoPart(std::span<const BlockVisit> visits, const OrderedLayer& layer) {
   return std::ranges::all_of(visits, [&](const BlockVisit& visit) {
     return BlockOf(visit, layer).stack.kind == StackKind::kSupport;
   });
-}
-
-/// Returns true if the block is the layer's first one and the layer begins with the filament ready.
-bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
-  return layer.begins_ready && !layer.visits.empty() &&
-         &block == &BlockOf(layer.visits.front(), layer);
-}
-bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
-  return layer.ends_ready && !layer.visits.empty() &&
-         &block == &BlockOf(layer.visits.back(), layer);
-}
-
-/// Returns true if only the first visit of the layer prints the block.
-bool IsOnlyFirst(const PathBlock& block, const OrderedLayer& layer) {
-  const auto prints = [&](const BlockVisit& visit) { return &BlockOf(visit, layer) == &block; };
-  return !layer.visits.empty() && prints(layer.visits.front()) &&
-         std::ranges::count_if(layer.visits, prints) == 1;
-}
-
-/// `retracted_mm`: length by which the layer below retracts.
-std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options,
-                              double retracted_mm) {
-  const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2,
-                             options.flow_segment_mm, options.flow_slopes_of_outer_walls};
-  const double filament_mm2 = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
-                              options.tool().filament_diameter_mm;
-  std::vector<BuiltBlock> built;
-  built.reserve(layer.blocks.size());
-  for (const PathBlock& block : layer.blocks) {
-    std::optional<LayerBelow> below;
-    if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
-    std::optional<LayerBelow> carried;
-    if (below && !block.carried.empty()) carried.emplace(block.carried);
-    std::optional<LayerBelow> curled;
-    if (below && !block.curled.empty()) curled.emplace(block.curled);
-    ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
-                            below ? &*below : nullptr, carried ? &*carried : nullptr,
-                            curled ? &*curled : nullptr);
-    if (IsOnlyFirst(block, layer)) builder.BeginRetracted(retracted_mm);
-    if (BeginsReady(block, layer)) builder.BeginAsLeft();
-    if (block.spiral && block.paths.size() == 1) {
-      builder.AddTurn(block.paths.front(), *block.spiral, block.below);
-    } else {
-      const std::vector<double> lengths_mm = ContourLengthsMm(block.paths);
-      for (size_t i = 0; i < block.paths.size(); ++i)
-        builder.Add(block.paths[i], block.travels.empty() ? Travel{} : block.travels[i],
-                    lengths_mm[i]);
-    }
-    Toolpath path = EndsReady(block, layer) ? builder.FinishAt(block.leave) : builder.Finish();
-    if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
-    // With a material mix, each move has one mix, so no moves are joined into arcs.
-    if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
-      FindArcs(path);
-    built.push_back({std::move(path), builder.stats(), builder.retracted()});
-  }
-  return built;
 }
 
 /// Returns the start of the first bead. A turn of a spiral starts where the turn below ended.
@@ -351,15 +269,6 @@ class PassProgram {
   std::vector<CopyUse> copies_;
 };
 
-/// Returns the moves of a layer that prints nothing. If the layer below ends without a retraction,
-/// this layer retracts the filament, because the layer above may begin far away.
-BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
-  ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
-  if (layer.begins_ready) builder.BeginAsLeft();
-  Toolpath path = builder.Finish();
-  return {std::move(path), builder.stats(), builder.retracted()};
-}
-
 /// Returns the visits of each pass, in order. Without visits, returns one pass without visits.
 std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> visits) {
   std::vector<std::span<const BlockVisit>> passes;
@@ -476,10 +385,6 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   return program;
 }
 
-}  // namespace
-
-namespace {
-
 /// Returns the options with the length of retractions of the layer.
 MotionOptions AtHeight(MotionOptions options, const HeightTexts& heights, const LayerFrame& frame) {
   double& length_mm = options.tool().retraction.length_mm;
@@ -499,7 +404,7 @@ absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer
   const MotionOptions& options = own ? *own : given;
   const double retracted_mm = code.heights().RetractLengthMm(
       layer.frame.print_z_nm - layer.frame.height_nm, given.tool().retraction.length_mm);
-  const std::vector<BuiltBlock> built = Build(layer, options, retracted_mm);
+  const std::vector<BuiltBlock> built = BuildBlocks(layer, options, retracted_mm);
   std::vector<LayerProgram> programs;
   for (const std::span<const BlockVisit> visits : PassesOf(layer.visits)) {
     auto program = ProgramPass(layer, built, visits, facts, options, code, materials);
