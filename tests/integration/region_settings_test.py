@@ -35,6 +35,7 @@ CONTEXTS = {
     "infill_shift_step": {"fill_pattern": "crosszag"}, "symmetric_infill_y_axis": {"fill_pattern": "zigzag"},
     "skin_infill_": {"fill_pattern": "lockedzag"}, "skeleton_infill_": {"fill_pattern": "lockedzag"},
     "infill_lock_depth": {"fill_pattern": "lockedzag"},
+    "dont_filter_internal_bridges": {"perimeters": "1", "solid_infill_below_area": "0", "fill_density": "10%"},
     "overhang_reverse_": {"overhang_reverse": "1"}, "min_width_top_surface": {"top_one_perimeter_type": "top"},
     "top_solid_min_thickness": {"top_solid_layers": "1"}, "bottom_solid_min_thickness": {"bottom_solid_layers": "1"}}
 # Values for settings where half or twice the default does not show the effect.
@@ -43,7 +44,7 @@ VALUES = {
     "fill_angle_template": ["10,70"], "solid_fill_angle_template": ["10,70"], "bridge_angle": ["30"], "fill_angle": ["20"],
     "small_area_infill_flow_compensation_model": ["0,0;5,0.5;20,1"], "infill_every_layers": ["2"], "solid_infill_every_layers": ["3"],
     "top_solid_min_thickness": ["1.2"], "bottom_solid_min_thickness": ["1.2"], "solid_infill_below_area": ["0", "300"], "over_bridge_speed": ["33"],
-    "extra_solid_infills": ["3"], "top_surface_density": ["50"], "bottom_surface_density": ["50"], "fuzzy_skin_ripples_per_layer": ["31"],
+    "extra_solid_infills": ["3"], "min_length_factor": ["30"], "top_surface_density": ["50"], "bottom_surface_density": ["50"], "fuzzy_skin_ripples_per_layer": ["31"],
     "gap_fill_min_length": ["3"], "solid_fill_angle": ["20"], "top_bottom_infill_overlap": ["0.3"], "min_width_top_surface": ["3", "15"],
     "overhang_reverse_threshold": ["0", "2"], "scarf_seam_steps": ["100"], "scarf_seam_speed": ["10"],
     "internal_bridge_speed": ["33"], "internal_bridge_flow": ["0.8"], "ironing_inset": ["1"],

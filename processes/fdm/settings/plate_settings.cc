@@ -19,7 +19,7 @@ Coord BrimReach(const ObjectPlanOptions& object) {
                        brim.type == BrimType::kEars;
   if (!outside || brim.automatic.on || object.raft.heights.layers > 0 || brim.width_nm <= 0)
     return 0;
-  return brim.separation_nm + brim.width_nm;
+  return brim.separation_nm + (brim.compensated ? 0 : brim.foot_nm) + brim.width_nm;
 }
 
 /// Sets the distance of arranged copies: duplicate_distance between the edges of their brims.

@@ -28,8 +28,8 @@ uint64_t CornerBits(const LatticeCube& cube, uint64_t seed) {
 /// Returns bits as a number in [0, 1).
 double UnitOf(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
-/// Returns the product of a corner's gradient and the way to the point. The gradient is one of the
-/// twelve directions to the edges of a cube.
+/// Returns the height of a corner's slope at a point, given relative to the corner. The gradient is
+/// one of the twelve directions to the edges of a cube.
 double CornerSlope(uint64_t bits, double x, double y, double z) {
   const uint64_t edge = bits % 12;
   const double first = edge < 8 ? x : y;

@@ -75,7 +75,7 @@ TEST(PerlinNoise, MoreOctavesAndMorePersistenceAreRougher) {
   EXPECT_GT(roughness({4, 0.8}), 1.3 * roughness({4, 0.5}));
 }
 
-// Nearly all steps of a line stay within a cell; the others change the value.
+// Nearly all steps of a line stay within a cell. A few steps lead into another cell.
 TEST(VoronoiNoise, IsConstantInCells) {
   std::set<double> values;
   int changes = 0;

@@ -13,8 +13,8 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Returns the distance along a closed wall at which it crosses the x axis furthest to the left, or
-/// the distance of the corner nearest to the axis if it does not cross the axis.
+/// Returns the distance along a closed wall at which it crosses the x axis furthest to the left.
+/// For a wall that does not cross the axis, returns the distance of the corner nearest to the axis.
 double AnchorOf(const Path& wall) {
   double along = 0, crossing = -1, corner = 0;
   double left = std::numeric_limits<double>::infinity();

@@ -44,7 +44,7 @@ TEST(Ripples, ShiftFromGroupToGroupOfLayers) {
   EXPECT_NEAR(crest(3), 0, 1e-9);
 }
 
-// Where no wall crosses the axis, the waves begin at the nearest corner.
+// Waves of a wall beside the axis begin at the nearest corner.
 TEST(Ripples, BeginAtTheNearestCornerBesideTheAxis) {
   const Path wall = Square("(0 20, 10 5, 20 20)");
   const FuzzyTexture texture{.noise = FuzzyNoise::kRipple, .ripples = 3};

@@ -98,7 +98,7 @@ TEST(MakePolyholes, ReplacesHolesOfTwoLayersOrMore) {
   EXPECT_EQ(HoleOf(made[1]).size(), 8u);
   EXPECT_EQ(HoleOf(made[2]).size(), 8u);
   EXPECT_NE(HoleOf(made[1]), HoleOf(made[2]));
-  // Nothing of the hole is lost.
+  // The whole circle remains open.
   EXPECT_GE(-SignedArea(HoleOf(made[1])), -SignedArea(hole));
   const auto single = Made({Plate(0, {}), Plate(1, {hole}), Plate(2, {})});
   EXPECT_EQ(HoleOf(single[1]), hole);
