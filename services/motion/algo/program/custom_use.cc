@@ -13,11 +13,13 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Returns a line that sets the position to the target of the first move in the plane.
+/// Returns a line that sets the position to the target of the first move in the plane, if it is a
+/// travel.
 std::string StartLine(std::string_view code, GcodeMachine machine) {
   for (const std::string_view line : Split(code, "\n"))
     for (const ProgramMove& move : machine.Read(ParseGcodeLine(line)).moves)
-      if (move.InPlane()) return absl::StrCat("G92 X", move.to[kX], " Y", move.to[kY], "\n");
+      if (move.InPlane())
+        return move.Prints() ? "" : absl::StrCat("G92 X", move.to[kX], " Y", move.to[kY], "\n");
   return "";
 }
 
