@@ -104,10 +104,11 @@ std::vector<SettingSpec> AtHeights() {
   return {
       {.key = "custom_gcode_per_print_z",
        .kind = Kind::kHeightCode,
-       .doc = "Actions at heights of the print, as a list in JSON: height z in mm, type "
-              "(color_change, pause, template, custom or retract_length) and its text (the colour, "
-              "the message on the display, the G-code, or the length of retractions from this "
-              "height on)",
+       .doc =
+           "Actions at heights of the print, as a list in JSON. Each action has a height z in mm, "
+           "a type and a text. color_change: the text is the colour. pause: the message on the "
+           "display. template, custom: the G-code. retract_length: the length of retractions "
+           "from this height on",
        .field = Bind<&MachineRow::motion, &MachineMotion::writing, &WritingOptions::height_code>(),
        .orca = {{"custom_gcode_per_print_z", OrcaValue::kWhole}},
        .needs = {&needs::kLayerByLayer}},
