@@ -66,7 +66,7 @@ TEST(FirmwareNamedIn, IsTheOneOfTheQuotedSettings) {
   const std::pair<const char*, std::string_view> cases[] = {
       {"G1 X1\n; prusaslicer_config = begin\n; gcode_flavor = klipper\n", "klipper"},
       {"G1 X1\n; prusaslicer_config = begin\n; gcode_flavor = marlin2\n", "marlin"},
-      {"G1 X1\n; gcode_flavor = marlin\n; machine_max_acceleration_x = 9000\n"
+      {";LAYER_CHANGE\nG1 X1\n; gcode_flavor = marlin\n; machine_max_acceleration_x = 9000\n"
        "; printable_area = 0x0,256x0,256x256,0x256\n; printer_model = Bambu Lab A1\n",
        "bambu"}};
   for (const auto& [gcode, name] : cases) {
