@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "absl/strings/ascii.h"
 
 namespace slicefarm::config::presets {
@@ -33,8 +36,23 @@ std::string OverlayName(std::string_view printer, std::string_view filament) {
   return name;
 }
 
-std::vector<std::string> OverlayNames(std::string_view printer, std::string_view filament) {
-  return {OverlayName(printer), OverlayName(printer, filament)};
+absl::StatusOr<std::vector<std::string>> WithOverlays(const PresetNames& presets,
+                                                      std::vector<std::string> profiles,
+                                                      const NewestRevision& newest) {
+  std::vector<std::string> all;
+  for (const std::string_view filament : {std::string_view(), std::string_view(presets.filament)}) {
+    const std::string name = OverlayName(presets.printer, filament);
+    const auto is_named = [&](const std::string& ref) {
+      return ref.substr(0, ref.rfind('@')) == name;
+    };
+    if (std::ranges::any_of(profiles, is_named)) continue;
+    const auto revision = newest(name);
+    if (absl::IsNotFound(revision.status())) continue;
+    if (!revision.ok()) return revision.status();
+    all.push_back(fmt::format("{}@{}", name, *revision));
+  }
+  std::ranges::move(profiles, std::back_inserter(all));
+  return all;
 }
 
 }  // namespace slicefarm::config::presets

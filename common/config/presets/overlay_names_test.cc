@@ -30,8 +30,25 @@ TEST(OverlayName, DifferentPresetsHaveDifferentNames) {
   EXPECT_EQ(names.size(), count);
 }
 
-TEST(OverlayNames, TheFilamentOverridesThePrinter) {
-  EXPECT_THAT(OverlayNames("P", "F"), testing::ElementsAre("overlay.P", "overlay.P__with__F"));
+TEST(WithOverlays, TheOverlaysThatExistComeFirst) {
+  const PresetNames presets = {"P", "Q", "F"};
+  const auto all = [](const std::string& name) -> absl::StatusOr<int64_t> {
+    return name == "overlay.P" ? 3 : 5;
+  };
+  const auto none = [](const std::string&) -> absl::StatusOr<int64_t> {
+    return absl::NotFoundError("no");
+  };
+  const auto fails = [](const std::string&) -> absl::StatusOr<int64_t> {
+    return absl::UnavailableError("no");
+  };
+  EXPECT_THAT(*WithOverlays(presets, {"mine@1"}, all),
+              testing::ElementsAre("overlay.P@3", "overlay.P__with__F@5", "mine@1"));
+  EXPECT_THAT(*WithOverlays(presets, {"overlay.P@1", "mine"}, all),
+              testing::ElementsAre("overlay.P__with__F@5", "overlay.P@1", "mine"));
+  EXPECT_THAT(*WithOverlays(presets, {"overlay.P", "overlay.P__with__F@2"}, fails),
+              testing::ElementsAre("overlay.P", "overlay.P__with__F@2"));
+  EXPECT_THAT(*WithOverlays(presets, {"mine"}, none), testing::ElementsAre("mine"));
+  EXPECT_TRUE(absl::IsUnavailable(WithOverlays(presets, {}, fails).status()));
 }
 
 }  // namespace

@@ -139,22 +139,17 @@ absl::StatusOr<std::vector<v1::Job>> CreatePlates(const SubmitOptions& options,
 /// presets that the spec names.
 absl::Status AddOverlays(const GivenPlate& plate, JobsClient& client, v1::JobSpec& spec) {
   if (plate.presets.printer.empty()) return absl::OkStatus();
-  google::protobuf::RepeatedPtrField<std::string> all;
-  for (const std::string& name :
-       config::presets::OverlayNames(plate.presets.printer, plate.presets.filament)) {
-    const bool named = std::ranges::any_of(spec.profiles(), [&](const std::string& text) {
-      return text.substr(0, text.rfind('@')) == name;
-    });
-    if (named) continue;
+  const auto newest = [&](const std::string& name) -> absl::StatusOr<int64_t> {
     v1::GetProfileRequest get;
     get.set_name(name);
     const auto found = client.GetProfile(get);
-    if (absl::IsNotFound(found.status())) continue;
     if (!found.ok()) return found.status();
-    *all.Add() = fmt::format("{}@{}", name, found->revision());
-  }
-  all.MergeFrom(spec.profiles());
-  spec.mutable_profiles()->Swap(&all);
+    return found->revision();
+  };
+  const auto all = config::presets::WithOverlays(
+      plate.presets, {spec.profiles().begin(), spec.profiles().end()}, newest);
+  if (!all.ok()) return all.status();
+  spec.mutable_profiles()->Assign(all->begin(), all->end());
   return absl::OkStatus();
 }
 

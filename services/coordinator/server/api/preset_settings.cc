@@ -1,7 +1,5 @@
 #include "services/coordinator/server/api/preset_settings.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -88,25 +86,18 @@ absl::StatusOr<NamedPresets> PresetsOf(const v1::JobSpec& spec, const std::strin
   return NamedPresets{*std::move(loaded), *std::move(job)};
 }
 
-bool NamesProfile(const v1::JobSpec& spec, const std::string& name) {
-  return std::ranges::any_of(spec.profiles(), [&](const std::string& text) {
-    return text.substr(0, text.rfind('@')) == name;
-  });
-}
-
 /// Inserts the stored overlays of the presets before the profiles that the spec names.
 absl::Status AddOverlays(const config::presets::PresetNames& names, const std::string& tenant,
                          ProfileStore& profiles, v1::JobSpec& spec) {
-  google::protobuf::RepeatedPtrField<std::string> all;
-  for (const std::string& name : config::presets::OverlayNames(names.printer, names.filament)) {
-    if (NamesProfile(spec, name)) continue;
+  const auto newest = [&](const std::string& name) -> absl::StatusOr<int64_t> {
     const auto record = profiles.Get(tenant, name, 0);
-    if (absl::IsNotFound(record.status())) continue;
     if (!record.ok()) return record.status();
-    *all.Add() = fmt::format("{}@{}", name, record->revision);
-  }
-  all.MergeFrom(spec.profiles());
-  spec.mutable_profiles()->Swap(&all);
+    return record->revision;
+  };
+  const auto all = config::presets::WithOverlays(
+      names, {spec.profiles().begin(), spec.profiles().end()}, newest);
+  if (!all.ok()) return all.status();
+  spec.mutable_profiles()->Assign(all->begin(), all->end());
   return absl::OkStatus();
 }
 

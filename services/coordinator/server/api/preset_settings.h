@@ -11,10 +11,9 @@ namespace slicefarm::coordinator {
 
 /// Returns the spec as it is stored: with all settings of its presets, of its profiles and its own,
 /// in this order. Presets get their full names, and bundles and profiles get revisions, so later
-/// changes of them do not change the spec. The overlays of the presets (config::presets::
-/// OverlayNames) that are stored as profiles are inserted before the spec's profiles, unless it
-/// names them. The spec tells the sources of its settings (TellsSources). `default_profile`: see
-/// WithMachine.
+/// changes of them do not change the spec. The overlays of the presets that are stored as
+/// profiles are inserted before the spec's profiles (config::presets::WithOverlays). The spec tells
+/// the sources of its settings (TellsSources). `default_profile`: see WithMachine.
 ///
 /// Errors: PROFILE_NOT_FOUND (FailedPrecondition); REQUEST_MALFORMED for presets in a job of
 /// another process than FDM; see WithMachine, PresetLibrary::Load and
