@@ -481,7 +481,7 @@ TEST_F(Program, RendersWhatItSliced) {
 TEST_F(Program, ListsSettings) {
   EXPECT_THAT(Run({"settings"}).out, HasSubstr("layer_height = 0.3\n"));
   const auto json = nlohmann::json::parse(Run({"settings", "--json", "perimeter_speed"}).out);
-  ASSERT_EQ(json.size(), 3);
+  ASSERT_EQ(json.size(), 4);
   EXPECT_EQ(json[1]["key"], "perimeter_speed");
   EXPECT_EQ(json[1]["unit"], "mm/s");
   EXPECT_EQ(json[1]["scope"], "region");
