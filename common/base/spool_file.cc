@@ -52,17 +52,17 @@ absl::Status SpoolFile::Error(const char* what) const {
   return SpoolError(what, directory_, errno);
 }
 
-absl::StatusOr<SpoolFile::Place> SpoolFile::Add(std::string_view text) {
+absl::StatusOr<SpoolFile::Chunk> SpoolFile::Add(std::string_view text) {
   const auto size = static_cast<int64_t>(text.size());
-  const Place place{end_.fetch_add(size), size};
-  for (int64_t at = place.offset; !text.empty();) {
+  const Chunk chunk{end_.fetch_add(size), size};
+  for (int64_t at = chunk.offset; !text.empty();) {
     const ssize_t n = pwrite(descriptor_, text.data(), text.size(), at);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return Error("write");
     text.remove_prefix(static_cast<size_t>(n));
     at += n;
   }
-  return place;
+  return chunk;
 }
 
 absl::Status SpoolFile::ReadAt(int64_t offset, std::span<char> bytes) const {

@@ -17,7 +17,7 @@ namespace slicefarm {
 class SpoolFile {
  public:
   /// Position and length of a text in the file, in bytes.
-  struct Place {
+  struct Chunk {
     int64_t offset = 0;
     int64_t size = 0;
   };
@@ -30,7 +30,7 @@ class SpoolFile {
   SpoolFile& operator=(const SpoolFile&) = delete;
   ~SpoolFile();
 
-  absl::StatusOr<Place> Add(std::string_view text);
+  absl::StatusOr<Chunk> Add(std::string_view text);
 
   /// Fills `bytes` with the file's data from `offset` on. Returns STORE_FAILED if the file has
   /// fewer bytes after `offset`.

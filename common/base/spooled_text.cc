@@ -51,10 +51,10 @@ void SpooledText::Add(std::string text) {
   pieces_.emplace_back(std::move(text));
 }
 
-void SpooledText::Add(SpoolFile::Place place) {
-  if (place.size == 0) return;
-  size_ += place.size;
-  pieces_.emplace_back(place);
+void SpooledText::Add(SpoolFile::Chunk chunk) {
+  if (chunk.size == 0) return;
+  size_ += chunk.size;
+  pieces_.emplace_back(chunk);
 }
 
 absl::Status SpooledText::ForEachBlock(const Visit& visit) const {
@@ -67,9 +67,9 @@ absl::Status SpooledText::ForEachBlock(const Visit& visit) const {
         return absl::OkStatus();
       });
     } else {
-      const auto& place = std::get<SpoolFile::Place>(piece);
-      taken = blocks.Take(place.size, [&](int64_t offset, std::span<char> bytes) {
-        return spool_->ReadAt(place.offset + offset, bytes);
+      const auto& chunk = std::get<SpoolFile::Chunk>(piece);
+      taken = blocks.Take(chunk.size, [&](int64_t offset, std::span<char> bytes) {
+        return spool_->ReadAt(chunk.offset + offset, bytes);
       });
     }
     if (!taken.ok()) return taken;
@@ -86,8 +86,8 @@ absl::Status SpooledText::Append(const Piece& piece, int64_t offset, int64_t cou
   }
   const size_t have = text.size();
   text.resize(have + static_cast<size_t>(count));
-  const auto& place = std::get<SpoolFile::Place>(piece);
-  return spool_->ReadAt(place.offset + offset, std::span(text).subspan(have));
+  const auto& chunk = std::get<SpoolFile::Chunk>(piece);
+  return spool_->ReadAt(chunk.offset + offset, std::span(text).subspan(have));
 }
 
 absl::StatusOr<std::string> SpooledText::Read(int64_t offset, int64_t limit) const {
@@ -96,7 +96,7 @@ absl::StatusOr<std::string> SpooledText::Read(int64_t offset, int64_t limit) con
   for (const Piece& piece : pieces_) {
     const auto* part = std::get_if<std::string>(&piece);
     const int64_t size =
-        part != nullptr ? std::ssize(*part) : std::get<SpoolFile::Place>(piece).size;
+        part != nullptr ? std::ssize(*part) : std::get<SpoolFile::Chunk>(piece).size;
     const int64_t from = offset + std::ssize(text) - begin;
     const int64_t count = std::min(size - from, limit - std::ssize(text));
     begin += size;

@@ -30,7 +30,7 @@ class SpooledText {
 
   void Add(std::string text);
   /// Appends a piece that is in the spool file. REQUIRES: the text has a spool file.
-  void Add(SpoolFile::Place place);
+  void Add(SpoolFile::Chunk chunk);
 
   int64_t size() const { return size_; }
 
@@ -47,7 +47,7 @@ class SpooledText {
   absl::StatusOr<std::string> Whole() const;
 
  private:
-  using Piece = std::variant<std::string, SpoolFile::Place>;
+  using Piece = std::variant<std::string, SpoolFile::Chunk>;
 
   absl::Status Append(const Piece& piece, int64_t offset, int64_t count, std::string& text) const;
 

@@ -26,12 +26,12 @@ std::string Counted(size_t size, char first) {
 
 TEST(SpooledText, IsItsPiecesInTheirOrder) {
   auto spool = NewSpool();
-  const SpoolFile::Place last = *spool->Add("the spool's first");
-  const SpoolFile::Place first = *spool->Add("its second, ");
+  const SpoolFile::Chunk last = *spool->Add("the spool's first");
+  const SpoolFile::Chunk first = *spool->Add("its second, ");
   SpooledText text(std::move(spool));
   text.Add(first);
   text.Add(std::string("of memory, "));
-  text.Add(SpoolFile::Place{last.offset + 12, 5});
+  text.Add(SpoolFile::Chunk{last.offset + 12, 5});
   text.Add(last);
   EXPECT_EQ(*text.Whole(), "its second, of memory, firstthe spool's first");
   EXPECT_EQ(text.size(), std::ssize(*text.Whole()));
@@ -39,11 +39,11 @@ TEST(SpooledText, IsItsPiecesInTheirOrder) {
 
 TEST(SpooledText, AnyPartOfItCanBeRead) {
   auto spool = NewSpool();
-  const SpoolFile::Place place = *spool->Add("0123456789");
+  const SpoolFile::Chunk chunk = *spool->Add("0123456789");
   SpooledText text(std::move(spool));
   text.Add(std::string("abc"));
-  text.Add(place);
-  text.Add(SpoolFile::Place{4, 2});
+  text.Add(chunk);
+  text.Add(SpoolFile::Chunk{4, 2});
   text.Add(std::string("xyz"));
   const std::string whole = *text.Whole();
   for (int64_t offset = 0; offset <= text.size() + 1; ++offset) {
@@ -54,7 +54,7 @@ TEST(SpooledText, AnyPartOfItCanBeRead) {
       EXPECT_EQ(*read, whole.substr(from, limit)) << offset << " " << limit;
     }
   }
-  text.Add(SpoolFile::Place{9, 2});  // the spool has but one of them
+  text.Add(SpoolFile::Chunk{9, 2});  // the spool has but one of them
   EXPECT_EQ(DetailOf(text.Read(0, text.size()).status()).reason, Reason::kStoreFailed);
 }
 
@@ -62,11 +62,11 @@ TEST(SpooledText, ComesInWholeBlocksHoweverItsPiecesLie) {
   for (const size_t piece : {size_t{1'000}, kBlock - 1, kBlock, kBlock + 1, 3 * kBlock}) {
     auto spool = NewSpool();
     const std::string written = Counted(piece, 'A');
-    const SpoolFile::Place place = *spool->Add(written);
+    const SpoolFile::Chunk chunk = *spool->Add(written);
     SpooledText text(std::move(spool));
     std::string expected;
     for (int i = 0; i < 3; ++i) {
-      text.Add(place);
+      text.Add(chunk);
       text.Add(Counted(7 * i, 'a'));
       expected += written + Counted(7 * i, 'a');
     }
@@ -102,7 +102,7 @@ TEST(SpoolFile, TakesTextsFromManyThreads) {
   auto spool = NewSpool();
   constexpr int kThreads = 4;
   constexpr int kTexts = 200;
-  std::vector<std::vector<SpoolFile::Place>> places(kThreads);
+  std::vector<std::vector<SpoolFile::Chunk>> places(kThreads);
   std::vector<std::thread> threads;
   for (int t = 0; t < kThreads; ++t)
     threads.emplace_back([&, t] {

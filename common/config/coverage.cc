@@ -28,7 +28,7 @@ void Add(const std::string& key, std::string_view value, Coverage& coverage) {
     return;
   }
   const KnownKey* const known = FindKnownKey(key);
-  if (known != nullptr && !known->of_print && !known->told) return;
+  if (known != nullptr && !known->of_print && !known->reported) return;
   ++coverage.keys;
   if (known != nullptr && !known->of_print) {
     ++coverage.effect;

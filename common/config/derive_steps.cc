@@ -10,7 +10,7 @@ double Absolute(const Value& value, double whole) {
   return value.percent ? value.number / 100 * whole : value.number;
 }
 
-void TakePercentage(SettingValues& draft, std::string_view key) {
+void ResolvePercentage(SettingValues& draft, std::string_view key) {
   const std::string_view whole =
       SettingsTable(draft.process())[FindSetting(key, draft.process())].relative_to;
   draft.SetNumber(key, Absolute(*draft.At(key).value, draft.Number(whole)));

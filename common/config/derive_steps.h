@@ -15,7 +15,7 @@ double Absolute(const Value& value, double whole);
 
 /// Replaces a percentage in setting `key` by an absolute number. REQUIRES: the setting to which the
 /// percentage refers is already an absolute number.
-void TakePercentage(SettingValues& draft, std::string_view key);
+void ResolvePercentage(SettingValues& draft, std::string_view key);
 
 /// Replaces a value of 0 in setting `key` by the value of setting `to`.
 void FallBack(SettingValues& draft, std::string_view key, std::string_view to);
@@ -24,7 +24,7 @@ void FallBack(SettingValues& draft, std::string_view key, std::string_view to);
 void RaiseTo(SettingValues& draft, std::string_view key, std::string_view least);
 
 /// Checks that each setting that may be a percentage is in its range. REQUIRES: all percentages are
-/// replaced by absolute numbers (TakePercentage). Errors: SETTING_OUT_OF_RANGE.
+/// replaced by absolute numbers (ResolvePercentage). Errors: SETTING_OUT_OF_RANGE.
 absl::Status CheckPercentages(const SettingValues& draft);
 
 }  // namespace slicefarm::config

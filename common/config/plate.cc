@@ -71,16 +71,16 @@ class Resolver {
     plate_.no_effect = base->no_effect;
     plate_.beside_print = base->beside_print;
     plate_.warnings = base->warnings;
-    told_.insert(base->no_effect.begin(), base->no_effect.end());
-    of_job_ = told_;
+    reported_.insert(base->no_effect.begin(), base->no_effect.end());
+    of_job_ = reported_;
     warned_.insert(base->warnings.begin(), base->warnings.end());
-    for (MissingFeature& each : base->missing) TellMissing(std::move(each));
+    for (MissingFeature& each : base->missing) ReportMissing(std::move(each));
     known_[Settings{}] = job_rows_ = base->settings;
-    growth_ = base->growth;
+    shrinkage_ = base->shrinkage;
     return absl::OkStatus();
   }
 
-  const ShrinkageCompensation& growth() const { return growth_; }
+  const ShrinkageCompensation& shrinkage() const { return shrinkage_; }
   const JobRows& job_rows() const { return job_rows_; }
   const ProcessSettings& process() const { return SettingsOf(process_); }
 
@@ -97,13 +97,13 @@ class Resolver {
     if (!resolved.ok()) return OfObject(object, resolved.status());
     DropMetNeeds(own, resolved->no_effect);
     for (SettingNote& note : resolved->no_effect) {
-      if (!told_.insert(note).second || IsOverride(note, own)) continue;
+      if (!reported_.insert(note).second || IsOverride(note, own)) continue;
       note.text = object + ": " + note.text;
       plate_.no_effect.push_back(std::move(note));
     }
     for (const std::string& warning : resolved->warnings)
       if (warned_.insert(warning).second) plate_.warnings.push_back(object + ": " + warning);
-    for (const MissingFeature& each : resolved->missing) TellMissing(each);
+    for (const MissingFeature& each : resolved->missing) ReportMissing(each);
     known_[own] = resolved->settings;
     return resolved->settings;
   }
@@ -118,7 +118,7 @@ class Resolver {
 
   /// Adds a missing feature that spoils the print, and the same text as a warning. The same feature
   /// is added only once.
-  void TellMissing(MissingFeature feature) {
+  void ReportMissing(MissingFeature feature) {
     if (std::ranges::find(plate_.missing, feature) != plate_.missing.end()) return;
     if (warned_.insert(feature.text).second) plate_.warnings.push_back(feature.text);
     plate_.missing.push_back(std::move(feature));
@@ -176,9 +176,9 @@ class Resolver {
   const Process process_;
   const CancelToken& cancel_;
   ResolvedPlate& plate_;
-  ShrinkageCompensation growth_;
+  ShrinkageCompensation shrinkage_;
   JobRows job_rows_;  ///< rows of the job's own settings
-  std::set<SettingNote> told_;
+  std::set<SettingNote> reported_;
   std::set<SettingNote> of_job_;  ///< notes on the job's own settings
   std::set<std::string> warned_;
   std::map<Settings, JobRows, Less> known_;  ///< resolved rows per set of own settings
@@ -339,10 +339,10 @@ std::string ObjectsText(std::span<const SceneObject> objects) {
 }
 
 /// Scales copies in place. In x and y a copy grows around its position; in z it grows from the bed.
-void Grow(const ShrinkageCompensation& growth, std::vector<Instance>& copies) {
+void Grow(const ShrinkageCompensation& shrinkage, std::vector<Instance>& copies) {
   for (Instance& copy : copies) {
-    copy.to_plate.topRows<2>().leftCols<3>() *= growth.xy;
-    copy.to_plate.row(2) *= growth.z;
+    copy.to_plate.topRows<2>().leftCols<3>() *= shrinkage.xy;
+    copy.to_plate.row(2) *= shrinkage.z;
   }
 }
 
@@ -375,17 +375,17 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   std::vector<SceneObject> objects(given_objects.begin(), given_objects.end());
   const ProcessSettings& own = SettingsOf(process);
   std::vector<MissingFeature> missing;
-  if (absl::Status ok = own.TakeTogether(job, objects, missing); !ok.ok()) return ok;
+  if (absl::Status ok = own.UnifySettings(job, objects, missing); !ok.ok()) return ok;
   if (absl::Status ok = CheckResolvedBytes(job, objects); !ok.ok()) return ok;
   if (absl::Status ok = CheckWrittenRows(objects, process); !ok.ok()) return ok;
   ResolvedPlate plate;
   Resolver resolver(job, process, cancel, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
   std::ranges::move(own.Incompatible(job, plate.effective_text), std::back_inserter(missing));
-  for (MissingFeature& each : missing) resolver.TellMissing(std::move(each));
+  for (MissingFeature& each : missing) resolver.ReportMissing(std::move(each));
   const std::unique_ptr<RegionRows> rows = own.NewRows();
   for (SceneObject& object : objects) {
-    Grow(resolver.growth(), object.instances);
+    Grow(resolver.shrinkage(), object.instances);
     absl::StatusOr<ObjectResolver::Result> resolved =
         ObjectResolver(object, resolver, *rows).Resolve();
     if (!resolved.ok()) return resolved.status();

@@ -40,7 +40,7 @@ struct OptionSources {
   const SettingValues& draft;
   std::span<const Setting> given;  ///< settings as texts, before they are read
   ResolvedSettings& result;        ///< receives derived options, notes and warnings
-  ReportedSettings& told;          ///< settings that no stage uses
+  ReportedSettings& reported;      ///< settings that no stage uses
 };
 
 /// Format of a job's output file, identified by the file name's suffix.
@@ -112,9 +112,9 @@ class ProcessSettings {
   /// Removes the settings of which a plate can have only one value (such as the extruder) from
   /// `job` and `objects`, before the settings of any object are resolved. Adds requests that cannot
   /// be fulfilled to `missing`.
-  virtual absl::Status TakeTogether(std::vector<Setting>& /*job*/,
-                                    std::vector<SceneObject>& /*objects*/,
-                                    std::vector<MissingFeature>& /*missing*/) const {
+  virtual absl::Status UnifySettings(std::vector<Setting>& /*job*/,
+                                     std::vector<SceneObject>& /*objects*/,
+                                     std::vector<MissingFeature>& /*missing*/) const {
     return absl::OkStatus();
   }
   /// Returns one feature for each profile of the job with a condition that the machine or the print

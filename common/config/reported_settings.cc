@@ -74,15 +74,15 @@ std::set<std::string_view> WordsOf(std::string_view code) {
 
 }  // namespace
 
-void Tell(std::string_view key, std::string_view value, ReportedSettings& told) {
+void Report(std::string_view key, std::string_view value, ReportedSettings& reported) {
   const KnownKey* known = FindKnownKey(key);
-  if (!IsName(key) || (known != nullptr && !known->told)) return;
+  if (!IsName(key) || (known != nullptr && !known->reported)) return;
   std::string line(value);
   std::replace_if(line.begin(), line.end(), IsControl, ' ');
-  told[std::string(key)] = std::string(Trim(line));
+  reported[std::string(key)] = std::string(Trim(line));
 }
 
-void TellDerived(const SettingValues& draft, ReportedSettings& told) {
+void ReportDerived(const SettingValues& draft, ReportedSettings& reported) {
   const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i) {
     const SettingValues::Entry& entry = draft.entries()[i];
@@ -91,7 +91,7 @@ void TellDerived(const SettingValues& draft, ReportedSettings& told) {
     if (IsStandard(table[i], entry.written)) continue;
     // G-code is left out: the filament's end G-code is already part of end_gcode, and must not
     // occur twice.
-    if (table[i].kind != Kind::kGcode) Tell(table[i].key, entry.written, told);
+    if (table[i].kind != Kind::kGcode) Report(table[i].key, entry.written, reported);
   }
 }
 

@@ -13,13 +13,14 @@ namespace slicefarm::config {
 /// and output files quote them.
 using ReportedSettings = std::map<std::string, std::string, std::less<>>;
 
-/// Adds `key = value` to `told`. Two kinds of keys are not added: keys that a template cannot name,
-/// and private keys (KnownKey::told is false). Control characters in the value become spaces.
-void Tell(std::string_view key, std::string_view value, ReportedSettings& told);
+/// Adds `key = value` to `reported`. Two kinds of keys are not added: keys that a template cannot
+/// name, and private keys (KnownKey::reported is false). Control characters in the value become
+/// spaces.
+void Report(std::string_view key, std::string_view value, ReportedSettings& reported);
 
 /// Adds the given settings of `draft` that differ from their default and act only through other
 /// settings, such as `extrusion_width`. Settings with G-code are left out.
-void TellDerived(const SettingValues& draft, ReportedSettings& told);
+void ReportDerived(const SettingValues& draft, ReportedSettings& reported);
 
 /// Returns the lines `key = value` of `text` for the keys that occur in `code`, a G-code with
 /// placeholders. The result may contain more lines than necessary, because each word in `code`

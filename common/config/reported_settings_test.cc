@@ -24,36 +24,36 @@ ResolvedSettings ResolveOrDie(std::string_view ini) {
   return resolved.ok() ? *std::move(resolved) : ResolvedSettings{};
 }
 
-struct TellCase {
+struct ReportCase {
   std::string name;
   std::string key;
   std::string value;
   std::string want;  // the line, or nothing
 };
 
-class TellTest : public testing::TestWithParam<TellCase> {};
+class ReportTest : public testing::TestWithParam<ReportCase> {};
 
-TEST_P(TellTest, Tells) {
-  const TellCase& c = GetParam();
-  ReportedSettings told;
-  Tell(c.key, c.value, told);
+TEST_P(ReportTest, Tells) {
+  const ReportCase& c = GetParam();
+  ReportedSettings reported;
+  Report(c.key, c.value, reported);
   if (c.want.empty()) {
-    EXPECT_THAT(told, IsEmpty());
+    EXPECT_THAT(reported, IsEmpty());
   } else {
-    EXPECT_THAT(told, ElementsAre(Pair(c.key, c.want)));
+    EXPECT_THAT(reported, ElementsAre(Pair(c.key, c.want)));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Keys, TellTest,
-    testing::Values(TellCase{"NotSupportedYet", "wipe_tower", "1", "1"},
-                    TellCase{"OfTheProfile", "printer_notes", "MK3\\nS", "MK3\\nS"},
-                    TellCase{"Unknown", "new_in_3_0", "x", "x"},
-                    TellCase{"OneLine", "notes", "a\nM112\r", "a M112"},
-                    TellCase{"Password", "printhost_apikey", "secret", ""},
-                    TellCase{"Address", "print_host", "10.0.0.7", ""},
-                    TellCase{"OtherPrinters", "compatible_printers_condition", "x", ""},
-                    TellCase{"NoName", "a-b.c", "1", ""}, TellCase{"Digit", "1a", "1", ""}),
+    Keys, ReportTest,
+    testing::Values(ReportCase{"NotSupportedYet", "wipe_tower", "1", "1"},
+                    ReportCase{"OfTheProfile", "printer_notes", "MK3\\nS", "MK3\\nS"},
+                    ReportCase{"Unknown", "new_in_3_0", "x", "x"},
+                    ReportCase{"OneLine", "notes", "a\nM112\r", "a M112"},
+                    ReportCase{"Password", "printhost_apikey", "secret", ""},
+                    ReportCase{"Address", "print_host", "10.0.0.7", ""},
+                    ReportCase{"OtherPrinters", "compatible_printers_condition", "x", ""},
+                    ReportCase{"NoName", "a-b.c", "1", ""}, ReportCase{"Digit", "1a", "1", ""}),
     [](const auto& info) { return info.param.name; });
 
 TEST(ReportedSettings, StandInTheEffectiveText) {

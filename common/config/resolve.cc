@@ -75,17 +75,17 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   result.settings = own.Standards();
   SettingReader reader(process, own.ListItem(given), parsed);
   if (absl::Status status = ReadAll(given, reader); !status.ok()) return status;
-  ReportedSettings told = reader.Told();
+  ReportedSettings reported = reader.Reported();
   SettingValues draft = reader.Finish(result);
-  TellDerived(draft, told);
+  ReportDerived(draft, reported);
   if (absl::Status status = own.Derive(draft, result); !status.ok()) return status;
   if (absl::Status status = own.Check(draft); !status.ok()) return status;
   PutInto(result.settings, draft);
-  if (absl::Status status = own.DeriveOptions({draft, given, result, told}); !status.ok())
+  if (absl::Status status = own.DeriveOptions({draft, given, result, reported}); !status.ok())
     return status;
   for (SettingNote& note : UnmetNeeds(draft, result.settings))
     result.no_effect.push_back(std::move(note));
-  result.effective_text = EffectiveText(result.settings, told);
+  result.effective_text = EffectiveText(result.settings, reported);
   if (absl::Status status = own.Finish(draft, result); !status.ok()) return status;
   return result;
 }
@@ -106,8 +106,8 @@ bool IsRare(const SettingSpec& spec) {
 
 }  // namespace
 
-std::string EffectiveText(const JobRows& settings, const ReportedSettings& told) {
-  ReportedSettings all = told;
+std::string EffectiveText(const JobRows& settings, const ReportedSettings& reported) {
+  ReportedSettings all = reported;
   for (const SettingSpec& spec : SettingsTable(settings.process())) {
     if (spec.field.get == nullptr) continue;
     const Value value = spec.field.get(settings);

@@ -28,7 +28,7 @@ struct ShrinkageCompensation {
 /// Result of Resolve: the settings, their text, and notes for the report.
 struct ResolvedSettings {
   JobRows settings;
-  ShrinkageCompensation growth;
+  ShrinkageCompensation shrinkage;
   /// Text of the settings (EffectiveText), including given settings that no stage uses
   /// (reported_settings.h). Resolve of these lines gives the same `settings` and the same text.
   std::string effective_text;
@@ -62,8 +62,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
                                          ParsedTexts& parsed);
 
 /// Returns the settings that have an effect on the job's process as `key = value` lines, sorted by
-/// key. The lines include `told`: given settings that no stage uses. Two texts are equal if and
+/// key. The lines include `reported`: given settings that no stage uses. Two texts are equal if and
 /// only if the settings are equal.
-std::string EffectiveText(const JobRows& settings, const ReportedSettings& told = {});
+std::string EffectiveText(const JobRows& settings, const ReportedSettings& reported = {});
 
 }  // namespace slicefarm::config

@@ -478,12 +478,12 @@ TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {
   const MachineRow& machine = FdmOf(cut->settings).machine;
   EXPECT_EQ(cut->settings.slicing.excluded.size(), 1u);
   EXPECT_DOUBLE_EQ(Area(machine.plan.bed) * 1e-12, 256.0 * 256 - 18 * 28);
-  EXPECT_EQ(machine.order.travel.room, machine.plan.bed);
-  EXPECT_EQ(machine.motion.room, machine.plan.bed);
+  EXPECT_EQ(machine.order.travel.travel_area, machine.plan.bed);
+  EXPECT_EQ(machine.motion.travel_area, machine.plan.bed);
   EXPECT_THAT(cut->effective_text, HasSubstr("bed_exclude_area = 0x0,18x0,18x28,0x28\n"));
   const auto none = resolve("0x0");
   ASSERT_TRUE(none.ok()) << none.status();
-  EXPECT_TRUE(FdmOf(none->settings).machine.motion.room.empty());
+  EXPECT_TRUE(FdmOf(none->settings).machine.motion.travel_area.empty());
   EXPECT_THAT(none->effective_text, Not(HasSubstr("bed_exclude_area")));
   const auto all = resolve("-1x-1,300x-1,300x300,-1x300");
   ASSERT_FALSE(all.ok());
@@ -517,7 +517,7 @@ TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   EXPECT_FALSE(settings.object.on_bed);
   EXPECT_EQ(settings.object.lift_nm, object.raft.heights.LiftNm());
   EXPECT_EQ(FdmOf(settings).machine.plan.bed, (MultiPolygon{{settings.slicing.bed, {}}}));
-  EXPECT_TRUE(FdmOf(settings).machine.motion.room.empty());
+  EXPECT_TRUE(FdmOf(settings).machine.motion.travel_area.empty());
 }
 
 // PrusaSlicer differs: its default is one skirt.

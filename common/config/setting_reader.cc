@@ -174,10 +174,10 @@ SettingValues SettingReader::Finish(ResolvedSettings& result) {
 }
 
 /// Returns the settings that no stage uses.
-ReportedSettings SettingReader::Told() const {
-  ReportedSettings told;
-  for (const auto& [key, other] : others_) Tell(key, other.second, told);
-  return told;
+ReportedSettings SettingReader::Reported() const {
+  ReportedSettings reported;
+  for (const auto& [key, other] : others_) Report(key, other.second, reported);
+  return reported;
 }
 
 absl::Status SettingReader::ReadEffective(const SettingSpec& spec, SettingValues::Entry& entry,

@@ -43,7 +43,7 @@ class SettingReader {
   void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
 
   /// Returns the settings that no stage uses.
-  ReportedSettings Told() const;
+  ReportedSettings Reported() const;
 
   /// Returns the values; call it after all settings are read. Adds the settings without effect to
   /// `result`: changes of the print first, descriptions of profiles last.

@@ -25,7 +25,7 @@ struct Case {
   std::string key;
   std::string value;
   std::string effective;
-  bool told = true;
+  bool reported = true;
 };
 
 class VendorValueTest : public testing::TestWithParam<Case> {};
@@ -34,7 +34,7 @@ TEST_P(VendorValueTest, IsReadAsPrusaSlicerDoes) {
   const Case& c = GetParam();
   const ResolvedSettings resolved = Profile({{c.key, c.value}});
   EXPECT_THAT(resolved.effective_text, HasSubstr("\n" + c.key + " = " + c.effective + "\n"));
-  if (c.told)
+  if (c.reported)
     EXPECT_THAT(resolved.warnings, Contains(HasSubstr(c.key)));
   else
     EXPECT_THAT(resolved.warnings, IsEmpty());

@@ -22,29 +22,29 @@ constexpr double kLeastRadiusUm = 100;
 /// ambiguous.
 constexpr double kMostTurn = 1.9 * std::numbers::pi;
 
-Vector2 FromTo(PlaceUm from, PlaceUm to) {
+Vector2 FromTo(PointUm from, PointUm to) {
   return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
 }
 
 double Length(const Vector2& a) { return Hypot(a.x(), a.y()); }
 
 /// Returns the centre of the circle through three points; nothing if they are nearly on a line.
-std::optional<PlaceUm> CentreThrough(PlaceUm a, PlaceUm b, PlaceUm c) {
+std::optional<PointUm> CentreThrough(PointUm a, PointUm b, PointUm c) {
   const Vector2 u = FromTo(a, b), v = FromTo(a, c);
   const double twice = 2 * Cross(u, v);
   if (twice == 0) return std::nullopt;
   const double uu = Dot(u, u), vv = Dot(v, v);
   const double x = (v.y() * uu - u.y() * vv) / twice, y = (u.x() * vv - v.x() * uu) / twice;
   if (!(Hypot(x, y) <= kGreatestRadiusUm)) return std::nullopt;
-  return PlaceUm{a.x + static_cast<int32_t>(std::lround(x)),
+  return PointUm{a.x + static_cast<int32_t>(std::lround(x)),
                  a.y + static_cast<int32_t>(std::lround(y))};
 }
 
 /// Returns the arc for points[first] to points[last], if it fits.
-std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, size_t last,
+std::optional<CurvePiece> ArcOf(std::span<const PointUm> points, size_t first, size_t last,
                                 double tolerance_um) {
   const double reach_um = tolerance_um - kRoundingUm;
-  const PlaceUm from = points[first], to = points[last];
+  const PointUm from = points[first], to = points[last];
   const auto centre = CentreThrough(from, points[(first + last) / 2], to);
   if (!centre) return std::nullopt;
   const double radius = Length(FromTo(*centre, from));
@@ -69,7 +69,7 @@ std::optional<CurvePiece> ArcOf(std::span<const PlaceUm> points, size_t first, s
 
 /// Returns the longest arc that starts at points[first]. The search doubles the number of segments
 /// until an arc does not fit, then halves the step.
-std::optional<CurvePiece> LongestArc(std::span<const PlaceUm> points, size_t first,
+std::optional<CurvePiece> LongestArc(std::span<const PointUm> points, size_t first,
                                      double tolerance_um) {
   std::optional<CurvePiece> best;
   const size_t most = points.size() - 1 - first;
@@ -92,7 +92,7 @@ std::optional<CurvePiece> LongestArc(std::span<const PlaceUm> points, size_t fir
 
 }  // namespace
 
-std::vector<CurvePiece> FitArcs(std::span<const PlaceUm> points, double tolerance_um) {
+std::vector<CurvePiece> FitArcs(std::span<const PointUm> points, double tolerance_um) {
   std::vector<CurvePiece> pieces;
   for (size_t at = 0; at + 1 < points.size();) {
     std::optional<CurvePiece> arc;

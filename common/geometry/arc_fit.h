@@ -7,11 +7,11 @@
 namespace slicefarm {
 
 /// A point of the plane, in whole micrometres.
-struct PlaceUm {
+struct PointUm {
   int32_t x = 0;
   int32_t y = 0;
 
-  friend bool operator==(const PlaceUm&, const PlaceUm&) = default;
+  friend bool operator==(const PointUm&, const PointUm&) = default;
 };
 
 /// A piece of a polyline: one of its segments, or an arc that replaces several segments. A piece
@@ -19,7 +19,7 @@ struct PlaceUm {
 struct CurvePiece {
   size_t last = 0;  ///< index of the piece's last point in the polyline
   bool is_arc = false;
-  PlaceUm centre;
+  PointUm centre;
   bool clockwise = false;
 
   friend bool operator==(const CurvePiece&, const CurvePiece&) = default;
@@ -40,7 +40,7 @@ inline constexpr double kArcToleranceUm = 25;
 /// The pieces are in the order of the polyline; the last one ends at the last point. REQUIRES: no
 /// two neighbouring points are the same; tolerance_um > 1.5, because rounding uses 1.5 of it. Cost
 /// for n points: O(n log n) if arcs are long.
-std::vector<CurvePiece> FitArcs(std::span<const PlaceUm> points,
+std::vector<CurvePiece> FitArcs(std::span<const PointUm> points,
                                 double tolerance_um = kArcToleranceUm);
 
 }  // namespace slicefarm

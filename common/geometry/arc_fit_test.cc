@@ -13,8 +13,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// Returns points of a circle around (50, 50) mm, over an angle of `turn` radians.
-std::vector<PlaceUm> Circle(double radius_um, double turn, int segments) {
-  std::vector<PlaceUm> points;
+std::vector<PointUm> Circle(double radius_um, double turn, int segments) {
+  std::vector<PointUm> points;
   for (int i = 0; i <= segments; ++i) {
     const double angle = turn * i / segments;
     points.push_back({static_cast<int32_t>(std::lround(50'000 + radius_um * std::cos(angle))),
@@ -23,7 +23,7 @@ std::vector<PlaceUm> Circle(double radius_um, double turn, int segments) {
   return points;
 }
 
-double DistanceToArc(const CurvePiece& arc, PlaceUm from, double x, double y) {
+double DistanceToArc(const CurvePiece& arc, PointUm from, double x, double y) {
   const double radius = std::hypot(from.x - arc.centre.x, from.y - arc.centre.y);
   return std::abs(std::hypot(x - arc.centre.x, y - arc.centre.y) - radius);
 }
@@ -41,14 +41,14 @@ TEST(FitArcs, ACircleIsTwoArcs) {
 TEST(FitArcs, KnowsTheWayRound) { EXPECT_TRUE(FitArcs(Circle(5'000, -kPi, 50))[0].clockwise); }
 
 TEST(FitArcs, LinesAndCornersStay) {
-  const std::vector<PlaceUm> square = {{0, 0}, {20'000, 0}, {20'000, 20'000}, {0, 20'000}, {0, 0}};
-  const std::vector<PlaceUm> line = {{0, 0}, {1'000, 0}, {2'000, 0}, {3'000, 0}, {4'000, 0}};
+  const std::vector<PointUm> square = {{0, 0}, {20'000, 0}, {20'000, 20'000}, {0, 20'000}, {0, 0}};
+  const std::vector<PointUm> line = {{0, 0}, {1'000, 0}, {2'000, 0}, {3'000, 0}, {4'000, 0}};
   for (const auto& points : {square, line}) {
     const auto pieces = FitArcs(points);
     ASSERT_FALSE(pieces.empty());
     for (const CurvePiece& piece : pieces) EXPECT_FALSE(piece.is_arc);
   }
-  EXPECT_TRUE(FitArcs(std::vector<PlaceUm>{{0, 0}}).empty());
+  EXPECT_TRUE(FitArcs(std::vector<PointUm>{{0, 0}}).empty());
 }
 
 TEST(FitArcs, CoarseCirclesStayPolygons) {
@@ -67,7 +67,7 @@ TEST(FitArcs, StaysWithinTheTolerance) {
     auto points =
         Circle(radius, (random() % 2 ? 1 : -1) * (0.3 + random() % 5), 20 + random() % 200);
     const int noise = static_cast<int>(random() % 25);
-    for (PlaceUm& point : points) {
+    for (PointUm& point : points) {
       if (noise > 0) point.x += static_cast<int32_t>(random() % noise);
     }
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -78,7 +78,7 @@ TEST(FitArcs, StaysWithinTheTolerance) {
         ++arcs;
         EXPECT_GE(piece.last - at, 3);
         for (size_t i = at; i < piece.last; ++i) {
-          const PlaceUm a = points[i], b = points[i + 1];
+          const PointUm a = points[i], b = points[i + 1];
           ASSERT_LE(DistanceToArc(piece, points[at], b.x, b.y), kArcToleranceUm);
           ASSERT_LE(DistanceToArc(piece, points[at], (a.x + b.x) / 2.0, (a.y + b.y) / 2.0),
                     kArcToleranceUm);
@@ -94,7 +94,7 @@ TEST(FitArcs, StaysWithinTheTolerance) {
 
 /// A circle of 10 mm in 48 segments deviates from its chords by 21 um.
 TEST(FitArcs, KeepsToTheToleranceThatItIsTold) {
-  const std::vector<PlaceUm> coarse = Circle(10'000, kPi, 24), fine = Circle(10'000, kPi, 96);
+  const std::vector<PointUm> coarse = Circle(10'000, kPi, 24), fine = Circle(10'000, kPi, 96);
   EXPECT_TRUE(FitArcs(coarse)[0].is_arc);
   EXPECT_FALSE(FitArcs(coarse, 5)[0].is_arc);
   EXPECT_TRUE(FitArcs(fine, 5)[0].is_arc);

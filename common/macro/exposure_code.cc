@@ -28,12 +28,12 @@ TemplateVariables UnknownVariables() {
 
 absl::StatusOr<ExposureCode> ParseExposureCode(const ExposureOutput& output) {
   ExposureCode code;
-  const TemplatePlace places[] = {
+  const TemplateTarget targets[] = {
       {"start_gcode", output.start_gcode.str(), code.start},
       {"before_layer_gcode", output.before_layer_gcode.str(), code.before_layer},
       {"layer_gcode", output.layer_gcode.str(), code.layer},
       {"end_gcode", output.end_gcode.str(), code.end}};
-  if (absl::Status status = ParseTemplates(places); !status.ok()) return status;
+  if (absl::Status status = ParseTemplates(targets); !status.ok()) return status;
   return code;
 }
 

@@ -38,7 +38,7 @@ bool LayersWait(const JobCode& code) {
 
 absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
   JobCode code;
-  const TemplatePlace places[] = {
+  const TemplateTarget targets[] = {
       {"start_gcode", options.start_gcode.str(), code.start},
       {"start_filament_gcode", options.tool().start_filament_gcode.str(), code.start_filament},
       {"before_layer_gcode", options.before_layer_gcode.str(), code.before_layer},
@@ -52,8 +52,8 @@ absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
       {"pause_print_gcode", options.writing.pause_gcode.str(), code.pause},
       {"template_custom_gcode", options.writing.template_gcode.str(), code.at_height}};
   // The last three templates are only used by custom_gcode_per_print_z.
-  const size_t count = std::size(places) - (options.writing.height_code.empty() ? 3 : 0);
-  if (absl::Status status = ParseTemplates(std::span(places).first(count)); !status.ok())
+  const size_t count = std::size(targets) - (options.writing.height_code.empty() ? 3 : 0);
+  if (absl::Status status = ParseTemplates(std::span(targets).first(count)); !status.ok())
     return status;
   code.layers_wait = LayersWait(code);
   return code;

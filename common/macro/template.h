@@ -84,14 +84,14 @@ struct Template {
 absl::StatusOr<Template> ParseTemplate(std::string_view setting, std::string_view text);
 
 /// Setting that contains a template, and the object that receives the parsed template.
-struct TemplatePlace {
+struct TemplateTarget {
   std::string_view setting;
   const std::string& text;
   Template& parsed;
 };
 
 /// Parses several templates. Errors: the error of the first template that ParseTemplate refuses.
-absl::Status ParseTemplates(std::span<const TemplatePlace> places);
+absl::Status ParseTemplates(std::span<const TemplateTarget> targets);
 
 /// Returns all variables and functions that a template uses.
 std::set<std::string> NamesIn(const Template& code);

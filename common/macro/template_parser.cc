@@ -314,11 +314,11 @@ absl::Status TemplateError(std::string_view setting, int32_t line, const absl::S
   return MakeError(absl::StatusCode::kInvalidArgument, reason, message, std::move(metadata));
 }
 
-absl::Status ParseTemplates(std::span<const TemplatePlace> places) {
-  for (const TemplatePlace& place : places) {
-    auto parsed = ParseTemplate(place.setting, place.text);
+absl::Status ParseTemplates(std::span<const TemplateTarget> targets) {
+  for (const TemplateTarget& target : targets) {
+    auto parsed = ParseTemplate(target.setting, target.text);
     if (!parsed.ok()) return parsed.status();
-    place.parsed = *std::move(parsed);
+    target.parsed = *std::move(parsed);
   }
   return absl::OkStatus();
 }

@@ -61,7 +61,7 @@ int64_t MemoryOf(const LayerPlan& plan) {
   int64_t bytes = static_cast<int64_t>(sizeof plan) + MemoryOfList(plan.sections) +
                   MemoryOfPaths(plan.paths) + MemoryOfList(plan.infill);
   for (const SectionPlan& section : plan.sections)
-    bytes += MemoryOfList(section.seams) + MemoryOfPolygons(section.carried) +
+    bytes += MemoryOfList(section.seams) + MemoryOfPolygons(section.above_supports) +
              MemoryOfPolygons(section.curled);
   for (const PlannedInfill& infill : plan.infill) {
     bytes += MemoryOfList(infill.lines) + MemoryOfPolygons(infill.left_out) +

@@ -18,12 +18,12 @@ LayerPlan PlanWith(SectionPlan section) {
 TEST(MemoryOf, CountsEachAreaOfAPlan) {
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9)");
   const int64_t empty = MemoryOf(PlanWith({}));
-  SectionPlan carried;
-  carried.carried = square;
+  SectionPlan above_supports;
+  above_supports.above_supports = square;
   SectionPlan curled;
   curled.curled = square;
-  EXPECT_GT(MemoryOf(PlanWith(carried)), empty);
-  EXPECT_EQ(MemoryOf(PlanWith(curled)), MemoryOf(PlanWith(carried)));
+  EXPECT_GT(MemoryOf(PlanWith(above_supports)), empty);
+  EXPECT_EQ(MemoryOf(PlanWith(curled)), MemoryOf(PlanWith(above_supports)));
 }
 
 }  // namespace

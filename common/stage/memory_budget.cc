@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::milliseconds kPollCancel{20};
 constexpr size_t kMostNeeds = 10'000;  ///< limit of remembered needs; beyond it all are forgotten
 
-absl::Status MakesRoom() {
+absl::Status FreesMemory() {
   return MakeError(absl::StatusCode::kResourceExhausted, Reason::kOverloaded,
                    "other jobs have the memory that this one needs",
                    {{kMemoryKind, "taken"}, {"retry_after_ms", "1000"}});
@@ -46,7 +46,7 @@ int64_t DefaultMemoryBudget() { return std::min(ContainerMemory(), MachineMemory
 MemoryBudget::Share::~Share() {
   const Lock lock(budget_.mutex_);
   budget_.GiveBack(*this, bytes_);
-  if (!made_room_) budget_.needs_.erase(job_);
+  if (!freed_memory_) budget_.needs_.erase(job_);
 }
 
 absl::Status MemoryBudget::Share::Hold(Kind kind, int64_t bytes) {
@@ -155,7 +155,7 @@ absl::Status MemoryBudget::Grow(Share& share, int64_t wanted) {
     return absl::OkStatus();
   }
   if (!Fits(more))
-    if (absl::Status there = AwaitRoom(lock, share, more); !there.ok()) return there;
+    if (absl::Status there = AwaitMemory(lock, share, more); !there.ok()) return there;
   Add(share, more);
   return absl::OkStatus();
 }
@@ -163,22 +163,22 @@ absl::Status MemoryBudget::Grow(Share& share, int64_t wanted) {
 /// Waits until `more` bytes are free. If two jobs wait for more memory, the job that began later
 /// ends with OVERLOADED to free its memory. The other job can then continue and will free its own
 /// memory when it ends.
-absl::Status MemoryBudget::AwaitRoom(Lock& lock, Share& share, int64_t more) {
+absl::Status MemoryBudget::AwaitMemory(Lock& lock, Share& share, int64_t more) {
   absl::Status wanted;
   if (growing_ != nullptr && growing_->turn_ < share.turn_) {
-    wanted = MakesRoom();
+    wanted = FreesMemory();
   } else {
-    if (growing_ != nullptr) growing_->gives_way_ = true;
+    if (growing_ != nullptr) growing_->yields_ = true;
     growing_ = &share;
   }
   while (wanted.ok() && !Fits(more)) {
     wanted = Await(lock, share.cancel_);
-    if (share.gives_way_) wanted = MakesRoom();
+    if (share.yields_) wanted = FreesMemory();
   }
   if (growing_ == &share) growing_ = nullptr;
   changed_.notify_all();
   if (wanted.ok() || !IsOutOfMemory(wanted) || share.job_.empty()) return wanted;
-  share.made_room_ = true;
+  share.freed_memory_ = true;
   if (needs_.size() >= kMostNeeds) needs_.clear();
   needs_[share.job_] = std::min(limit_, 2 * (share.bytes_ + more));
   return wanted;

@@ -54,8 +54,8 @@ class MemoryBudget {
     // The following members are protected by the budget's mutex.
     int64_t turn_ = 0;
     int64_t bytes_ = 0;  ///< reserved bytes: at least the used bytes
-    bool gives_way_ = false;
-    bool made_room_ = false;
+    bool yields_ = false;
+    bool freed_memory_ = false;
   };
 
   explicit MemoryBudget(int64_t limit) : limit_(limit) {}
@@ -84,7 +84,7 @@ class MemoryBudget {
   void Enter(const Waiter& waiter);
   bool Fits(int64_t bytes) const { return used_ + bytes <= limit_; }
   absl::Status Grow(Share& share, int64_t more);
-  absl::Status AwaitRoom(Lock& lock, Share& share, int64_t more);
+  absl::Status AwaitMemory(Lock& lock, Share& share, int64_t more);
   absl::Status Await(Lock& lock, const CancelToken& cancel);
   void Add(Share& share, int64_t bytes);
   void GiveBack(Share& share, int64_t bytes);
@@ -97,7 +97,7 @@ class MemoryBudget {
   int64_t next_turn_ = 0;
   std::list<Waiter> waiting_;
   std::map<std::string, int64_t> by_tenant_;
-  /// memory that a job needed when its run ended to make room for other jobs; indexed by job id
+  /// memory that a job needed when its run ended to free memory for other jobs; indexed by job id
   std::map<std::string, int64_t> needs_;
   Share* growing_ = nullptr;  ///< running job that waits for more memory
 };

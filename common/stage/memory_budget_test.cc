@@ -167,9 +167,9 @@ TEST(MemoryBudget, OfTwoThatWantMoreTheLastOneMakesRoom) {
     Asker one(*asks_first, 3);
     while (!Refused(budget, kAnna, 1)) std::this_thread::yield();
     Asker other(*asks_then, 3);
-    const absl::Status made_room = (last_asks_first ? one : other).Join();
-    EXPECT_EQ(DetailOf(made_room).reason, Reason::kOverloaded);
-    EXPECT_TRUE(IsOutOfMemory(made_room));
+    const absl::Status freed_memory = (last_asks_first ? one : other).Join();
+    EXPECT_EQ(DetailOf(freed_memory).reason, Reason::kOverloaded);
+    EXPECT_TRUE(IsOutOfMemory(freed_memory));
     last.reset();
     EXPECT_EQ((last_asks_first ? other : one).Join(), absl::OkStatus());
     EXPECT_TRUE(Refused(budget, kAnna, 10)) << "of others' jobs nothing is known";

@@ -32,10 +32,10 @@ void Turn(Transform& to_plate) {
 }
 
 /// Returns the copy at its new position.
-Instance At(Instance instance, const PlatePlace& place) {
+Instance At(Instance instance, const PlatePosition& position) {
   if (instance.placed) return instance;
-  const Point middle = place.middle;
-  if (place.turned) Turn(instance.to_plate);
+  const Point middle = position.middle;
+  if (position.turned) Turn(instance.to_plate);
   instance.placed = instance.by_middle = true;
   instance.to_plate(0, 3) = ToMm(static_cast<double>(middle.x));
   instance.to_plate(1, 3) = ToMm(static_cast<double>(middle.y));
@@ -44,7 +44,7 @@ Instance At(Instance instance, const PlatePlace& place) {
 
 }  // namespace
 
-std::vector<ObjectInput> ObjectsToPlace(std::span<const SceneObject> objects) {
+std::vector<ObjectInput> ObjectsToArrange(std::span<const SceneObject> objects) {
   std::vector<ObjectInput> inputs;
   for (const SceneObject& object : objects)
     for (const CopyGroup& group : GroupsOf(object.instances))
@@ -53,14 +53,14 @@ std::vector<ObjectInput> ObjectsToPlace(std::span<const SceneObject> objects) {
 }
 
 std::vector<std::vector<SceneObject>> OnPlates(std::span<const SceneObject> objects,
-                                               std::span<const PlatePlace> places) {
+                                               std::span<const PlatePosition> positions) {
   std::map<int32_t, std::map<size_t, std::vector<Instance>>> by_plate;  // then by object
-  auto place = places.begin();
+  auto position = positions.begin();
   for (size_t object = 0; object < objects.size(); ++object) {
     for (const CopyGroup& group : GroupsOf(objects[object].instances)) {
       for (const Instance* copy : group.instances) {
-        by_plate[place->plate][object].push_back(At(*copy, *place));
-        ++place;
+        by_plate[position->plate][object].push_back(At(*copy, *position));
+        ++position;
       }
     }
   }

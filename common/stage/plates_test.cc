@@ -21,13 +21,13 @@ SceneObject Standing(const std::string& name, double x, double y) {
   return object;
 }
 
-TEST(ObjectsToPlace, CopiesThatAreTurnedAlikeAreOfOneObject) {
+TEST(ObjectsToArrange, CopiesThatAreTurnedAlikeAreOfOneObject) {
   SceneObject object = Copies("a", 4);
   object.instances[1].to_plate(2, 2) = 2;
   object.instances[2].printable = false;
   object.parts[0].to_object(0, 3) = 5;
   const SceneObject scene[] = {object, Standing("b", 30, 40)};
-  const std::vector<ObjectInput> inputs = ObjectsToPlace(scene);
+  const std::vector<ObjectInput> inputs = ObjectsToArrange(scene);
   ASSERT_THAT(inputs, SizeIs(3));
   EXPECT_THAT(inputs[0].copies, SizeIs(2));
   EXPECT_THAT(inputs[1].copies, SizeIs(1));
@@ -43,7 +43,7 @@ TEST(OnPlates, ACopyIsTurnedWithoutLosingADigit) {
   SceneObject object = Copies("a", 1);
   object.instances[0].to_plate(0, 0) = 2;
   const SceneObject scene[] = {object};
-  const std::vector<PlatePlace> places = {{0, {FromMm(10), FromMm(20)}, true}};
+  const std::vector<PlatePosition> places = {{0, {FromMm(10), FromMm(20)}, true}};
   const Transform turned = OnPlates(scene, places).at(0).at(0).instances.at(0).to_plate;
   EXPECT_EQ(turned(0, 0), 0);
   EXPECT_EQ(turned(0, 1), -1);
@@ -55,7 +55,7 @@ TEST(OnPlates, ACopyIsTurnedWithoutLosingADigit) {
 
 TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
   const SceneObject scene[] = {Copies("a", 3), Standing("b", 30, 40), Copies("c", 1)};
-  const std::vector<PlatePlace> places = {
+  const std::vector<PlatePosition> places = {
       {0, {FromMm(10), 0}}, {2, {FromMm(20), 0}}, {0, {FromMm(50), 0}}, {0, {}}, {2, {0, 7}}};
   const auto plates = OnPlates(scene, places);
   ASSERT_THAT(plates, SizeIs(2)) << "plate 1 has nothing";
@@ -71,13 +71,13 @@ TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
   EXPECT_EQ(plates[1][1].instances[0].to_plate(1, 3), 7e-6);
 }
 
-// The n-th copy of ObjectsToPlace has the n-th position, for any orientation of the copies.
+// The n-th copy of ObjectsToArrange has the n-th position, for any orientation of the copies.
 TEST(OnPlates, PlacesFollowTheCopiesOfObjectsToPlace) {
   SceneObject object = Copies("a", 4);
   for (size_t i = 0; i < 4; ++i)
     object.instances[i].to_plate(2, 2) = 1 + static_cast<double>(i % 2);
-  std::vector<PlatePlace> places;
-  for (const ObjectInput& input : ObjectsToPlace({&object, 1}))
+  std::vector<PlatePosition> places;
+  for (const ObjectInput& input : ObjectsToArrange({&object, 1}))
     for (size_t i = 0; i < input.copies.size(); ++i)
       places.push_back({static_cast<int32_t>(input.to_plate(2, 2)), {}});
   const auto plates = OnPlates({&object, 1}, places);

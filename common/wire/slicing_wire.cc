@@ -155,16 +155,16 @@ absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
   return job;
 }
 
-absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto) {
-  proto->set_plate(place.plate);
-  proto->set_turned(place.turned);
-  return ToProto(place.middle, proto->mutable_middle());
+absl::Status ToProto(const PlatePosition& position, v1::PlatePosition* proto) {
+  proto->set_plate(position.plate);
+  proto->set_turned(position.turned);
+  return ToProto(position.middle, proto->mutable_middle());
 }
 
-absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto) {
+absl::StatusOr<PlatePosition> FromProto(const v1::PlatePosition& proto) {
   if (proto.plate() < 0 || proto.plate() >= limits::kMaxObjects)
     return Malformed("plate", "is none that copies could need");
-  return PlatePlace{proto.plate(), FromProto(proto.middle()), proto.turned()};
+  return PlatePosition{proto.plate(), FromProto(proto.middle()), proto.turned()};
 }
 
 }  // namespace slicefarm

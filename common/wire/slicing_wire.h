@@ -60,10 +60,10 @@ absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
 /// Converts the position of a copy on a plate to a message.
-absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
+absl::Status ToProto(const PlatePosition& position, v1::PlatePosition* proto);
 /// Converts a message to the position of a copy. Errors: REQUEST_MALFORMED for an invalid plate
 /// number.
-absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto);
+absl::StatusOr<PlatePosition> FromProto(const v1::PlatePosition& proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

@@ -371,13 +371,13 @@ INSTANTIATE_TEST_SUITE_P(
     kName);
 
 /// Different names of the output for the file that is the model.
-struct Way {
+struct Spelling {
   const char* name;
   void (*make)(const std::string& folder);
   const char* output;
 };
 
-class SameFile : public Program, public testing::WithParamInterface<Way> {};
+class SameFile : public Program, public testing::WithParamInterface<Spelling> {};
 
 TEST_P(SameFile, IsNeverReplaced) {
   GetParam().make(Path(""));
@@ -391,27 +391,27 @@ TEST_P(SameFile, IsNeverReplaced) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, SameFile,
-                         testing::Values(Way{"Itself", [](const std::string&) {}, "cube.obj"},
-                                         Way{"Dotted", [](const std::string&) {}, "./cube.obj"},
-                                         Way{"Relative",
-                                             [](const std::string& folder) {
-                                               std::filesystem::create_directory(folder + "sub");
-                                             },
-                                             "sub/../cube.obj"},
-                                         Way{"Symlink",
-                                             [](const std::string& folder) {
-                                               std::filesystem::create_symlink("cube.obj",
-                                                                               folder + "link");
-                                             },
-                                             "link"},
-                                         Way{"HardLink",
-                                             [](const std::string& folder) {
-                                               std::filesystem::create_hard_link(
-                                                   folder + "cube.obj", folder + "hard");
-                                             },
-                                             "hard"}),
-                         kName);
+INSTANTIATE_TEST_SUITE_P(
+    Names, SameFile,
+    testing::Values(Spelling{"Itself", [](const std::string&) {}, "cube.obj"},
+                    Spelling{"Dotted", [](const std::string&) {}, "./cube.obj"},
+                    Spelling{"Relative",
+                             [](const std::string& folder) {
+                               std::filesystem::create_directory(folder + "sub");
+                             },
+                             "sub/../cube.obj"},
+                    Spelling{"Symlink",
+                             [](const std::string& folder) {
+                               std::filesystem::create_symlink("cube.obj", folder + "link");
+                             },
+                             "link"},
+                    Spelling{"HardLink",
+                             [](const std::string& folder) {
+                               std::filesystem::create_hard_link(folder + "cube.obj",
+                                                                 folder + "hard");
+                             },
+                             "hard"}),
+    kName);
 
 class Named : public Program {};
 

@@ -57,11 +57,11 @@ std::string Figures(const planning::SupportPlan& plan, double seconds) {
     for (const planning::SupportRegion& region : layer.regions)
       volume[static_cast<size_t>(region.role)] +=
           Area(region.outlines) * 1e-12 * ToMm(static_cast<double>(layer.height_nm));
-  double not_carried = 0;
+  double unsupported = 0;
   int in_air = 0;
   for (const planning::SupportFinding& finding : plan.findings) {
-    if (finding.kind == planning::SupportFinding::Kind::kNotCarried)
-      not_carried += finding.area_mm2;
+    if (finding.kind == planning::SupportFinding::Kind::kUnsupported)
+      unsupported += finding.area_mm2;
     else
       ++in_air;
   }
@@ -69,7 +69,7 @@ std::string Figures(const planning::SupportPlan& plan, double seconds) {
       "layers {}\nbase_mm3 {:.1f}\nbranch_mm3 {:.1f}\nthick_branch_mm3 {:.1f}\n"
       "top_interface_mm3 {:.1f}\nbottom_interface_mm3 {:.1f}\nnot_carried_mm2 {:.2f}\n"
       "starts_in_air {}\ncpu_s {:.3f}\n",
-      plan.layers.size(), volume[0], volume[1], volume[2], volume[3], volume[4], not_carried,
+      plan.layers.size(), volume[0], volume[1], volume[2], volume[3], volume[4], unsupported,
       in_air, seconds);
 }
 

@@ -14,7 +14,7 @@
 namespace slicefarm::fuzz {
 namespace {
 
-void Frame(const ExposureStage& stage, const v1::ExposureFrameRequest& request) {
+void Frame(const ExposureStage& stage, const v1::ExposureEnvelopeRequest& request) {
   const auto summary = FromProto(request);
   const auto settings = OptionsFromBytes<ExposureSettings>(request.settings());
   if (!summary.ok() || !settings.ok()) return;

@@ -39,7 +39,7 @@ void Program(const MotionCall& given) {
   }
 }
 
-void Frame(const v1::FrameRequest& request) {
+void Frame(const v1::ProgramEnvelopeRequest& request) {
   CheckRoundTrip(request);
   const auto options = OptionsFromBytes<MotionOptions>(request.options());
   const auto summary = FromProto(request);
@@ -52,7 +52,7 @@ void Frame(const v1::FrameRequest& request) {
   CheckGcode(frame->epilogue);
   CheckGcode(frame->head);
   CheckGcode(frame->tail);
-  CheckRoundTrip(Encoded<v1::ProgramFrame>(*frame));
+  CheckRoundTrip(Encoded<v1::ProgramEnvelope>(*frame));
 }
 
 void Run(const MotionCall& given) {

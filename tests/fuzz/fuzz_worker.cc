@@ -109,7 +109,7 @@ void Run(const WorkCall& given) {
   }
   for (const LayerWarning& warning : result->warnings)
     CheckRoundTrip(Encoded<v1::LayerWarning>(warning));
-  for (const FillStats& use : result->fills) CheckRoundTrip(Encoded<v1::FillUse>(use));
+  for (const FillStats& use : result->fills) CheckRoundTrip(Encoded<v1::FillStats>(use));
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ TEST_F(LocalAndRemote, PlatesAreTheSameHereAndThere) {
   const auto here = arranging->PutOnPlates(call_, input, options);
   ASSERT_TRUE(here.ok()) << here.status();
   ASSERT_EQ(here->size(), 30);
-  EXPECT_TRUE(std::ranges::any_of(*here, [](const PlatePlace& at) { return at.plate > 0; }));
+  EXPECT_TRUE(std::ranges::any_of(*here, [](const PlatePosition& at) { return at.plate > 0; }));
   const auto there = remote_.arranging.PutOnPlates(call_, input, options);
   ASSERT_TRUE(there.ok()) << there.status();
   EXPECT_EQ(*there, *here);

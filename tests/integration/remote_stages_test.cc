@@ -32,7 +32,7 @@ using std::chrono::seconds;
 
 /// Fakes behind a socket.
 struct FakeHost {
-  FakeHost(const rpc::CallGateOptions& gate, const rpc::ServerOptions& options)
+  FakeHost(const rpc::CallLimiterOptions& gate, const rpc::ServerOptions& options)
       : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner,
               [this](rpc::CallLimiter& its) { return std::make_unique<FakePlanning>(fakes, its); },
               &fake_exposure},
@@ -51,8 +51,8 @@ struct FakeHost {
 
 /// Fakes behind a socket, with clients for them.
 struct Farm : FakeHost, RemoteClients {
-  explicit Farm(const rpc::CallGateOptions& gate = {4, 0}, const rpc::ServerOptions& options = {},
-                milliseconds deadline = seconds(60))
+  explicit Farm(const rpc::CallLimiterOptions& gate = {4, 0},
+                const rpc::ServerOptions& options = {}, milliseconds deadline = seconds(60))
       : FakeHost(gate, options), RemoteClients(host.Address(), {deadline}) {}
 };
 

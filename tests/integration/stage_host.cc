@@ -25,7 +25,7 @@ rpc::JsonLog NoLog() {
                                   "test", std::make_shared<spdlog::sinks::null_sink_mt>()));
 }
 
-StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate,
+StageHost::StageHost(const HostedStages& stages, const rpc::CallLimiterOptions& gate,
                      const rpc::ServerOptions& options)
     : gate_(gate, NoLog()), keeper_(NoLog()) {
   services_.push_back(slicing::MakeSlicingService(

@@ -46,7 +46,7 @@ class StageHost {
  public:
   static constexpr int kThreads = 3;  ///< StageCall.threads in the slicing stage
 
-  explicit StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate = {4, 0},
+  explicit StageHost(const HostedStages& stages, const rpc::CallLimiterOptions& gate = {4, 0},
                      const rpc::ServerOptions& options = {});
 
   std::string Address() const { return "127.0.0.1:" + std::to_string(server_->port()); }

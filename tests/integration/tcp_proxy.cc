@@ -87,12 +87,12 @@ void TcpProxy::Accept() {
   while (true) {
     const int client = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
     if (client < 0) return;
-    Carry(client);
+    Relay(client);
   }
 }
 
 /// Descriptors stay open to the end. Otherwise a reused number could be shut down.
-void TcpProxy::Carry(int client) {
+void TcpProxy::Relay(int client) {
   const int server = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const sockaddr_in address = Loopback(std::stoi(target_.substr(target_.rfind(':') + 1)));
   const bool reached =

@@ -35,7 +35,7 @@ class TcpProxy {
 
  private:
   void Accept();
-  void Carry(int client);
+  void Relay(int client);
   void Pump(int from, int to);
 
   const std::string target_;

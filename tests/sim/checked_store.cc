@@ -117,8 +117,8 @@ void CheckedStore::CheckClaim(const JobRecord& job, const std::string& owner, in
   const JobRecord& before = seen.job;
   ++world_.totals.claims;
   if (!before.owner.empty() && before.owner != owner) ++world_.totals.takeovers;
-  world_.Tell("{} claims {} in epoch {}{}", owner, job.id, job.owner_epoch,
-              before.owner.empty() ? "" : ", which was " + before.owner + "'s");
+  world_.Log("{} claims {} in epoch {}{}", owner, job.id, job.owner_epoch,
+             before.owner.empty() ? "" : ", which was " + before.owner + "'s");
   if (IsTerminal(before.state)) world_.Violated("{} was claimed, {}", job.id, Name(before.state));
   if (before.owner_until_us > now_us) world_.Violated("{} was claimed while held", job.id);
   for (const auto& [number, entry] : jobs_.entries()) {
@@ -146,7 +146,7 @@ absl::StatusOr<std::vector<JobRecord>> CheckedStore::EndOverdue(const JobError& 
   if (ended.ok()) {
     for (const JobRecord& job : *ended) {
       const JobRecord& before = seen_[job.id].job;
-      world_.Tell("{} is overdue", job.id);
+      world_.Log("{} is overdue", job.id);
       const bool held = !before.owner.empty() && before.owner_until_us > now_us;
       if (IsTerminal(before.state) || held || job.deadline_us > now_us) {
         world_.Violated("{} was ended as overdue, and was not", job.id);
@@ -191,7 +191,7 @@ absl::StatusOr<std::vector<HeldJob>> CheckedStore::Renew(const std::vector<Lease
 
 absl::Status CheckedStore::Release(const std::string& owner) {
   absl::Status released = store().Release(owner);
-  world_.Tell("{} releases what it held", owner);
+  world_.Log("{} releases what it held", owner);
   CheckAll();
   return released;
 }
@@ -200,10 +200,10 @@ absl::StatusOr<JobRecord> CheckedStore::Update(const Lease& lease, const JobUpda
                                                int64_t now_us) {
   const JobRecord before = Find(lease.job_id) ? *Find(lease.job_id) : JobRecord{};
   auto updated = store().Update(lease, update, now_us);
-  world_.Tell("{} in epoch {}: {} {}/{}{}{}", lease.job_id, lease.epoch, Name(update.state),
-              update.layers_done, update.layers_total,
-              update.error ? " " + update.error->reason : "",
-              updated.ok() ? "" : ": " + std::string(updated.status().message()));
+  world_.Log("{} in epoch {}: {} {}/{}{}{}", lease.job_id, lease.epoch, Name(update.state),
+             update.layers_done, update.layers_total,
+             update.error ? " " + update.error->reason : "",
+             updated.ok() ? "" : ": " + std::string(updated.status().message()));
   if (absl::IsAborted(updated.status())) ++world_.totals.fenced_writes;
   if (updated.ok()) {
     const JobRecord* after = Find(lease.job_id);
@@ -232,7 +232,7 @@ absl::StatusOr<JobRecord> CheckedStore::RequestCancel(const std::string& id, int
   const JobRecord before = Find(id) ? *Find(id) : JobRecord{};
   auto job = store().RequestCancel(id, now_us);
   if (job.ok()) {
-    world_.Tell("{} is to be cancelled", id);
+    world_.Log("{} is to be cancelled", id);
     const JobRecord* after = Find(id);
     if (!after || (!IsTerminal(after->state) && !after->cancel_requested)) {
       world_.Violated("a request to cancel {} was acknowledged, and is not there", id);
@@ -253,7 +253,7 @@ absl::Status CheckedStore::Delete(const std::string& id) {
   const bool ended = before && IsTerminal(before->state);
   absl::Status done = store().Delete(id);
   if (done.ok()) {
-    world_.Tell("{} is deleted", id);
+    world_.Log("{} is deleted", id);
     ++world_.totals.deleted;
     if (!ended) world_.Violated("{} was deleted before its end", id);
     deleted_.insert(id);

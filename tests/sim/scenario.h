@@ -32,9 +32,9 @@ struct Variant {
   double keep_blobs_s = 90;
   bool answers_mixed = false;        ///< true: workers answer with the layers of another range
   bool every_answer_counts = false;  ///< true: all answers of a range count, not only the first
-  bool failures_untold = false;      ///< true: failures of ranges are not passed to FanOut
+  bool failures_unreported = false;  ///< true: failures of ranges are not passed to FanOut
   /// true: the processes that workers can make are not passed to FanOut
-  bool processes_untold = false;
+  bool processes_unreported = false;
   bool cancels_unread = false;    ///< true: a claim ignores the job's cancel request
   bool deadlines_unread = false;  ///< true: a claim ignores the job's deadline
   /// true: suspected jobs (lost_runs.h) begin as if all coordinators were calm

@@ -100,7 +100,7 @@ void SimClient::NotCreated(const absl::Status& error) {
 void SimClient::Created(const std::string& job_id) {
   job_id_ = job_id;
   store_.Acknowledged(job_id);
-  world_.Tell("client {} has {}", index_, job_id);
+  world_.Log("client {} has {}", index_, job_id);
   if (plan_.cancel_after_us) {
     cancelling_ = true;
     world_.events.After(*plan_.cancel_after_us, [this] { Cancel(); });
@@ -139,7 +139,7 @@ void SimClient::Watched(const std::vector<JobEventRecord>& events) {
 }
 
 void SimClient::Ended(JobState state) {
-  world_.Tell("client {} knows that {} is {}", index_, job_id_, JobStateName(state));
+  world_.Log("client {} knows that {} is {}", index_, job_id_, JobStateName(state));
   const JobRecord* job = store_.Find(job_id_);
   if (job ? job->state != state : !store_.Deleted(job_id_)) {
     world_.Violated("{} was told to be {}, and is not", job_id_, JobStateName(state));

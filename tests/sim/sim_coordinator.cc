@@ -11,9 +11,9 @@ namespace slicefarm::coordinator::sim {
 namespace {
 
 // Values of JobRunnerOptions.
-constexpr int kPlaces = 4;
-constexpr int kInteractivePlace = 2;
-constexpr int kGuestPlace = 3;
+constexpr int kSlots = 4;
+constexpr int kInteractiveSlot = 2;
+constexpr int kGuestSlot = 3;
 constexpr int64_t kLeaseUs = 10 * kSecondUs;
 constexpr int64_t kRenewUs = 3 * kSecondUs;
 constexpr int64_t kPollUs = kSecondUs;
@@ -56,7 +56,7 @@ SimCoordinator::SimCoordinator(World& world, CheckedStore& store, Farm& farm, in
 
 void SimCoordinator::Start() {
   process_.Start();
-  world_.Tell("{} starts", Owner());
+  world_.Log("{} starts", Owner());
   link_.Do([owner = Owner()](JobStore& store) { return store.Release(owner); },
            [this](const absl::Status& released) { Released(released); });
 }
@@ -65,9 +65,9 @@ void SimCoordinator::Released(const absl::Status& released) {
   if (!released.ok()) return process_.After(kRestartUs, [this] { Start(); });
   leases_.emplace(kLeaseUs);
   calm_since_us_ = NowUs();
-  places_.assign(kPlaces, {});
+  slots_.assign(kSlots, {});
   dispatcher_.Begin();
-  for (int place = 0; place < kPlaces; ++place) Serve(place);
+  for (int slot = 0; slot < kSlots; ++slot) Serve(slot);
   Keep();
   SweepFromTimeToTime();
 }
@@ -85,7 +85,7 @@ void SimCoordinator::Kill() {
 
 /// Kills the coordinator because of its job. It is started again, as by a service manager.
 void SimCoordinator::Die() {
-  world_.Tell("{} dies", Owner());
+  world_.Log("{} dies", Owner());
   ++world_.totals.deaths;
   Kill();
   world_.events.After(kRestartUs, [this] {
@@ -110,49 +110,49 @@ void SimCoordinator::EndIfStopped() {
 
 void SimCoordinator::Wake() {
   ++wakes_;
-  for (int place = 0; place < kPlaces; ++place) {
-    if (std::exchange(places_[place].idle, false)) Serve(place);
+  for (int slot = 0; slot < kSlots; ++slot) {
+    if (std::exchange(slots_[slot].idle, false)) Serve(slot);
   }
 }
 
-void SimCoordinator::Serve(int place) {
+void SimCoordinator::Serve(int slot) {
   if (stopping_) return;
-  claims_wanted_.push_back(place);
+  claims_wanted_.push_back(slot);
   NextClaim();
 }
 
 void SimCoordinator::NextClaim() {
   if (claiming_ || claims_wanted_.empty() || stopping_) return EndIfStopped();
-  const int place = claims_wanted_.front();
+  const int slot = claims_wanted_.front();
   claims_wanted_.erase(claims_wanted_.begin());
-  Claim(place);
+  Claim(slot);
 }
 
-void SimCoordinator::Claim(int place) {
+void SimCoordinator::Claim(int slot) {
   claiming_ = true;
   const int64_t now_us = NowUs();
   const ClaimFilter filter = {
-      .at_least = place == kInteractivePlace ? Priority::kInteractive : Priority::kBulk,
-      .of_idle_tenants = place == kGuestPlace};
+      .at_least = slot == kInteractiveSlot ? Priority::kInteractive : Priority::kBulk,
+      .of_idle_tenants = slot == kGuestSlot};
   link_.Do([owner = Owner(), now_us, until_us = leases_->UntilUs(now_us),
             filter](JobStore& store) { return store.Claim(owner, now_us, until_us, filter); },
-           [this, place, now_us, seen = wakes_](const Claimed& claimed) {
-             Take(place, now_us, seen, claimed);
+           [this, slot, now_us, seen = wakes_](const Claimed& claimed) {
+             Take(slot, now_us, seen, claimed);
            });
 }
 
-void SimCoordinator::Take(int place, int64_t claimed_us, int64_t seen, const Claimed& claimed) {
+void SimCoordinator::Take(int slot, int64_t claimed_us, int64_t seen, const Claimed& claimed) {
   if (!claimed.ok() || !*claimed) {
-    Nap(place, seen);
+    Nap(slot, seen);
     claiming_ = false;
     return NextClaim();
   }
-  if ((*claimed)->build_id != plan_.build) return Adopt(place, claimed_us, **claimed);
-  Run(place, claimed_us, **claimed);
+  if ((*claimed)->build_id != plan_.build) return Adopt(slot, claimed_us, **claimed);
+  Run(slot, claimed_us, **claimed);
 }
 
 /// Simulates JobRunner::Adopt.
-void SimCoordinator::Adopt(int place, int64_t claimed_us, JobRecord job) {
+void SimCoordinator::Adopt(int slot, int64_t claimed_us, JobRecord job) {
   const Lease lease{job.id, job.owner_epoch};
   job.action_digest = ActionOf(works_.at(std::stoll(job.spec)), plan_.build);
   job.build_id = plan_.build;
@@ -160,53 +160,53 @@ void SimCoordinator::Adopt(int place, int64_t claimed_us, JobRecord job) {
   const JobIdentity identity{job.settings_digest, job.action_digest, job.build_id};
   link_.Do([lease, identity,
             now_us = NowUs()](JobStore& store) { return store.Adopt(lease, identity, now_us); },
-           [this, place, claimed_us, lease, job](const absl::StatusOr<bool>& adopted) {
-             if (adopted.ok() && !*adopted) return PutBack(place, lease);
-             if (adopted.ok()) return Run(place, claimed_us, job);
+           [this, slot, claimed_us, lease, job](const absl::StatusOr<bool>& adopted) {
+             if (adopted.ok() && !*adopted) return PutBack(slot, lease);
+             if (adopted.ok()) return Run(slot, claimed_us, job);
              claiming_ = false;
-             Nap(place, wakes_);
+             Nap(slot, wakes_);
              NextClaim();
            });
 }
 
 /// Returns the job to the queue, because the same work is held.
-void SimCoordinator::PutBack(int place, const Lease& lease) {
+void SimCoordinator::PutBack(int slot, const Lease& lease) {
   link_.Do(
       [lease, now_us = NowUs()](JobStore& store) {
         return store.Update(lease, {.state = JobState::kQueued}, now_us).status();
       },
-      [this, place](const absl::Status&) {
+      [this, slot](const absl::Status&) {
         claiming_ = false;
-        Nap(place, wakes_);
+        Nap(slot, wakes_);
         NextClaim();
       });
 }
 
-void SimCoordinator::Run(int place, int64_t claimed_us, const JobRecord& job) {
+void SimCoordinator::Run(int slot, int64_t claimed_us, const JobRecord& job) {
   const int64_t calm_us = world_.variant.calm_unasked ? INT64_MAX : NowUs() - calm_since_us_;
   const auto run = std::make_shared<SimRun>(desk_, works_.at(std::stoll(job.spec)), job, calm_us);
   if (stopping_) run->wishes()->HandBack();
   leases_->Add(run->lease(), claimed_us, run->wishes());
   runs_[run->lease()] = run;
   claiming_ = false;
-  run->Start([this, place, lease = run->lease()] {
+  run->Start([this, slot, lease = run->lease()] {
     if (runs_.at(lease)->lost()) calm_since_us_ = NowUs();
     leases_->Remove(lease);
     runs_.erase(lease);
-    Serve(place);
+    Serve(slot);
     EndIfStopped();
   });
   NextClaim();
 }
 
 /// Waits for a wake, or for the poll interval.
-void SimCoordinator::Nap(int place, int64_t seen) {
-  Place& napping = places_[place];
+void SimCoordinator::Nap(int slot, int64_t seen) {
+  Slot& napping = slots_[slot];
   napping.idle = true;
   const int64_t nap = ++napping.naps;
-  process_.After(seen == wakes_ ? kPollUs : 0, [this, place, nap] {
-    Place& p = places_[place];
-    if (p.naps == nap && std::exchange(p.idle, false)) Serve(place);
+  process_.After(seen == wakes_ ? kPollUs : 0, [this, slot, nap] {
+    Slot& p = slots_[slot];
+    if (p.naps == nap && std::exchange(p.idle, false)) Serve(slot);
   });
 }
 

@@ -61,7 +61,7 @@ class SimCoordinator {
 
  private:
   /// Simulated thread that runs jobs.
-  struct Place {
+  struct Slot {
     bool idle = false;
     int64_t naps = 0;  ///< number of the current sleep, to distinguish it from earlier sleeps
   };
@@ -69,14 +69,14 @@ class SimCoordinator {
 
   void Released(const absl::Status& released);
   void Wake();
-  void Serve(int place);
+  void Serve(int slot);
   void NextClaim();
-  void Claim(int place);
-  void Take(int place, int64_t claimed_us, int64_t seen, const Claimed& claimed);
-  void Adopt(int place, int64_t claimed_us, JobRecord job);
-  void PutBack(int place, const Lease& lease);
-  void Run(int place, int64_t claimed_us, const JobRecord& job);
-  void Nap(int place, int64_t seen);
+  void Claim(int slot);
+  void Take(int slot, int64_t claimed_us, int64_t seen, const Claimed& claimed);
+  void Adopt(int slot, int64_t claimed_us, JobRecord job);
+  void PutBack(int slot, const Lease& lease);
+  void Run(int slot, int64_t claimed_us, const JobRecord& job);
+  void Nap(int slot, int64_t seen);
   void Keep();
   void EndOverdue();
   void CheckHeard(const SimRun& run);
@@ -105,7 +105,7 @@ class SimCoordinator {
   /// Fact that a run should have learned at the last renewal of its lease, by lease; empty: none.
   /// If the run has not learned the fact at the next renewal, this is a violation.
   std::map<Lease, std::string> unheard_;
-  std::vector<Place> places_;
+  std::vector<Slot> slots_;
   /// Threads that wait to claim; only one claims at a time, as with claim_mutex_ of JobRunner.
   std::vector<int> claims_wanted_;
   bool claiming_ = false;

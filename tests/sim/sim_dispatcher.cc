@@ -104,7 +104,7 @@ void SimDispatcher::Serve(Slot& slot) {
   if (slot.left || slot.busy || slot.waiting || jobs_.empty()) return;
   int64_t wait_us = kReadyWaitUs + RestUs(1);
   if (farm_.Reachable(coordinator_, slot.worker)) {
-    const bool untold = world_.variant.processes_untold;
+    const bool untold = world_.variant.processes_unreported;
     const ProcessSet can = untold ? ProcessSet::All() : farm_.can(slot.worker);
     if (const auto grant = fan_out_->Take(slot.runner, world_.events.now_s(), can)) {
       return Begin(slot, *grant);
@@ -127,8 +127,8 @@ void SimDispatcher::Begin(Slot& slot, const FanOut::Grant& grant) {
   calls_[call] = {grant, &slot};
   const Job& job = jobs_.at(grant.job);
   const Range& range = job.ranges[grant.range];
-  world_.Tell("c{} has w{} make layers {} to {} of work {}", coordinator_, slot.worker, range.first,
-              range.last - 1, job.work.id);
+  world_.Log("c{} has w{} make layers {} to {} of work {}", coordinator_, slot.worker, range.first,
+             range.last - 1, job.work.id);
   farm_.Call(coordinator_, slot.worker, {job.work, job.build, range.first, range.last},
              [this, call, grant, life = process_.life()](const auto& answer) {
                if (life != process_.life()) return;
@@ -226,7 +226,7 @@ void SimDispatcher::Reject(const Slot& slot, const FanOut::Grant& grant,
                       DetailOf(error).reason != Reason::kBuildMismatch;
   if (counts) range.failed_on.push_back(slot.runner);
   if (counts && absl::IsInternal(error)) ++range.refusals;
-  if (world_.variant.failures_untold) return;
+  if (world_.variant.failures_unreported) return;
   const FanOut::Verdict verdict = fan_out_->Failed(grant, error);
   if (absl::IsInvalidArgument(error) != (verdict == FanOut::Verdict::kInputAtFault)) {
     world_.Violated("c{}: {} {} its job", coordinator_, error.ToString(),

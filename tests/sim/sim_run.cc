@@ -32,7 +32,7 @@ SimRun::SimRun(RunDesk& desk, Work work, JobRecord job, int64_t calm_us)
       lease_{job_.id, job_.owner_epoch},
       wishes_(std::make_shared<RunRequests>(
           desk.world.variant.deadlines_unread ? kNoDeadlineUs : job_.deadline_us)),
-      told_{work_.layers, 0} {
+      reported_{work_.layers, 0} {
   if (job_.cancel_requested && !desk.world.variant.cancels_unread) wishes_->Cancel();
 }
 
@@ -132,7 +132,7 @@ void SimRun::Sliced() {
     });
   }
   fan_out_ = desk_.dispatcher.Execute(
-      work_, desk_.build, [this](int32_t done) { told_.done = done; },
+      work_, desk_.build, [this](int32_t done) { reported_.done = done; },
       [self = shared_from_this()](absl::StatusOr<RangeHashes> layers) {
         self->fan_out_.reset();
         self->Computed(std::move(layers));
@@ -180,7 +180,7 @@ void SimRun::PutBlobs() {
 
 void SimRun::Conclude() {
   const JobUpdate update =
-      Conclusion(job_, lost_runs_, *wishes_, steps_.status(), told_, desk_.now_us());
+      Conclusion(job_, lost_runs_, *wishes_, steps_.status(), reported_, desk_.now_us());
   WriteAtLast(update, kLastWrites);
 }
 

@@ -70,7 +70,7 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   const std::shared_ptr<RunRequests> wishes_;
   std::function<void()> over_;
   RunSteps steps_{lost_runs_};
-  PipelineProgress told_;
+  PipelineProgress reported_;
   bool computing_ = false;
   /// job in the dispatcher; set while the ranges of this run are in progress
   std::optional<FanOut::JobId> fan_out_;

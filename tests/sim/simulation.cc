@@ -92,14 +92,14 @@ class Simulation {
   /// notice learns later that changes may have been missed.
   void Announce(const JobChange& change) {
     for (const auto& coordinator : coordinators_) {
-      std::optional<JobChange> told = change;
+      std::optional<JobChange> reported = change;
       int64_t delay_us = world_.random.Between(100, 20'000);
       if (world_.Happens(world_.scenario.lost_permille)) {
-        told.reset();
+        reported.reset();
         delay_us = world_.random.Between(0, 5 * kSecondUs);
       }
       SimCoordinator& to = *coordinator;
-      to.process().Arrive(delay_us, [&to, told] { to.Changed(told); });
+      to.process().Arrive(delay_us, [&to, reported] { to.Changed(reported); });
     }
   }
 
@@ -160,32 +160,32 @@ class Simulation {
       case Fault::kStopCoordinator:
         return Stop(coordinator, c);
       case Fault::kPauseCoordinator:
-        world_.Tell("c{} is paused", c);
+        world_.Log("c{} is paused", c);
         ++world_.totals.pauses;
         return coordinator.Pause(UntilUs(25 * kSecondUs));
       case Fault::kKillWorker:
-        world_.Tell("w{} is killed", w);
+        world_.Log("w{} is killed", w);
         ++world_.totals.worker_kills;
         return farm_.Kill(w, world_.random.Between(100, 8000) * kMillisecondUs);
       case Fault::kPauseWorker:
-        world_.Tell("w{} is paused", w);
+        world_.Log("w{} is paused", w);
         return farm_.Pause(w, UntilUs(25 * kSecondUs));
       case Fault::kPartition:
-        world_.Tell("c{} and w{} are parted", c, w);
+        world_.Log("c{} and w{} are parted", c, w);
         ++world_.totals.partitions;
         return farm_.Partition(c, w, UntilUs(20 * kSecondUs));
       case Fault::kWorkerLeaves:
         return LeaveAndJoin(coordinator, w);
       case Fault::kStoreAway:
-        world_.Tell("the store is away");
+        world_.Log("the store is away");
         world_.store_away_until_us = UntilUs(15 * kSecondUs);
         return;
       case Fault::kDiskFull:
-        world_.Tell("the disk is full");
+        world_.Log("the disk is full");
         world_.disk_full_until_us = UntilUs(15 * kSecondUs);
         return;
       case Fault::kSlicingAway:
-        world_.Tell("slicing is away");
+        world_.Log("slicing is away");
         world_.slicing_away_until_us = UntilUs(20 * kSecondUs);
         return;
     }
@@ -193,7 +193,7 @@ class Simulation {
 
   void Kill(SimCoordinator& coordinator, int c) {
     if (!coordinator.process().up()) return;
-    world_.Tell("c{} is killed", c);
+    world_.Log("c{} is killed", c);
     ++world_.totals.kills;
     coordinator.Kill();
     world_.events.After(world_.random.Between(100, 15'000) * kMillisecondUs, [&coordinator] {
@@ -204,7 +204,7 @@ class Simulation {
   void Stop(SimCoordinator& coordinator, int c) {
     coordinator.process().After(0, [this, &coordinator, c] {
       if (!coordinator.Serving()) return;
-      world_.Tell("c{} stops", c);
+      world_.Log("c{} stops", c);
       ++world_.totals.stops;
       coordinator.Stop();
     });
@@ -214,7 +214,7 @@ class Simulation {
     if (!coordinator.Serving()) return;
     coordinator.process().After(0, [this, &coordinator, worker] {
       if (!coordinator.Serving()) return;
-      world_.Tell("w{} leaves", worker);
+      world_.Log("w{} leaves", worker);
       coordinator.dispatcher().Leave(worker);
       coordinator.process().After(
           world_.random.Between(10, 5000) * kMillisecondUs,

@@ -42,7 +42,7 @@ struct World {
 
   /// Writes a step to the trace.
   template <typename... Args>
-  void Tell(fmt::format_string<Args...> format, Args&&... args) {
+  void Log(fmt::format_string<Args...> format, Args&&... args) {
     if (trace) trace(Stamp() + fmt::format(format, std::forward<Args>(args)...));
   }
 

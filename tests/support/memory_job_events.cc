@@ -20,19 +20,19 @@ absl::StatusOr<std::vector<JobEventRecord>> MemoryJobStore::Events(const std::st
 }
 
 absl::StatusOr<std::vector<TenantEvent>> MemoryJobStore::EventsOf(const std::string& tenant,
-                                                                  const EventPlace& after,
+                                                                  const EventCursor& after,
                                                                   int32_t limit) {
   const std::lock_guard lock(jobs_.mutex_);
   std::vector<TenantEvent> events;
   for (const auto& [number, entry] : jobs_.entries_) {
     if (entry.job.tenant != tenant) continue;
     for (const JobEventRecord& event : entry.events) {
-      const EventPlace place{event.time_us, number, event.sequence};
-      if (place > after) events.push_back({entry.job.id, place, event});
+      const EventCursor cursor{event.time_us, number, event.sequence};
+      if (cursor > after) events.push_back({entry.job.id, cursor, event});
     }
   }
   std::sort(events.begin(), events.end(),
-            [](const TenantEvent& a, const TenantEvent& b) { return a.place < b.place; });
+            [](const TenantEvent& a, const TenantEvent& b) { return a.cursor < b.cursor; });
   if (std::ssize(events) > limit) events.resize(static_cast<size_t>(limit));
   return events;
 }

@@ -21,7 +21,7 @@ void AddLatestRuns(const std::vector<const JobRecord*>& ended, QueueSnapshot& qu
     if (latest[i]->start_us > 0) queue.runs_us.push_back(latest[i]->end_us - latest[i]->start_us);
 }
 
-void AddHeldPlaces(const std::vector<const JobRecord*>& held, QueueSnapshot& queue) {
+void AddHeldSlots(const std::vector<const JobRecord*>& held, QueueSnapshot& queue) {
   const auto first = [](const JobRecord& job) {
     return std::tuple(job.start_us == 0, job.start_us, job.number);
   };
@@ -47,7 +47,7 @@ absl::StatusOr<QueueSnapshot> MemoryJobStore::ReadQueue(int64_t now_us) {
     }
   }
   QueueSnapshot queue;
-  AddHeldPlaces(held, queue);
+  AddHeldSlots(held, queue);
   const auto next = [](const JobRecord& job) {
     return std::tuple(job.tenant, -static_cast<int>(job.priority), job.deadline_us, job.number);
   };

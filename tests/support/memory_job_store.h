@@ -83,7 +83,7 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                      int32_t limit) override;
   absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
-                                                    const EventPlace& after,
+                                                    const EventCursor& after,
                                                     int32_t limit) override;
   absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;
   absl::Status ForgetResult(const std::string& action_digest) override;

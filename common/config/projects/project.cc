@@ -51,9 +51,9 @@ class Translator {
   Settings OfProject() {
     OrcaUnused unused;
     Settings settings = FromOrca(project_settings_, &unused, filament_);
-    Tell("", unused);
+    Report("", unused);
     for (const auto* texts : {&unused.of_print, &unused.others})
-      told_.insert(texts->begin(), texts->end());
+      reported_.insert(texts->begin(), texts->end());
     return settings;
   }
 
@@ -67,12 +67,12 @@ class Translator {
     OrcaUnused unused;
     own = FromOrca(all, &unused, filament_);
     for (auto* texts : {&unused.of_print, &unused.others})
-      std::erase_if(*texts, [this](const std::string& text) { return told_.contains(text); });
-    Tell(place, unused);
+      std::erase_if(*texts, [this](const std::string& text) { return reported_.contains(text); });
+    Report(place, unused);
     std::erase_if(own, [](const Setting& setting) { return setting.source != Source::kRequest; });
   }
 
-  void Tell(const std::string& place, const OrcaUnused& unused) {
+  void Report(const std::string& place, const OrcaUnused& unused) {
     const auto add = [&](const std::string& text, std::vector<std::string>& lines) {
       lines.push_back(place.empty() ? text : place + ": " + text);
     };
@@ -84,7 +84,7 @@ class Translator {
   std::vector<std::string> of_print_, others_;  ///< settings without effect
   Project& project_;
   Settings project_settings_;
-  std::set<std::string> told_;  ///< settings of the project that are already reported
+  std::set<std::string> reported_;  ///< settings of the project that are already reported
 };
 
 /// Returns true if the setting only requests the tool that the surroundings of the part use anyway.

@@ -189,8 +189,9 @@ class SuperReader {
   /// Converts the growth of the first layer. PrusaSlicer's value is a shrinkage and cannot be
   /// negative.
   void TakeCompensation() {
-    const auto growth = NumberOf("first_layer_size_compensation");
-    if (growth) Set("elefant_foot_compensation", PrintNumber(Quantise(std::max(-*growth, 0.0))));
+    const auto compensation = NumberOf("first_layer_size_compensation");
+    if (compensation)
+      Set("elefant_foot_compensation", PrintNumber(Quantise(std::max(-*compensation, 0.0))));
   }
 
   void Set(std::string_view key, std::string value) {

@@ -47,7 +47,7 @@ constexpr KnownKey kSwitches[] = {
 struct Group {
   std::string_view why;
   std::string_view keys;  // by spaces; `*` at the end: all that begin so
-  bool told = true;
+  bool reported = true;
 };
 
 /// Settings of features that do not exist yet, and settings that slicing never reads.
@@ -96,7 +96,7 @@ std::vector<KnownKey> MakeKnownKeys() {
       table.push_back({.key = key,
                        .why = group.why,
                        .of_print = of_print,
-                       .told = group.told,
+                       .reported = group.reported,
                        .of_several_extruders = group.why == kSeveral});
     }
   }

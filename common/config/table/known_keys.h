@@ -19,7 +19,7 @@ struct KnownKey {
   bool changes_print = false;
   /// True if templates may name the setting and the G-code quotes it. False for private values,
   /// such as the password of a print host: receivers of the file must not get them.
-  bool told = true;
+  bool reported = true;
   /// True if the setting concerns the use of several extruders; in slicefarm only one extruder
   /// prints.
   bool of_several_extruders = false;

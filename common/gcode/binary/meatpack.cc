@@ -51,12 +51,12 @@ class Packer {
  public:
   explicit Packer(size_t bytes) {
     text_.reserve(bytes / 2);
-    Tell(kEnable);
-    Tell(kNoSpaces);
+    WriteCommand(kEnable);
+    WriteCommand(kNoSpaces);
   }
 
   void AddComment(std::string_view line) {
-    if (packs_) Tell(kDisable);
+    if (packs_) WriteCommand(kDisable);
     packs_ = false;
     text_ += line;
     text_ += '\n';
@@ -64,7 +64,7 @@ class Packer {
 
   void AddCommand(std::string_view pairs) {
     if (pairs.empty()) return;
-    if (!packs_) Tell(kEnable);
+    if (!packs_) WriteCommand(kEnable);
     packs_ = true;
     for (size_t i = 0; i < pairs.size(); i += 2) {
       const uint8_t low = NumberOf(pairs[i]), high = NumberOf(pairs[i + 1]);
@@ -77,7 +77,7 @@ class Packer {
   std::string Take() { return std::move(text_); }
 
  private:
-  void Tell(char command) {
+  void WriteCommand(char command) {
     text_ += kSignal;
     text_ += command;
   }

@@ -19,7 +19,7 @@ constexpr double kDoubtNm = 0.5;
 constexpr int64_t kMostLooks = 100'000'000;
 
 /// Crossing of two edges, stored once for each of the two edges.
-struct Stop {
+struct EdgeCrossing {
   int32_t ring = 0;
   int32_t edge = 0;
   double along_nm = 0;  ///< distance from the edge's start
@@ -28,7 +28,7 @@ struct Stop {
   int32_t winding = 0;  ///< winding number to the left of the ring's part after the crossing
   bool used = false;
 
-  friend bool operator<(const Stop& a, const Stop& b) {
+  friend bool operator<(const EdgeCrossing& a, const EdgeCrossing& b) {
     if (a.ring != b.ring) return a.ring < b.ring;
     return a.edge != b.edge ? a.edge < b.edge : a.along_nm < b.along_nm;
   }
@@ -140,11 +140,11 @@ class Arrangement {
     ring_begin_.assign(rings_.size() + 1, 0);
     std::vector<int> seen(crossings_.size(), 0);
     for (size_t i = 0; i < stops_.size(); ++i) {
-      const Stop& stop = stops_[i];
+      const EdgeCrossing& stop = stops_[i];
       ++ring_begin_[stop.ring + 1];
       crossings_[stop.crossing].stops[seen[stop.crossing]++] = static_cast<int32_t>(i);
       if (i == 0) continue;
-      const Stop& before = stops_[i - 1];
+      const EdgeCrossing& before = stops_[i - 1];
       if (before.ring == stop.ring && before.edge == stop.edge &&
           stop.along_nm - before.along_nm < kDoubtNm) {
         return false;
@@ -269,10 +269,10 @@ class Arrangement {
 
   /// Appends the part of a ring that follows a stop; returns the stop at its end.
   int32_t AppendPart(int32_t at, TracedRing& outline) const {
-    const Stop& from = stops_[at];
+    const EdgeCrossing& from = stops_[at];
     const int32_t begin = ring_begin_[from.ring], end = ring_begin_[from.ring + 1];
     const int32_t next = at + 1 == end ? begin : at + 1;
-    const Stop& to = stops_[next];
+    const EdgeCrossing& to = stops_[next];
     const Polygon& points = Points(from.ring);
     const auto size = static_cast<int32_t>(points.size());
     AppendPoint(crossings_[from.crossing].place, {from.ring, from.edge}, outline);
@@ -332,7 +332,7 @@ class Arrangement {
   std::vector<Box> boxes_;          ///< bounding box of each ring
   int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
-  std::vector<Stop> stops_;
+  std::vector<EdgeCrossing> stops_;
   /// Index of the first stop of each ring; one entry more than rings.
   std::vector<int32_t> ring_begin_;
   std::vector<int> whole_winding_;  ///< winding number of each ring at its start

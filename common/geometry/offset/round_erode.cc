@@ -38,9 +38,9 @@ std::vector<GroupedRing> PointsOf(std::vector<SweptCurve>& curves) {
 }
 
 /// Turns along a ring of the outline.
-class Turns {
+class RingTurns {
  public:
-  explicit Turns(const Polygon& ring) {
+  explicit RingTurns(const Polygon& ring) {
     std::vector<Vector2> edges;
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point d = ring[i + 1 == ring.size() ? 0 : i + 1] - ring[i];
@@ -70,20 +70,20 @@ class Turns {
 
 /// Returns true if a ring of the erosion goes around the ring of the outline once, and leaves out
 /// only convex corners. `parts`: parts of the outline, in the order of the erosion's edges.
-bool GoesAround(const std::vector<int32_t>& parts, int32_t edges, const Turns& turns,
+bool GoesAround(const std::vector<int32_t>& parts, int32_t edges, const RingTurns& turns,
                 double most_turn) {
   const int32_t count = 2 * edges;
-  int64_t way = 0;
+  int64_t total = 0;
   for (size_t i = 0; i < parts.size(); ++i) {
     const int32_t from = parts[i], to = parts[i + 1 == parts.size() ? 0 : i + 1];
     const int32_t step = to >= from ? to - from : to - from + count;
     if (step == 0) continue;
-    way += step;
-    if (way > count) return false;
+    total += step;
+    if (total > count) return false;
     // A corner is the end of one edge and the start of the next one.
     if (turns.Greatest(from / 2, (to + 1) / 2 % edges) >= most_turn) return false;
   }
-  return way == count;
+  return total == count;
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ Width JudgeWidth(const PolygonWithHoles& island, Coord radius_nm, double most_tu
       if (edge.ring != source) return Width::kNarrow;
       parts.push_back((*curves)[source].parts[edge.index]);
     }
-    const Turns turns(source == 0 ? island.outer : island.holes[source - 1]);
+    const RingTurns turns(source == 0 ? island.outer : island.holes[source - 1]);
     if (!GoesAround(parts, (*curves)[source].edges, turns, most_turn)) return Width::kNarrow;
   }
   return Width::kWide;

@@ -72,7 +72,7 @@ double DensityOf(double value, DensityLaw law, double steepness, double threshol
   return value;
 }
 
-double DensityField::At(const PlaceMm& place_mm, double to_surface_mm) const {
+double DensityField::At(const PositionMm& place_mm, double to_surface_mm) const {
   double value = 0;
   switch (kind) {
     case Kind::kHeight:

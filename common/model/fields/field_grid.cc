@@ -24,7 +24,7 @@ double Mix(double a, double b, double share) { return a + (b - a) * share; }
 
 }  // namespace
 
-double FieldGrid::At(const PlaceMm& place_mm) const {
+double FieldGrid::At(const PositionMm& place_mm) const {
   std::array<Between, 3> at;
   for (size_t i = 0; i < 3; ++i) at[i] = Locate(place_mm[i], origin_mm[i], spacing_mm[i], count[i]);
   const auto row = [&](int64_t y, int64_t z) {

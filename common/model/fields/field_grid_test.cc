@@ -17,8 +17,8 @@ FieldGrid LinearGrid() {
 
 TEST(FieldGrid, IsLinearBetweenNodes) {
   const FieldGrid grid = LinearGrid();
-  for (const PlaceMm& place :
-       {PlaceMm{-1, 2, 0.5}, PlaceMm{0.3, 3.7, 2}, PlaceMm{3, 5, 4.5}, PlaceMm{2.99, 4.01, 1}})
+  for (const PositionMm& place : {PositionMm{-1, 2, 0.5}, PositionMm{0.3, 3.7, 2},
+                                  PositionMm{3, 5, 4.5}, PositionMm{2.99, 4.01, 1}})
     EXPECT_NEAR(grid.At(place), 0.5 + 0.25 * place[0] - 0.125 * place[1] + 2 * place[2], 1e-12);
 }
 

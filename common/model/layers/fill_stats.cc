@@ -8,7 +8,7 @@ namespace slicefarm {
 void FillStats::Add(const FillStats& other, int64_t copies) {
   const auto times = static_cast<double>(copies);
   area_mm2 += times * other.area_mm2;
-  room_mm3 += times * other.room_mm3;
+  volume_mm3 += times * other.volume_mm3;
   asked_mm3 += times * other.asked_mm3;
   plastic_mm3 += times * other.plastic_mm3;
   paths += copies * other.paths;

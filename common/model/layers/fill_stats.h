@@ -17,8 +17,8 @@ struct FillStats {
   /// Pattern; nullopt for lines that follow stresses or support an overhang.
   std::optional<FillPattern> pattern;
   double area_mm2 = 0;     ///< filled area, summed over all layers
-  double room_mm3 = 0;     ///< filled area times the height of the beads
-  double asked_mm3 = 0;    ///< plastic that the settings require for `room_mm3`
+  double volume_mm3 = 0;   ///< filled area times the height of the beads
+  double asked_mm3 = 0;    ///< plastic that the settings require for `volume_mm3`
   double plastic_mm3 = 0;  ///< volume of the beads, including links between lines
   int64_t paths = 0;
   double length_mm = 0;

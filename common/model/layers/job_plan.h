@@ -36,7 +36,7 @@ struct SectionPlan {
   std::optional<Point> exit;
   /// Start points of the walls, one per ring of OutlineOf. Empty: walls start near the nozzle.
   std::vector<Point> seams;
-  MultiPolygon carried = {};  ///< area directly above supports
+  MultiPolygon above_supports = {};  ///< area directly above supports
   /// turn of a spiral; this turn is the section's only wall
   std::optional<SpiralTurn> spiral = {};
   /// Area where overhangs have curled up above the layer; travels avoid it.

@@ -181,11 +181,11 @@ struct Travel {
 };
 
 /// Travel from the last path of a block to the point `to`.
-struct Leave {
+struct ExitTravel {
   Point to;
-  Travel way;
+  Travel travel;
 
-  friend bool operator==(const Leave&, const Leave&) = default;
+  friend bool operator==(const ExitTravel&, const ExitTravel&) = default;
 };
 
 /// Paths of one stack in the order and direction of printing, relative to the object's own origin.
@@ -201,12 +201,12 @@ struct PathBlock {
   std::vector<Travel> travels = {};
   /// travel to SectionPlan::exit, used if the block is the last of a layer with
   /// OrderedLayer::ends_ready
-  std::optional<Leave> leave = {};
+  std::optional<ExitTravel> exit_travel = {};
   /// Area that the stack's layer below covers. Only set for turns of a spiral, or if motion needs
   /// the area (LooksBelow); otherwise empty.
   MultiPolygon below = {};
-  MultiPolygon carried = {};  ///< SectionPlan::carried, set if motion needs `below`
-  MultiPolygon curled = {};   ///< SectionPlan::curled, set if motion slows walls above it
+  MultiPolygon above_supports = {};  ///< SectionPlan::above_supports, set if motion needs `below`
+  MultiPolygon curled = {};          ///< SectionPlan::curled, set if motion slows walls above it
   /// SectionPlan::spiral, the turn that the only path follows
   std::optional<SpiralTurn> spiral = {};
 
@@ -316,7 +316,7 @@ enum class MachineMode : uint8_t {
   kFan,
   kAcceleration,        ///< acceleration of all moves, or of printing moves only
   kTravelAcceleration,  ///< acceleration of travels, if the firmware has a separate one
-  kPlace,               ///< position of the nozzle
+  kPosition,            ///< position of the nozzle
   kFilament,            ///< state of the filament: retracted or ready to print
   kJerk,                ///< jerk in x and y, or square corner velocity
 };

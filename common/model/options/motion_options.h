@@ -189,7 +189,7 @@ struct MachineMotion {
   Coord max_print_height_nm = 0;              ///< setting max_print_height; 0: unlimited
   /// Area that travels must not leave: `bed_shape` without `bed_exclude_area`. Empty: no area is
   /// excluded.
-  MultiPolygon room;
+  MultiPolygon travel_area;
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< setting arc_fitting
   /// `gcode_resolution`: tolerance to which paths are simplified; 0: no simplification
   Coord resolution_nm = 12'500;

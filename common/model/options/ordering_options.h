@@ -41,7 +41,7 @@ struct TravelOptions {
   bool avoid_curled = false;
   /// bed_shape without bed_exclude_area: area that travels do not leave. Empty: no area is
   /// excluded.
-  MultiPolygon room = {};
+  MultiPolygon travel_area = {};
 
   friend bool operator==(const TravelOptions&, const TravelOptions&) = default;
 };

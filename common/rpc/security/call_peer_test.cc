@@ -37,8 +37,9 @@ std::string Escaped(const TlsFiles& files) {
 /// Service that answers with the identity and address of its caller.
 class WhoCalls final : public v1::Motion::Service {
  public:
-  grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* /*request*/,
-                            v1::ProgramFrame* response) override {
+  grpc::Status FrameProgram(grpc::ServerContext* context,
+                            const v1::ProgramEnvelopeRequest* /*request*/,
+                            v1::ProgramEnvelope* response) override {
     const auto peer = PeerOf(*context);
     if (!peer.ok()) return ToGrpc(peer.status());
     response->set_prologue(peer->identity + (peer->certified ? "" : " without certificate"));
@@ -58,13 +59,13 @@ class CallPeerTest : public testing::Test {
     server_ = *Server::Start(options, {&service_}, call_metrics_);
   }
 
-  absl::StatusOr<v1::ProgramFrame> Ask(const TlsFiles& files, const Headers& headers = {}) {
+  absl::StatusOr<v1::ProgramEnvelope> Ask(const TlsFiles& files, const Headers& headers = {}) {
     ChannelOptions options;
     options.credentials = (*Tls::Open(files))->ForIdentity(kCoordinatorIdentity, JsonLog("test"));
     const auto channel = MakeChannel("127.0.0.1:" + std::to_string(server_->port()), options);
     grpc::ClientContext context;
     for (const auto& [key, value] : headers) context.AddMetadata(key, value);
-    v1::ProgramFrame answer;
+    v1::ProgramEnvelope answer;
     const grpc::Status status = v1::Motion::NewStub(channel)->FrameProgram(&context, {}, &answer);
     if (!status.ok()) return FromGrpc(status);
     return answer;

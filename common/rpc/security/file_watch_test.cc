@@ -21,17 +21,18 @@ class FileWatchTest : public testing::Test {
     std::filesystem::rename(path_ + ".new", path_);
   }
 
-  std::string Told() {
+  std::string Reported() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !told_.empty(); });
-    std::string text = told_.front();
-    told_.pop_front();
+    changed_.wait(lock, [this] { return !reported_.empty(); });
+    std::string text = reported_.front();
+    reported_.pop_front();
     return text;
   }
 
-  void Tell(const absl::StatusOr<std::string>& text) {
+  void Report(const absl::StatusOr<std::string>& text) {
     const std::lock_guard lock(mutex_);
-    told_.push_back(text.ok() ? *text : std::string(ReasonName(DetailOf(text.status()).reason)));
+    reported_.push_back(text.ok() ? *text
+                                  : std::string(ReasonName(DetailOf(text.status()).reason)));
     changed_.notify_one();
   }
 
@@ -39,19 +40,19 @@ class FileWatchTest : public testing::Test {
   const std::string path_ = directory_.path() + "/file";
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::string> told_;
+  std::deque<std::string> reported_;
 };
 
 TEST_F(FileWatchTest, TellsEachOtherText) {
   Write("one");
   const FileWatch watch(
-      path_, "one", [this](const auto& text) { Tell(text); }, std::chrono::milliseconds(1));
+      path_, "one", [this](const auto& text) { Report(text); }, std::chrono::milliseconds(1));
   Write("two");
-  EXPECT_EQ(Told(), "two");
+  EXPECT_EQ(Reported(), "two");
   std::filesystem::remove(path_);
-  EXPECT_EQ(Told(), "REQUEST_MALFORMED");
+  EXPECT_EQ(Reported(), "REQUEST_MALFORMED");
   Write("two");
-  EXPECT_EQ(Told(), "two");
+  EXPECT_EQ(Reported(), "two");
 }
 
 TEST_F(FileWatchTest, FilesThatCannotBeReadAreNamed) {

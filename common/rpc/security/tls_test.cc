@@ -33,8 +33,9 @@ using std::chrono::seconds;
 /// Service that answers with the identity and the token of its caller.
 class WhoCalls final : public v1::Motion::Service {
  public:
-  grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* /*request*/,
-                            v1::ProgramFrame* response) override {
+  grpc::Status FrameProgram(grpc::ServerContext* context,
+                            const v1::ProgramEnvelopeRequest* /*request*/,
+                            v1::ProgramEnvelope* response) override {
     response->set_prologue(PeerIdentity(*context->auth_context()));
     response->set_epilogue(BearerToken(*context).value_or("none"));
     return grpc::Status::OK;
@@ -77,10 +78,10 @@ class TlsTest : public testing::Test {
   }
 
   static absl::StatusOr<Answer> Call(const std::shared_ptr<grpc::Channel>& channel) {
-    v1::ProgramFrame response;
+    v1::ProgramEnvelope response;
     const auto stub = v1::Motion::NewStub(channel);
     const absl::Status status =
-        UnaryCall({seconds(20), {}}, v1::FrameRequest(), &response,
+        UnaryCall({seconds(20), {}}, v1::ProgramEnvelopeRequest(), &response,
                   [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); });
     if (!status.ok()) return status;
     return Answer{response.prologue(), response.epilogue()};

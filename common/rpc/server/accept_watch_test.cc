@@ -91,16 +91,16 @@ TEST_F(AcceptWatchTest, NobodyListens) {
 
 TEST_F(AcceptWatchTest, TellsOfADeafPortOnce) {
   const DeafPort port;
-  int told = 0;
+  int reported = 0;
   Event dead;
   {
     const AcceptWatch watch(port.address("0.0.0.0"), /*tls=*/false, milliseconds(60), [&] {
-      ++told;
+      ++reported;
       dead.Happen();
     });
     dead.Await();
   }
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(reported, 1);
 }
 
 }  // namespace

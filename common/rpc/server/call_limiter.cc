@@ -8,7 +8,7 @@
 
 namespace slicefarm::rpc {
 
-CallLimiter::CallLimiter(const CallGateOptions& options, JsonLog log)
+CallLimiter::CallLimiter(const CallLimiterOptions& options, JsonLog log)
     : options_(options), log_(std::move(log)), admission_(options.slots, options.queue) {}
 
 grpc::Status CallLimiter::Run(const grpc::ServerContext& context, std::string_view method,

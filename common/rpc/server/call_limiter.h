@@ -18,7 +18,7 @@
 namespace slicefarm::rpc {
 
 /// Slots, queue length and time limits of a CallLimiter.
-struct CallGateOptions {
+struct CallLimiterOptions {
   int slots = 1;  ///< number of calls that work at the same time
   int queue = 8;  ///< number of calls that wait; further calls are refused with OVERLOADED
   /// Deadline of calls for which the client has set none.
@@ -40,7 +40,7 @@ struct Call {
 /// the status. Thread-safe.
 class CallLimiter {
  public:
-  CallLimiter(const CallGateOptions& options, JsonLog log);
+  CallLimiter(const CallLimiterOptions& options, JsonLog log);
 
   /// Waits for a slot, calls `work`, logs the call, and returns its status for gRPC.
   grpc::Status Run(const grpc::ServerContext& context, std::string_view method,
@@ -52,7 +52,7 @@ class CallLimiter {
   void Log(std::string_view method, const Call& call, double seconds,
            const absl::Status& status) const;
 
-  const CallGateOptions options_;
+  const CallLimiterOptions options_;
   const JsonLog log_;
   Admission admission_;
 };

@@ -19,7 +19,7 @@
 #include "common/rpc/security/certificate_metrics.h"
 #include "common/rpc/security/tls_options.h"
 #include "common/rpc/server/accept_watch.h"
-#include "common/rpc/server/gate_metrics.h"
+#include "common/rpc/server/limiter_metrics.h"
 #include "common/rpc/server/open_files.h"
 #include "common/rpc/server/shared_store.h"
 #include "common/rpc/server/stage_command_line.h"
@@ -98,15 +98,15 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
   AddTlsFlags(app, flags);
 }
 
-CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
-  CallGateOptions options;
+CallLimiterOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
+  CallLimiterOptions options;
   options.slots = Concurrency(flags);
   options.queue = 4 * options.slots;
   return options;
 }
 
 void ServerProgram::Show(const CallLimiter& gate) {
-  metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
+  metrics_.Show(std::make_shared<LimiterMetrics>(gate.admission()));
 }
 
 void ServerProgram::Show(const SharedCache& cache) {
@@ -133,14 +133,14 @@ absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credenti
   return credentials;
 }
 
-void ServerProgram::TellReadiness(Server& server, const std::stop_token& stop) const {
-  bool told = true;
+void ServerProgram::ReportReadiness(Server& server, const std::stop_token& stop) const {
+  bool reported = true;
   while (SleepUnlessStopped(stop, kAskReadyEvery)) {
     const bool ready = ready_();
-    if (ready == told) continue;
+    if (ready == reported) continue;
     server.SetReady(ready);
     ready ? log_.Info("ready again") : log_.Warn("not ready: the store does not answer");
-    told = ready;
+    reported = ready;
   }
 }
 
@@ -148,7 +148,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
                        const std::function<void()>& on_signal, QueuedMethods* queued) {
   RaiseOpenFilesLimit();
   ServerOptions options = flags.server;
-  const CallGateOptions gate = GateOptions(flags);
+  const CallLimiterOptions gate = GateOptions(flags);
   options.max_threads = std::max(options.max_threads, gate.slots + gate.queue + kSpareThreads);
   auto credentials = Credentials(flags);
   if (!credentials.ok()) {
@@ -179,7 +179,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
 
   std::jthread readiness;
   if (ready_)
-    readiness = std::jthread([&](const std::stop_token& stop) { TellReadiness(**server, stop); });
+    readiness = std::jthread([&](const std::stop_token& stop) { ReportReadiness(**server, stop); });
   std::atomic<bool> dead = false;
   std::optional<AcceptWatch> watch;
   if (flags.accept_patience_s > 0) {

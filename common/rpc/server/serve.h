@@ -66,9 +66,9 @@ class ServerProgram {
   bool EndsWithin(std::chrono::milliseconds time) const { return signal_.WaitFor(time); }
 
   /// Returns the options of the CallLimiter for calls with heavy work, according to the flags.
-  CallGateOptions GateOptions(const ServeFlags& flags) const;
+  CallLimiterOptions GateOptions(const ServeFlags& flags) const;
 
-  /// Adds the load metrics of `gate` (GateMetrics). `gate` must exist until Run returns.
+  /// Adds the load metrics of `gate` (LimiterMetrics). `gate` must exist until Run returns.
   void Show(const CallLimiter& gate);
 
   /// Adds the metrics of `cache` (SharedMetrics). `cache` must exist until Run returns.
@@ -90,7 +90,7 @@ class ServerProgram {
  private:
   absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> Credentials(
       const ServeFlags& flags) const;
-  void TellReadiness(Server& server, const std::stop_token& stop) const;
+  void ReportReadiness(Server& server, const std::stop_token& stop) const;
 
   ShutdownSignal signal_;
   JsonLog log_;

@@ -31,13 +31,13 @@ class TestService final : public v1::Motion::Service {
  public:
   using Work = std::function<absl::Status(Call&)>;
 
-  explicit TestService(const CallGateOptions& options, JsonLog log)
+  explicit TestService(const CallLimiterOptions& options, JsonLog log)
       : gate_(options, std::move(log)) {}
 
   void OnCall(Work work) { work_ = std::move(work); }
 
-  grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* request,
-                            v1::ProgramFrame* response) override {
+  grpc::Status FrameProgram(grpc::ServerContext* context, const v1::ProgramEnvelopeRequest* request,
+                            v1::ProgramEnvelope* response) override {
     response->set_epilogue(request->settings_text());
     return gate_.Run(*context, "FrameProgram", work_);
   }
@@ -67,7 +67,7 @@ absl::Status WorkForever(Call& call) {
 
 class ServerTest : public testing::Test {
  protected:
-  void Start(const CallGateOptions& gate = {}, const ServerOptions& options = {}) {
+  void Start(const CallLimiterOptions& gate = {}, const ServerOptions& options = {}) {
     service_ = std::make_unique<TestService>(gate, log_);
     auto server = Server::Start(options, {service_.get()}, call_metrics_);
     ASSERT_TRUE(server.ok()) << server.status();
@@ -78,9 +78,9 @@ class ServerTest : public testing::Test {
   std::string Address() const { return "127.0.0.1:" + std::to_string(server_->port()); }
 
   absl::Status CallFrame(const ClientCallOptions& options = {}, const std::string& text = "text") {
-    v1::FrameRequest request;
+    v1::ProgramEnvelopeRequest request;
     request.set_settings_text(text);
-    v1::ProgramFrame response;
+    v1::ProgramEnvelope response;
     const auto stub = v1::Motion::NewStub(channel_);
     const absl::Status status = UnaryCall(options, request, &response, [&](auto&&... arguments) {
       return stub->AsyncFrameProgram(arguments...);
@@ -174,7 +174,7 @@ TEST_F(ServerTest, WhatStorageSaysIsForTheLogAlone) {
   struct Case {
     absl::StatusCode code;
     Reason reason;
-    bool is_told;
+    bool is_reported;
   };
   for (const Case& c : {Case{absl::StatusCode::kInternal, Reason::kStoreFailed, false},
                         Case{absl::StatusCode::kUnavailable, Reason::kStoreFailed, false},
@@ -191,8 +191,8 @@ TEST_F(ServerTest, WhatStorageSaysIsForTheLogAlone) {
     EXPECT_EQ(DetailOf(status).reason, c.reason);
     EXPECT_EQ(DetailOf(status).metadata["job"], "7");
     EXPECT_EQ(DetailOf(status).metadata["retry_after_ms"], "1500");
-    EXPECT_EQ(status.message().find("/var/lib") != std::string::npos, c.is_told) << status;
-    EXPECT_EQ(log_text_.str().find("storage failed") == std::string::npos, c.is_told);
+    EXPECT_EQ(status.message().find("/var/lib") != std::string::npos, c.is_reported) << status;
+    EXPECT_EQ(log_text_.str().find("storage failed") == std::string::npos, c.is_reported);
     EXPECT_THAT(log_text_.str(), testing::HasSubstr(error));
   }
 }
@@ -285,7 +285,7 @@ TEST_F(ServerTest, WorkWithoutADeadlineGetsOne) {
   Start({1, 0, milliseconds(50)});
   service_->OnCall(WorkForever);
   grpc::ClientContext context;  // has no deadline, unlike calls of slicefarm's clients
-  v1::ProgramFrame response;
+  v1::ProgramEnvelope response;
   const grpc::Status status = v1::Motion::NewStub(channel_)->FrameProgram(&context, {}, &response);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
 }
@@ -362,7 +362,7 @@ TEST_F(ServerTest, DrainingFinishesWhatIsInFlight) {
   EXPECT_TRUE(channel->WaitForStateChange(GRPC_CHANNEL_READY, far));
   grpc::ClientContext context;
   context.set_deadline(far);
-  v1::ProgramFrame response;
+  v1::ProgramEnvelope response;
   const grpc::Status refused = v1::Motion::NewStub(channel)->FrameProgram(&context, {}, &response);
   EXPECT_EQ(refused.error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_EQ(drain.wait_for(milliseconds(0)), std::future_status::timeout);

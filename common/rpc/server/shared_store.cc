@@ -17,7 +17,7 @@ using Stream = grpc::ServerReaderWriter<v1::KeepResponse, v1::KeepRequest>;
 
 /// Limits of concurrent uploads. A coordinator sends a value once, so only many coordinators cause
 /// more than a few uploads at the same time.
-constexpr CallGateOptions kGate{.slots = 4, .queue = 32};
+constexpr CallLimiterOptions kGate{.slots = 4, .queue = 32};
 
 absl::Status Refused(const char* field, const char* why) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,

@@ -69,7 +69,7 @@ absl::StatusOr<MeltedSample> MeltedOf(const v1::MeltedSample& proto) {
                       proto.pieces(),    proto.least_j_mm2(), proto.most_j_mm2()};
 }
 
-absl::Status CheckSummary(const v1::ExposureFrameRequest& proto) {
+absl::Status CheckSummary(const v1::ExposureEnvelopeRequest& proto) {
   if (proto.layers_size() > limits::kMaxLayers) return Malformed("layers", "too many");
   if (!IsAmount(proto.time_s())) return Malformed("time_s", "is no amount");
   return CheckObjectNames(proto.object_names());
@@ -132,7 +132,7 @@ absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto) {
   return ExposedProgram{*frame, std::move(*proto.mutable_text()), *std::move(report)};
 }
 
-absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto) {
+absl::Status ToProto(const ExposureSummary& summary, v1::ExposureEnvelopeRequest* proto) {
   for (const LayerFrame& layer : summary.layers) ToProto(layer, proto->add_layers());
   proto->mutable_object_names()->Assign(summary.object_names.begin(), summary.object_names.end());
   proto->set_time_s(summary.time_s);
@@ -140,7 +140,7 @@ absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* p
   return BoxToProto(summary.bounds, proto);
 }
 
-absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto) {
+absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureEnvelopeRequest& proto) {
   if (absl::Status status = CheckSummary(proto); !status.ok()) return status;
   ExposureSummary summary;
   if (absl::Status status = AllFromProto(proto.layers(), "layers", &summary.layers); !status.ok())
@@ -154,15 +154,15 @@ absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto)
   return summary;
 }
 
-v1::ExposureFrame ToProto(ExposureEnvelope frame) {
-  v1::ExposureFrame proto;
+v1::ExposureEnvelope ToProto(ExposureEnvelope frame) {
+  v1::ExposureEnvelope proto;
   proto.set_header(std::move(frame.header));
   for (std::string& head : frame.layer_heads) proto.add_layer_heads(std::move(head));
   proto.set_footer(std::move(frame.footer));
   return proto;
 }
 
-absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto) {
+absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureEnvelope proto) {
   ExposureEnvelope frame;
   frame.header = std::move(*proto.mutable_header());
   for (std::string& head : *proto.mutable_layer_heads())

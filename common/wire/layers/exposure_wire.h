@@ -18,14 +18,14 @@ absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto);
 absl::Status ToProto(ExposedProgram program, v1::ExposedProgram* proto);
 absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 
-/// Converts a summary to all fields of ExposureFrameRequest except `call` and the settings, and
+/// Converts a summary to all fields of ExposureEnvelopeRequest except `call` and the settings, and
 /// back.
-absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
-absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
+absl::Status ToProto(const ExposureSummary& summary, v1::ExposureEnvelopeRequest* proto);
+absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureEnvelopeRequest& proto);
 
 /// Converts the texts before and after an exposure program to their message and back.
-v1::ExposureFrame ToProto(ExposureEnvelope frame);
-absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto);
+v1::ExposureEnvelope ToProto(ExposureEnvelope frame);
+absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureEnvelope proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

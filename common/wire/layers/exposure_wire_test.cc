@@ -69,8 +69,8 @@ TEST(ExposureWire, ProgramsAndFramesReturn) {
   ExpectReturns<v1::ExposureReport>(DistinctReport());
   ExpectReturns<v1::ExposureReport>(ExposureReport());
   ExpectReturns<v1::ExposedProgram>(DistinctProgram());
-  ExpectReturns<v1::ExposureFrameRequest>(DistinctSummary());
-  ExpectReturns<v1::ExposureFrameRequest>(ExposureSummary());
+  ExpectReturns<v1::ExposureEnvelopeRequest>(DistinctSummary());
+  ExpectReturns<v1::ExposureEnvelopeRequest>(ExposureSummary());
   const ExposureEnvelope frame{std::string("a\0b", 3), {"x", "y"}, "c"};
   EXPECT_EQ(*FromProto(ToProto(frame)), frame);
 }
@@ -78,8 +78,8 @@ TEST(ExposureWire, ProgramsAndFramesReturn) {
 TEST(ExposureWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::ExposedProgram, ExposedProgram>(
       ProtoOf<v1::ExposedProgram>(DistinctProgram()));
-  ExpectEveryChangeReturns<v1::ExposureFrameRequest, ExposureSummary>(
-      ProtoOf<v1::ExposureFrameRequest>(DistinctSummary()), {}, {"settings"});
+  ExpectEveryChangeReturns<v1::ExposureEnvelopeRequest, ExposureSummary>(
+      ProtoOf<v1::ExposureEnvelopeRequest>(DistinctSummary()), {}, {"settings"});
 }
 
 TEST(ExposureWire, RefusesWhatNoLayerComesTo) {
@@ -101,7 +101,7 @@ TEST(ExposureWire, RefusesWhatNoLayerComesTo) {
 }
 
 TEST(ExposureWire, RefusesSummariesThatNoJobHas) {
-  auto summary = ProtoOf<v1::ExposureFrameRequest>(DistinctSummary());
+  auto summary = ProtoOf<v1::ExposureEnvelopeRequest>(DistinctSummary());
   summary.set_time_s(-1);
   ExpectMalformed(FromProto(summary).status(), "time_s");
   summary.set_time_s(1);

@@ -9,8 +9,8 @@ namespace slicefarm {
 
 /// Converts the totals of an infill. Errors: REQUEST_MALFORMED, with the field, for an invalid
 /// amount, index of settings, feature or pattern.
-absl::Status ToProto(const FillStats& use, v1::FillUse* proto);
-absl::StatusOr<FillStats> FromProto(const v1::FillUse& proto);
+absl::Status ToProto(const FillStats& use, v1::FillStats* proto);
+absl::StatusOr<FillStats> FromProto(const v1::FillStats& proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

@@ -16,12 +16,12 @@ namespace {
 // and thereby to the message.
 FillStats Distinct() {
   FillStats use;
-  auto& [settings, feature, pattern, area, room, asked, plastic, paths, length, longest] = use;
+  auto& [settings, feature, pattern, area, volume, asked, plastic, paths, length, longest] = use;
   settings = 1;
   feature = Feature::kSolidInfill;
   pattern = FillPattern::kGyroid;
   area = 2;
-  room = 3;
+  volume = 3;
   asked = 4;
   plastic = 5;
   paths = 6;
@@ -31,18 +31,18 @@ FillStats Distinct() {
 }
 
 TEST(FillUseWire, Returns) {
-  ExpectReturns<v1::FillUse>(Distinct());
-  ExpectReturns<v1::FillUse>(FillStats{});
-  ExpectEveryChangeReturns<v1::FillUse, FillStats>(ProtoOf<v1::FillUse>(Distinct()));
+  ExpectReturns<v1::FillStats>(Distinct());
+  ExpectReturns<v1::FillStats>(FillStats{});
+  ExpectEveryChangeReturns<v1::FillStats, FillStats>(ProtoOf<v1::FillStats>(Distinct()));
 }
 
 TEST(FillUseWire, EachMemberIsTheFieldOfItsName) {
-  const auto proto = ProtoOf<v1::FillUse>(Distinct());
+  const auto proto = ProtoOf<v1::FillStats>(Distinct());
   EXPECT_EQ(proto.settings(), 1);
   EXPECT_EQ(proto.feature(), v1::FEATURE_SOLID_INFILL);
   EXPECT_EQ(proto.pattern(), static_cast<int>(FillPattern::kGyroid) + 1);
   EXPECT_EQ(proto.area_mm2(), 2);
-  EXPECT_EQ(proto.room_mm3(), 3);
+  EXPECT_EQ(proto.volume_mm3(), 3);
   EXPECT_EQ(proto.asked_mm3(), 4);
   EXPECT_EQ(proto.plastic_mm3(), 5);
   EXPECT_EQ(proto.paths(), 6);
@@ -51,8 +51,8 @@ TEST(FillUseWire, EachMemberIsTheFieldOfItsName) {
 }
 
 TEST(FillUseWire, RefusesWhatIsNoUse) {
-  constexpr char kAmounts[] = "area_mm2, room_mm3, asked_mm3, plastic_mm3, length_mm, longest_mm";
-  const std::vector<std::pair<std::string, std::function<void(v1::FillUse&)>>> spoils = {
+  constexpr char kAmounts[] = "area_mm2, volume_mm3, asked_mm3, plastic_mm3, length_mm, longest_mm";
+  const std::vector<std::pair<std::string, std::function<void(v1::FillStats&)>>> spoils = {
       {"settings", [](auto& u) { u.set_settings(-1); }},
       {"paths", [](auto& u) { u.set_paths(-1); }},
       {"feature", [](auto& u) { u.clear_feature(); }},
@@ -61,7 +61,7 @@ TEST(FillUseWire, RefusesWhatIsNoUse) {
       {kAmounts, [](auto& u) { u.set_plastic_mm3(1e308 * 10); }},
   };
   for (const auto& [field, spoil] : spoils) {
-    auto proto = ProtoOf<v1::FillUse>(Distinct());
+    auto proto = ProtoOf<v1::FillStats>(Distinct());
     spoil(proto);
     ExpectMalformed(FromProto(proto).status(), field);
   }

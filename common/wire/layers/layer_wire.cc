@@ -259,17 +259,17 @@ absl::StatusOr<Travel> FromProto(const v1::Travel& proto) {
   return Travel{proto.hidden(), *std::move(corners), proto.over_wall()};
 }
 
-absl::Status ToProto(const Leave& leave, v1::Leave* proto) {
-  if (absl::Status status = ToProto(leave.to, proto->mutable_to()); !status.ok())
+absl::Status ToProto(const ExitTravel& exit_travel, v1::ExitTravel* proto) {
+  if (absl::Status status = ToProto(exit_travel.to, proto->mutable_to()); !status.ok())
     return Within("to", status);
-  const absl::Status status = ToProto(leave.way, proto->mutable_way());
-  return status.ok() ? status : Within("way", status);
+  const absl::Status status = ToProto(exit_travel.travel, proto->mutable_travel());
+  return status.ok() ? status : Within("travel", status);
 }
 
-absl::StatusOr<Leave> FromProto(const v1::Leave& proto) {
-  absl::StatusOr<Travel> way = FromProto(proto.way());
-  if (!way.ok()) return Within("way", way.status());
-  return Leave{FromProto(proto.to()), *std::move(way)};
+absl::StatusOr<ExitTravel> FromProto(const v1::ExitTravel& proto) {
+  absl::StatusOr<Travel> travel = FromProto(proto.travel());
+  if (!travel.ok()) return Within("travel", travel.status());
+  return ExitTravel{FromProto(proto.to()), *std::move(travel)};
 }
 
 absl::Status ToProto(const SpiralTurn& turn, v1::SpiralTurn* proto) {
@@ -292,17 +292,17 @@ absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
   if (!status.ok()) return status;
   status = AllToProto(block.travels, "travels", proto->mutable_travels());
   if (!status.ok()) return status;
-  if (block.leave) {
-    status = ToProto(*block.leave, proto->mutable_leave());
-    if (!status.ok()) return Within("leave", status);
+  if (block.exit_travel) {
+    status = ToProto(*block.exit_travel, proto->mutable_exit_travel());
+    if (!status.ok()) return Within("exit_travel", status);
   }
   if (block.spiral) {
     status = ToProto(*block.spiral, proto->mutable_spiral());
     if (!status.ok()) return Within("spiral", status);
   }
-  if (!block.carried.empty()) {
-    status = ToProto(block.carried, proto->mutable_carried());
-    if (!status.ok()) return Within("carried", status);
+  if (!block.above_supports.empty()) {
+    status = ToProto(block.above_supports, proto->mutable_above_supports());
+    if (!status.ok()) return Within("above_supports", status);
   }
   if (!block.curled.empty()) {
     status = ToProto(block.curled, proto->mutable_curled());
@@ -322,17 +322,17 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   if (!block->travels.empty() && block->travels.size() != block->paths.size()) {
     return Malformed("travels", "not one for each path");
   }
-  if (proto.has_leave()) {
-    absl::StatusOr<Leave> leave = FromProto(proto.leave());
-    if (!leave.ok()) return Within("leave", leave.status());
-    block->leave = *std::move(leave);
+  if (proto.has_exit_travel()) {
+    absl::StatusOr<ExitTravel> exit_travel = FromProto(proto.exit_travel());
+    if (!exit_travel.ok()) return Within("exit_travel", exit_travel.status());
+    block->exit_travel = *std::move(exit_travel);
   }
   absl::StatusOr<MultiPolygon> below = FromProto(proto.below());
   if (!below.ok()) return Within("below", below.status());
   block->below = *std::move(below);
-  absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
-  if (!carried.ok()) return Within("carried", carried.status());
-  block->carried = *std::move(carried);
+  absl::StatusOr<MultiPolygon> above_supports = FromProto(proto.above_supports());
+  if (!above_supports.ok()) return Within("above_supports", above_supports.status());
+  block->above_supports = *std::move(above_supports);
   absl::StatusOr<MultiPolygon> curled = FromProto(proto.curled());
   if (!curled.ok()) return Within("curled", curled.status());
   block->curled = *std::move(curled);

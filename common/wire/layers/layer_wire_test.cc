@@ -101,7 +101,8 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [stack, layer, height, paths, travels, leave, below, carried, curled, spiral] = first;
+  auto& [stack, layer, height, paths, travels, exit_travel, below, above_supports, curled, spiral] =
+      first;
   stack = kRaftStack;
   layer = 2;
   height = 150'000;
@@ -111,11 +112,11 @@ OrderedLayer Ordered() {
   hidden = over_wall = true;
   corners = {{1, 2}, {-3, 4}};
   travels = {travel};
-  auto& [to, route] = leave.emplace();
+  auto& [to, route] = exit_travel.emplace();
   to = {5, -6};
   route = {true, {{7, 8}}};
   below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
-  carried = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
+  above_supports = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
   curled = *ParseMultiPolygon("(2 1, 3 1, 3 2)");
   spiral = {{1, 2}, Point{3, 4}, true, false};
   BlockVisit visit;
@@ -375,8 +376,8 @@ TEST(LayerWire, RefusesTravelsThatAreNotOneForEachPath) {
   proto.mutable_blocks(0)->mutable_travels(0)->add_corners_xy_nm(1);
   ExpectMalformed(FromProto(proto).status(), "blocks[0].travels[0].corners_xy_nm");
   proto = ProtoOf<v1::OrderedLayer>(Ordered());
-  proto.mutable_blocks(0)->mutable_leave()->mutable_way()->add_corners_xy_nm(1);
-  ExpectMalformed(FromProto(proto).status(), "blocks[0].leave.way.corners_xy_nm");
+  proto.mutable_blocks(0)->mutable_exit_travel()->mutable_travel()->add_corners_xy_nm(1);
+  ExpectMalformed(FromProto(proto).status(), "blocks[0].exit_travel.travel.corners_xy_nm");
 }
 
 TEST(LayerWire, RefusesAnOutlineOfTwoIslands) {

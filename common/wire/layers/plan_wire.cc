@@ -102,9 +102,10 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
     if (absl::Status status = ToProto(*plan.exit, proto->mutable_exit()); !status.ok())
       return Within("exit", status);
   }
-  if (!plan.carried.empty())
-    if (absl::Status status = ToProto(plan.carried, proto->mutable_carried()); !status.ok())
-      return Within("carried", status);
+  if (!plan.above_supports.empty())
+    if (absl::Status status = ToProto(plan.above_supports, proto->mutable_above_supports());
+        !status.ok())
+      return Within("above_supports", status);
   if (!plan.curled.empty())
     if (absl::Status status = ToProto(plan.curled, proto->mutable_curled()); !status.ok())
       return Within("curled", status);
@@ -118,12 +119,12 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   if (absl::Status status = CheckStack("stack", proto.stack()); !status.ok()) return status;
   absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
   if (!seams.ok()) return seams.status();
-  absl::StatusOr<MultiPolygon> carried = FromProto(proto.carried());
-  if (!carried.ok()) return Within("carried", carried.status());
+  absl::StatusOr<MultiPolygon> above_supports = FromProto(proto.above_supports());
+  if (!above_supports.ok()) return Within("above_supports", above_supports.status());
   absl::StatusOr<MultiPolygon> curled = FromProto(proto.curled());
   if (!curled.ok()) return Within("curled", curled.status());
   SectionPlan plan{
-      proto.stack(), FromProto(proto.entry()), {}, *std::move(seams), *std::move(carried)};
+      proto.stack(), FromProto(proto.entry()), {}, *std::move(seams), *std::move(above_supports)};
   if (proto.has_exit()) plan.exit = FromProto(proto.exit());
   if (proto.has_spiral()) plan.spiral = FromProto(proto.spiral());
   plan.curled = *std::move(curled);

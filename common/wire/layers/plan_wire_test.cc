@@ -37,12 +37,12 @@ PlacedCopy DistinctPlaced() {
 
 SectionPlan DistinctSection(int32_t of) {
   SectionPlan plan;
-  auto& [stack, entry, exit, seams, carried, spiral, curled] = plan;
+  auto& [stack, entry, exit, seams, above_supports, spiral, curled] = plan;
   stack = of;
   entry = {2, -3};
   exit = {-8, 9};
   seams = {{4, 5}, {-6, 7}};
-  carried = MakePolygonsOrDie("(2 2, 7 2, 7 7)");
+  above_supports = MakePolygonsOrDie("(2 2, 7 2, 7 7)");
   curled = MakePolygonsOrDie("(3 3, 8 3, 8 8)");
   spiral = {{10, 11}, Point{-12, 13}, true, false};
   return plan;

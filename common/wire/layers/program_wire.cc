@@ -374,7 +374,7 @@ absl::StatusOr<LayerWarning> FromProto(const v1::LayerWarning& proto) {
   return LayerWarning{proto.layer(), proto.plain_islands()};
 }
 
-absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
+absl::Status ToProto(const ProgramSummary& summary, v1::ProgramEnvelopeRequest* proto) {
   if (absl::Status status = AllToProto(summary.layers, "layers", proto->mutable_layers());
       !status.ok()) {
     return status;
@@ -396,7 +396,7 @@ absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
+absl::StatusOr<ProgramSummary> FromProto(const v1::ProgramEnvelopeRequest& proto) {
   ProgramSummary summary;
   if (proto.layers_size() > limits::kMaxLayerPrograms) {
     return Malformed("layers", fmt::format("more than {}", limits::kMaxLayerPrograms));
@@ -427,8 +427,8 @@ absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
   return summary;
 }
 
-v1::ProgramFrame ToProto(ProgramEnvelope frame) {
-  v1::ProgramFrame proto;
+v1::ProgramEnvelope ToProto(ProgramEnvelope frame) {
+  v1::ProgramEnvelope proto;
   proto.set_prologue(std::move(frame.prologue));
   for (std::string& prefix : frame.layer_prefixes) proto.add_layer_prefixes(std::move(prefix));
   proto.set_epilogue(std::move(frame.epilogue));
@@ -441,7 +441,7 @@ v1::ProgramFrame ToProto(ProgramEnvelope frame) {
   return proto;
 }
 
-absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto) {
+absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramEnvelope proto) {
   if (!IsAmount(proto.travel_mm())) return Malformed("travel_mm", "is not an amount");
   absl::StatusOr<PrintTimes> times = FromProto(proto.times());
   if (!times.ok()) return Within("times", times.status());

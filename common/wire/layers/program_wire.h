@@ -41,13 +41,14 @@ absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto);
 absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 
-/// Converts a summary to all fields of FrameRequest except `call` and the options, and back.
-absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
-absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
+/// Converts a summary to all fields of ProgramEnvelopeRequest except `call` and the options, and
+/// back.
+absl::Status ToProto(const ProgramSummary& summary, v1::ProgramEnvelopeRequest* proto);
+absl::StatusOr<ProgramSummary> FromProto(const v1::ProgramEnvelopeRequest& proto);
 
 /// Converts the texts before and after a program to their message and back.
-v1::ProgramFrame ToProto(ProgramEnvelope frame);
-absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto);
+v1::ProgramEnvelope ToProto(ProgramEnvelope frame);
+absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramEnvelope proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

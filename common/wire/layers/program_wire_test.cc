@@ -71,7 +71,7 @@ LayerProgram DistinctProgram() {
          ends_retracted, footprint, silent_time, copies] = program;
   ends_retracted = false;
   code_at = {2, 5};
-  mode_lines = {{1, 2, MachineMode::kFan, "M107"}, {4, 3, MachineMode::kPlace, "1 2"}};
+  mode_lines = {{1, 2, MachineMode::kFan, "M107"}, {4, 3, MachineMode::kPosition, "1 2"}};
   modes_at_end = {"M106 S9", "", "M204 T7", "3 4", "ready", "M205 X9 Y9"};
   footprint = {{1, 2}, {3, -4}, {5, 6}};
   silent_time = 501;
@@ -198,18 +198,18 @@ TEST(ProgramWire, EmptyProgramReturns) {
 }
 
 TEST(ProgramWire, SummaryReturns) {
-  const auto proto = ProtoOf<v1::FrameRequest>(DistinctSummary());
+  const auto proto = ProtoOf<v1::ProgramEnvelopeRequest>(DistinctSummary());
   const absl::StatusOr<ProgramSummary> back = FromProto(proto);
   ASSERT_TRUE(back.ok()) << back.status();
   EXPECT_EQ(*back, DistinctSummary());
-  ExpectEveryFieldReturns<v1::FrameRequest, ProgramSummary>(
-      proto, ProtoOf<v1::FrameRequest, ProgramSummary>);
+  ExpectEveryFieldReturns<v1::ProgramEnvelopeRequest, ProgramSummary>(
+      proto, ProtoOf<v1::ProgramEnvelopeRequest, ProgramSummary>);
 }
 
 TEST(ProgramWire, FrameReturns) {
-  const v1::ProgramFrame proto = ToProto(DistinctFrame());
+  const v1::ProgramEnvelope proto = ToProto(DistinctFrame());
   EXPECT_EQ(*FromProto(proto), DistinctFrame());
-  ExpectEveryFieldReturns<v1::ProgramFrame, ProgramEnvelope>(
+  ExpectEveryFieldReturns<v1::ProgramEnvelope, ProgramEnvelope>(
       proto, [](const ProgramEnvelope& frame) { return ToProto(frame); });
 }
 
@@ -242,12 +242,12 @@ TEST(ProgramWire, EachMemberIsTheFieldOfItsName) {
   EXPECT_EQ(stats.retractions(), 204);
   EXPECT_EQ(stats.min().y_nm(), -206);
   EXPECT_EQ(stats.max().x_nm(), 207);
-  const auto summary = ProtoOf<v1::FrameRequest>(DistinctSummary());
+  const auto summary = ProtoOf<v1::ProgramEnvelopeRequest>(DistinctSummary());
   EXPECT_EQ(summary.layers(0).pass(), 7);
   EXPECT_EQ(summary.copies(0).name().object(), 4);
   EXPECT_EQ(summary.copies(0).name().copy(), 1);
   EXPECT_THAT(summary.copies(0).footprint_xy_nm(), testing::ElementsAre(1, 2, 3, -4, 5, 6));
-  const v1::ProgramFrame frame = ToProto(DistinctFrame());
+  const v1::ProgramEnvelope frame = ToProto(DistinctFrame());
   EXPECT_EQ(frame.epilogue(), "end");
   EXPECT_EQ(frame.times().travel_s(), 41);
   EXPECT_EQ(frame.travel_mm(), 8);
@@ -295,20 +295,23 @@ TEST(ProgramWire, RefusesPointsBeyondTheWire) {
 }
 
 TEST(ProgramWire, RefusesSummariesThatNoJobHas) {
-  const std::vector<std::pair<std::string, std::function<void(v1::FrameRequest&)>>> spoils = {
-      {"layers[1].pass", [](auto& f) { f.mutable_layers(1)->set_pass(-1); }},
-      {"layers[1].time_s", [](auto& f) { f.mutable_layers(1)->set_time_s(kNan); }},
-      {"copies[0].object", [](auto& f) { f.mutable_copies(0)->mutable_name()->set_object(-1); }},
-      {"copies[1].copy", [](auto& f) { f.mutable_copies(1)->mutable_name()->set_copy(2); }},
-      {"copies[1].copy", [](auto& f) { f.mutable_copies(1)->clear_name(); }},
-      {"copies[0].footprint_xy_nm", [](auto& f) { f.mutable_copies(0)->add_footprint_xy_nm(1); }},
-      {"copies",
-       [](auto& f) {
-         while (f.copies_size() <= 1'000) *f.add_copies() = f.copies(0);
-       }},
-  };
+  const std::vector<std::pair<std::string, std::function<void(v1::ProgramEnvelopeRequest&)>>>
+      spoils = {
+          {"layers[1].pass", [](auto& f) { f.mutable_layers(1)->set_pass(-1); }},
+          {"layers[1].time_s", [](auto& f) { f.mutable_layers(1)->set_time_s(kNan); }},
+          {"copies[0].object",
+           [](auto& f) { f.mutable_copies(0)->mutable_name()->set_object(-1); }},
+          {"copies[1].copy", [](auto& f) { f.mutable_copies(1)->mutable_name()->set_copy(2); }},
+          {"copies[1].copy", [](auto& f) { f.mutable_copies(1)->clear_name(); }},
+          {"copies[0].footprint_xy_nm",
+           [](auto& f) { f.mutable_copies(0)->add_footprint_xy_nm(1); }},
+          {"copies",
+           [](auto& f) {
+             while (f.copies_size() <= 1'000) *f.add_copies() = f.copies(0);
+           }},
+      };
   for (const auto& [field, spoil] : spoils) {
-    auto proto = ProtoOf<v1::FrameRequest>(DistinctSummary());
+    auto proto = ProtoOf<v1::ProgramEnvelopeRequest>(DistinctSummary());
     spoil(proto);
     const absl::Status status = FromProto(proto).status();
     EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
@@ -319,7 +322,7 @@ TEST(ProgramWire, RefusesSummariesThatNoJobHas) {
 TEST(ProgramWire, RefusesFootprintsBeyondTheWire) {
   ProgramSummary summary = DistinctSummary();
   summary.copies[0].footprint[0].x = Coord{1} << 31;
-  v1::FrameRequest proto;
+  v1::ProgramEnvelopeRequest proto;
   const absl::Status status = ToProto(summary, &proto);
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
   EXPECT_EQ(DetailOf(status).metadata["field"], "copies[0]");

@@ -35,9 +35,9 @@ Eigen::Vector3d PointAt(const Numbers& numbers, int i) {
 
 absl::Status ToProto(const CutArea& area, v1::CutArea* proto) {
   absl::Status status = slicefarm::ToProto(MultiPolygon{area.area}, proto->mutable_area());
-  MultiPolygon ways;
-  for (const Polygon& path : area.ways) ways.push_back({path, {}});
-  status.Update(slicefarm::ToProto(ways, proto->mutable_ways()));
+  MultiPolygon passes;
+  for (const Polygon& path : area.passes) passes.push_back({path, {}});
+  status.Update(slicefarm::ToProto(passes, proto->mutable_passes()));
   return status;
 }
 
@@ -45,12 +45,12 @@ absl::StatusOr<CutArea> AreaOf(const v1::CutArea& proto) {
   absl::StatusOr<MultiPolygon> area = FromProto(proto.area());
   if (!area.ok()) return Within("area", area.status());
   if (area->size() != 1) return Malformed("area", "is not one island");
-  absl::StatusOr<MultiPolygon> ways = FromProto(proto.ways());
-  if (!ways.ok()) return Within("ways", ways.status());
+  absl::StatusOr<MultiPolygon> passes = FromProto(proto.passes());
+  if (!passes.ok()) return Within("passes", passes.status());
   CutArea cut{std::move(area->front()), {}};
-  for (PolygonWithHoles& path : *ways) {
-    if (!path.holes.empty()) return Malformed("ways", "a way has holes");
-    cut.ways.push_back(std::move(path.outer));
+  for (PolygonWithHoles& path : *passes) {
+    if (!path.holes.empty()) return Malformed("passes", "a pass has holes");
+    cut.passes.push_back(std::move(path.outer));
   }
   return cut;
 }
@@ -157,7 +157,7 @@ absl::Status ToProto(const MillReport& report, v1::MillReport* proto) {
     to->set_moves(phase.moves);
     to->set_arcs(phase.arcs);
   }
-  proto->set_ways(report.ways);
+  proto->set_passes(report.passes);
   proto->set_removed_mm3(report.removed_mm3);
   proto->set_checked(report.checked);
   proto->set_gouges(report.gouges);
@@ -176,7 +176,7 @@ absl::StatusOr<MillReport> FromProto(const v1::MillReport& proto) {
     report.phases[static_cast<size_t>(i)] = {phase.cut_mm(), phase.rapid_mm(), phase.seconds(),
                                              phase.moves(), phase.arcs()};
   }
-  report.ways = proto.ways();
+  report.passes = proto.passes();
   report.removed_mm3 = proto.removed_mm3();
   report.checked = proto.checked();
   report.gouges = proto.gouges();

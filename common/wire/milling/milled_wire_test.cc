@@ -22,7 +22,7 @@ MilledStep Level() {
 MillReport Report() {
   MillReport report;
   report.phases[1] = {1.5, 2.5, 3.5, 4, 5};
-  report.ways = 6;
+  report.passes = 6;
   report.removed_mm3 = 7.5;
   report.checked = 8;
   report.gouges = 1;
@@ -63,8 +63,8 @@ TEST(MilledWire, RefusesWhatIsNoStep) {
   step.clear_phase();
   ExpectMalformed(FromProto(step).status(), "phase");
   step = ProtoOf<v1::MilledStep>(Level());
-  *step.mutable_areas(0)->mutable_ways() = step.areas(0).area();
-  ExpectMalformed(FromProto(step).status(), "areas[0].ways");
+  *step.mutable_areas(0)->mutable_passes() = step.areas(0).area();
+  ExpectMalformed(FromProto(step).status(), "areas[0].passes");
   step = ProtoOf<v1::MilledStep>(Level());
   step.mutable_areas(1)->clear_area();
   ExpectMalformed(FromProto(step).status(), "areas[1].area");

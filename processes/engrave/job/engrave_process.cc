@@ -114,10 +114,10 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
     return placing.ReadSurfaces(call, std::move(input.meshes), input.settings.slicing);
   });
   if (!meshes.ok()) return meshes.status();
-  const absl::Status room =
+  const absl::Status held =
       HoldMemory(call, JobMemory::Kind::kMeshes, 4 * BytesOf((*meshes)[roles->surface]));
-  if (!room.ok()) return room;
-  MeshReport told = ReportOf(name, (*meshes)[roles->surface]);
+  if (!held.ok()) return held;
+  MeshReport reported = ReportOf(name, (*meshes)[roles->surface]);
   const SurfaceInput surface{std::move((*meshes)[roles->surface]), settings.lines.seam};
   auto mapped = Timed(times[Stage::kTexture], [&] {
     const ScopedSpan span(call.spans, "map");
@@ -126,7 +126,7 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   if (!mapped.ok()) return mapped.status();
   auto whole = InputOf(*std::move(meshes), *roles, std::move(settings), *std::move(mapped));
   if (!whole.ok()) return whole.status();
-  LaidOut job{*std::move(whole), {}, std::move(told)};
+  LaidOut job{*std::move(whole), {}, std::move(reported)};
   auto layout = Timed(times[Stage::kTexture], [&] {
     const ScopedSpan span(call.spans, "layout");
     return texture.LayOut(call, job.input);
@@ -174,7 +174,7 @@ absl::StatusOr<double> SampledSeconds(const StageCall& call, const LaidOut& job,
 /// A layer of the file. Its text is in a spool.
 struct SpooledLayer {
   EngravedLayer layer;  ///< the layer without its text
-  SpoolFile::Place text;
+  SpoolFile::Chunk text;
 };
 
 class EngraveJob : public PlannedJob {
@@ -225,7 +225,7 @@ class EngraveJob : public PlannedJob {
     file.Add(std::move(layout_.header));
     for (const SpooledLayer& layer : layers) file.Add(layer.text);
     file.Add(std::move(layout_.footer));
-    Tell(layers);
+    Report(layers);
     return JobOutput{std::move(file), std::move(report_)};
   }
 
@@ -255,18 +255,18 @@ class EngraveJob : public PlannedJob {
                      absl::StrCat(layers.size(), " of ", count, " layers came back"));
   }
 
-  void Tell(const std::vector<SpooledLayer>& layers) {
+  void Report(const std::vector<SpooledLayer>& layers) {
     auto own = std::make_unique<EngraveJobReport>();
     own->report.map = layout_.map;
     if (IsOfLayers())
-      for (const SpooledLayer& spooled : layers) TellLayer(spooled.layer, own->report);
+      for (const SpooledLayer& spooled : layers) ReportLayer(spooled.layer, own->report);
     report_.layer_count = layout_.layer_count;
     std::ranges::move(WarningsOf(own->report.map, own->report.layers),
                       std::back_inserter(report_.warnings));
     report_.own = std::move(own);
   }
 
-  void TellLayer(const EngravedLayer& layer, EngraveReport& engraving) {
+  void ReportLayer(const EngravedLayer& layer, EngraveReport& engraving) {
     engraving.layers.push_back(layer.numbers);
     engraving.program.Add(layer.program);
     report_.print_time_s += SecondsOf(layer.numbers, layer.program, input_->settings.machine);

@@ -69,7 +69,7 @@ LayerSummary Summarize(const LayerProgram& program) {
 /// Appends the pieces of a layer to `gcode` without reading the program from the spool.
 void AddLayer(const SpooledProgram& layer, std::vector<LayerPiece> pieces, SpooledText& gcode) {
   for (LayerPiece& piece : pieces) {
-    gcode.Add(SpoolFile::Place{layer.text.offset + piece.first, piece.last - piece.first});
+    gcode.Add(SpoolFile::Chunk{layer.text.offset + piece.first, piece.last - piece.first});
     if (!piece.text.empty()) gcode.Add(std::move(piece.text));
   }
 }

@@ -17,7 +17,7 @@ namespace slicefarm::coordinator {
 /// memory.
 struct SpooledProgram {
   LayerProgram program;  ///< the program without its text
-  SpoolFile::Place text;
+  SpoolFile::Chunk text;
 };
 
 /// Moves the texts of the programs to the spool. Errors: any error of the spool.

@@ -24,7 +24,7 @@ class Joined {
     const auto at = std::ssize(program.gcode);
     program.gcode += "G1 " + layer.place + "\n";
     program.mode_lines.push_back(
-        {at, std::ssize(program.gcode) - at, MachineMode::kPlace, layer.place});
+        {at, std::ssize(program.gcode) - at, MachineMode::kPosition, layer.place});
     program.gcode += "bead\n";
     program.modes_at_end =
         ModeValues{layer.fan, "", "", layer.end.empty() ? layer.place : layer.end, ""};

@@ -51,25 +51,25 @@ void DeriveWidths(SettingValues& draft) {
   }
   DeriveWidth(draft, "top_infill_extrusion_width", nozzle);
   for (const std::string_view key : {"skin_infill_line_width", "skeleton_infill_line_width"}) {
-    TakePercentage(draft, key);
+    ResolvePercentage(draft, key);
     FallBack(draft, key, "infill_extrusion_width");
   }
   DeriveWidth(draft, "support_material_extrusion_width", nozzle);
-  TakePercentage(draft, "support_material_xy_spacing");
+  ResolvePercentage(draft, "support_material_xy_spacing");
   FallBack(draft, "support_material_bottom_contact_distance", "support_material_contact_distance");
   if (draft.Number("support_material_bottom_interface_layers") < 0)
     draft.SetNumber("support_material_bottom_interface_layers",
                     draft.Number("support_material_interface_layers"));
-  TakePercentage(draft, "first_layer_extrusion_width");
+  ResolvePercentage(draft, "first_layer_extrusion_width");
   FallBack(draft, "first_layer_extrusion_width", "perimeter_extrusion_width");
-  TakePercentage(draft, "extrusion_width");
+  ResolvePercentage(draft, "extrusion_width");
 }
 
 void DeriveVariableWalls(SettingValues& draft) {
   for (const std::string_view key :
        {"wall_transition_length", "wall_transition_filter_deviation", "min_feature_size",
         "min_bead_width", "max_bead_width", "first_layer_min_bead_width"}) {
-    TakePercentage(draft, key);
+    ResolvePercentage(draft, key);
   }
 }
 
@@ -89,7 +89,7 @@ void DeriveSpeeds(SettingValues& draft) {
         "top_solid_infill_speed", "over_bridge_speed", "internal_bridge_speed",
         "support_material_interface_speed", "first_layer_infill_speed", "overhang_speed_0",
         "overhang_speed_1", "overhang_speed_2", "overhang_speed_3"}) {
-    TakePercentage(draft, key);
+    ResolvePercentage(draft, key);
   }
   for (const std::string_view key : kSpeeds) {
     FallBack(draft, key, "max_print_speed");
@@ -117,7 +117,7 @@ void DeriveLimits(SettingValues& draft) {
 /// infill and into the nozzle diameter, within the range of the setting.
 void DeriveCombination(SettingValues& draft) {
   constexpr std::string_view kHeight = "automatic_infill_combination_max_layer_height";
-  TakePercentage(draft, kHeight);
+  ResolvePercentage(draft, kHeight);
   if (draft.Number("automatic_infill_combination") == 0) return;
   constexpr std::string_view kLayers = "infill_every_layers";
   const double height_mm = std::min(draft.Number(kHeight), draft.Number("nozzle_diameter"));
@@ -213,7 +213,7 @@ void DeriveThumbnails(SettingValues& draft) {
 /// Limits the skirt to one layer if copies are printed one after another, because the head would
 /// hit a taller one. This applies to values from profiles. A value that the request sets is checked
 /// instead (check_settings.h). Returns a note if the height changed.
-std::optional<std::string> TakeSequentialSkirt(SettingValues& draft) {
+std::optional<std::string> DeriveSequentialSkirt(SettingValues& draft) {
   if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return std::nullopt;
   const SettingValues::Entry& height = draft.At("skirt_height");
   if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
@@ -246,19 +246,19 @@ std::vector<std::string> DeriveVase(SettingValues& draft) {
 }  // namespace
 
 absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
-  if (auto note = TakeSequentialSkirt(draft)) {
+  if (auto note = DeriveSequentialSkirt(draft)) {
     result.no_effect.push_back({*note});
     result.warnings.push_back(*std::move(note));
   }
   for (std::string& note : DeriveVase(draft)) result.no_effect.push_back({std::move(note)});
-  TakePercentage(draft, "first_layer_height");
+  ResolvePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
   DeriveWidths(draft);
   DeriveVariableWalls(draft);
   for (const std::string_view key :
        {"infill_overlap", "infill_anchor", "infill_anchor_max", "top_bottom_infill_overlap",
         "min_width_top_surface", "overhang_reverse_threshold"})
-    TakePercentage(draft, key);
+    ResolvePercentage(draft, key);
   // OrcaSlicer: without bridging walls there is no threshold.
   if (draft.Number("overhangs") == 0) draft.SetNumber("overhang_reverse_threshold", 0);
   DeriveSpeeds(draft);
@@ -266,7 +266,7 @@ absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
   DeriveLimits(draft);
   DeriveCombination(draft);
   DeriveFilament(draft);
-  TakePercentage(draft, "seam_gap_distance");
+  ResolvePercentage(draft, "seam_gap_distance");
   DeriveExtraWalls(draft);
   absl::Status status = JoinGcode(draft);
   DeriveLayerChange(draft);

@@ -38,17 +38,17 @@ constexpr double kMostTools = 255;
 /// Returns the number of extruders of the machine: the number of its nozzles, or num_extruders if
 /// it is larger.
 size_t ToolCount(std::span<const Setting> given) {
-  size_t nozzles = 1, told = 0;
+  size_t nozzles = 1, reported = 0;
   for (const Setting& setting : given) {
     if (setting.key == "nozzle_diameter") nozzles = Split(setting.value, ",;").size();
     const auto number = ToNumber(Trim(setting.value));
     if (setting.key == "num_extruders" && number && *number >= 1 && *number <= kMostTools)
-      told = static_cast<size_t>(*number);
+      reported = static_cast<size_t>(*number);
   }
-  return std::max(nozzles, told);
+  return std::max(nozzles, reported);
 }
 
-absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) {
+absl::Status DeriveLayerSettings(const std::string& text, MachineMotion& options) {
   std::string code = options.before_layer_gcode.str() + "\n" + options.layer_gcode.str() + "\n" +
                      options.role_gcode.str();
   const WritingOptions& writing = options.writing;
@@ -65,7 +65,7 @@ absl::Status TakeLayerSettings(const std::string& text, MachineMotion& options) 
 
 /// Sets the width of thin parts that elefant_foot_compensation must preserve: space for the outer
 /// wall of the first layer and the adjacent wall, as in PrusaSlicer.
-void TakeFootWidth(JobRows& settings) {
+void DeriveFootWidth(JobRows& settings) {
   const Coord width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
   const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
   settings.object.elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
@@ -77,14 +77,14 @@ void TakePolyholes(JobRows& settings) {
 }
 
 /// Sets the space for the head around arranged copies that are printed one after another.
-void TakeClearance(JobRows& settings) {
+void DeriveClearance(JobRows& settings) {
   const SequencePlanOptions& sequence = FdmOf(settings).machine.plan.sequence;
   settings.slicing.clearance_radius_nm =
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
 
 /// Requests the pictures of a .gcode.3mf archive, in the sizes of Bambu Studio.
-void TakePictures(JobRows& settings) {
+void DerivePictures(JobRows& settings) {
   if (!FdmOf(settings).machine.motion.writing.archive) return;
   constexpr int32_t kLargePx = 512, kSmallPx = 128;
   for (const auto& [role, px] :
@@ -119,7 +119,7 @@ AutomaticBrim AutomaticBrimOf(const JobRows& settings) {
 }
 
 /// Copies values that skirt, brim and raft need from other settings.
-void TakeAdhesion(JobRows& settings) {
+void DeriveAdhesion(JobRows& settings) {
   const Coord first_height_nm = settings.slicing.first_layer_height_nm;
   const Coord line_width_nm = FdmOf(settings).region.walls.first_layer_width_nm;
   SkirtOptions& skirt = FdmOf(settings).machine.plan.skirt;
@@ -142,14 +142,14 @@ void TakeAdhesion(JobRows& settings) {
 
 /// Sets the area for planning: the bed without its excluded areas. Sets the same area for travel if
 /// there are excluded areas.
-absl::Status TakeRoom(JobRows& settings) {
+absl::Status DeriveTravelArea(JobRows& settings) {
   const JobSlicingOptions& slicing = settings.slicing;
   MachineRow& machine = FdmOf(settings).machine;
   if (slicing.bed.empty()) return absl::OkStatus();
   machine.plan.bed = {{slicing.bed, {}}};
   if (slicing.excluded.empty()) return absl::OkStatus();
   machine.plan.bed = Difference(machine.plan.bed, Union(slicing.excluded, FillRule::kNonZero));
-  machine.order.travel.room = machine.motion.room = machine.plan.bed;
+  machine.order.travel.travel_area = machine.motion.travel_area = machine.plan.bed;
   if (!machine.plan.bed.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                    "bed_exclude_area covers the whole bed_shape",
@@ -159,7 +159,7 @@ absl::Status TakeRoom(JobRows& settings) {
 constexpr Coord kLowestLayerNm = 10'000;
 
 /// Limits the range of adaptive layer heights.
-void TakeAdaptiveHeights(JobRows& settings) {
+void DeriveAdaptiveHeights(JobRows& settings) {
   AdaptiveHeights& adaptive = settings.object.adaptive;
   const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
   if (adaptive.max_nm == 0) adaptive.max_nm = nozzle_nm * 3 / 4;
@@ -168,7 +168,7 @@ void TakeAdaptiveHeights(JobRows& settings) {
 }
 
 /// Copies values that supports need from other settings.
-void TakeSupports(JobRows& settings) {
+void DeriveSupports(JobRows& settings) {
   SupportOptions& support = FdmOf(settings).object.support;
   support.wall_width_nm = FdmOf(settings).region.walls.external_width_nm;
   support.walls_nm = FdmOf(settings).region.infill.walls_nm;
@@ -179,7 +179,7 @@ void TakeSupports(JobRows& settings) {
 }
 
 /// Sets the total width of the walls of an island that has space for all of them.
-void TakeWalls(JobRows& settings) {
+void DeriveWalls(JobRows& settings) {
   const BeadingOptions& walls = FdmOf(settings).region.walls;
   FdmOf(settings).region.infill.walls_nm =
       walls.perimeters == 0
@@ -189,7 +189,7 @@ void TakeWalls(JobRows& settings) {
 
 /// Sets the first hollow layer of a vase. Its bottom has the requested number of layers, and at
 /// least one.
-void TakeVase(const SettingValues& draft, JobRows& settings) {
+void DeriveVaseOptions(const SettingValues& draft, JobRows& settings) {
   int32_t& hollow_from = settings.object.hollow_from;
   if (hollow_from == 0) return;
   const BeadingOptions& walls = FdmOf(settings).region.walls;
@@ -201,7 +201,7 @@ void TakeVase(const SettingValues& draft, JobRows& settings) {
 
 /// Sets the halo of a density field: the number of layers above and below that a density depends on
 /// through the distance to the surface.
-absl::Status TakeDensityField(JobRows& settings) {
+absl::Status DeriveDensityField(JobRows& settings) {
   InfillOptions& infill = FdmOf(settings).region.infill;
   if (infill.density_field.empty()) return absl::OkStatus();
   const auto& field = DensityFieldOf(infill.density_field);
@@ -239,15 +239,15 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
                    {{"setting", "density_field"}});
 }
 
-ShrinkageCompensation GrowthOf(const SettingValues& draft) {
-  const auto growth = [&](std::string_view key) { return 100 / (100 - draft.Number(key)); };
-  return {growth("filament_shrinkage_compensation_xy"),
-          growth("filament_shrinkage_compensation_z")};
+ShrinkageCompensation ShrinkageCompensationOf(const SettingValues& draft) {
+  const auto factor = [&](std::string_view key) { return 100 / (100 - draft.Number(key)); };
+  return {factor("filament_shrinkage_compensation_xy"),
+          factor("filament_shrinkage_compensation_z")};
 }
 
 /// Limits the number of combined infill layers so that beads are not higher than the nozzle
 /// diameter. Returns a note if the number changed.
-std::optional<std::string> TakeEveryLayers(JobRows& settings) {
+std::optional<std::string> DeriveEveryLayers(JobRows& settings) {
   int32_t& every = FdmOf(settings).region.infill.every_layers;
   const Coord height_nm = settings.object.layer_height_nm;
   const Coord nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
@@ -260,7 +260,7 @@ std::optional<std::string> TakeEveryLayers(JobRows& settings) {
 
 /// Lays inner walls against outer walls as usual if they are printed after them: then nothing
 /// presses the outer walls outwards.
-void TakePreciseWalls(JobRows& settings) {
+void DerivePreciseWalls(JobRows& settings) {
   const WallOrder& order = FdmOf(settings).region.order;
   if (order.external_perimeters_first || order.inner_outer_inner)
     FdmOf(settings).region.walls.precise_outer = false;
@@ -268,7 +268,7 @@ void TakePreciseWalls(JobRows& settings) {
 
 /// Makes inner walls with a scarf separate loops. A wall that is printed in one path with the next
 /// wall has no seam for a scarf.
-void TakeInnerScarfs(JobRows& settings) {
+void DeriveInnerScarfs(JobRows& settings) {
   const ScarfOptions& scarf = FdmOf(settings).region.motion.scarf;
   FdmOf(settings).region.order.whole_loops =
       scarf.placement != ScarfPlacement::kNowhere && scarf.on_inner;
@@ -276,7 +276,7 @@ void TakeInnerScarfs(JobRows& settings) {
 
 /// Sets the limits of the machine's silent mode: the second value of each list, or the first value
 /// of a list with only one. Only Marlin firmware has a silent mode.
-absl::Status TakeSilentMode(const SettingValues& draft, JobRows& settings) {
+absl::Status DeriveSilentMode(const SettingValues& draft, JobRows& settings) {
   MachineMotion& motion = FdmOf(settings).machine.motion;
   const bool marlin =
       motion.flavor == GcodeFlavor::kMarlin2 || motion.flavor == GcodeFlavor::kMarlinLegacy;
@@ -298,11 +298,11 @@ absl::Status TakeSilentMode(const SettingValues& draft, JobRows& settings) {
 }
 
 /// Sets the number of the tool that prints, if the machine has several tools.
-void TakeTool(const OptionSources& settling) {
-  const size_t tools = ToolCount(settling.given);
+void DeriveTool(const OptionSources& sources) {
+  const size_t tools = ToolCount(sources.given);
   if (tools <= 1) return;
-  FdmOf(settling.result.settings).tool.number = static_cast<int32_t>(ToolOf(settling.given));
-  settling.told["num_extruders"] = fmt::format("{}", tools);
+  FdmOf(sources.result.settings).tool.number = static_cast<int32_t>(ToolOf(sources.given));
+  sources.reported["num_extruders"] = fmt::format("{}", tools);
 }
 
 }  // namespace
@@ -318,43 +318,43 @@ size_t ToolOf(std::span<const Setting> given) {
   return tool;
 }
 
-absl::Status DeriveOptions(const OptionSources& settling) {
-  JobRows& settings = settling.result.settings;
-  settling.result.growth = GrowthOf(settling.draft);
+absl::Status DeriveOptions(const OptionSources& sources) {
+  JobRows& settings = sources.result.settings;
+  sources.result.shrinkage = ShrinkageCompensationOf(sources.draft);
   TakePolyholes(settings);
-  TakeFootWidth(settings);
-  TakeTool(settling);
-  if (absl::Status ok = TakeSilentMode(settling.draft, settings); !ok.ok()) return ok;
+  DeriveFootWidth(settings);
+  DeriveTool(sources);
+  if (absl::Status ok = DeriveSilentMode(sources.draft, settings); !ok.ok()) return ok;
   auto code = macro::ParseJobCode(MotionOf(FdmOf(settings)));
-  while (!code.ok() && LeaveOutTemplate(code.status(), settling.draft, settling.result))
+  while (!code.ok() && LeaveOutTemplate(code.status(), sources.draft, sources.result))
     code = macro::ParseJobCode(MotionOf(FdmOf(settings)));
-  if (!code.ok()) return NamingOwnGcode(code.status(), settling.draft);
-  if (!macro::NamesClock(*code)) settling.told.erase("creation_time");
-  TakeClearance(settings);
-  TakePictures(settings);
-  TakeAdhesion(settings);
-  if (absl::Status ok = TakeRoom(settings); !ok.ok()) return ok;
-  TakeAdaptiveHeights(settings);
-  TakeWalls(settings);
-  TakeSupports(settings);
-  TakeShells(settling.draft, settings);
-  TakeVase(settling.draft, settings);
-  TakeInnerScarfs(settings);
-  TakePreciseWalls(settings);
-  if (absl::Status ok = TakeDensityField(settings); !ok.ok()) return ok;
+  if (!code.ok()) return NamingOwnGcode(code.status(), sources.draft);
+  if (!macro::NamesClock(*code)) sources.reported.erase("creation_time");
+  DeriveClearance(settings);
+  DerivePictures(settings);
+  DeriveAdhesion(settings);
+  if (absl::Status ok = DeriveTravelArea(settings); !ok.ok()) return ok;
+  DeriveAdaptiveHeights(settings);
+  DeriveWalls(settings);
+  DeriveSupports(settings);
+  DeriveShells(sources.draft, settings);
+  DeriveVaseOptions(sources.draft, settings);
+  DeriveInnerScarfs(settings);
+  DerivePreciseWalls(settings);
+  if (absl::Status ok = DeriveDensityField(settings); !ok.ok()) return ok;
   if (absl::Status ok = CheckPlannedPattern(FdmOf(settings).region.infill); !ok.ok()) return ok;
-  if (auto note = TakeEveryLayers(settings))
-    settling.result.no_effect.push_back({*std::move(note)});
+  if (auto note = DeriveEveryLayers(settings))
+    sources.result.no_effect.push_back({*std::move(note)});
   return absl::OkStatus();
 }
 
-absl::Status TakeGcode(const SettingValues& draft, ResolvedSettings& result) {
+absl::Status DeriveGcode(const SettingValues& draft, ResolvedSettings& result) {
   const FdmRows& rows = FdmOf(result.settings);
   absl::Status ok = macro::CheckJobCode(MotionOf(rows), result.effective_text);
   while (!ok.ok() && LeaveOutTemplate(ok, draft, result))
     ok = macro::CheckJobCode(MotionOf(rows), result.effective_text);
   if (!ok.ok()) return NamingOwnGcode(ok, draft);
-  return TakeLayerSettings(result.effective_text, FdmOf(result.settings).machine.motion);
+  return DeriveLayerSettings(result.effective_text, FdmOf(result.settings).machine.motion);
 }
 
 }  // namespace slicefarm::config::fdm

@@ -15,12 +15,12 @@ size_t ToolOf(std::span<const Setting> given);
 /// Sets the options of stages that depend on several settings: growth, adhesion, space for the
 /// head, halos of fields. Errors: SETTING_OUT_OF_RANGE for settings that contradict each other, as
 /// in Resolve.
-absl::Status DeriveOptions(const OptionSources& settling);
+absl::Status DeriveOptions(const OptionSources& sources);
 
 /// Copies the settings that the G-code of each layer refers to into the options of the motion
 /// stage. A layer then depends on no other settings of the job. Templates with errors are left out
 /// if LeaveOutTemplate allows it. Errors: any error in the job's G-code templates;
 /// REQUEST_TOO_LARGE.
-absl::Status TakeGcode(const SettingValues& draft, ResolvedSettings& result);
+absl::Status DeriveGcode(const SettingValues& draft, ResolvedSettings& result);
 
 }  // namespace slicefarm::config::fdm

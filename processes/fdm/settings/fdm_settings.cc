@@ -43,16 +43,16 @@ class OfFdm : public ProcessSettings {
     return fdm::Derive(draft, result);
   }
   absl::Status Check(const SettingValues& draft) const override { return CheckSettings(draft); }
-  absl::Status DeriveOptions(const OptionSources& settling) const override {
-    return fdm::DeriveOptions(settling);
+  absl::Status DeriveOptions(const OptionSources& sources) const override {
+    return fdm::DeriveOptions(sources);
   }
   absl::Status Finish(const SettingValues& draft, ResolvedSettings& result) const override {
-    return TakeGcode(draft, result);
+    return DeriveGcode(draft, result);
   }
 
-  absl::Status TakeTogether(std::vector<Setting>& job, std::vector<SceneObject>& objects,
-                            std::vector<MissingFeature>& missing) const override {
-    return TakeTool(job, objects, missing);
+  absl::Status UnifySettings(std::vector<Setting>& job, std::vector<SceneObject>& objects,
+                             std::vector<MissingFeature>& missing) const override {
+    return UnifyTool(job, objects, missing);
   }
   std::vector<MissingFeature> Incompatible(std::span<const Setting> job,
                                            std::string_view settings_text) const override {

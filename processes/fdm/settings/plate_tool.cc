@@ -111,8 +111,8 @@ void Drop(Settings& settings) {
 
 }  // namespace
 
-absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objects,
-                      std::vector<MissingFeature>& missing) {
+absl::Status UnifyTool(std::vector<Setting>& job, std::vector<SceneObject>& objects,
+                       std::vector<MissingFeature>& missing) {
   const auto tools = Within({1, 1, 1}, job);
   if (!tools.ok()) return tools.status();
   Uses uses;

@@ -17,7 +17,7 @@ namespace slicefarm::config::fdm {
 ///
 /// Removes these settings from `job` and `objects`. Adds `extruder` to `job` unless it is the first
 /// one. Errors: SETTING_OUT_OF_RANGE with metadata `setting` for a value that is not a number.
-absl::Status TakeTool(std::vector<Setting>& job, std::vector<SceneObject>& objects,
-                      std::vector<MissingFeature>& missing);
+absl::Status UnifyTool(std::vector<Setting>& job, std::vector<SceneObject>& objects,
+                       std::vector<MissingFeature>& missing);
 
 }  // namespace slicefarm::config::fdm

@@ -44,7 +44,7 @@ TEST_P(OneToolTest, IsTheJobs) {
   Settings job = GetParam().job;
   std::vector<SceneObject> objects = GetParam().objects;
   std::vector<MissingFeature> missing;
-  const absl::Status status = TakeTool(job, objects, missing);
+  const absl::Status status = UnifyTool(job, objects, missing);
   ASSERT_TRUE(status.ok()) << status;
   EXPECT_TRUE(missing.empty());
   EXPECT_EQ(job.empty() ? "" : job.front().value, GetParam().want);
@@ -105,7 +105,7 @@ TEST_P(ManyToolsTest, AreMissingByName) {
   Settings job = GetParam().job;
   std::vector<SceneObject> objects = GetParam().objects;
   std::vector<MissingFeature> missing;
-  const absl::Status status = TakeTool(job, objects, missing);
+  const absl::Status status = UnifyTool(job, objects, missing);
   ASSERT_TRUE(status.ok()) << status;
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(missing[0].feature, "several_tools");
@@ -135,11 +135,11 @@ INSTANTIATE_TEST_SUITE_P(Plates, ManyToolsTest,
                                                   {"extruder 1", "extruder 2"}}),
                          [](const auto& info) { return info.param.name; });
 
-TEST(TakeTool, WantsANumber) {
+TEST(UnifyTool, WantsANumber) {
   Settings job = {Tool("two")};
   std::vector<SceneObject> objects = {Object("a")};
   std::vector<MissingFeature> missing;
-  EXPECT_EQ(DetailOf(TakeTool(job, objects, missing)).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(UnifyTool(job, objects, missing)).reason, Reason::kSettingOutOfRange);
 }
 
 // The second filament is hotter, thicker and retracted further; the derived settings show this.

@@ -31,7 +31,7 @@ double MostLayers(double thickness_mm, const LayerStack& stack) {
   return std::ceil((thickness_mm - first_mm) / others_mm - kRounding) + 1;
 }
 
-void TakeShell(double thickness_mm, const LayerStack& stack, int32_t& layers, ShellExtra& spare) {
+void DeriveShell(double thickness_mm, const LayerStack& stack, int32_t& layers, ShellExtra& spare) {
   spare = {};
   if (layers == 0 || thickness_mm <= 0) return;
   const auto most = static_cast<int32_t>(std::clamp<double>(
@@ -42,13 +42,13 @@ void TakeShell(double thickness_mm, const LayerStack& stack, int32_t& layers, Sh
 
 }  // namespace
 
-void TakeShells(const SettingValues& draft, JobRows& settings) {
+void DeriveShells(const SettingValues& draft, JobRows& settings) {
   InfillOptions& infill = FdmOf(settings).region.infill;
   const LayerStack stack = StackOf(settings);
-  TakeShell(draft.Number("top_solid_min_thickness"), stack, infill.top_solid_layers,
-            infill.top_spare);
-  TakeShell(draft.Number("bottom_solid_min_thickness"), stack, infill.bottom_solid_layers,
-            infill.bottom_spare);
+  DeriveShell(draft.Number("top_solid_min_thickness"), stack, infill.top_solid_layers,
+              infill.top_spare);
+  DeriveShell(draft.Number("bottom_solid_min_thickness"), stack, infill.bottom_solid_layers,
+              infill.bottom_spare);
 }
 
 int32_t BottomLayers(const JobRows& settings) {

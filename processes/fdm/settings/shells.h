@@ -10,9 +10,9 @@ namespace slicefarm::config::fdm {
 /// top_solid_min_thickness (bottom_solid_min_thickness). The options store the largest number of
 /// layers, and how many of them can be omitted if the remaining layers are thick enough
 /// (ShellExtra).
-void TakeShells(const SettingValues& draft, JobRows& settings);
+void DeriveShells(const SettingValues& draft, JobRows& settings);
 
-/// Returns the number of solid layers at the bottom of a hollow object. REQUIRES: TakeShells was
+/// Returns the number of solid layers at the bottom of a hollow object. REQUIRES: DeriveShells was
 /// called.
 int32_t BottomLayers(const JobRows& settings);
 

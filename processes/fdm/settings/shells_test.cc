@@ -27,7 +27,7 @@ struct Case {
   int32_t on_bed;
 };
 
-TEST(TakeShells, LayersAreAsManyAsThicknessAsksFor) {
+TEST(DeriveShells, LayersAreAsManyAsThicknessAsksFor) {
   const Case cases[] = {{"more", "2", "0.9", "0.2", "0.2", 5, 3, 5},
                         {"exact multiples take no more", "2", "0.6", "0.2", "0.2", 3, 1, 3},
                         {"just reached", "3", "0.7", "0.1", "0.1", 7, 4, 7},
@@ -51,7 +51,7 @@ TEST(TakeShells, LayersAreAsManyAsThicknessAsksFor) {
   }
 }
 
-TEST(TakeShells, VasesAreHollowFromThere) {
+TEST(DeriveShells, VasesAreHollowFromThere) {
   const ResolvedSettings vase = Resolved({{"spiral_vase", "1"},
                                           {"bottom_solid_layers", "3"},
                                           {"bottom_solid_min_thickness", "0.5"},

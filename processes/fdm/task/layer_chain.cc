@@ -41,7 +41,7 @@ void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> pl
         block.below = OutlineOf(*below);
       const SectionPlan* plan = FindPlan(block.stack.id, plans[i].sections);
       if (plan == nullptr) continue;
-      block.carried = plan->carried;
+      block.above_supports = plan->above_supports;
       if (motion.slow_curled) block.curled = plan->curled;
     }
   }

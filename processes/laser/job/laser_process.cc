@@ -37,7 +37,7 @@ absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
 /// A layer of the file. Its text is in a spool.
 struct SpooledExposure {
   ExposedProgram program;  ///< the program without its text
-  SpoolFile::Place text;
+  SpoolFile::Chunk text;
 };
 
 absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t layers) {

@@ -5,7 +5,7 @@
 namespace slicefarm::config::laser {
 
 absl::Status Derive(SettingValues& draft) {
-  TakePercentage(draft, "first_layer_height");
+  ResolvePercentage(draft, "first_layer_height");
   RaiseTo(draft, "outline_resolution", "resolution");
   return CheckPercentages(draft);
 }

@@ -45,7 +45,7 @@ void MillJobReport::AddTo(nlohmann::ordered_json& json) const {
   json["milling"] = {{"cutter", cutter},
                      {"part", Box(layout.part_mm)},
                      {"stock", Box(layout.stock_mm)},
-                     {"loops", report.ways},
+                     {"loops", report.passes},
                      {"cut_mm", cut},
                      {"rapid_mm", rapid},
                      {"time_s", report.Seconds()},

@@ -95,7 +95,7 @@ class MillJob : public PlannedJob {
       return milling_.Assemble(call, input_, std::move(steps), settings_text_);
     });
     if (!program.ok()) return program.status();
-    Tell(program->report);
+    Report(program->report);
     SpooledText text(std::move(spool_));
     text.Add(std::move(program->text));
     return JobOutput{std::move(text), std::move(report_)};
@@ -117,7 +117,7 @@ class MillJob : public PlannedJob {
                      absl::StrCat(steps.size(), " of ", count, " steps came back"));
   }
 
-  void Tell(const MillReport& milled) {
+  void Report(const MillReport& milled) {
     report_.print_time_s = milled.Seconds();
     report_.layer_count = static_cast<int32_t>(std::ranges::count_if(
         layout_.steps, [](const MillStep& step) { return step.phase != MillPhase::kRest; }));
@@ -152,9 +152,9 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> MillProcess::Plan(const StageCall& c
     return PlaceScene(call, placing_, {std::move(input.meshes), input.settings.slicing}, settings);
   });
   if (!scene.ok()) return scene.status();
-  const absl::Status room = HoldMemory(call, JobMemory::Kind::kMeshes,
+  const absl::Status held = HoldMemory(call, JobMemory::Kind::kMeshes,
                                        BytesOf(scene->input.part) + BytesOf(scene->input.stock));
-  if (!room.ok()) return room;
+  if (!held.ok()) return held;
   const Shared<MillInput> shared(std::move(scene->input));
   auto layout = Timed(report.stage_times[Stage::kMilling], [&] {
     const ScopedSpan span(call.spans, "layout");

@@ -23,7 +23,7 @@ struct PhaseReport {
 struct MillReport {
   std::array<PhaseReport, kMillPhaseCount> phases;  ///< totals per MillPhase
   /// number of toolpaths that were cut: closed loops on levels, and paths along rows
-  int64_t ways = 0;
+  int64_t passes = 0;
   double removed_mm3 = 0;
 
   /// Number of checked positions of the tip: ends and midpoints of moves and of the chords of arcs.

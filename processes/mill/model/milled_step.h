@@ -39,7 +39,7 @@ struct CutArea {
   PolygonWithHoles area;
   /// Toolpaths in the order and direction of cutting. Each one is closed; the first point is not
   /// repeated.
-  std::vector<Polygon> ways;
+  std::vector<Polygon> passes;
 
   friend bool operator==(const CutArea&, const CutArea&) = default;
 };

@@ -45,7 +45,7 @@ size_t MillResult::Print() const {
     for (const CutArea& area : step.areas) {
       print = PrintOf(area.area.outer, print);
       for (const Polygon& hole : area.area.holes) print = PrintOf(hole, print);
-      for (const Polygon& path : area.ways) print = PrintOf(path, print);
+      for (const Polygon& path : area.passes) print = PrintOf(path, print);
     }
     for (const RestRun& run : step.runs)
       for (const Eigen::Vector3d& p : run) print = absl::HashOf(print, p.x(), p.y(), p.z());
@@ -57,7 +57,7 @@ int64_t MillResult::ProgramBytes() const {
   int64_t points = 0;
   for (const MilledStep& step : steps) {
     for (const CutArea& area : step.areas)
-      for (const Polygon& path : area.ways) points += std::ssize(path);
+      for (const Polygon& path : area.passes) points += std::ssize(path);
     for (const RestRun& run : step.runs) points += std::ssize(run);
   }
   return kBytesAPoint * points;

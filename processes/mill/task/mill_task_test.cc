@@ -33,7 +33,7 @@ TEST(MillResult, HasTheSamePrintIfItsStepsAreTheSame) {
   b.times[Stage::kMilling] = 3;
   EXPECT_EQ(a.Print(), b.Print());
   EXPECT_EQ(a.ProgramBytes(), 80);
-  b.steps[0].areas[0].ways[0][1].y = 2;
+  b.steps[0].areas[0].passes[0][1].y = 2;
   EXPECT_NE(a.Print(), b.Print());
   b = a;
   b.steps[1].runs[0][1].z() = 2.5;

@@ -32,8 +32,8 @@ class Surroundings {
     for (auto& [id, stack] : stacks_) stack.neighbours.emplace(std::move(stack.layers));
   }
 
-  SectionPlace PlaceOf(const SlicedLayer& layer, const ObjectSection& section,
-                       IslandMemo& memo) const {
+  SectionContext ContextOf(const SlicedLayer& layer, const ObjectSection& section,
+                           IslandMemo& memo) const {
     return {section, layer.frame.index == 0, *stacks_.at(section.stack.id).neighbours,
             index_.at(&section), &memo};
   }
@@ -72,7 +72,7 @@ class LocalBeading : public BeadingStage {
     walled.frame = layer.frame;
     for (const ObjectSection& section : layer.sections) {
       if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
-      auto result = WallSection(surroundings.PlaceOf(layer, section, memo), regions, cancel);
+      auto result = WallSection(surroundings.ContextOf(layer, section, memo), regions, cancel);
       if (!result.ok()) return result.status();
       walled.plain_islands += result->plain_islands;
       walled.sections.push_back(std::move(result->walled));

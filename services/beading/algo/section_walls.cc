@@ -88,11 +88,11 @@ class PlanWaller {
 };
 
 /// Returns the largest number of walls of an island.
-int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
-  const bool topmost = place.section.layer + 1 >= place.section.layer_count;
-  const bool only_one = (place.on_bed && options.one_on_bed) ||
+int32_t PerimetersOf(const SectionContext& context, const BeadingOptions& options) {
+  const bool topmost = context.section.layer + 1 >= context.section.layer_count;
+  const bool only_one = (context.on_bed && options.one_on_bed) ||
                         (topmost && options.one_on_top != OneWallOnTop::kNowhere);
-  const bool one_more = options.alternate_extra && place.section.layer % 2 != 0;
+  const bool one_more = options.alternate_extra && context.section.layer % 2 != 0;
   const int32_t perimeters = options.perimeters + (one_more ? 1 : 0);
   return only_one ? std::min(perimeters, 1) : perimeters;
 }
@@ -101,11 +101,11 @@ int32_t PerimetersOf(const SectionPlace& place, const BeadingOptions& options) {
 /// one, for example by additional walls.
 class IslandWaller {
  public:
-  static absl::StatusOr<IslandWaller> Make(const SectionPlace& place,
+  static absl::StatusOr<IslandWaller> Make(const SectionContext& context,
                                            const BeadingOptions& options) {
-    const Coord height = place.section.height_nm;
-    IslandWaller waller(place, options);
-    if (absl::Status ok = CheckWidths(place.on_bed, waller.external_, waller.inner_, height);
+    const Coord height = context.section.height_nm;
+    IslandWaller waller(context, options);
+    if (absl::Status ok = CheckWidths(context.on_bed, waller.external_, waller.inner_, height);
         !ok.ok())
       return ok;
     waller.FindExposed();
@@ -123,12 +123,12 @@ class IslandWaller {
   }
 
  private:
-  IslandWaller(const SectionPlace& place, const BeadingOptions& options)
-      : place_(place),
+  IslandWaller(const SectionContext& context, const BeadingOptions& options)
+      : place_(context),
         options_(options),
-        external_(place.on_bed ? options.first_layer_width_nm : options.external_width_nm),
-        inner_(place.on_bed ? options.first_layer_width_nm : options.inner_width_nm),
-        perimeters_(PerimetersOf(place, options)) {}
+        external_(context.on_bed ? options.first_layer_width_nm : options.external_width_nm),
+        inner_(context.on_bed ? options.first_layer_width_nm : options.inner_width_nm),
+        perimeters_(PerimetersOf(context, options)) {}
 
   PlanWaller Waller(int32_t perimeters, Coord outermost_nm, bool gap_fill = true,
                     bool inside = false) const {
@@ -232,7 +232,7 @@ class IslandWaller {
     };
   }
 
-  const SectionPlace& place_;
+  const SectionContext& place_;
   const BeadingOptions& options_;
   Coord external_;
   Coord inner_;
@@ -287,10 +287,10 @@ std::vector<FillArea> PartByRegion(MultiPolygon area, const Group& group) {
 
 /// Returns the walls of an island. An island of a hollow section has one wall along its outline and
 /// nothing inside.
-absl::StatusOr<IslandBeads> WallsOf(const PolygonWithHoles& outline, const SectionPlace& place,
+absl::StatusOr<IslandBeads> WallsOf(const PolygonWithHoles& outline, const SectionContext& context,
                                     const IslandWaller& waller, const BeadingOptions& options,
                                     const CancelToken& cancel, int32_t& plain_islands) {
-  if (!place.section.hollow) return waller.Wall(outline, cancel, plain_islands);
+  if (!context.section.hollow) return waller.Wall(outline, cancel, plain_islands);
   if (std::optional<Polygon> loop = SpiralLoop({outline}, options.external_width_nm)) {
     IslandBeads turn;
     turn.walls.push_back({.feature = Feature::kExternalPerimeter,
@@ -325,10 +325,10 @@ void Sign(const Region& region, std::vector<Path>& walls) {
 
 }  // namespace
 
-absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
+absl::StatusOr<SectionResult> WallSection(const SectionContext& context,
                                           std::span<const BeadingOptions> regions,
                                           const CancelToken& cancel) {
-  const ObjectSection& section = place.section;
+  const ObjectSection& section = context.section;
   SectionResult result;
   result.walled.stack = section.stack;
   result.walled.layer = section.layer;
@@ -336,11 +336,11 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
   for (const Group& group : GroupsOf(section, regions)) {
     const Region& first = *group.front();
     const BeadingOptions& options = regions[static_cast<size_t>(first.settings)];
-    const auto waller = IslandWaller::Make(place, options);
+    const auto waller = IslandWaller::Make(context, options);
     if (!waller.ok()) return waller.status();
     for (const PolygonWithHoles& outline : OutlinesOf(group, section)) {
       absl::StatusOr<IslandBeads> walls =
-          WallsOf(outline, place, *waller, options, cancel, result.plain_islands);
+          WallsOf(outline, context, *waller, options, cancel, result.plain_islands);
       if (!walls.ok()) return walls.status();
       if (section.stack.IsPart()) {
         if (options.generator == WallGenerator::kArachne)

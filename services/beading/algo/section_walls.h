@@ -16,7 +16,7 @@ namespace slicefarm::beading {
 
 /// Section of a stack, and the outlines of the layers around it. The struct refers to `section` and
 /// `neighbours`; it does not own them.
-struct SectionPlace {
+struct SectionContext {
   const ObjectSection& section;
   bool on_bed = false;  ///< true in the plate's first layer, which has its own bead widths
   const NeighbourOutlines& neighbours;  ///< outlines of the section's stack
@@ -36,7 +36,7 @@ struct SectionResult {
 /// infill is then divided by region.
 ///
 /// `regions`: options, indexed by Region::settings. Errors: see local_beading_stage.h.
-absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
+absl::StatusOr<SectionResult> WallSection(const SectionContext& context,
                                           std::span<const BeadingOptions> regions,
                                           const CancelToken& cancel);
 

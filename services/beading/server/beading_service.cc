@@ -1,7 +1,7 @@
 #include "services/beading/server/beading_service.h"
 
 #include "common/model/options/beading_options.h"
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/wire/stage_answer.h"
 #include "common/wire/stage_jobs_wire.h"
 #include "common/wire/start_wire.h"
@@ -11,7 +11,7 @@ namespace slicefarm::beading {
 
 std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Beading>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Beading>>(gate);
   service->Add("BeadLayers", &v1::Beading::Service::BeadLayers,
                [&](rpc::Call& call, auto& stream) -> absl::Status {
                  const auto begun = BeginRange<BeadingTable>(call, stream, shared);

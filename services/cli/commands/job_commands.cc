@@ -161,7 +161,7 @@ ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
-void TellCancelled(const CancelOptions& options, const v1::Job& job) {
+void PrintCancelled(const CancelOptions& options, const v1::Job& job) {
   if (options.json) return Print(JsonOfJob(job, "") + "\n");
   Print(fmt::format("job {}: {}\n", job.id(),
                     HasEnded(job) ? StateName(job.state()) : "is being cancelled"));
@@ -180,7 +180,7 @@ ExitCode CancelAll(JobsClient& client, const CancelOptions& options) {
     if (!done.ok()) return Fail(done.status());
     for (const auto& outcome : done->outcomes()) {
       if (outcome.has_job()) {
-        TellCancelled(options, outcome.job());
+        PrintCancelled(options, outcome.job());
         continue;
       }
       v1::Job failed;
@@ -203,7 +203,7 @@ ExitCode Cancel(CancelOptions options, Interrupt& interrupt) {
   if (options.ids.size() > 1) return CancelAll(client, options);
   const auto job = client.CancelJob(options.ids.front());
   if (!job.ok()) return Fail(job.status());
-  TellCancelled(options, *job);
+  PrintCancelled(options, *job);
   return ExitCode::kOk;
 }
 

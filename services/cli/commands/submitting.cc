@@ -162,8 +162,8 @@ absl::StatusOr<std::vector<v1::CreateJobRequest>> RequestsOf(SubmitOptions& opti
   for (const GivenPlate& plate : models.plates) {
     if (absl::Status ok = config::CheckMissing(plate.missing, options.job.allow); !ok.ok())
       return ok;
-    WarnOfRest(plate.warnings, options.told);
-    std::ranges::copy(plate.warnings, std::back_inserter(options.told));
+    WarnOfRest(plate.warnings, options.reported);
+    std::ranges::copy(plate.warnings, std::back_inserter(options.reported));
     auto request = RequestOf(options, plate, settings);
     if (!request.ok()) return request.status();
     if (absl::Status ok = AddOverlays(plate, client, *request->mutable_spec()); !ok.ok()) return ok;
@@ -252,7 +252,7 @@ void PrintJson(const SubmitOptions& options, const v1::Job& job, const std::stri
 }
 
 void PrintSummary(const SubmitOptions& options, const v1::Job& job, const std::string& output) {
-  WarnOfRest({job.warnings().begin(), job.warnings().end()}, options.told);
+  WarnOfRest({job.warnings().begin(), job.warnings().end()}, options.reported);
   if (options.json) return PrintJson(options, job, output);
   if (options.job.quiet) return;
   const v1::JobResult& result = job.result();
@@ -287,7 +287,7 @@ std::string AdviceText(const v1::OrientationAdvice& advice) {
 }
 
 void PrintPreflight(const SubmitOptions& options, const v1::Job& job) {
-  WarnOfRest({job.warnings().begin(), job.warnings().end()}, options.told);
+  WarnOfRest({job.warnings().begin(), job.warnings().end()}, options.reported);
   if (options.json) return PrintJson(options, job, "");
   const v1::Preflight& found = job.preflight();
   for (const v1::MeshReport& mesh : found.meshes()) {

@@ -35,7 +35,7 @@ struct SubmitOptions {
   bool detach = false;
   bool json = false;
   CalibrationTable calibration = {};  ///< values that the print compares, for the report
-  std::vector<std::string> told;      ///< warnings that were printed before the job was made
+  std::vector<std::string> reported;  ///< warnings that were printed before the job was made
 };
 
 /// Returns the options of the farm's client.

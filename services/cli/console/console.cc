@@ -119,9 +119,9 @@ void Warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
-void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told) {
-  std::erase_if(warnings, [&told](const std::string& warning) {
-    return std::ranges::find(told, warning) != told.end();
+void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& reported) {
+  std::erase_if(warnings, [&reported](const std::string& warning) {
+    return std::ranges::find(reported, warning) != reported.end();
   });
   Warn(warnings);
 }

@@ -19,8 +19,8 @@ std::string Advice(const absl::Status& status);
 /// Prints one line `warning: ...` per text to stderr.
 void Warn(const std::vector<std::string>& warnings);
 
-/// Prints the warnings that are not in `told`. `told`: warnings that were already printed.
-void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& told);
+/// Prints the warnings that are not in `reported`. `reported`: warnings that were already printed.
+void WarnOfRest(std::vector<std::string> warnings, const std::vector<std::string>& reported);
 
 /// Prints text to stdout, or to stderr if stdout contains the result.
 void Print(std::string_view text, bool to_stderr = false);

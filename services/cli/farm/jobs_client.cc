@@ -406,7 +406,7 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
 
 absl::Status JobsClient::WatchJobs(
     v1::WatchJobsRequest request,
-    const std::function<absl::Status(const v1::WatchJobsResponse&)>& told) {
+    const std::function<absl::Status(const v1::WatchJobsResponse&)>& on_response) {
   absl::Status enough;
   const absl::Status status = Persist([&]() -> absl::Status {
     absl::Status end = ReadStream<v1::WatchJobsResponse>(
@@ -418,7 +418,7 @@ absl::Status JobsClient::WatchJobs(
         [&](const v1::WatchJobsResponse& response) {
           answered_ = true;
           request.set_cursor(response.cursor());
-          enough = told(response);
+          enough = on_response(response);
           return enough;
         });
     if (!enough.ok()) return absl::OkStatus();

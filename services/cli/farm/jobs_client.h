@@ -111,10 +111,12 @@ class JobsClient {
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
                                    const std::function<void(const v1::Job&)>& changed);
 
-  /// Calls `told` for each event of all jobs. Ends when `told` returns an error, and returns this
-  /// error. Continues after an interruption of the connection, so `told` gets some events twice.
-  absl::Status WatchJobs(v1::WatchJobsRequest request,
-                         const std::function<absl::Status(const v1::WatchJobsResponse&)>& told);
+  /// Calls `on_response` for each event of all jobs. Ends when `on_response` returns an error, and
+  /// returns this error. Continues after an interruption of the connection, so `on_response` gets
+  /// some events twice.
+  absl::Status WatchJobs(
+      v1::WatchJobsRequest request,
+      const std::function<absl::Status(const v1::WatchJobsResponse&)>& on_response);
 
   /// Downloads a result to `file`. `file` is complete unless an error is returned. Errors: also
   /// BLOB_DIGEST_MISMATCH if the digest differs from the one in `job.result()`. A trace is not

@@ -256,7 +256,7 @@ absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& file
   const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects, process);
   if (!resolved.ok()) return resolved.status();
   const auto places = slicing::MakeLocalArranging()->PutOnPlates(
-      {}, {files, ObjectsToPlace(plate.objects)}, resolved->settings.slicing);
+      {}, {files, ObjectsToArrange(plate.objects)}, resolved->settings.slicing);
   if (!places.ok()) return places.status();
   std::vector<GivenPlate> plates;
   for (std::vector<SceneObject>& objects : OnPlates(plate.objects, *places)) {

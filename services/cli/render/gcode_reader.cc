@@ -114,7 +114,8 @@ class Reader {
     if (code == "G1" || code == "G0") {
       Move(ParseWords(line.substr(code.size())));
     } else if (code == "G2" || code == "G3") {
-      Move(ParseWords(line.substr(code.size())), code == "G2" ? Way::kClockwise : Way::kCounter);
+      Move(ParseWords(line.substr(code.size())),
+           code == "G2" ? PathShape::kClockwise : PathShape::kCounter);
     } else if (code == "G90" || code == "G91") {
       relative_ = code == "G91";
       relative_e_ = relative_;
@@ -127,18 +128,18 @@ class Reader {
     }
   }
 
-  enum class Way { kStraight, kClockwise, kCounter };
+  enum class PathShape { kStraight, kClockwise, kCounter };
 
   /// Returns the ends of an arc's chords.
-  std::vector<Vector2> Chords(const Words& words, Vector2 to, Way path) const {
+  std::vector<Vector2> Chords(const Words& words, Vector2 to, PathShape path) const {
     const Vector2 centre = at_ + Vector2(words['I'].value_or(0), words['J'].value_or(0));
-    motion::Arc arc = {at_, to, centre, path == Way::kClockwise};
+    motion::Arc arc = {at_, to, centre, path == PathShape::kClockwise};
     if (const auto radius = words['R']; radius && at_ != to)
       arc.centre = motion::CentreByRadius(at_, to, *radius, arc.clockwise);
     return motion::ArcChords(arc, arc.StartRadius() * arc.Angle(), kArcChordMm);
   }
 
-  void Move(const Words& words, Way path = Way::kStraight) {
+  void Move(const Words& words, PathShape path = PathShape::kStraight) {
     if (const auto f = words['F']; f && *f > 0 && *f / kSecondsPerMinute != speed_mm_s_) {
       EndRuns();
       speed_mm_s_ = *f / kSecondsPerMinute;
@@ -149,13 +150,13 @@ class Reader {
       pushed = relative_e_ ? *e : *e - e_;
       if (!relative_e_) e_ = *e;
     }
-    if (to == at_ && path == Way::kStraight) {
+    if (to == at_ && path == PathShape::kStraight) {
       EndRuns();
       return;
     }
     if (Wanted()) {
       const std::vector<Vector2> ends =
-          path == Way::kStraight ? std::vector<Vector2>{to} : Chords(words, to, path);
+          path == PathShape::kStraight ? std::vector<Vector2>{to} : Chords(words, to, path);
       for (const Vector2& end : ends) {
         Extend(pushed > 0 ? bead_ : travel_, pushed > 0, end);
         if (pushed > 0) length_mm_ += std::hypot(end.x() - at_.x(), end.y() - at_.y());

@@ -30,7 +30,7 @@ constexpr double kUmPerMm = 1000;
 constexpr double kLeastLevelMm = 1;
 
 /// Toolpath in x and y at one height, or a toolpath that changes its height.
-struct Way {
+struct DrawnPath {
   std::string phase;
   bool rapid = false;
   std::optional<int64_t> height_um;  ///< empty: not level
@@ -57,7 +57,7 @@ class PathReader {
     z_ = z;
   }
 
-  std::vector<Way> Finish() {
+  std::vector<DrawnPath> Finish() {
     EndRoute();
     return std::move(paths_);
   }
@@ -114,18 +114,18 @@ class PathReader {
     path_ = {};
   }
 
-  std::vector<Way> paths_;
-  Way path_;
+  std::vector<DrawnPath> paths_;
+  DrawnPath path_;
   std::string phase_ = "entry";
   int kind_ = 0;
   Vector2 at_ = Vector2::Zero();
   double z_ = 0;
 };
 
-double LongerSide(const std::vector<Way>& paths) {
+double LongerSide(const std::vector<DrawnPath>& paths) {
   Vector2 low = {kFarthestTravelMm, kFarthestTravelMm},
           high = {-kFarthestTravelMm, -kFarthestTravelMm};
-  for (const Way& path : paths) {
+  for (const DrawnPath& path : paths) {
     if (path.rapid) continue;
     for (const Vector2& p : path.points) {
       low = low.cwiseMin(p);
@@ -143,9 +143,9 @@ double LengthMm(const std::vector<Vector2>& points) {
 }
 
 /// Returns the heights with cuts, from the top down, without rest areas.
-std::vector<int64_t> LevelsOf(const std::vector<Way>& paths) {
+std::vector<int64_t> LevelsOf(const std::vector<DrawnPath>& paths) {
   std::map<int64_t, double, std::greater<>> length_mm;
-  for (const Way& path : paths)
+  for (const DrawnPath& path : paths)
     if (!path.rapid && path.height_um && path.phase != "rest areas")
       length_mm[*path.height_um] += LengthMm(path.points);
   std::vector<int64_t> levels;
@@ -169,7 +169,7 @@ absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<i
     reader.Line(gcode.substr(begin, end - begin));
     begin = end + 1;
   }
-  std::vector<Way> paths = reader.Finish();
+  std::vector<DrawnPath> paths = reader.Finish();
   const std::vector<int64_t> levels = LevelsOf(paths);
   if (levels.empty()) return Refused("the program cuts nothing");
   if (level && (*level < 0 || *level >= std::ssize(levels)))
@@ -182,7 +182,7 @@ absl::StatusOr<GcodeLayer> ReadMillLayer(std::string_view gcode, std::optional<i
   const int64_t height_um = level ? levels[static_cast<size_t>(*level)] : levels.front();
   layer.z_mm = static_cast<double>(height_um) / kUmPerMm;
   layer.height_mm = static_cast<double>(height_um - levels.back()) / kUmPerMm;
-  for (Way& path : paths) {
+  for (DrawnPath& path : paths) {
     if (level && path.height_um != height_um) continue;
     if (path.rapid) {
       layer.travels.push_back(std::move(path.points));

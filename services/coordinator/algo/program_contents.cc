@@ -159,16 +159,17 @@ void LayerScan::AddText(std::string_view bytes) {
   }
 }
 
-std::vector<LayerPlace> LayerScan::Layers() && {
+std::vector<ProgramLayer> LayerScan::Layers() && {
   if (!line_.empty()) Line(line_, line_at_);
   if (!read_.ok() || (binary_ && !binary_->End().ok())) layers_.clear();
   return std::move(layers_);
 }
 
-std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<double>& times_s) {
+std::string LayersJson(const std::vector<ProgramLayer>& layers,
+                       const std::vector<double>& times_s) {
   ProgramJson list = ProgramJson::array();
   for (size_t i = 0; i < layers.size(); ++i) {
-    const LayerPlace& layer = layers[i];
+    const ProgramLayer& layer = layers[i];
     ProgramJson json = {{"offset", layer.offset},
                         {"z_mm", layer.z_mm},
                         {"height_mm", layer.height_mm},

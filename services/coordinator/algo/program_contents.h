@@ -12,14 +12,14 @@
 namespace slicefarm::coordinator {
 
 /// Layer of a program: position in the file, height and number of moves.
-struct LayerPlace {
+struct ProgramLayer {
   /// Byte offset of the layer's first byte. In binary G-code: offset of the block with this byte.
   int64_t offset = 0;
   double z_mm = 0;
   double height_mm = 0;
   int64_t moves = 0;  ///< number of G0 to G3 commands
 
-  friend bool operator==(const LayerPlace&, const LayerPlace&) = default;
+  friend bool operator==(const ProgramLayer&, const ProgramLayer&) = default;
 };
 
 /// Finds the layers of a program that arrives in pieces. Uses the comments that previewers read:
@@ -30,7 +30,7 @@ class LayerScan {
   /// Scans the next piece of the program.
   void Add(std::string_view bytes);
   /// Returns the layers in their order in the program. Empty if the program has no layer comments.
-  std::vector<LayerPlace> Layers() &&;
+  std::vector<ProgramLayer> Layers() &&;
 
  private:
   void AddText(std::string_view bytes);
@@ -45,11 +45,11 @@ class LayerScan {
   int64_t offset_ = 0;  ///< offset of the next byte
   int64_t line_at_ = 0;
   std::string line_;  ///< beginning of the current line, if the line is incomplete
-  std::vector<LayerPlace> layers_;
+  std::vector<ProgramLayer> layers_;
 };
 
 /// Returns the layers as JSON. `times_s`: one time per layer, or empty.
-std::string LayersJson(const std::vector<LayerPlace>& layers, const std::vector<double>& times_s);
+std::string LayersJson(const std::vector<ProgramLayer>& layers, const std::vector<double>& times_s);
 
 /// Returns the bytes of the largest PNG thumbnail at the beginning of a program: text, binary
 /// G-code or a .gcode.3mf archive.

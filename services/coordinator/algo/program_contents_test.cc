@@ -18,7 +18,7 @@ const std::string kProgram =
     "G10\n;LAYER_CHANGE\n;Z:0.45\n;HEIGHT:0.25\nG0 X1\nG1 X" +
     std::string(1000, '1') + "\nG1\n;LAYER_CHANGE";
 
-std::vector<LayerPlace> Expected() {
+std::vector<ProgramLayer> Expected() {
   const auto offset = [](int layer) {
     size_t at = 0;
     for (int i = 0; i <= layer; ++i) at = kProgram.find(";LAYER_CHANGE", i == 0 ? 0 : at + 1);
@@ -45,7 +45,7 @@ TEST(LayerScan, FindsTheLayersOfBinaryGcode) {
     LayerScan scan;
     for (size_t at = 0; at < binary.size(); at += piece)
       scan.Add(std::string_view(binary).substr(at, piece));
-    const std::vector<LayerPlace> layers = std::move(scan).Layers();
+    const std::vector<ProgramLayer> layers = std::move(scan).Layers();
     ASSERT_EQ(layers.size(), 9000u);
     EXPECT_EQ(layers.back().moves, 1);
     EXPECT_EQ(layers.back().z_mm, 0.2);

@@ -14,22 +14,22 @@ constexpr size_t kFewestRuns = 3;         ///< fewest finished runs for which a 
 constexpr int64_t kAnyRunUs = 1'000'000;  ///< assumed run time if there is no mean
 
 /// Slot of a coordinator that runs one job at a time.
-struct Place {
+struct JobSlot {
   int64_t free_us = 0;
   int64_t rank = 0;  ///< order among slots that become free at the same time
   bool for_interactive = false;
   std::string tenant = {};  ///< tenant of the current job, if `taken`
   bool taken = false;
 
-  bool operator>(const Place& other) const {
+  bool operator>(const JobSlot& other) const {
     return std::tie(free_us, rank) > std::tie(other.free_us, other.rank);
   }
 };
 
-using Places = std::priority_queue<Place, std::vector<Place>, std::greater<>>;
+using JobSlots = std::priority_queue<JobSlot, std::vector<JobSlot>, std::greater<>>;
 
 /// Returns the time at which a held slot becomes free.
-int64_t FreeUs(const HeldPlace& held, int64_t run_us, int64_t now_us) {
+int64_t FreeUs(const HeldSlot& held, int64_t run_us, int64_t now_us) {
   const int64_t elapsed_us = held.start_us == 0 ? 0 : std::max<int64_t>(0, now_us - held.start_us);
   return now_us + (elapsed_us < run_us ? run_us - elapsed_us : elapsed_us);
 }
@@ -37,27 +37,27 @@ int64_t FreeUs(const HeldPlace& held, int64_t run_us, int64_t now_us) {
 /// Returns the slots of all coordinators that hold a job, and one slot if none does. A
 /// coordinator's first interactive job is assumed to use the slot that is reserved for interactive
 /// jobs.
-Places PlacesOf(const QueueSnapshot& queue, int64_t run_us, int64_t now_us) {
-  Places places;
+JobSlots SlotsOf(const QueueSnapshot& queue, int64_t run_us, int64_t now_us) {
+  JobSlots slots;
   int64_t rank = 0;
   std::map<std::string, bool> kept_taken;  // by owner
-  for (const HeldPlace& held : queue.held) {
+  for (const HeldSlot& held : queue.held) {
     bool& taken = kept_taken[held.owner];
     const bool kept = held.interactive && !taken;
     taken |= kept;
-    places.push({FreeUs(held, run_us, now_us), rank++, kept, held.tenant, true});
+    slots.push({FreeUs(held, run_us, now_us), rank++, kept, held.tenant, true});
   }
   for (const auto& [owner, taken] : kept_taken)
-    if (!taken) places.push({.free_us = now_us, .rank = rank++, .for_interactive = true});
-  if (queue.held.empty()) places.push({.free_us = now_us});
-  return places;
+    if (!taken) slots.push({.free_us = now_us, .rank = rank++, .for_interactive = true});
+  if (queue.held.empty()) slots.push({.free_us = now_us});
+  return slots;
 }
 
 /// Tenants in the order in which their jobs begin next.
-class Turns {
+class TenantOrder {
  public:
-  Turns(const QueueSnapshot& queue, int64_t now_us) : last_turn_us_(now_us) {
-    for (const HeldPlace& held : queue.held) ++held_[held.tenant];
+  TenantOrder(const QueueSnapshot& queue, int64_t now_us) : last_turn_us_(now_us) {
+    for (const HeldSlot& held : queue.held) ++held_[held.tenant];
     for (const TenantQueue& tenant : queue.tenants) {
       last_turn_us_ = std::max(last_turn_us_, tenant.turn_us);
       if (!tenant.waiting.empty()) Enter({&tenant, tenant.turn_us});
@@ -124,19 +124,19 @@ int64_t MeanRunUs(const QueueSnapshot& queue) {
 std::vector<ExpectedRun> ExpectedRuns(const QueueSnapshot& queue, int64_t now_us) {
   const int64_t mean_us = MeanRunUs(queue);
   const int64_t run_us = mean_us > 0 ? mean_us : kAnyRunUs;
-  Places places = PlacesOf(queue, run_us, now_us);
-  int64_t rank = std::ssize(places);
-  Turns turns(queue, now_us);
+  JobSlots slots = SlotsOf(queue, run_us, now_us);
+  int64_t rank = std::ssize(slots);
+  TenantOrder turns(queue, now_us);
   std::vector<ExpectedRun> runs;
-  while (!turns.empty() && !places.empty()) {
-    Place place = places.top();
-    places.pop();
-    if (place.taken) turns.Ended(place.tenant);
-    const auto begun = turns.Begin(place.for_interactive);
+  while (!turns.empty() && !slots.empty()) {
+    JobSlot slot = slots.top();
+    slots.pop();
+    if (slot.taken) turns.Ended(slot.tenant);
+    const auto begun = turns.Begin(slot.for_interactive);
     if (!begun) continue;
-    const int64_t start_us = place.free_us;
+    const int64_t start_us = slot.free_us;
     runs.push_back({begun->first.number, start_us, start_us + run_us});
-    places.push({start_us + run_us, rank++, place.for_interactive, begun->second, true});
+    slots.push({start_us + run_us, rank++, slot.for_interactive, begun->second, true});
   }
   return runs;
 }

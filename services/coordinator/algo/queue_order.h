@@ -9,13 +9,13 @@ namespace slicefarm::coordinator {
 
 /// Held job: a coordinator has claimed the job, and the claim's lease has not expired. The job
 /// occupies a slot of this coordinator until the job ends.
-struct HeldPlace {
+struct HeldSlot {
   std::string tenant;
   std::string owner;  ///< name of the coordinator
   bool interactive = false;
   int64_t start_us = 0;  ///< time at which the job began; 0 if it has not begun yet
 
-  friend bool operator==(const HeldPlace&, const HeldPlace&) = default;
+  friend bool operator==(const HeldSlot&, const HeldSlot&) = default;
 };
 
 /// Open job that no coordinator holds.
@@ -38,7 +38,7 @@ struct TenantQueue {
 /// Open jobs of a farm at one time.
 struct QueueSnapshot {
   /// Held jobs in the order in which they began; jobs that have not begun are last.
-  std::vector<HeldPlace> held = {};
+  std::vector<HeldSlot> held = {};
   /// Action digests of the held jobs, except held jobs that are to be cancelled. A waiting job with
   /// one of these digests has the same work as a held job, and waits for it.
   std::set<std::string> held_work = {};

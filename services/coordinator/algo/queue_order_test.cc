@@ -34,9 +34,9 @@ TEST_P(QueueOrderTest, IsThatOfTheClaims) {
   EXPECT_EQ(numbers, GetParam().order);
 }
 
-const HeldPlace kHeldA = {.tenant = "a", .owner = "one", .start_us = kNow};
-const HeldPlace kHeldB = {.tenant = "b", .owner = "one", .start_us = kNow};
-const HeldPlace kInteractiveA = {
+const HeldSlot kHeldA = {.tenant = "a", .owner = "one", .start_us = kNow};
+const HeldSlot kHeldB = {.tenant = "b", .owner = "one", .start_us = kNow};
+const HeldSlot kInteractiveA = {
     .tenant = "a", .owner = "one", .interactive = true, .start_us = kNow};
 
 INSTANTIATE_TEST_SUITE_P(

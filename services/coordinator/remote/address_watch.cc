@@ -106,15 +106,15 @@ std::vector<std::string> AddressWatch::Look() {
 }
 
 void AddressWatch::Loop(const std::stop_token& stop) {
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
     refresh_ = false;
     lock.unlock();
     std::vector<std::string> addresses = Look();
-    if (addresses != told) {
+    if (addresses != reported) {
       changed_(addresses);
-      told = std::move(addresses);
+      reported = std::move(addresses);
     }
     lock.lock();
     wake_.wait_for(lock, stop, options_.least_pause, [] { return false; });

@@ -61,7 +61,7 @@ class Names {
   auto Listener() {
     return [this](const Addresses& addresses) {
       const std::lock_guard lock(mutex_);
-      told_.push_back(addresses);
+      reported_.push_back(addresses);
       changed_.notify_all();
     };
   }
@@ -73,10 +73,10 @@ class Names {
     const std::lock_guard lock(mutex_);
     answers_.erase(name);
   }
-  std::vector<Addresses> AwaitTold(size_t count) {
+  std::vector<Addresses> AwaitReported(size_t count) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return told_.size() >= count; });
-    return told_;
+    changed_.wait(lock, [&] { return reported_.size() >= count; });
+    return reported_;
   }
   int looks() {
     const std::lock_guard lock(mutex_);
@@ -91,7 +91,7 @@ class Names {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::string, Addresses> answers_;
-  std::vector<Addresses> told_;
+  std::vector<Addresses> reported_;
   int looks_ = 0;
 };
 
@@ -100,7 +100,7 @@ TEST(AddressWatch, TellsAllAddressesSortedAndOnce) {
   names.Set("a:1", {"10.0.0.3:1", "10.0.0.1:1"});
   names.Set("b:1", {"10.0.0.2:1", "10.0.0.1:1"});
   AddressWatch watch({"a:1", "b:1"}, names.Listener(), names.Options());
-  EXPECT_THAT(names.AwaitTold(1),
+  EXPECT_THAT(names.AwaitReported(1),
               ElementsAre(ElementsAre("10.0.0.1:1", "10.0.0.2:1", "10.0.0.3:1")));
 }
 
@@ -108,13 +108,13 @@ TEST(AddressWatch, TellsWhatChanged) {
   Names names;
   names.Set("a:1", {"10.0.0.1:1"});
   AddressWatch watch({"a:1"}, names.Listener(), names.Options());
-  names.AwaitTold(1);
+  names.AwaitReported(1);
   names.Set("a:1", {"10.0.0.1:1", "10.0.0.2:1"});
   watch.Refresh();
-  names.AwaitTold(2);
+  names.AwaitReported(2);
   names.Set("a:1", {"10.0.0.2:1"});
   watch.Refresh();
-  EXPECT_THAT(names.AwaitTold(3),
+  EXPECT_THAT(names.AwaitReported(3),
               ElementsAre(ElementsAre("10.0.0.1:1"), ElementsAre("10.0.0.1:1", "10.0.0.2:1"),
                           ElementsAre("10.0.0.2:1")));
 }
@@ -123,12 +123,12 @@ TEST(AddressWatch, IsSilentWhileNothingChanges) {
   Names names;
   names.Set("a:1", {"10.0.0.1:1"});
   AddressWatch watch({"a:1"}, names.Listener(), names.Options());
-  names.AwaitTold(1);
+  names.AwaitReported(1);
   for (int look = 2; look < 5; ++look) {
     watch.Refresh();
     names.AwaitLooks(look);
   }
-  EXPECT_THAT(names.AwaitTold(1), testing::SizeIs(1));
+  EXPECT_THAT(names.AwaitReported(1), testing::SizeIs(1));
 }
 
 // A failure of the name service must not remove the workers.
@@ -137,11 +137,11 @@ TEST(AddressWatch, AFailingNameKeepsItsAddresses) {
   names.Set("a:1", {"10.0.0.1:1"});
   names.Set("b:1", {"10.0.0.2:1"});
   AddressWatch watch({"a:1", "b:1"}, names.Listener(), names.Options());
-  names.AwaitTold(1);
+  names.AwaitReported(1);
   names.Forget("a:1");
   names.Set("b:1", {"10.0.0.9:1"});
   watch.Refresh();
-  EXPECT_THAT(names.AwaitTold(2).back(), ElementsAre("10.0.0.1:1", "10.0.0.9:1"));
+  EXPECT_THAT(names.AwaitReported(2).back(), ElementsAre("10.0.0.1:1", "10.0.0.9:1"));
 }
 
 }  // namespace

@@ -91,13 +91,13 @@ absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput
   return std::move(answer->job);
 }
 
-absl::StatusOr<std::vector<PlatePlace>> RemoteArranging::PutOnPlates(
+absl::StatusOr<std::vector<PlatePosition>> RemoteArranging::PutOnPlates(
     const StageCall& call, SliceInput input, const SlicingOptions& options) const {
   size_t copies = 0;
   for (const ObjectInput& object : input.objects) copies += object.copies.size();
   return client_.Fitting(
-      AskWithFiles<std::vector<PlatePlace>>(client_, call, input, options,
-                                            &v1::Slicing::Stub::PrepareAsyncPutOnPlates),
+      AskWithFiles<std::vector<PlatePosition>>(client_, call, input, options,
+                                               &v1::Slicing::Stub::PrepareAsyncPutOnPlates),
       [&](const auto& places) {
         return places.size() == copies ? absl::OkStatus()
                                        : Malformed("places", "are not one for each copy");

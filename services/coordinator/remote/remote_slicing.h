@@ -33,8 +33,8 @@ class RemoteArranging : public ArrangingStage {
   explicit RemoteArranging(ReplicaSource& replicas, const RemoteOptions& options = {})
       : client_("slicing", replicas, options) {}
 
-  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
-                                                      const SlicingOptions& options) const override;
+  absl::StatusOr<std::vector<PlatePosition>> PutOnPlates(
+      const StageCall& call, SliceInput input, const SlicingOptions& options) const override;
 
  private:
   const StageClient client_;

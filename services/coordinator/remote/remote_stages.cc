@@ -110,7 +110,7 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
 absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
                                                        const ProgramSummary& summary,
                                                        const MotionOptions& options) const {
-  v1::FrameRequest request;
+  v1::ProgramEnvelopeRequest request;
   *request.mutable_call() = ToProto(call);
   request.set_options(PackFields(options));
   if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;
@@ -132,7 +132,7 @@ absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
 absl::StatusOr<ExposureEnvelope> RemoteExposure::Envelope(const StageCall& call,
                                                           const ExposureSummary& summary,
                                                           const ExposureSettings& settings) const {
-  v1::ExposureFrameRequest request;
+  v1::ExposureEnvelopeRequest request;
   *request.mutable_call() = ToProto(call);
   request.set_settings(PackFields(settings));
   if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;

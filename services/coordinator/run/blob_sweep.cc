@@ -80,10 +80,10 @@ constexpr int64_t kMostGapUs = int64_t{24} * 3600 * 1'000'000;
 
 }  // namespace
 
-absl::StatusOr<bool> IsSettled(JobStore& jobs, const SweepOptions& options, int64_t now_us) {
+absl::StatusOr<bool> HasBeenInUse(JobStore& jobs, const SweepOptions& options, int64_t now_us) {
   const auto since_us = jobs.InUseSince(now_us, kMostGapUs);
   if (!since_us.ok()) return since_us.status();
-  return static_cast<double>(now_us - *since_us) >= options.settle_s * 1e6;
+  return static_cast<double>(now_us - *since_us) >= options.min_use_s * 1e6;
 }
 
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,

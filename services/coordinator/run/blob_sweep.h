@@ -17,16 +17,16 @@ struct SweepOptions {
   /// update of the job's record.
   double keep_blobs_s = 24 * 3600;
   /// Time for which a store must have been in use before anything is removed from it.
-  double settle_s = 24 * 3600;
+  double min_use_s = 24 * 3600;
   /// Time after which damaged blobs are removed. Before, a person can inspect them.
   double keep_damaged_s = 7 * 24 * 3600;
 };
 
-/// Returns true if the store has been in use for SweepOptions::settle_s, and records the current
+/// Returns true if the store has been in use for SweepOptions::min_use_s, and records the current
 /// use. A store must wait for that long if it is new, was restored, or was out of use for more than
 /// a day. The coordinator may be connected to the wrong database then, and blobs that this database
 /// does not contain may belong to the right one. Errors: see JobStore.
-absl::StatusOr<bool> IsSettled(JobStore& jobs, const SweepOptions& options, int64_t now_us);
+absl::StatusOr<bool> HasBeenInUse(JobStore& jobs, const SweepOptions& options, int64_t now_us);
 
 /// Counts of removed jobs, blobs and bytes.
 struct Swept {

@@ -66,11 +66,11 @@ TEST_F(BlobSweepTest, AStoreSettlesInADayOfUseWithoutALongBreak) {
   const Step steps[] = {{0, false}, {1, false},  {23, false},  {24, true},
                         {47, true}, {96, false}, {119, false}, {120, true}};
   for (const Step& step : steps) {
-    const auto settled = IsSettled(*jobs_, {}, step.hour * kHourUs);
+    const auto settled = HasBeenInUse(*jobs_, {}, step.hour * kHourUs);
     ASSERT_TRUE(settled.ok()) << settled.status();
     EXPECT_EQ(*settled, step.settled) << step.hour;
   }
-  EXPECT_TRUE(*IsSettled(*jobs_, {.settle_s = 0}, 1000 * kHourUs));
+  EXPECT_TRUE(*HasBeenInUse(*jobs_, {.min_use_s = 0}, 1000 * kHourUs));
 }
 
 TEST_F(BlobSweepTest, KeepsWhatJobsReferTo) {

@@ -10,12 +10,12 @@ constexpr int32_t kSteps = 100;
 
 bool ProgressThrottle::Passes(const PipelineProgress& progress, double now_s) {
   const int32_t step = progress.total / kSteps + 1;
-  const bool first = told_.total == 0;
-  if (!first && (now_s - told_at_s_ < kEveryS || progress.done - told_.done < step)) {
+  const bool first = reported_.total == 0;
+  if (!first && (now_s - reported_at_s_ < kEveryS || progress.done - reported_.done < step)) {
     return false;
   }
-  told_ = progress;
-  told_at_s_ = now_s;
+  reported_ = progress;
+  reported_at_s_ = now_s;
   return true;
 }
 

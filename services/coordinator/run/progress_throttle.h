@@ -12,11 +12,11 @@ class ProgressThrottle {
   bool Passes(const PipelineProgress& progress, double now_s);
 
   /// Returns the last progress for which Passes returned true.
-  const PipelineProgress& told() const { return told_; }
+  const PipelineProgress& reported() const { return reported_; }
 
  private:
-  PipelineProgress told_;
-  double told_at_s_ = 0;
+  PipelineProgress reported_;
+  double reported_at_s_ = 0;
 };
 
 }  // namespace slicefarm::coordinator

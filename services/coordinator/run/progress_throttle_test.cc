@@ -8,7 +8,7 @@ namespace {
 TEST(ProgressThrottle, TheFirstPassesAtOnce) {
   ProgressThrottle gate;
   EXPECT_TRUE(gate.Passes({.total = 500, .done = 0}, 0));
-  EXPECT_EQ(gate.told().total, 500);
+  EXPECT_EQ(gate.reported().total, 500);
 }
 
 TEST(ProgressThrottle, LaterOnesPassBySteps) {
@@ -17,7 +17,7 @@ TEST(ProgressThrottle, LaterOnesPassBySteps) {
   EXPECT_FALSE(gate.Passes({.total = 500, .done = 50}, 0.1)) << "too early";
   EXPECT_FALSE(gate.Passes({.total = 500, .done = 5}, 0.3)) << "too little";
   EXPECT_TRUE(gate.Passes({.total = 500, .done = 6}, 0.3));
-  EXPECT_EQ(gate.told().done, 6);
+  EXPECT_EQ(gate.reported().done, 6);
   EXPECT_FALSE(gate.Passes({.total = 500, .done = 60}, 0.4));
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int32_t kMaxRetries = 5;
 constexpr int64_t kFirstRetryUs = 500'000;
-constexpr int64_t kNoRoomPauseUs = 1'000'000;
+constexpr int64_t kNoSpacePauseUs = 1'000'000;
 constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
@@ -39,27 +39,27 @@ bool CallWasLost(const absl::Status& status) {
   return absl::IsUnavailable(status) && DetailOf(status).metadata.contains("lost");
 }
 
-void Fail(const absl::Status& error, const PipelineProgress& told, JobUpdate& update) {
+void Fail(const absl::Status& error, const PipelineProgress& reported, JobUpdate& update) {
   update.state = JobState::kFailed;
-  update.layers_done = told.done;
+  update.layers_done = reported.done;
   update.error = JobErrorOf(error);
 }
 
 }  // namespace
 
 JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunRequests& wishes,
-                     const absl::Status& error, const PipelineProgress& told, int64_t now_us) {
+                     const absl::Status& error, const PipelineProgress& reported, int64_t now_us) {
   JobUpdate update;
   update.state = JobState::kQueued;
-  update.layers_total = told.total;
+  update.layers_total = reported.total;
   if (wishes.cancelled()) {
     update.state = JobState::kCancelled;
-    update.layers_done = told.done;
+    update.layers_done = reported.done;
   } else if (wishes.handed_back()) {
     update.claimable_from_us = now_us;
   } else if (wishes.Overdue(now_us)) {
     update.state = JobState::kFailed;
-    update.layers_done = told.done;
+    update.layers_done = reported.done;
     update.error = DeadlinePassed();
   } else if (DetailOf(error).reason == Reason::kDiskFull) {
     update.claimable_from_us = now_us + kDiskFullRetryUs;
@@ -69,7 +69,7 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunR
     update.store_failed = true;
   } else if (DetailOf(error).reason == Reason::kOverloaded) {
     // At its next claim, the job waits for memory again.
-    update.claimable_from_us = now_us + kNoRoomPauseUs;
+    update.claimable_from_us = now_us + kNoSpacePauseUs;
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
     // An upgrade takes some time and then ends.
     update.claimable_from_us = now_us + kUpgradePauseUs;
@@ -80,13 +80,13 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunR
       update.claimable_from_us = now_us + *rest_us;
       update.deadly = true;
     } else {
-      Fail(error, told, update);
+      Fail(error, reported, update);
     }
   } else if (IsAway(error) && job.retries < kMaxRetries) {
     update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;
   } else {
-    Fail(error, told, update);
+    Fail(error, reported, update);
   }
   return update;
 }

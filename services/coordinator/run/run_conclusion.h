@@ -29,7 +29,7 @@ namespace slicefarm::coordinator {
 /// "Doubling": each wait is twice as long as the previous wait. After the death of workers or
 /// stages the job may run again, because they may have died for another reason.
 JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunRequests& wishes,
-                     const absl::Status& error, const PipelineProgress& told, int64_t now_us);
+                     const absl::Status& error, const PipelineProgress& reported, int64_t now_us);
 
 /// Returns the error of a job that has not ended by its deadline.
 JobError DeadlinePassed();

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/stage/exposure_job.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/options/options_wire.h"
@@ -16,7 +16,7 @@ namespace slicefarm::exposure {
 namespace {
 
 absl::Status Frame(const ExposureStage& stage, rpc::Call& call,
-                   const v1::ExposureFrameRequest& request, v1::ExposureFrame* response) {
+                   const v1::ExposureEnvelopeRequest& request, v1::ExposureEnvelope* response) {
   absl::StatusOr<StageCall> stage_call = FromProto(request.call());
   if (!stage_call.ok()) return stage_call.status();
   const auto settings = OptionsFromBytes<ExposureSettings>(request.settings());
@@ -35,7 +35,7 @@ absl::Status Frame(const ExposureStage& stage, rpc::Call& call,
 
 std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage,
                                                    rpc::CallLimiter& gate, SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Exposure>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Exposure>>(gate);
   service->Add("ExposeLayers", &v1::Exposure::Service::ExposeLayers,
                [&](rpc::Call& call, auto& stream) -> absl::Status {
                  const auto begun = BeginRange<ExposureJob>(call, stream, shared);
@@ -46,7 +46,7 @@ std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage,
                  return AnswerEach(stream, stage.Expose(start.call, {start.range, *layers}, job));
                });
   service->Add("FrameExposure", &v1::Exposure::Service::FrameExposure,
-               [&](rpc::Call& call, const auto& request, v1::ExposureFrame* response) {
+               [&](rpc::Call& call, const auto& request, v1::ExposureEnvelope* response) {
                  return Frame(stage, call, request, response);
                });
   return service;

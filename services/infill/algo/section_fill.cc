@@ -45,10 +45,10 @@ const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack,
   return found == plans.end() || place(*found) != std::pair(stack, row) ? nullptr : &*found;
 }
 
-const MultiPolygon& CarriedOf(int32_t stack, const LayerPlan& plan) {
+const MultiPolygon& AboveSupportsOf(int32_t stack, const LayerPlan& plan) {
   static const MultiPolygon kNothing;
   const SectionPlan* found = FindPlan(stack, plan.sections);
-  return found == nullptr ? kNothing : found->carried;
+  return found == nullptr ? kNothing : found->above_supports;
 }
 
 /// Groups of paths that fill areas, and the reports of their plastic.
@@ -217,10 +217,10 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Returns the bead of a bridge. `carried`: true if a support is below it; then it is no round
-  /// strand, because strands hang below their layer and would weld to the support.
-  LineBead BridgeBeadOf(bool carried) const {
-    return BridgeBead(options_.thick_bridges && !carried, options_.bridge_flow,
+  /// Returns the bead of a bridge. `above_supports`: true if a support is below it; then it is no
+  /// round strand, because strands hang below their layer and would weld to the support.
+  LineBead BridgeBeadOf(bool above_supports) const {
+    return BridgeBead(options_.thick_bridges && !above_supports, options_.bridge_flow,
                       options_.bridge_density);
   }
   /// Returns the bead of a bridge's round strands or of its lines. `density`: share of the bridge
@@ -236,8 +236,8 @@ class RegionFill {
     const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
     const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
     for (const PolygonWithHoles& region : regions) {
-      const LineBead bead =
-          BridgeBeadOf(!view_.carried.empty() && !Intersection({region}, view_.carried).empty());
+      const LineBead bead = BridgeBeadOf(!view_.above_supports.empty() &&
+                                         !Intersection({region}, view_.above_supports).empty());
       const auto span = SpanOf(region, below);
       RequestedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
                           view_.height_nm, bead.share};
@@ -457,7 +457,7 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields) {
   SectionView view{walled.stack, walled.layer, walled.height_nm,
-                   on_bed,       objects,      CarriedOf(walled.stack.id, plan)};
+                   on_bed,       objects,      AboveSupportsOf(walled.stack.id, plan)};
   if (const ObjectSection* own = objects.Find(walled.stack.id, walled.layer); own != nullptr)
     view.z_nm = own->z_nm - own->height_nm / 2;
   FilledSection filled{walled.stack, walled.layer, walled.height_nm, {}};

@@ -285,14 +285,14 @@ TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
   EXPECT_EQ(sparse.feature, Feature::kInternalInfill);
   EXPECT_EQ(sparse.pattern, FillPattern::kGyroid);
   EXPECT_NEAR(sparse.area_mm2, 9 * 18, 1e-6);
-  EXPECT_NEAR(sparse.room_mm3, 9 * 18 * 0.2, 1e-6);
-  EXPECT_NEAR(sparse.asked_mm3, 0.2 * sparse.room_mm3, 1e-6);
+  EXPECT_NEAR(sparse.volume_mm3, 9 * 18 * 0.2, 1e-6);
+  EXPECT_NEAR(sparse.asked_mm3, 0.2 * sparse.volume_mm3, 1e-6);
   const FillStats& solid = filled->uses[1];
   EXPECT_EQ(solid.settings, 1);
   EXPECT_EQ(solid.feature, Feature::kSolidInfill);
   EXPECT_EQ(solid.pattern, FillPattern::kRectilinear);
-  EXPECT_NEAR(solid.asked_mm3, solid.room_mm3, 1e-9);
-  EXPECT_NEAR(solid.plastic_mm3 / solid.room_mm3, 1, 0.0125);
+  EXPECT_NEAR(solid.asked_mm3, solid.volume_mm3, 1e-9);
+  EXPECT_NEAR(solid.plastic_mm3 / solid.volume_mm3, 1, 0.0125);
 
   const std::vector<Path> paths = PathsIn(*filled);
   for (const FillStats& use : filled->uses) {
@@ -311,10 +311,10 @@ TEST(FillSection, UsesCountTheLayersThatAreCombined) {
   const std::vector<FillStats> uses = SquareOf(Thin(), std::span(&plan, 1)).uses;
   ASSERT_EQ(uses.size(), 1u);
   EXPECT_NEAR(uses[0].area_mm2, 9 * 18, 1e-6);
-  EXPECT_NEAR(uses[0].room_mm3, 9 * 18 * 0.4, 1e-6);
+  EXPECT_NEAR(uses[0].volume_mm3, 9 * 18 * 0.4, 1e-6);
   // The share includes the lines and the links of a small square.
-  EXPECT_GE(uses[0].plastic_mm3 / uses[0].room_mm3, 0.2);
-  EXPECT_LE(uses[0].plastic_mm3 / uses[0].room_mm3, 0.27);
+  EXPECT_GE(uses[0].plastic_mm3 / uses[0].volume_mm3, 0.2);
+  EXPECT_LE(uses[0].plastic_mm3 / uses[0].volume_mm3, 0.27);
 }
 
 TEST(FillSection, UsesOfFieldsAskForTheirMean) {
@@ -324,14 +324,14 @@ TEST(FillSection, UsesOfFieldsAskForTheirMean) {
       R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[20,1,1],"values":[0.1,0.5]})";
   const std::vector<FillStats> uses = SquareOf(options, {}).uses;
   ASSERT_EQ(uses.size(), 1u);
-  EXPECT_NEAR(uses[0].asked_mm3 / uses[0].room_mm3, 0.3, 0.005);
+  EXPECT_NEAR(uses[0].asked_mm3 / uses[0].volume_mm3, 0.3, 0.005);
   EXPECT_EQ(uses[0].pattern, FillPattern::kRectilinear);
   options.density_field.clear();
   options.stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
   const std::vector<FillStats> streams = SquareOf(options, {}).uses;
   ASSERT_EQ(streams.size(), 1u);
   EXPECT_EQ(streams[0].pattern, std::nullopt);
-  EXPECT_NEAR(streams[0].asked_mm3 / streams[0].room_mm3, 0.2, 1e-9);
+  EXPECT_NEAR(streams[0].asked_mm3 / streams[0].volume_mm3, 0.2, 1e-9);
 }
 
 // The plastic is correct for any number of cells that are on, and for any loss of lines at their
@@ -433,7 +433,7 @@ TEST(FillSection, IroningIsAUse) {
   const auto use = std::ranges::find(filled.uses, Feature::kIroning, &FillStats::feature);
   ASSERT_NE(use, filled.uses.end());
   EXPECT_EQ(use->pattern, FillPattern::kMonotonic);
-  EXPECT_NEAR(use->asked_mm3 / use->room_mm3, options.ironing.flow, 1e-9);
+  EXPECT_NEAR(use->asked_mm3 / use->volume_mm3, options.ironing.flow, 1e-9);
   EXPECT_NEAR(use->plastic_mm3, VolumeOf(PathsIn(filled), Feature::kIroning), 1e-6);
   EXPECT_GT(use->plastic_mm3, 0.8 * use->asked_mm3);
 }
@@ -564,7 +564,7 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
     EXPECT_GT(lines, 0);
     const auto share = [](const FilledSection& section) {
       for (const FillStats& use : section.uses)
-        if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.room_mm3;
+        if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.volume_mm3;
       return 0.0;
     };
     // At either end, the threads are half a spacing longer than the bridge.
@@ -581,16 +581,16 @@ TEST(FillSection, BridgesOverSupportsAreNoThreads) {
   const InfillOptions options = Thin();
   InfillOptions flat = options;
   flat.thick_bridges = false;
-  const auto carried_by = [](int32_t stack) {
+  const auto plan_above = [](int32_t stack) {
     LayerPlan plan;
     plan.sections.emplace_back().stack = stack;
-    plan.sections[0].carried = P("(8 8, 9 8, 9 9, 8 9)");
+    plan.sections[0].above_supports = P("(8 8, 9 8, 9 9, 8 9)");
     return plan;
   };
-  const LayerPlan beside = carried_by(1), carried = carried_by(0);
+  const LayerPlan beside = plan_above(1), above_supports = plan_above(0);
   EXPECT_EQ(PathsIn(BridgeBy(options, 5, beside)), PathsIn(BridgeBy(options)));
-  EXPECT_NE(PathsIn(BridgeBy(options, 5, carried)), PathsIn(BridgeBy(options)));
-  EXPECT_EQ(PathsIn(BridgeBy(options, 5, carried)), PathsIn(BridgeBy(flat)));
+  EXPECT_NE(PathsIn(BridgeBy(options, 5, above_supports)), PathsIn(BridgeBy(options)));
+  EXPECT_EQ(PathsIn(BridgeBy(options, 5, above_supports)), PathsIn(BridgeBy(flat)));
 }
 
 // The feature exists if it has its own speed. Otherwise it is normal solid infill.
@@ -614,7 +614,7 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
     const FilledSection filled = BridgeBy(options);
     for (const FillStats& use : filled.uses) {
       const double want = use.feature == Feature::kBridgeInfill ? flow : options.density;
-      EXPECT_NEAR(use.asked_mm3 / use.room_mm3, want, 1e-9);
+      EXPECT_NEAR(use.asked_mm3 / use.volume_mm3, want, 1e-9);
     }
     const std::vector<Path> paths = PathsIn(filled);
     return std::pair(VolumeOf(paths, Feature::kBridgeInfill),

@@ -21,8 +21,8 @@ struct SectionView {
   Coord height_nm = 0;
   bool on_bed = false;
   const ObjectLayers& stacks;
-  const MultiPolygon& carried;  ///< areas directly above supports
-  Coord z_nm = 0;               ///< height of the layer's middle above the stack's bottom
+  const MultiPolygon& above_supports;  ///< areas directly above supports
+  Coord z_nm = 0;                      ///< height of the layer's middle above the stack's bottom
 
   /// Returns the outlines of the stack in its layer `own_layer`. With `row`: only the outlines of
   /// the region with this row of settings. Null: the layer does not contain the stack or the

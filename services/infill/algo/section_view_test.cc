@@ -29,7 +29,7 @@ TEST(CoverOf, EqualLayersAreOnePointer) {
   const auto layers = Layers();
   const ObjectLayers stacks(layers);
   const MultiPolygon nothing;
-  const SectionView view{.stack = 0, .layer = 1, .stacks = stacks, .carried = nothing};
+  const SectionView view{.stack = 0, .layer = 1, .stacks = stacks, .above_supports = nothing};
   InfillOptions options;
   options.top_solid_layers = 3;
   options.bottom_solid_layers = 2;
@@ -54,14 +54,14 @@ TEST(CoverOf, LayersThatOnlyThicknessAsksForAreLeftOutByTheirHeights) {
   options.top_solid_layers = options.bottom_solid_layers = 4;
   options.top_spare = options.bottom_spare = {.layers = 2, .enough_nm = 701'000};
   const auto below = [&](int32_t layer) {
-    const SectionView view{.stack = 0, .layer = layer, .stacks = stacks, .carried = nothing};
+    const SectionView view{.stack = 0, .layer = layer, .stacks = stacks, .above_supports = nothing};
     return CoverOf(view, options, {}).below;
   };
   ASSERT_EQ(below(3).size(), 3u);
   EXPECT_NE(below(3).back(), nullptr) << "three lie below, which are enough";
   ASSERT_EQ(below(2).size(), 4u);
   EXPECT_EQ(below(2).back(), nullptr);
-  const SectionView top{.stack = 0, .layer = 1, .stacks = stacks, .carried = nothing};
+  const SectionView top{.stack = 0, .layer = 1, .stacks = stacks, .above_supports = nothing};
   EXPECT_EQ(CoverOf(top, options, {}).above.size(), 4u) << "three layers of 0.2 mm are not";
   options.top_spare.layers = 1;
   options.top_spare.enough_nm = 601'000;

@@ -35,9 +35,9 @@ constexpr double kMinPieceWidths = 1;
 constexpr double kMostSettled = 0.15;
 
 absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
-                                            const PatternPlace& place) {
-  if (fill.field == nullptr) return PiecesOfPattern(fill.pattern, area, place);
-  PatternPlace single = place;  // a field has one line in each place
+                                            const PatternContext& context) {
+  if (fill.field == nullptr) return PiecesOfPattern(fill.pattern, area, context);
+  PatternContext single = context;  // a field has one line in each place
   single.shape.lines = 1;
   return PiecesOfField(area, fill.pattern, single, *fill.field);
 }
@@ -45,7 +45,7 @@ absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiP
 /// Returns an island's area inset by `inset_nm`, or nullopt if the island may be narrow somewhere.
 /// It is nowhere narrow if a further inset by `half_nm` changes the lengths of its edges, but not
 /// their number.
-std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord inset_nm,
+std::optional<PolygonWithHoles> WideArea(const PolygonWithHoles& island, Coord inset_nm,
                                          Coord half_nm) {
   const auto core = TryOffset({island}, -(inset_nm + half_nm));
   if (!core || core->has_tips) return std::nullopt;
@@ -63,11 +63,11 @@ std::optional<PolygonWithHoles> WideRoom(const PolygonWithHoles& island, Coord i
 /// Returns the area for lines, `inset_nm` from the region's boundary, without parts where beads
 /// along both sides would overlap. Corners of the remaining area are mitered, also beyond edges
 /// that disappear in the inset.
-MultiPolygon RoomFor(const MultiPolygon& region, Coord inset_nm, Coord width_nm) {
+MultiPolygon ClearanceFor(const MultiPolygon& region, Coord inset_nm, Coord width_nm) {
   const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(width_nm));
   MultiPolygon room, others;
   for (const PolygonWithHoles& island : region) {
-    auto wide = WideRoom(island, inset_nm, half);
+    auto wide = WideArea(island, inset_nm, half);
     wide ? room.push_back(*std::move(wide)) : others.push_back(island);
   }
   const MultiPolygon wide = FastOffset(FastOffset(others, -(inset_nm + half)), half);
@@ -119,7 +119,7 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return paths;
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
-  const MultiPolygon area = RoomFor(region, inset, fill.width_nm);
+  const MultiPolygon area = ClearanceFor(region, inset, fill.width_nm);
   if (area.empty()) return paths;
   const auto density = DensityOf(fill, area);
   if (!density.ok()) return density.status();

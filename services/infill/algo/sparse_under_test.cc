@@ -39,7 +39,7 @@ SparseBelow UnderOrDie(const std::vector<std::string_view>& outlines, InfillOpti
   const ObjectLayers stacks(layers);
   const MultiPolygon nothing;
   const SectionView view{
-      .stack = 0, .layer = 4, .height_nm = 200'000, .stacks = stacks, .carried = nothing};
+      .stack = 0, .layer = 4, .height_nm = 200'000, .stacks = stacks, .above_supports = nothing};
   const MultiPolygon fill_area = MakePolygonsOrDie("(1 1, 19 1, 19 19, 1 19)");
   SparseUnder under({.section = view, .options = options});
   SparseBelow sparse =

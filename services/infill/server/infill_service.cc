@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/model/options/infill_options.h"
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/stage_answer.h"
@@ -43,7 +43,7 @@ absl::Status Fill(const InfillStage& stage, rpc::Call& call, Stream& stream, Sha
 
 std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallLimiter& gate,
                                                  SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Infill>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Infill>>(gate);
   service->Add("FillLayers", &v1::Infill::Service::FillLayers,
                [&](rpc::Call& call, auto& stream) { return Fill(stage, call, stream, shared); });
   return service;

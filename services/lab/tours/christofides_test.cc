@@ -49,13 +49,13 @@ TEST(Christofides, MatchingIsTheLightest) {
 
 // Clusters of odd size are so far apart that no node has a neighbour in another cluster.
 TEST(Christofides, MatchingLooksBeyondNeighbours) {
-  std::vector<Vector2> places;
+  std::vector<Vector2> points;
   for (const double x : {0.0, 1e5, 3e5, 3.9e5}) {
     for (const Vector2& place : ordering::RandomPlaces(11, 7, 100))
-      places.push_back({place.x() + x, place.y()});
+      points.push_back({place.x() + x, place.y()});
   }
-  const Costs costs = Costs::OfPlaces(places, ordering::Metric::kNearest);
-  Tour nodes(places.size());
+  const Costs costs = Costs::OfPoints(points, ordering::Metric::kNearest);
+  Tour nodes(points.size());
   std::iota(nodes.begin(), nodes.end(), 0);
   const int64_t length = LengthOf(costs, MinimumMatching(costs, nodes));
   EXPECT_GE(length, 190'000 - 400);
@@ -70,7 +70,7 @@ TEST(Christofides, AtMostHalfAsMuchAgainAsTheShortest) {
   for (size_t size = 1; size <= 10; ++size) {
     for (uint32_t seed = 1; seed <= 20; ++seed) {
       // Rounding up preserves the triangle inequality.
-      const Costs costs = Costs::OfPlaces(
+      const Costs costs = Costs::OfPoints(
           ordering::RandomPlaces(size, seed, seed % 3 == 0 ? 5 : 1000), ordering::Metric::kUp);
       const Tour tour = ChristofidesTour(costs);
       ASSERT_TRUE(ordering::Keeps(tour, static_cast<int32_t>(size), {}));

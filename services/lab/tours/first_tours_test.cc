@@ -13,9 +13,9 @@ using ordering::Tour;
 using ::testing::ElementsAre;
 
 Costs OnALine(const std::vector<double>& xs) {
-  std::vector<Vector2> places;
-  for (const double x : xs) places.push_back({x, 0});
-  return Costs::OfPlaces(places, ordering::Metric::kNearest);
+  std::vector<Vector2> points;
+  for (const double x : xs) points.push_back({x, 0});
+  return Costs::OfPoints(points, ordering::Metric::kNearest);
 }
 
 TEST(FirstTours, NearestNeighbourGoesOnToTheNearest) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/model/limits.h"
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/wire/milling/mill_input_wire.h"
 #include "common/wire/milling/mill_start_wire.h"
 #include "common/wire/milling/milled_wire.h"
@@ -69,7 +69,7 @@ absl::Status Assemble(const MillingStage& stage, rpc::Call& call, Stream& stream
 
 std::unique_ptr<grpc::Service> MakeMillingService(const MillingStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Milling>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Milling>>(gate);
   service->Add("LayOutSteps", &v1::Milling::Service::LayOutSteps,
                [&](rpc::Call& call, auto& stream) -> absl::Status {
                  const auto begun = BeginCall<MillInput>(call, stream, shared);

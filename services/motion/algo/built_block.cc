@@ -47,12 +47,12 @@ std::vector<BuiltBlock> BuildBlocks(const OrderedLayer& layer, const MotionOptio
   for (const PathBlock& block : layer.blocks) {
     std::optional<LayerBelow> below;
     if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
-    std::optional<LayerBelow> carried;
-    if (below && !block.carried.empty()) carried.emplace(block.carried);
+    std::optional<LayerBelow> above_supports;
+    if (below && !block.above_supports.empty()) above_supports.emplace(block.above_supports);
     std::optional<LayerBelow> curled;
     if (below && !block.curled.empty()) curled.emplace(block.curled);
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
-                            below ? &*below : nullptr, carried ? &*carried : nullptr,
+                            below ? &*below : nullptr, above_supports ? &*above_supports : nullptr,
                             curled ? &*curled : nullptr);
     if (IsOnlyFirst(block, layer)) builder.BeginRetracted(retracted_mm);
     if (BeginsReady(block, layer)) builder.BeginAsLeft();
@@ -64,7 +64,8 @@ std::vector<BuiltBlock> BuildBlocks(const OrderedLayer& layer, const MotionOptio
         builder.Add(block.paths[i], block.travels.empty() ? Travel{} : block.travels[i],
                     lengths_mm[i]);
     }
-    Toolpath path = EndsReady(block, layer) ? builder.FinishAt(block.leave) : builder.Finish();
+    Toolpath path =
+        EndsReady(block, layer) ? builder.FinishAt(block.exit_travel) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     // With a material mix, each move has one mix, so no moves are joined into arcs.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())

@@ -54,8 +54,8 @@ bool InBounds(const Path& path) {
 
 bool InBounds(const PathBlock& block) {
   const auto has_bounds = [](const Travel& travel) { return InBounds(travel.corners); };
-  const bool leaves_in_bounds =
-      !block.leave || (InBounds(block.leave->to) && has_bounds(block.leave->way));
+  const bool leaves_in_bounds = !block.exit_travel || (InBounds(block.exit_travel->to) &&
+                                                       has_bounds(block.exit_travel->travel));
   const bool turns_in_bounds = !block.spiral || (InBounds(block.spiral->start) &&
                                                  InBounds(block.spiral->from.value_or(Point{})));
   return turns_in_bounds && 0 <= block.height_nm && block.height_nm <= kMaxBeadNm &&

@@ -103,10 +103,10 @@ TEST(CheckLayer, NamesTheLayer) {
       [](auto& l) { l.begins_ready = true; },  // not allowed: the block has two visits
       [](auto& l) { l.ends_ready = true; },
       [](auto& l) {
-        l.blocks[0].leave = {{INT64_MAX, 0}, {}};
+        l.blocks[0].exit_travel = {{INT64_MAX, 0}, {}};
       },
       [](auto& l) {
-        l.blocks[0].leave = {{}, {true, {{0, INT64_MAX}}}};
+        l.blocks[0].exit_travel = {{}, {true, {{0, INT64_MAX}}}};
       },
   };
   for (size_t i = 0; i < spoils.size(); ++i) {

@@ -23,7 +23,7 @@
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/footprint.h"
-#include "services/motion/algo/toolpath/layer_place.h"
+#include "services/motion/algo/toolpath/layer_context.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/toolpath/lifts.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
@@ -35,7 +35,7 @@ constexpr size_t kBytesPerMove = 32;
 constexpr size_t kBytesAround = 512;
 
 /// Records the position of code that is filled in later.
-void KeepPlace(const CustomCode& code, const GcodeText& out, std::vector<int64_t>& places) {
+void KeepPosition(const CustomCode& code, const GcodeText& out, std::vector<int64_t>& places) {
   if (code.waits) places.push_back(std::ssize(out.text()));
 }
 
@@ -50,7 +50,7 @@ void WriteHeader(const LayerFrame& frame, const CommentWords& words, const Custo
     out << ";BEFORE_LAYER_CHANGE\n;";
     out.Real(z_mm, 3) << '\n';
   }
-  KeepPlace(code, out, places);
+  KeepPosition(code, out, places);
   out.Lines(code.before);
 }
 
@@ -126,17 +126,17 @@ class PassProgram {
     for (size_t i = 1; i < visits.size(); ++i)
       stats_.travel_mm +=
           TravelMm(ExitOf(visits[i - 1], built), visits[i].corners, EntryOf(visits[i], layer));
-    const std::vector<Stretch> stretches = Stretches();
+    const std::vector<MoveSpan> spans = MoveSpans();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
-    const auto times = SlowDown(CoolingOf(visits), stretches, timing, paths_);
-    AddTimes(stretches, times, stats_);
-    AddCopyTimes(stretches, times, copies_);
-    edges_ = EdgesOf(stretches);
-    if (layer.frame.index == 0) footprint_ = FootprintOf(stretches);
+    const auto times = SlowDown(CoolingOf(visits), spans, timing, paths_);
+    AddTimes(spans, times, stats_);
+    AddCopyTimes(spans, times, copies_);
+    edges_ = EdgesOf(spans);
+    if (layer.frame.index == 0) footprint_ = FootprintOf(spans);
     for (Point& corner : footprint_) corner = corner + options.tool().offset;
     if (options.silent_limits) {
       LayerTiming silent(FirmwareOf(options.flavor), *options.silent_limits);
-      const std::span<const double> times = silent.Times(stretches);
+      const std::span<const double> times = silent.Times(spans);
       silent_time_s_ = std::accumulate(times.begin(), times.end(), 0.0);
     }
   }
@@ -155,9 +155,9 @@ class PassProgram {
       const size_t approach = path.approach;
       const bool first = &visit == &visits_.front();
       if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
-      const Toolpath& travel = WayOf(visit);
+      const Toolpath& travel = TravelOf(visit);
       writer.Write(travel, 0, travel.moves.size(), OnMachine({}), out);
-      if (first) KeepPlace(code, out, places);
+      if (first) KeepPosition(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
       if (first && code.moves) writer.ForgetPlace();
@@ -189,7 +189,7 @@ class PassProgram {
   }
   ShiftUm ShiftOf(const BlockVisit& visit) const { return OnMachine(visit.shift); }
 
-  const Toolpath& WayOf(const BlockVisit& visit) const {
+  const Toolpath& TravelOf(const BlockVisit& visit) const {
     return travels_[static_cast<size_t>(&visit - &visits_.front())];
   }
 
@@ -215,24 +215,24 @@ class PassProgram {
     return stays ? visit.copy : kNoCopy;
   }
 
-  /// Returns the written stretches in their order. Copies after the first are already at their
+  /// Returns the written spans in their order. Copies after the first are already at their
   /// height, unless travels rise.
-  std::vector<Stretch> Stretches() const {
-    std::vector<Stretch> stretches;
+  std::vector<MoveSpan> MoveSpans() const {
+    std::vector<MoveSpan> spans;
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
-      const Toolpath& travel = WayOf(visit);
+      const Toolpath& travel = TravelOf(visit);
       const ShiftUm shift = ShiftOf(visit);
       size_t first = &visit == &visits_.front() || Lifts() ? 0 : path.approach;
       const int32_t arrives = TravelCopy(visit);
       if (!travel.moves.empty()) {
-        stretches.push_back({&path, first, path.approach, shift, visit.copy, arrives});
-        stretches.push_back({&travel, 0, travel.moves.size(), OnMachine({}), arrives, arrives});
+        spans.push_back({&path, first, path.approach, shift, visit.copy, arrives});
+        spans.push_back({&travel, 0, travel.moves.size(), OnMachine({}), arrives, arrives});
         first = path.approach;
       }
-      stretches.push_back({&path, first, path.moves.size(), shift, visit.copy, arrives});
+      spans.push_back({&path, first, path.moves.size(), shift, visit.copy, arrives});
     }
-    return stretches;
+    return spans;
   }
 
   /// Writes a visit. The blocks of a copy follow each other under one label.
@@ -323,8 +323,8 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
                                          std::span<const BlockVisit> visits, const JobFacts& facts,
                                          const MotionOptions& options, const LayerCode& layer_code,
                                          const MaterialField* materials) {
-  const LayerPlace place = PlaceOf(layer, visits, facts);
-  const auto code = layer_code.At(layer.frame, place, facts);
+  const LayerContext context = ContextOf(layer, visits, facts);
+  const auto code = layer_code.At(layer.frame, context, facts);
   if (!code.ok()) return code.status();
   LayerProgram program;
   program.frame = layer.frame;
@@ -341,12 +341,12 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.exit = ExitOf(visits.back(), built) - options.tool().offset;
     program.ends_retracted = built[static_cast<size_t>(visits.back().block)].ends_retracted;
   }
-  LayerState state = StateOf(layer, visits, place.index, program.stats.TimeS(), options);
+  LayerState state = StateOf(layer, visits, context.index, program.stats.TimeS(), options);
   const std::optional<AdvanceControl> advance = AdvanceControl::Of(options);
   if (advance) state.advance = &*advance;
   RoleTexts roles;
   if (layer_code.HasRoles()) {
-    auto texts = layer_code.RolesAt(place, facts, RoleChangesIn(built, visits));
+    auto texts = layer_code.RolesAt(context, facts, RoleChangesIn(built, visits));
     if (!texts.ok()) return texts.status();
     roles = *std::move(texts);
     state.roles = &roles;
@@ -358,13 +358,13 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     moves += built[static_cast<size_t>(visit.block)].path.moves.size();
   GcodeText out(moves * kBytesPerMove + kBytesAround + code->before.size() + code->after.size());
   WriteHeader(layer.frame, FirmwareOf(options.flavor).comments(), *code, program.code_at, out);
-  WriteTemperatures(options, place.index, out);
-  if (place.number == 1) FirmwareOf(options.flavor).WriteSecondLayer(out);
+  WriteTemperatures(options, context.index, out);
+  if (context.number == 1) FirmwareOf(options.flavor).WriteSecondLayer(out);
   writer.WriteLayerFan(out);
   if (pass) {
     pass->Write(*code, facts, writer, program.code_at, out);
   } else {
-    KeepPlace(*code, out, program.code_at);
+    KeepPosition(*code, out, program.code_at);
     out.Lines(code->after);
     const BuiltBlock idle = HandOver(layer, options);
     writer.Write(idle.path, 0, idle.path.moves.size(), {}, out);

@@ -30,7 +30,7 @@ namespace slicefarm::motion {
 /// Times: the machine stands still before and after the layer. The travel to the layer's entry is
 /// not counted, but the move up to its height is (print_clock.h corrects both).
 ///
-/// If each copy is a pass of its own, layers are counted per copy (layer_place.h). The travel
+/// If each copy is a pass of its own, layers are counted per copy (layer_context.h). The travel
 /// between passes belongs to neither pass (pass_change.h).
 ///
 /// `code`: the options' parsed templates. Templates that depend on earlier layers are left out, and

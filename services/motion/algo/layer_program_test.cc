@@ -282,7 +282,7 @@ TEST(ProgramLayer, SaysWhichLinesMayBeSuperfluous) {
   EXPECT_EQ(lines,
             (std::vector<std::pair<MachineMode, std::string>>{{kFan, "M106 S89\n"},
                                                               {kTravelAcceleration, "M204 T3000\n"},
-                                                              {kPlace, "G1 X10 Y10 F7800\n"},
+                                                              {kPosition, "G1 X10 Y10 F7800\n"},
                                                               {kAcceleration, "M204 P1000\n"}}));
   EXPECT_EQ(program.mode_lines[2].value, "10000 10000");
   EXPECT_EQ(program.modes_at_end,
@@ -622,7 +622,7 @@ TEST(ProgramLayer, CoolingCountsAllCopies) {
 TEST(ProgramLayer, MeetsOtherLayersReady) {
   OrderedLayer layer = Square();
   layer.blocks[0].travels = {{true, {}}, {true, {}}};
-  layer.blocks[0].leave = {{FromMm(11), FromMm(11)}, {true, {}}};
+  layer.blocks[0].exit_travel = {{FromMm(11), FromMm(11)}, {true, {}}};
   layer.begins_ready = layer.ends_ready = true;
   const LayerProgram ready = Programmed(layer);
   EXPECT_EQ(ready.stats.retractions, 0);
@@ -654,7 +654,7 @@ TEST(ProgramLayer, TellsWhatTheLayerBelowMayHaveDone) {
       options.writing.relative_e = !absolute;
       OrderedLayer layer = Square();
       layer.blocks[0].travels = {{hidden, {}}, {true, {}}};
-      layer.blocks[0].leave = {{FromMm(11), FromMm(11)}, {}};
+      layer.blocks[0].exit_travel = {{FromMm(11), FromMm(11)}, {}};
       layer.begins_ready = layer.ends_ready = true;
       const LayerProgram program = Programmed(layer, options);
       const auto line =

@@ -14,7 +14,7 @@
 namespace slicefarm::motion {
 
 LayerTravels::LayerTravels(const MotionOptions& options)
-    : options_(options), travels_(options.room) {}
+    : options_(options), travels_(options.travel_area) {}
 
 std::vector<Point> LayerTravels::Corners(Point from, Point to) const {
   const Point offset = options_.tool().offset;
@@ -43,7 +43,7 @@ std::string LayerTravels::To(const LayerSummary& layer, Point from) const {
 }
 
 Point LayerTravels::After(std::string_view gcode, Point from) const {
-  if (options_.room.empty()) return from;
+  if (options_.travel_area.empty()) return from;
   GcodeMachine machine(FirmwareOf(options_.flavor), SetupOf(options_));
   const auto mm = [](Coord nm) { return ToMm(static_cast<double>(nm)); };
   machine.Resume({mm(from.x), mm(from.y), 0}, TravelSpeed(options_), 0);

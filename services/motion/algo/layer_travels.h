@@ -13,8 +13,9 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Plans travels between layers around the bed's excluded areas. `MotionOptions::room` is the bed
-/// without these areas; if it is empty, travels are straight. All points are in G-code coordinates.
+/// Plans travels between layers around the bed's excluded areas. `MotionOptions::travel_area` is
+/// the bed without these areas; if it is empty, travels are straight. All points are in G-code
+/// coordinates.
 class LayerTravels {
  public:
   /// `options` must outlive this object.

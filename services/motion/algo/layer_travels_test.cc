@@ -24,7 +24,7 @@ MultiPolygon Box(double x0, double y0, double x1, double y1) {
 /// A machine with a cutter in its front left corner and a nozzle offset of 2 mm.
 MotionOptions Options() {
   MotionOptions options;
-  options.room = Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28));
+  options.travel_area = Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28));
   options.tool().offset = Mm(0, 2);
   options.travel_speed_mm_s = 100;
   options.tool().retraction.lift_mm = 0.4;
@@ -42,7 +42,7 @@ TEST(LayerTravels, AreStraightWhereNothingIsInTheWay) {
   const MotionOptions options = Options();
   EXPECT_THAT(LayerTravels(options).To(LayerAt(Mm(100, 100)), Mm(30, 30)), IsEmpty());
   MotionOptions open = Options();
-  open.room.clear();
+  open.travel_area.clear();
   EXPECT_THAT(LayerTravels(open).To(LayerAt(Mm(2, 30)), Mm(30, 2)), IsEmpty());
 }
 

@@ -45,7 +45,7 @@ class CodeWalk {
   absl::Status AddLayers(std::span<const PassChange> changes, PrintCode& filled) {
     double filament_mm = 0;
     auto change = changes.begin();
-    LayerPlace before;
+    LayerContext before;
     for (size_t i = 0; i < summary_.layers.size(); ++i) {
       const LayerSummary& layer = summary_.layers[i];
       if (change != changes.end() && change->layer == i) {
@@ -77,8 +77,8 @@ class CodeWalk {
     return absl::OkStatus();
   }
 
-  LayerPlace Last() const {
-    LayerPlace last;
+  LayerContext Last() const {
+    LayerContext last;
     if (summary_.layers.empty()) return last;
     last.number = static_cast<int32_t>(summary_.layers.size()) - 1;
     last.print_z_nm = summary_.layers.back().frame.print_z_nm;
@@ -87,8 +87,8 @@ class CodeWalk {
   }
 
   /// Sets the variables for the next templates.
-  void Put(const LayerPlace& place, double filament_mm) {
-    for (auto& [name, variable] : LayerVariables(place, {})) now_[name] = std::move(variable);
+  void Put(const LayerContext& context, double filament_mm) {
+    for (auto& [name, variable] : LayerVariables(context, {})) now_[name] = std::move(variable);
     PutUseSoFar(options_, filament_mm, now_);
   }
 

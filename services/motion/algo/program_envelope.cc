@@ -180,7 +180,7 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
 std::vector<std::string> PathsBetween(const ProgramSummary& summary, const MotionOptions& options,
                                       std::string_view prologue) {
   std::vector<std::string> moves(summary.layers.size());
-  if (options.room.empty()) return moves;
+  if (options.travel_area.empty()) return moves;
   const LayerTravels ways(options);
   Point from = ways.After(prologue, {});
   for (size_t i = 0; i < moves.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/stage/motion_job.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
@@ -33,8 +33,8 @@ absl::Status Program(const MotionStage& stage, rpc::Call& call, Stream& stream,
   return AnswerEach(stream, stage.Program(begun->start.call, std::move(layers), begun->job));
 }
 
-absl::Status Frame(const MotionStage& stage, rpc::Call& call, const v1::FrameRequest& request,
-                   v1::ProgramFrame* response) {
+absl::Status Frame(const MotionStage& stage, rpc::Call& call,
+                   const v1::ProgramEnvelopeRequest& request, v1::ProgramEnvelope* response) {
   absl::StatusOr<StageCall> stage_call = FromProto(request.call());
   if (!stage_call.ok()) return stage_call.status();
   const auto options = OptionsFromBytes<MotionOptions>(request.options());
@@ -53,11 +53,11 @@ absl::Status Frame(const MotionStage& stage, rpc::Call& call, const v1::FrameReq
 
 std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallLimiter& gate,
                                                  SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Motion>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Motion>>(gate);
   service->Add("ProgramLayers", &v1::Motion::Service::ProgramLayers,
                [&](rpc::Call& call, auto& stream) { return Program(stage, call, stream, shared); });
   service->Add("FrameProgram", &v1::Motion::Service::FrameProgram,
-               [&](rpc::Call& call, const auto& request, v1::ProgramFrame* response) {
+               [&](rpc::Call& call, const auto& request, v1::ProgramEnvelope* response) {
                  return Frame(stage, call, request, response);
                });
   return service;

@@ -17,12 +17,12 @@ struct State {
   size_t before = kWays;  ///< previous directed leg; kWays if there is none
 };
 
-Point EntryOf(std::span<const Leg> legs, size_t path) {
-  const Leg& leg = legs[path / 2];
+Point EntryOf(std::span<const TourLeg> legs, size_t path) {
+  const TourLeg& leg = legs[path / 2];
   return path % 2 == 0 ? leg.start : leg.end;
 }
 
-Point ExitOf(std::span<const Leg> legs, size_t path) { return EntryOf(legs, path ^ 1U); }
+Point ExitOf(std::span<const TourLeg> legs, size_t path) { return EntryOf(legs, path ^ 1U); }
 
 /// Returns for each leg the set of legs that must be printed before it, as bits.
 std::array<size_t, kFewLegs> Predecessors(std::span<const Precedence> precedence) {
@@ -33,7 +33,7 @@ std::array<size_t, kFewLegs> Predecessors(std::span<const Precedence> precedence
 
 }  // namespace
 
-std::vector<Visit> BestOrder(const Journey& journey, std::span<const Leg> legs,
+std::vector<Visit> BestOrder(const Journey& journey, std::span<const TourLeg> legs,
                              const TravelCost& cost) {
   if (legs.empty()) return {};
   const size_t paths = 2 * legs.size();

@@ -19,7 +19,7 @@ using TravelCost = std::function<int64_t(Point from, Point to)>;
 /// the one with the lowest leg indices, compared from the last leg to the first. Cost: O(2^n n^2),
 /// n legs. REQUIRES: at most kFewLegs legs. Source: M. Held, R. M. Karp, "A Dynamic Programming
 /// Approach to Sequencing Problems", J. SIAM 10 (1962).
-std::vector<Visit> BestOrder(const Journey& journey, std::span<const Leg> legs,
+std::vector<Visit> BestOrder(const Journey& journey, std::span<const TourLeg> legs,
                              const TravelCost& cost);
 
 }  // namespace slicefarm::ordering

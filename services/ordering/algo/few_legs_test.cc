@@ -19,7 +19,7 @@ int64_t Rounded(Point a, Point b) { return static_cast<int64_t>(Distance(a, b) +
 /// Returns the distance from a to b, plus 400 if the line crosses x = 0.
 int64_t WithFence(Point a, Point b) { return Rounded(a, b) + ((a.x < 0) != (b.x < 0) ? 400 : 0); }
 
-bool Kept(const Journey& journey, std::span<const Leg> legs, std::span<const Visit> visits) {
+bool Kept(const Journey& journey, std::span<const TourLeg> legs, std::span<const Visit> visits) {
   std::vector<size_t> rank(legs.size());
   for (size_t i = 0; i < visits.size(); ++i) {
     rank[visits[i].leg] = i;
@@ -29,12 +29,12 @@ bool Kept(const Journey& journey, std::span<const Leg> legs, std::span<const Vis
       journey.precedence, [&](const Precedence& pair) { return rank[pair.leg] < rank[pair.next]; });
 }
 
-int64_t CostOf(const Journey& journey, std::span<const Leg> legs, std::span<const Visit> visits,
+int64_t CostOf(const Journey& journey, std::span<const TourLeg> legs, std::span<const Visit> visits,
                const TravelCost& cost) {
   int64_t sum = 0;
   Point at = journey.from;
   for (const Visit& visit : visits) {
-    const Leg& leg = legs[visit.leg];
+    const TourLeg& leg = legs[visit.leg];
     sum += cost(at, visit.reversed ? leg.end : leg.start);
     at = visit.reversed ? leg.start : leg.end;
   }
@@ -42,7 +42,7 @@ int64_t CostOf(const Journey& journey, std::span<const Leg> legs, std::span<cons
 }
 
 /// Returns the least cost over all orders and directions.
-int64_t Least(const Journey& journey, std::span<const Leg> legs, const TravelCost& cost) {
+int64_t Least(const Journey& journey, std::span<const TourLeg> legs, const TravelCost& cost) {
   std::vector<uint32_t> order(legs.size());
   std::iota(order.begin(), order.end(), 0);
   int64_t best = std::numeric_limits<int64_t>::max();
@@ -60,14 +60,14 @@ int64_t Least(const Journey& journey, std::span<const Leg> legs, const TravelCos
 TEST(FewLegs, None) { EXPECT_THAT(BestOrder({{0, 0}, {}}, {}, Rounded), IsEmpty()); }
 
 TEST(FewLegs, OfEqualsOneIsTaken) {
-  const std::vector<Leg> legs(kFewLegs, Leg{{5, 5}, {5, 5}});
+  const std::vector<TourLeg> legs(kFewLegs, TourLeg{{5, 5}, {5, 5}});
   const auto visits = BestOrder({{5, 5}, {}}, legs, Rounded);
   EXPECT_EQ(visits.size(), kFewLegs);
   EXPECT_EQ(visits, BestOrder({{5, 5}, {}}, legs, Rounded));
 }
 
 TEST(FewLegs, KeepsPrecedence) {
-  const std::vector<Leg> legs = {{{10, 0}, {10, 0}}, {{20, 0}, {20, 0}}};
+  const std::vector<TourLeg> legs = {{{10, 0}, {10, 0}}, {{20, 0}, {20, 0}}};
   const std::vector<Precedence> second_first = {{1, 0}};
   EXPECT_THAT(BestOrder({{0, 0}, {}, nullptr, second_first}, legs, Rounded),
               ElementsAre(Visit{1, false}, Visit{0, false}));
@@ -81,7 +81,7 @@ TEST(FewLegs, IsTheBestOfAllOrders) {
   for (int set = 0; set < 150; ++set) {
     // Two of the sets have six legs, which means 46080 orders and directions.
     const size_t count = set % 40 == 39 ? 6 : 1 + static_cast<size_t>(set) % 5;
-    std::vector<Leg> legs;
+    std::vector<TourLeg> legs;
     for (size_t i = 0; i < count; ++i) legs.push_back({point(), point(), random() % 4 != 0});
     std::vector<Precedence> precedence;
     for (uint32_t i = 0; i + 1 < count; ++i)

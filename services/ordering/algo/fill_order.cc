@@ -20,7 +20,7 @@ std::vector<FillBlock> Sorted(std::vector<FillBlock> blocks) {
 
 bool IsLoop(const FillBlock& block) { return block.paths.size() == 1 && block.paths[0]->closed; }
 
-Leg LegOf(const FillBlock& block, Point nozzle) {
+TourLeg TourLegOf(const FillBlock& block, Point nozzle) {
   if (IsLoop(block)) {
     const Point at = NearestVertex(block.paths[0]->points, nozzle).at;
     return {at, at, true};
@@ -32,7 +32,7 @@ Leg LegOf(const FillBlock& block, Point nozzle) {
 void PrintBlock(FillBlock block, bool reversed, Route& route) {
   if (IsLoop(block)) {
     Path& loop = *block.paths[0];
-    const LoopPlace start = NearestVertex(loop.points, route.at());
+    const LoopPoint start = NearestVertex(loop.points, route.at());
     route.PrintLoop(std::move(loop), start);
     return;
   }
@@ -44,9 +44,9 @@ void PrintBlock(FillBlock block, bool reversed, Route& route) {
 void PrintFills(std::vector<FillBlock> blocks, std::optional<Point> next, Route& route,
                 WorkBudget& budget) {
   blocks = Sorted(std::move(blocks));
-  std::vector<Leg> legs;
+  std::vector<TourLeg> legs;
   legs.reserve(blocks.size());
-  for (const FillBlock& block : blocks) legs.push_back(LegOf(block, route.at()));
+  for (const FillBlock& block : blocks) legs.push_back(TourLegOf(block, route.at()));
   for (const Visit visit : OrderByTravel(route.To(next), legs, budget)) {
     PrintBlock(std::move(blocks[visit.leg]), visit.reversed, route);
   }

@@ -135,7 +135,7 @@ class LayerVisits {
   std::vector<CopyVisit> Ordered(const std::vector<CopyVisit>& visits, Point from,
                                  WorkBudget& budget) const {
     if (as_listed_) return visits;
-    std::vector<Leg> legs;
+    std::vector<TourLeg> legs;
     for (const CopyVisit& visit : visits)
       legs.push_back({visit.shift + StartOf(FirstOf(*visit.blocks).paths.front()),
                       visit.shift + EndOf(LastOf(*visit.blocks).paths.back()), false});
@@ -205,7 +205,7 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   LayerVisits(ordered, copies, options.as_listed).Add(plan.entry, budget);
   WorkBudget sights{kSightsOfCopies};
   if (options.travel.avoid_curled) KeepOffCurled(plan, sights, ordered);
-  KeepInRoom(options.travel.room, ordered);
+  KeepInTravelArea(options.travel.travel_area, ordered);
   return ordered;
 }
 

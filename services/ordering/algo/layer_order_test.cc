@@ -147,7 +147,7 @@ TEST(OrderLayer, MeetsOtherLayersReadyUnlessTheSettingsForbidIt) {
   const OrderedLayer ready = order({});
   EXPECT_TRUE(ready.begins_ready);
   EXPECT_TRUE(ready.ends_ready);
-  ASSERT_TRUE(ready.blocks[0].leave);
+  ASSERT_TRUE(ready.blocks[0].exit_travel);
   for (const TravelOptions& travel :
        {TravelOptions{.hide = false}, TravelOptions{.retract_layer_change = true}}) {
     EXPECT_FALSE(order(travel).begins_ready);

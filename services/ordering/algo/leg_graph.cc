@@ -7,22 +7,22 @@ namespace slicefarm::ordering {
 namespace {
 
 /// Returns the positions of nodes: the ends of the legs, then the ends of the journey.
-std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const Leg> legs) {
-  std::vector<Vector2> places;
-  places.reserve(2 * legs.size() + 3);
-  for (const Leg& leg : legs) {
-    places.push_back(ToVector(leg.start));
-    if (leg.end != leg.start) places.push_back(ToVector(leg.end));
+std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const TourLeg> legs) {
+  std::vector<Vector2> points;
+  points.reserve(2 * legs.size() + 3);
+  for (const TourLeg& leg : legs) {
+    points.push_back(ToVector(leg.start));
+    if (leg.end != leg.start) points.push_back(ToVector(leg.end));
   }
-  places.push_back(ToVector(journey.from));
-  if (journey.to) places.push_back(ToVector(*journey.to));
-  return places;
+  points.push_back(ToVector(journey.from));
+  if (journey.to) points.push_back(ToVector(*journey.to));
+  return points;
 }
 
 }  // namespace
 
-LegGraph::LegGraph(const Journey& journey, std::span<const Leg> legs)
-    : costs_(Costs::OfPlaces(PlacesOf(journey, legs), Metric::kNearest)) {
+LegGraph::LegGraph(const Journey& journey, std::span<const TourLeg> legs)
+    : costs_(Costs::OfPoints(PlacesOf(journey, legs), Metric::kNearest)) {
   ends_.reserve(legs.size());
   entered_.reserve(2 * legs.size());
   for (uint32_t leg = 0; leg < legs.size(); ++leg) {
@@ -35,7 +35,7 @@ LegGraph::LegGraph(const Journey& journey, std::span<const Leg> legs)
   AddRules(journey, legs);
 }
 
-void LegGraph::AddRules(const Journey& journey, std::span<const Leg> legs) {
+void LegGraph::AddRules(const Journey& journey, std::span<const TourLeg> legs) {
   rules_.first = static_cast<int32_t>(entered_.size());
   rules_.last = journey.to ? rules_.first + 1 : costs_.AddNowhere();
   rules_.fixed.push_back({rules_.last, rules_.first});
@@ -50,7 +50,7 @@ void LegGraph::AddRules(const Journey& journey, std::span<const Leg> legs) {
 }
 
 Point LegGraph::At(int32_t node) const {
-  const Vector2& place = costs_.places()[static_cast<size_t>(node)];
+  const Vector2& place = costs_.points()[static_cast<size_t>(node)];
   return {static_cast<Coord>(place.x()), static_cast<Coord>(place.y())};
 }
 

@@ -18,7 +18,7 @@ namespace slicefarm::ordering {
 class LegGraph {
  public:
   /// Builds the nodes, costs and rules.
-  LegGraph(const Journey& journey, std::span<const Leg> legs);
+  LegGraph(const Journey& journey, std::span<const TourLeg> legs);
 
   const Costs& costs() const { return costs_; }
   const TourRules& rules() const { return rules_; }
@@ -36,7 +36,7 @@ class LegGraph {
     int32_t end;
   };
 
-  void AddRules(const Journey& journey, std::span<const Leg> legs);
+  void AddRules(const Journey& journey, std::span<const TourLeg> legs);
 
   std::vector<Ends> ends_;  ///< end nodes of each leg, indexed by leg
   /// Leg to which each node belongs, and true if the node is the leg's end; indexed by node.

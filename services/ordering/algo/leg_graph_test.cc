@@ -12,7 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 
 // A line, a point, and a line that may not be reversed.
-const std::vector<Leg> kLegs = {
+const std::vector<TourLeg> kLegs = {
     {{0, 0}, {10, 0}, true}, {{5, 5}, {5, 5}, false}, {{20, 0}, {30, 0}, false}};
 
 TEST(LegGraph, JoinsEndsAndTheJourney) {

@@ -78,8 +78,8 @@ Coord WidthBetween(const Path& path, size_t edge, Point at) {
 
 }  // namespace
 
-LoopPlace NearestVertex(std::span<const Point> loop, Point to) {
-  LoopPlace best;
+LoopPoint NearestVertex(std::span<const Point> loop, Point to) {
+  LoopPoint best;
   double best_distance2 = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < loop.size(); ++i) {
     const double distance2 = SquaredNorm(loop[i] - to);
@@ -92,24 +92,24 @@ LoopPlace NearestVertex(std::span<const Point> loop, Point to) {
   return best;
 }
 
-LoopPlace NearestToSeam(std::span<const Point> loop, Point seam) {
-  const LoopPlace place = NearestPlace(loop, seam);
-  const double distance = Distance(place.at, seam);
+LoopPoint NearestToSeam(std::span<const Point> loop, Point seam) {
+  const LoopPoint start = NearestLoopPoint(loop, seam);
+  const double distance = Distance(start.at, seam);
   const size_t corner = NearestCorner(loop, seam, kCornerPreference * distance + kNearEnoughNm);
   if (corner < loop.size()) return {corner, loop[corner]};
-  const size_t next = place.edge + 1 < loop.size() ? place.edge + 1 : 0;
-  if (Distance(place.at, loop[next]) <= kSameNm) return {next, loop[next]};
-  if (Distance(place.at, loop[place.edge]) <= kSameNm) return {place.edge, loop[place.edge]};
-  return place;
+  const size_t next = start.edge + 1 < loop.size() ? start.edge + 1 : 0;
+  if (Distance(start.at, loop[next]) <= kSameNm) return {next, loop[next]};
+  if (Distance(start.at, loop[start.edge]) <= kSameNm) return {start.edge, loop[start.edge]};
+  return start;
 }
 
-LoopPlace Further(std::span<const Point> loop, LoopPlace from, double by_nm) {
+LoopPoint Further(std::span<const Point> loop, LoopPoint from, double by_nm) {
   const auto next_of = [&](size_t i) { return i + 1 < loop.size() ? i + 1 : 0; };
   double length = 0;
   for (size_t i = 0; i < loop.size(); ++i) length += Distance(loop[i], loop[next_of(i)]);
   if (length <= 0) return from;
   by_nm -= std::floor(by_nm / length) * length;
-  LoopPlace at = from;
+  LoopPoint at = from;
   for (;;) {
     const Point end = loop[next_of(at.edge)];
     const double left = Distance(at.at, end);
@@ -126,16 +126,16 @@ LoopPlace Further(std::span<const Point> loop, LoopPlace from, double by_nm) {
   }
 }
 
-void StartAt(LoopPlace place, Path& loop) {
-  size_t first = place.edge;
-  if (place.at != loop.points[place.edge]) {
-    first = place.edge + 1;
+void StartAt(LoopPoint start, Path& loop) {
+  size_t first = start.edge;
+  if (start.at != loop.points[start.edge]) {
+    first = start.edge + 1;
     const auto offset = static_cast<ptrdiff_t>(first);
     if (loop.widths_nm.size() > 1) {
       loop.widths_nm.insert(loop.widths_nm.begin() + offset,
-                            WidthBetween(loop, place.edge, place.at));
+                            WidthBetween(loop, start.edge, start.at));
     }
-    loop.points.insert(loop.points.begin() + offset, place.at);
+    loop.points.insert(loop.points.begin() + offset, start.at);
   }
   const auto offset = static_cast<ptrdiff_t>(first);
   std::rotate(loop.points.begin(), loop.points.begin() + offset, loop.points.end());

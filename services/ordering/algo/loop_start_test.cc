@@ -30,8 +30,8 @@ TEST(NearestToSeam, IsACornerThatIsNear) {
   const Path ell = Loop("(0.2 0.2, 9.8 0.2, 9.8 4.8, 4.8 4.8, 4.8 9.8, 0.2 9.8)");
   EXPECT_EQ(NearestToSeam(ell.points, Mm(5, 5)).at, Mm(4.8, 4.8));
   EXPECT_EQ(NearestToSeam(ell.points, Mm(10, 0)).at, Mm(9.8, 0.2));
-  const LoopPlace away = NearestToSeam(ell.points, Mm(7, 5));
-  EXPECT_EQ(away, (LoopPlace{2, Mm(7, 4.8)}));
+  const LoopPoint away = NearestToSeam(ell.points, Mm(7, 5));
+  EXPECT_EQ(away, (LoopPoint{2, Mm(7, 4.8)}));
 }
 
 TEST(NearestToSeam, IsTheMiddleOfAnArcAroundIt) {
@@ -50,7 +50,7 @@ TEST(NearestToSeam, IsTheMiddleOfAnArcAroundIt) {
 TEST(NearestToSeam, DoesNotCareForVerticesThatAreNoCorners) {
   // A wall of short edges that hardly turn.
   const Path wall = Loop("(0 0, 5 0, 5.3 0.01, 5.6 0.03, 20 0, 20 9, 0 9)");
-  const LoopPlace start = NearestToSeam(wall.points, Mm(5.15, -0.2));
+  const LoopPoint start = NearestToSeam(wall.points, Mm(5.15, -0.2));
   EXPECT_EQ(start.edge, 1u);
   EXPECT_NEAR(ToMm(start.at.x), 5.144, 0.01);
   EXPECT_EQ(NearestToSeam(wall.points, Mm(5.32, -0.2)).at, Mm(5.3, 0.01)) << "20 um are no move";
@@ -58,14 +58,14 @@ TEST(NearestToSeam, DoesNotCareForVerticesThatAreNoCorners) {
 
 TEST(Further, GoesTheWayOfPrinting) {
   const Path square = Loop(kSquare);
-  const auto further = [&](LoopPlace from, double mm) {
+  const auto further = [&](LoopPoint from, double mm) {
     return Further(square.points, from, mm * kNmPerMm);
   };
-  EXPECT_EQ(further({0, Mm(0, 0)}, 0), (LoopPlace{0, Mm(0, 0)}));
-  EXPECT_EQ(further({0, Mm(0, 0)}, 4), (LoopPlace{0, Mm(4, 0)}));
-  EXPECT_EQ(further({0, Mm(4, 0)}, 6), (LoopPlace{1, Mm(10, 0)}));
-  EXPECT_EQ(further({3, Mm(0, 2)}, 5), (LoopPlace{0, Mm(3, 0)}));
-  EXPECT_EQ(further({0, Mm(4, 0)}, 85), (LoopPlace{0, Mm(9, 0)})) << "twice around";
+  EXPECT_EQ(further({0, Mm(0, 0)}, 0), (LoopPoint{0, Mm(0, 0)}));
+  EXPECT_EQ(further({0, Mm(0, 0)}, 4), (LoopPoint{0, Mm(4, 0)}));
+  EXPECT_EQ(further({0, Mm(4, 0)}, 6), (LoopPoint{1, Mm(10, 0)}));
+  EXPECT_EQ(further({3, Mm(0, 2)}, 5), (LoopPoint{0, Mm(3, 0)}));
+  EXPECT_EQ(further({0, Mm(4, 0)}, 85), (LoopPoint{0, Mm(9, 0)})) << "twice around";
 }
 
 TEST(StartAt, RotatesToAVertex) {

@@ -41,7 +41,7 @@ void Route::Print(Path path, bool reversed) {
   paths_.push_back(std::move(path));
 }
 
-void Route::PrintLoop(Path loop, LoopPlace start) {
+void Route::PrintLoop(Path loop, LoopPoint start) {
   StartAt(start, loop);
   Print(std::move(loop));
 }

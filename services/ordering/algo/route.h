@@ -41,7 +41,7 @@ class Route {
   /// Prints a path, preceded by the link from the last path if there is one.
   void Print(Path path, bool reversed = false);
   /// Prints a closed path that starts at `start`.
-  void PrintLoop(Path loop, LoopPlace start);
+  void PrintLoop(Path loop, LoopPoint start);
 
  private:
   bool IsKeptWhole(const Path& next) const;

@@ -32,7 +32,7 @@ void ForEachPath(FilledIsland& island, const Visitor& visit) {
 }
 
 /// An island and its position in the route through the section.
-struct Stop {
+struct RouteIsland {
   FilledIsland* island;
   Point place;  ///< point that represents the island in the search for an order
   Point least;
@@ -57,8 +57,8 @@ Point PlaceOf(const FilledIsland& island, const Box& box, const SectionPlan& pla
   return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
 }
 
-std::vector<Stop> StopsOf(FilledSection& section, const SectionPlan& plan) {
-  std::vector<Stop> stops;
+std::vector<RouteIsland> IslandsOf(FilledSection& section, const SectionPlan& plan) {
+  std::vector<RouteIsland> stops;
   for (FilledIsland& island : section.islands) {
     Box box;
     Point least{INT64_MAX, INT64_MAX};
@@ -70,7 +70,7 @@ std::vector<Stop> StopsOf(FilledSection& section, const SectionPlan& plan) {
     stops.push_back({&island, PlaceOf(island, box, plan), least});
   }
   std::stable_sort(stops.begin(), stops.end(),
-                   [](const Stop& a, const Stop& b) { return a.least < b.least; });
+                   [](const RouteIsland& a, const RouteIsland& b) { return a.least < b.least; });
   return stops;
 }
 
@@ -157,7 +157,7 @@ std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan,
     return std::nullopt;
   Path& loop = island.walls.front();
   if (clockwise) Reverse(loop);
-  StartAt(NearestPlace(loop.points, plan.spiral->start), loop);
+  StartAt(NearestLoopPoint(loop.points, plan.spiral->start), loop);
   PathBlock block{
       .stack = section.stack, .layer = section.layer, .height_nm = section.height_nm, .paths = {}};
   block.paths.push_back(std::move(loop));
@@ -167,10 +167,10 @@ std::optional<PathBlock> TurnOf(FilledSection& section, const SectionPlan& plan,
 
 /// Returns the box in which travels may avoid curled areas: the bounding box of the islands. The
 /// bed is at least as large.
-Box RoomOf(const FilledSection& section) {
-  Box room;
-  for (const FilledIsland& island : section.islands) room.Add(Bounds(island.outline.outer));
-  return room;
+Box BoundsOf(const FilledSection& section) {
+  Box bounds;
+  for (const FilledIsland& island : section.islands) bounds.Add(Bounds(island.outline.outer));
+  return bounds;
 }
 
 }  // namespace
@@ -178,22 +178,22 @@ Box RoomOf(const FilledSection& section) {
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                        const OrderingOptions& options, WorkBudget& budget) {
   if (auto turn = TurnOf(section, plan, options.clockwise)) return *std::move(turn);
-  const std::vector<Stop> stops = StopsOf(section, plan);
-  std::vector<Leg> legs;
+  const std::vector<RouteIsland> stops = IslandsOf(section, plan);
+  std::vector<TourLeg> legs;
   legs.reserve(stops.size());
-  for (const Stop& stop : stops) legs.push_back({stop.place, stop.place, true});
+  for (const RouteIsland& stop : stops) legs.push_back({stop.place, stop.place, true});
   const std::vector<Visit> visits = OrderByTravel({plan.entry, plan.exit}, legs, budget);
 
   Route route(plan.entry, section.height_nm);
   std::vector<Travel> travels;
-  std::optional<Leave> leave;
+  std::optional<ExitTravel> exit_travel;
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
   std::optional<IslandEdges> left;
   std::optional<CurlAvoidance> curled;
   if (options.travel.avoid_curled && !plan.curled.empty())
-    curled.emplace(plan.curled, RoomOf(section));
+    curled.emplace(plan.curled, BoundsOf(section));
   for (size_t i = 0; i < visits.size(); ++i) {
     const bool is_first = i == 0, is_last = i + 1 == visits.size();
     const std::optional<Point> next =
@@ -211,14 +211,14 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
         PathsInIsland(island.outline, edges, std::span(route.paths()).subspan(first), meetings,
                       options.travel, sights, curled ? &*curled : nullptr);
     std::ranges::move(routes.travels, std::back_inserter(travels));
-    if (is_last) leave = std::move(routes.leave);
+    if (is_last) exit_travel = std::move(routes.exit_travel);
     if (!is_first) {
       const Path& last = route.paths()[first - 1];
       const Path& path = route.paths()[first];
       Travel& travel = travels[first] = outside.Between(last, path, sights);
       if (curled) curled->KeepOff(EndOf(last), StartOf(path), sights, travel.corners);
-      const std::vector<Point> way = PlacesOf(EndOf(last), travel.corners, StartOf(path));
-      travel.over_wall = looks_at_walls && (left->Grazes(way, 0) || edges.Grazes(way, 0));
+      const std::vector<Point> points = PointsOf(EndOf(last), travel.corners, StartOf(path));
+      travel.over_wall = looks_at_walls && (left->Grazes(points, 0) || edges.Grazes(points, 0));
     }
     left = std::move(edges);
   }
@@ -229,7 +229,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
           .height_nm = section.height_nm,
           .paths = route.TakePaths(),
           .travels = std::move(travels),
-          .leave = std::move(leave)};
+          .exit_travel = std::move(exit_travel)};
 }
 
 }  // namespace slicefarm::ordering

@@ -7,14 +7,14 @@
 
 #include "services/ordering/algo/few_legs.h"
 #include "services/ordering/algo/leg_graph.h"
-#include "services/ordering/algo/tours/place_tree.h"
+#include "services/ordering/algo/tours/point_tree.h"
 #include "services/ordering/algo/tours/tour_search.h"
 
 namespace slicefarm::ordering {
 namespace {
 
-Point EntryOf(const Leg& leg, bool reversed) { return reversed ? leg.end : leg.start; }
-Point ExitOf(const Leg& leg, bool reversed) { return reversed ? leg.start : leg.end; }
+Point EntryOf(const TourLeg& leg, bool reversed) { return reversed ? leg.end : leg.start; }
+Point ExitOf(const TourLeg& leg, bool reversed) { return reversed ? leg.start : leg.end; }
 
 /// Number of exchanges per leg. More exchanges take more time than they save on the printer.
 constexpr int64_t kExchangesPerLeg = 2;
@@ -46,14 +46,14 @@ class Readiness {
 };
 
 /// Returns the order that always continues with the nearest end of a ready leg.
-std::vector<Visit> NearestFirst(const Journey& journey, std::span<const Leg> legs) {
+std::vector<Visit> NearestFirst(const Journey& journey, std::span<const TourLeg> legs) {
   std::vector<Vector2> ends;
   ends.reserve(2 * legs.size());
-  for (const Leg& leg : legs) {
+  for (const TourLeg& leg : legs) {
     ends.push_back(ToVector(leg.start));
     ends.push_back(ToVector(leg.end));
   }
-  PlaceTree tree(ends);
+  PointTree tree(ends);
   Readiness readiness(journey.precedence, legs.size());
   for (uint32_t leg = 0; leg < legs.size(); ++leg) {
     if (!readiness.IsReady(leg)) tree.Remove(2 * leg);
@@ -116,7 +116,7 @@ void AvoidCrossing(const LegGraph& graph, const Barrier& barrier, TourSearch& se
   search.Charge(nullptr);
 }
 
-bool Crosses(const Journey& journey, std::span<const Leg> legs, std::span<const Visit> visits) {
+bool Crosses(const Journey& journey, std::span<const TourLeg> legs, std::span<const Visit> visits) {
   Point at = journey.from;
   for (const Visit& visit : visits) {
     if (journey.barrier->Parts(at, EntryOf(legs[visit.leg], visit.reversed))) return true;
@@ -125,7 +125,7 @@ bool Crosses(const Journey& journey, std::span<const Leg> legs, std::span<const 
   return journey.to && journey.barrier->Parts(at, *journey.to);
 }
 
-std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
+std::vector<Visit> OrderFew(const Journey& journey, std::span<const TourLeg> legs) {
   const auto length = [](Point a, Point b) { return static_cast<int64_t>(Distance(a, b) + 0.5); };
   const auto charged = [&](Point a, Point b) {
     return length(a, b) + (journey.barrier->Parts(a, b) ? kCrossingNm : 0);
@@ -139,7 +139,7 @@ std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
 
 }  // namespace
 
-std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
+std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const TourLeg> legs,
                                  WorkBudget& budget) {
   if (legs.size() <= kFewLegs && budget.moves > 0) {
     budget.moves -= static_cast<int64_t>(legs.size() << legs.size());
@@ -157,7 +157,7 @@ std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> le
   return graph.VisitsOf(search.tour());
 }
 
-double TravelLength(const Journey& journey, std::span<const Leg> legs,
+double TravelLength(const Journey& journey, std::span<const TourLeg> legs,
                     std::span<const Visit> visits) {
   double length = 0;
   Point at = journey.from;

@@ -14,7 +14,7 @@ namespace slicefarm::ordering {
 /// Path that is printed without interruption, from `start` to `end` or, if reversible, from `end`
 /// to `start`. Its course between the ends does not affect the travel. A loop is a leg that ends at
 /// its start.
-struct Leg {
+struct TourLeg {
   Point start;
   Point end;
   bool reversible = true;
@@ -56,12 +56,12 @@ struct Visit {
 /// The journey is a path with a fixed start and, if requested, a fixed end. Shapes: each leg once.
 /// A leg that is not reversible is never reversed, and the precedence is kept. Deterministic. Cost:
 /// O(n log n), n legs, and the tried moves, each O(1) to judge and O(n) to make.
-std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
+std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const TourLeg> legs,
                                  WorkBudget& budget);
 
 /// Returns the length in nm of the travel between legs, from `journey.from` to the first leg and
 /// from the last leg to `journey.to`.
-double TravelLength(const Journey& journey, std::span<const Leg> legs,
+double TravelLength(const Journey& journey, std::span<const TourLeg> legs,
                     std::span<const Visit> visits);
 
 }  // namespace slicefarm::ordering

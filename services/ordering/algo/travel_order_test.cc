@@ -18,27 +18,27 @@ using ::testing::IsEmpty;
 
 constexpr int64_t kPlenty = 10'000'000;
 
-std::vector<Visit> Order(const Journey& journey, std::span<const Leg> legs,
+std::vector<Visit> Order(const Journey& journey, std::span<const TourLeg> legs,
                          int64_t moves = kPlenty) {
   WorkBudget budget{moves};
   return OrderByTravel(journey, legs, budget);
 }
 
-Leg RandomLeg(std::mt19937& random, bool reversible = true) {
+TourLeg RandomLeg(std::mt19937& random, bool reversible = true) {
   std::uniform_int_distribution<Coord> coord(0, 100 * kNmPerMm);
   return {{coord(random), coord(random)}, {coord(random), coord(random)}, reversible};
 }
 
-std::vector<Leg> RandomLegs(size_t count, uint32_t seed, int irreversible_of_4 = 0) {
+std::vector<TourLeg> RandomLegs(size_t count, uint32_t seed, int irreversible_of_4 = 0) {
   std::mt19937 random(seed);
-  std::vector<Leg> legs;
+  std::vector<TourLeg> legs;
   for (size_t i = 0; i < count; ++i) {
     legs.push_back(RandomLeg(random, static_cast<int>(random() % 4) >= irreversible_of_4));
   }
   return legs;
 }
 
-void ExpectEachLegOnce(const std::vector<Visit>& visits, std::span<const Leg> legs) {
+void ExpectEachLegOnce(const std::vector<Visit>& visits, std::span<const TourLeg> legs) {
   ASSERT_EQ(visits.size(), legs.size());
   std::vector<int> seen(legs.size(), 0);
   for (const Visit& visit : visits) {
@@ -50,7 +50,7 @@ void ExpectEachLegOnce(const std::vector<Visit>& visits, std::span<const Leg> le
 }
 
 /// Returns the least travel over all orders and directions.
-double Optimum(const Journey& journey, std::span<const Leg> legs) {
+double Optimum(const Journey& journey, std::span<const TourLeg> legs) {
   std::vector<uint32_t> order(legs.size());
   std::iota(order.begin(), order.end(), 0);
   double best = std::numeric_limits<double>::infinity();
@@ -75,22 +75,22 @@ TEST(TravelOrder, NothingToVisit) {
 }
 
 TEST(TravelOrder, OneLegIsEnteredAtItsNearEnd) {
-  const Leg leg{{100, 0}, {10, 0}};
+  const TourLeg leg{{100, 0}, {10, 0}};
   EXPECT_THAT(Order({{0, 0}, {}}, {{leg}}), ElementsAre(Visit{0, true}));
   EXPECT_THAT(Order({{0, 0}, {}}, {{{leg.start, leg.end, false}}}), ElementsAre(Visit{0, false}));
 }
 
 TEST(TravelOrder, TheWayOnDecidesToo) {
   // If the leg begins at its near end, it ends far from the target of the journey.
-  const Leg leg{{10'000, 0}, {100'000, 0}};
+  const TourLeg leg{{10'000, 0}, {100'000, 0}};
   EXPECT_THAT(Order({{0, 0}, {}}, {{leg}}), ElementsAre(Visit{0, false}));
   EXPECT_THAT(Order({{0, 0}, Point{0, 5}}, {{leg}}), testing::SizeIs(1));
-  const Leg far{{60'000, 0}, {100'000, 0}};
+  const TourLeg far{{60'000, 0}, {100'000, 0}};
   EXPECT_THAT(Order({{70'000, 0}, Point{50'000, 0}}, {{far}}), ElementsAre(Visit{0, true}));
 }
 
 TEST(TravelOrder, ParallelLinesBecomeAZigzag) {
-  std::vector<Leg> legs;
+  std::vector<TourLeg> legs;
   for (const Coord y : {3, 0, 4, 1, 2}) {
     legs.push_back({{0, y * kNmPerMm}, {50 * kNmPerMm, y * kNmPerMm}});
   }
@@ -134,7 +134,7 @@ class TsplibTest : public testing::TestWithParam<TsplibCase> {};
 TEST_P(TsplibTest, TourIsWithinSevenPercent) {
   const std::vector<Point> cities = ReadTsplib(GetParam().name);
   ASSERT_FALSE(cities.empty()) << "no corpus";
-  std::vector<Leg> legs;
+  std::vector<TourLeg> legs;
   for (size_t i = 1; i < cities.size(); ++i) legs.push_back({cities[i], cities[i]});
   const std::vector<Visit> visits = Order({cities[0], cities[0]}, legs);
   ExpectEachLegOnce(visits, legs);
@@ -191,7 +191,7 @@ TEST(TravelOrder, BudgetIsSharedAndEnds) {
   EXPECT_LE(budget.moves, 0);
 }
 
-Leg Dot(Coord x_mm, Coord y_mm) {
+TourLeg Dot(Coord x_mm, Coord y_mm) {
   const Point at{x_mm * kNmPerMm, y_mm * kNmPerMm};
   return {at, at};
 }
@@ -203,7 +203,7 @@ std::vector<uint32_t> LegsOf(const std::vector<Visit>& visits) {
 }
 
 TEST(TravelOrder, WithoutBudgetTheNearestIsNext) {
-  const std::vector<Leg> legs = {Dot(3, 0), Dot(-2, 0), Dot(1, 0)};
+  const std::vector<TourLeg> legs = {Dot(3, 0), Dot(-2, 0), Dot(1, 0)};
   EXPECT_THAT(LegsOf(Order({{0, 0}, {}}, legs, 0)), ElementsAre(2, 0, 1));
 }
 
@@ -213,12 +213,12 @@ class Fence : public Barrier {
   bool Parts(Point a, Point b) const override { return (a.x < 0) != (b.x < 0); }
 };
 
-int Crossings(const Journey& journey, const std::vector<Leg>& legs,
+int Crossings(const Journey& journey, const std::vector<TourLeg>& legs,
               const std::vector<Visit>& visits) {
   int crossings = 0;
   Point at = journey.from;
   for (const Visit& visit : visits) {
-    const Leg& leg = legs[visit.leg];
+    const TourLeg& leg = legs[visit.leg];
     crossings += Fence().Parts(at, visit.reversed ? leg.end : leg.start) ? 1 : 0;
     at = visit.reversed ? leg.start : leg.end;
   }
@@ -228,7 +228,7 @@ int Crossings(const Journey& journey, const std::vector<Leg>& legs,
 // The dots of a pair are nearer to each other than to the next pair, so that the shortest path
 // crosses the barrier at each pair.
 TEST(TravelOrder, CrossesABarrierOnlyWhereItMust) {
-  std::vector<Leg> legs;
+  std::vector<TourLeg> legs;
   for (Coord y = 0; y < 12; ++y) {
     legs.push_back(Dot(-1, 3 * y));
     legs.push_back(Dot(1, 3 * y));
@@ -244,7 +244,7 @@ TEST(TravelOrder, CrossesABarrierOnlyWhereItMust) {
 
 // A detour that costs more than a crossing is not used.
 TEST(TravelOrder, CrossesABarrierWhereItPays) {
-  const std::vector<Leg> legs = {Dot(-1, 0), Dot(1, 0), Dot(-1, 20), Dot(1, 20)};
+  const std::vector<TourLeg> legs = {Dot(-1, 0), Dot(1, 0), Dot(-1, 20), Dot(1, 20)};
   const Fence fence;
   const Journey journey{{-kNmPerMm, 0}, Point{-kNmPerMm, 40 * kNmPerMm}, &fence};
   WorkBudget budget{100'000};
@@ -252,7 +252,7 @@ TEST(TravelOrder, CrossesABarrierWhereItPays) {
 }
 
 TEST(TravelOrder, ABarrierThatIsNotMetChangesNothing) {
-  const std::vector<Leg> legs = {Dot(9, 0), Dot(4, 7), Dot(2, 2), Dot(6, 1), Dot(7, 8)};
+  const std::vector<TourLeg> legs = {Dot(9, 0), Dot(4, 7), Dot(2, 2), Dot(6, 1), Dot(7, 8)};
   const Fence fence;
   Journey journey{{0, 0}, {}};
   WorkBudget budget{100'000};
@@ -263,7 +263,7 @@ TEST(TravelOrder, ABarrierThatIsNotMetChangesNothing) {
 
 /// Returns the length of the shortest path along dots in an order that keeps the precedence, over
 /// all sets of dots.
-double BestOfDots(const Journey& journey, std::span<const Leg> dots) {
+double BestOfDots(const Journey& journey, std::span<const TourLeg> dots) {
   std::vector<size_t> before(dots.size(), 0);
   for (const Precedence& pair : journey.precedence) before[pair.next] |= size_t{1} << pair.leg;
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -288,7 +288,7 @@ TEST(TravelOrder, KeepsPrecedenceAndComesNearTheBest) {
   for (uint32_t seed = 1; seed <= 80; ++seed) {
     std::mt19937 random(seed);
     const size_t count = 2 + seed % 9;
-    std::vector<Leg> dots;
+    std::vector<TourLeg> dots;
     for (size_t i = 0; i < count; ++i)
       dots.push_back(Dot(static_cast<Coord>(random() % 100), static_cast<Coord>(random() % 100)));
     std::vector<Precedence> precedence;
@@ -313,13 +313,13 @@ TEST(TravelOrder, KeepsPrecedenceAndComesNearTheBest) {
 }
 
 TEST(TravelOrder, NearestNeighbourKeepsPrecedence) {
-  const std::vector<Leg> legs = {Dot(1, 0), Dot(2, 0), Dot(3, 0)};
+  const std::vector<TourLeg> legs = {Dot(1, 0), Dot(2, 0), Dot(3, 0)};
   const std::vector<Precedence> precedence = {{2, 0}, {1, 0}};
   EXPECT_THAT(LegsOf(Order({{0, 0}, {}, nullptr, precedence}, legs, 0)), ElementsAre(1, 2, 0));
 }
 
 TEST(TravelOrder, AllEndsInOnePoint) {
-  const std::vector<Leg> legs(5000, Leg{{7, 7}, {7, 7}});
+  const std::vector<TourLeg> legs(5000, TourLeg{{7, 7}, {7, 7}});
   const auto visits = Order({{7, 7}, {}}, legs);
   ExpectEachLegOnce(visits, legs);
   EXPECT_EQ(TravelLength({{7, 7}, {}}, legs, visits), 0);

@@ -16,15 +16,15 @@ struct StartRule {
   std::optional<Point> seam;
   bool stagger = false;
 
-  LoopPlace For(const Path& loop, Point nozzle) const {
+  LoopPoint For(const Path& loop, Point nozzle) const {
     if (!seam) return NearestVertex(loop.points, nozzle);
-    const LoopPlace place = NearestToSeam(loop.points, *seam);
-    if (!stagger || loop.inset == 0) return place;
-    return Further(loop.points, place, Distance(place.at, *seam));
+    const LoopPoint start = NearestToSeam(loop.points, *seam);
+    if (!stagger || loop.inset == 0) return start;
+    return Further(loop.points, start, Distance(start.at, *seam));
   }
 };
 
-Leg LegOf(const Path& wall, const StartRule& rule, Point nozzle) {
+TourLeg TourLegOf(const Path& wall, const StartRule& rule, Point nozzle) {
   if (!wall.closed) return {StartOf(wall), EndOf(wall), wall.reversible};
   const Point at = rule.For(wall, nozzle).at;
   return {at, at, true};
@@ -67,7 +67,7 @@ class Contours {
       if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
         start.seam = rules.seams[static_cast<size_t>(wall.ring)];
       starts_.push_back(start);
-      legs_.push_back(LegOf(wall, start, nozzle));
+      legs_.push_back(TourLegOf(wall, start, nozzle));
     }
   }
 
@@ -95,15 +95,15 @@ class Contours {
              WorkBudget& budget) {
     const WallGroup& group = groups_[i];
     const std::vector<Precedence> precedence = PrecedenceOf(group, order);
-    std::vector<Leg> legs;
+    std::vector<TourLeg> legs;
     legs.reserve(group.walls.size());
-    for (const Path* wall : group.walls) legs.push_back(LegOf(*wall, starts_[i], route.at()));
+    for (const Path* wall : group.walls) legs.push_back(TourLegOf(*wall, starts_[i], route.at()));
     Journey journey = route.To(next);
     journey.precedence = precedence;
     for (const Visit visit : OrderByTravel(journey, legs, budget)) {
       Path& wall = *group.walls[visit.leg];
       if (wall.closed) {
-        const LoopPlace start = starts_[i].For(wall, route.at());
+        const LoopPoint start = starts_[i].For(wall, route.at());
         route.PrintLoop(std::move(wall), start);
       } else {
         route.Print(std::move(wall), visit.reversed);
@@ -113,7 +113,7 @@ class Contours {
 
   std::vector<WallGroup> groups_;
   std::vector<StartRule> starts_;  ///< start rule of each group
-  std::vector<Leg> legs_;          ///< leg of each group
+  std::vector<TourLeg> legs_;      ///< leg of each group
 };
 
 }  // namespace

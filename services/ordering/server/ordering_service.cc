@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/stage/ordering_job.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
@@ -37,7 +37,7 @@ absl::Status Order(const OrderingStage& stage, rpc::Call& call, Stream& stream,
 
 std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage,
                                                    rpc::CallLimiter& gate, SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Ordering>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Ordering>>(gate);
   service->Add("OrderLayers", &v1::Ordering::Service::OrderLayers,
                [&](rpc::Call& call, auto& stream) { return Order(stage, call, stream, shared); });
   return service;

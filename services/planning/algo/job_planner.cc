@@ -105,7 +105,7 @@ absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections)
     if (absl::Status ok = CheckSection(section, *options_); !ok.ok()) return ok;
   if (region_planners_.empty()) {
-    RegionPlan::Carried none;
+    RegionPlan::AreasAboveSupports none;
     LookAt(layer, none);
   } else {
     parts_bytes_ += MemoryOf(layer);
@@ -114,17 +114,17 @@ absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   return absl::OkStatus();
 }
 
-void JobPlanner::LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried) {
+void JobPlanner::LookAt(const SlicedLayer& layer, RegionPlan::AreasAboveSupports& above_supports) {
   LayerPlan& plan = layers_.Add();
   for (const ObjectSection& section : layer.sections) {
     if (!section.stack.IsPart()) continue;
-    const auto found = carried.find({section.stack.object, section.layer});
-    if (found == carried.end()) continue;
-    PlanOf(section.stack.id, plan).carried = std::move(found->second);
+    const auto found = above_supports.find({section.stack.object, section.layer});
+    if (found == above_supports.end()) continue;
+    PlanOf(section.stack.id, plan).above_supports = std::move(found->second);
   }
   for (const auto& planner : planners_) planner->Look(layer, plan);
-  settled_ = layers_.end();
-  for (const auto& planner : planners_) settled_ = std::min(settled_, planner->Revise(layers_));
+  finished_ = layers_.end();
+  for (const auto& planner : planners_) finished_ = std::min(finished_, planner->Revise(layers_));
 }
 
 absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
@@ -132,7 +132,7 @@ absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
                      .lifts_nm = {},
                      .stacks = {},
                      .warnings = {},
-                     .carried = {}};
+                     .above_supports = {}};
   for (const auto& planner : region_planners_)
     if (absl::Status ok = planner->Plan(parts_, cancel, regions); !ok.ok()) return ok;
   plan.lifts_nm = std::move(regions.lifts_nm);
@@ -144,7 +144,7 @@ absl::Status JobPlanner::PlanRegions(const CancelToken& cancel, JobPlan& plan) {
                       limits::kMaxLayers, std::ssize(layers));
   for (const SlicedLayer& layer : layers) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
-    LookAt(layer, regions.carried);
+    LookAt(layer, regions.above_supports);
   }
   return absl::OkStatus();
 }
@@ -155,7 +155,7 @@ int64_t JobPlanner::HeldBytes() const {
   return bytes;
 }
 
-std::vector<LayerPlan> JobPlanner::TakeSettled() { return layers_.TakeBelow(settled_); }
+std::vector<LayerPlan> JobPlanner::TakeFinished() { return layers_.TakeBelow(finished_); }
 
 absl::StatusOr<JobPlan> JobPlanner::Finish(const CancelToken& cancel) {
   JobPlan plan;

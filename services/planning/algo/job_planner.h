@@ -38,7 +38,7 @@ namespace slicefarm::planning {
 ///   8 infill   lines and areas of infill that depend on many layers (infill/infill_planner.h).
 ///
 /// A job without region planners is planned while its layers arrive. A layer's plan can be taken
-/// (TakeSettled) as soon as no planner will change it. Memory is then the data of the planners: a
+/// (TakeFinished) as soon as no planner will change it. Memory is then the data of the planners: a
 /// few layers each, a bounded number of possible points of seams, and the layers for infill that
 /// grows down from above. A job with region planners stores all layers until the last one has
 /// arrived.
@@ -67,15 +67,15 @@ class JobPlanner {
   /// for sections of stacks other than parts.
   absl::Status Next(const SlicedLayer& layer);
 
-  /// Returns the settled plans, from the lowest layer up: the plans that no planner will change any
-  /// more. Plans that earlier calls have returned are not in the result.
-  std::vector<LayerPlan> TakeSettled();
+  /// Returns the finished plans, from the lowest layer up: the plans that no planner will change
+  /// any more. Plans that earlier calls have returned are not in the result.
+  std::vector<LayerPlan> TakeFinished();
 
   /// Returns the memory in bytes that is used for past layers. The bounded memory for the most
   /// recent layers is not included.
   int64_t HeldBytes() const;
 
-  /// Returns the plan without the layers that TakeSettled has returned. Call once, after the last
+  /// Returns the plan without the layers that TakeFinished has returned. Call once, after the last
   /// layer. Errors: any error of the planners; REQUEST_TOO_LARGE for too many layers of the print;
   /// Cancelled.
   absl::StatusOr<JobPlan> Finish(const CancelToken& cancel = {});
@@ -86,9 +86,9 @@ class JobPlanner {
 
   /// Runs the region planners, then plans all layers of the print.
   absl::Status PlanRegions(const CancelToken& cancel, JobPlan& plan);
-  /// Plans one layer of the print. `carried`: areas above supports, as in RegionPlan. The areas of
-  /// this layer are moved from `carried` into the layer's plan.
-  void LookAt(const SlicedLayer& layer, RegionPlan::Carried& carried);
+  /// Plans one layer of the print. `above_supports`: areas above supports, as in RegionPlan. The
+  /// areas of this layer are moved from `above_supports` into the layer's plan.
+  void LookAt(const SlicedLayer& layer, RegionPlan::AreasAboveSupports& above_supports);
 
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;
@@ -97,7 +97,7 @@ class JobPlanner {
   int64_t parts_bytes_ = 0;
   std::vector<std::unique_ptr<Planner>> planners_;
   OpenLayers layers_;
-  int32_t settled_ = 0;  ///< number of layers, from the first, with plans that are settled
+  int32_t finished_ = 0;  ///< number of layers, from the first, with plans that are finished
 };
 
 }  // namespace slicefarm::planning

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/stage/memory_budget.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/message_stream.h"
@@ -26,7 +26,7 @@ absl::Status AnswerLayers(const std::vector<LayerPlan>& layers, Stream& stream) 
                                      });
 }
 
-/// Plans layers as they arrive and writes plans as they are settled.
+/// Plans layers as they arrive and writes plans as they are finished.
 template <typename Stream>
 absl::Status PlanLayers(JobPlanner& planner, MemoryBudget::Share& memory, const CancelToken& cancel,
                         Stream& stream) {
@@ -37,9 +37,9 @@ absl::Status PlanLayers(JobPlanner& planner, MemoryBudget::Share& memory, const 
     if (!layer.ok()) return layer.status();
     if (layer->frame.index != next++) return Malformed("layer", "does not follow the one before");
     if (absl::Status planned = planner.Next(*layer); !planned.ok()) return planned;
-    absl::Status room = memory.Hold(JobMemory::Kind::kOutlines, planner.HeldBytes());
-    if (!room.ok()) return room;
-    return AnswerLayers(planner.TakeSettled(), stream);
+    absl::Status held = memory.Hold(JobMemory::Kind::kOutlines, planner.HeldBytes());
+    if (!held.ok()) return held;
+    return AnswerLayers(planner.TakeFinished(), stream);
   });
 }
 
@@ -84,9 +84,9 @@ absl::Status Plan(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  const auto room = memory.Take({}, call.job_id, 0, call.cancel);
-  if (!room.ok()) return room.status();
-  absl::Status status = PlanLayers(*planner, **room, call.cancel, stream);
+  const auto held = memory.Take({}, call.job_id, 0, call.cancel);
+  if (!held.ok()) return held.status();
+  absl::Status status = PlanLayers(*planner, **held, call.cancel, stream);
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
   const absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);
@@ -97,7 +97,7 @@ absl::Status Plan(rpc::Call& call, Stream& stream, MemoryBudget& memory) {
 }  // namespace
 
 std::unique_ptr<grpc::Service> MakePlanningService(rpc::CallLimiter& gate) {
-  auto service = std::make_unique<rpc::GatedService<v1::Planning>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Planning>>(gate);
   const auto memory = std::make_shared<MemoryBudget>(DefaultMemoryBudget());
   service->Add("PlanJob", &v1::Planning::Service::PlanJob,
                [memory](rpc::Call& call, auto& stream) { return Plan(call, stream, *memory); });

@@ -68,9 +68,9 @@ class SlicingRun {
     auto objects = PrepareObjects(std::move(input), source_, options_, call_.cancel);
     if (!objects.ok()) return objects.status();
     objects_ = *std::move(objects);
-    absl::Status room =
+    absl::Status held =
         HoldMemory(call_, JobMemory::Kind::kMeshes, kMemoryPerTriangle * Triangles());
-    if (!room.ok()) return room;
+    if (!held.ok()) return held;
     for (auto step :
          {&SlicingRun::PlanLayers, &SlicingRun::CheckPointsPerLayer, &SlicingRun::Draw,
           &SlicingRun::CutLayers, &SlicingRun::CountOverlaps, &SlicingRun::AdviseOrientations})
@@ -91,8 +91,8 @@ class SlicingRun {
     }
     // The memory is reserved before the parts are cut, because the number of points is known
     // already.
-    absl::Status room = HoldMemory(call_, JobMemory::Kind::kOutlines, kMemoryPerPoint * points_);
-    if (!room.ok()) return room;
+    absl::Status held = HoldMemory(call_, JobMemory::Kind::kOutlines, kMemoryPerPoint * points_);
+    if (!held.ok()) return held;
     LayOutSections();
     return absl::OkStatus();
   }

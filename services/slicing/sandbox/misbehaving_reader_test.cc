@@ -29,16 +29,16 @@ namespace {
 using Answer = absl::StatusOr<MeshFileContents>;
 
 /// Returns a text to the test, as the error of a mesh.
-Answer Tell(const std::string& what) {
+Answer Report(const std::string& what) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, what);
 }
 
-Answer TellErrno(int result) { return Tell(result < 0 ? strerrorname_np(errno) : "done"); }
+Answer ReportErrno(int result) { return Report(result < 0 ? strerrorname_np(errno) : "done"); }
 
 Answer Crash() {
   volatile int* volatile nowhere = nullptr;
   *nowhere = 1;
-  return Tell("still here");
+  return Report("still here");
 }
 
 Answer Eat() {
@@ -142,21 +142,21 @@ std::string DeafTo() {
 Answer LookAround() {
   int open = 0;
   for (int fd = 3; fd < 1024; ++fd) open += fcntl(fd, F_GETFD) >= 0;
-  return Tell(std::string(getenv("SECRET") != nullptr ? "told" : "untold") + " " +
-              std::to_string(open) + " open, dumpable " + std::to_string(prctl(PR_GET_DUMPABLE)) +
-              ", no new privileges " + std::to_string(prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0)) +
-              ", " + DeafTo());
+  return Report(std::string(getenv("SECRET") != nullptr ? "told" : "untold") + " " +
+                std::to_string(open) + " open, dumpable " + std::to_string(prctl(PR_GET_DUMPABLE)) +
+                ", no new privileges " + std::to_string(prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0)) +
+                ", " + DeafTo());
 }
 
-Answer TryFile() { return TellErrno(open("/etc/passwd", O_RDONLY)); }
-Answer TrySocket() { return TellErrno(socket(AF_INET, SOCK_STREAM, 0)); }
-Answer TryWrite() { return TellErrno(static_cast<int>(write(STDERR_FILENO, "x", 1))); }
+Answer TryFile() { return ReportErrno(open("/etc/passwd", O_RDONLY)); }
+Answer TrySocket() { return ReportErrno(socket(AF_INET, SOCK_STREAM, 0)); }
+Answer TryWrite() { return ReportErrno(static_cast<int>(write(STDERR_FILENO, "x", 1))); }
 Answer TryFork() {
   const pid_t pid = fork();
   if (pid == 0) _exit(0);
-  return TellErrno(pid);
+  return ReportErrno(pid);
 }
-Answer TryProgram() { return TellErrno(execl("/bin/true", "true", nullptr)); }
+Answer TryProgram() { return ReportErrno(execl("/bin/true", "true", nullptr)); }
 
 const std::map<std::string_view, std::function<Answer()>, std::less<>>& Deeds() {
   static const std::map<std::string_view, std::function<Answer()>, std::less<>> deeds = {

@@ -140,12 +140,12 @@ absl::StatusOr<MeshFileContents> SandboxedMeshSource::Read(std::string bytes, Me
                                                            const CancelToken& cancel) const {
   const Request asked = RequestOf(bytes, depth);
   ReaderLimits limits = options_.limits(bytes);
-  std::optional<ByteBudget::Share> room;
+  std::optional<ByteBudget::Share> share;
   if (options_.memory != nullptr) {
     limits.memory_bytes = std::min(limits.memory_bytes, options_.memory->limit());
     auto taken = options_.memory->Take(limits.memory_bytes, cancel);
     if (!taken.ok()) return taken.status();
-    room.emplace(*std::move(taken));
+    share.emplace(*std::move(taken));
   }
   const RequestHead head = {.confinement = options_.confinement,
                             .format = format,

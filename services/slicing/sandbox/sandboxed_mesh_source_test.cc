@@ -152,8 +152,9 @@ TEST(SandboxedMeshSource, LimitsLeaveNoFilesNorSockets) {
 TEST(SandboxedMeshSource, TheReaderKnowsNothingOfTheService) {
   setenv("SECRET", "x", 1);
   const absl::Status status = Do(TakenOver(Confinement::kLimits), "look around");
-  const std::string told = kSanitizedBuild ? "told" : "untold";
-  EXPECT_EQ(status.message(), told + " 0 open, dumpable 0, no new privileges 1, deaf to 1 2 3 15");
+  const std::string reported = kSanitizedBuild ? "told" : "untold";
+  EXPECT_EQ(status.message(),
+            reported + " 0 open, dumpable 0, no new privileges 1, deaf to 1 2 3 15");
 }
 
 TEST(SandboxedMeshSource, MemoryIsBounded) {

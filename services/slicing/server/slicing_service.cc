@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/wire/engraving/surface_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/message_stream.h"
@@ -31,16 +31,16 @@ absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream, MemoryBudge
   absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
-  auto room = memory.Take({}, call.job_id, kMemoryPerFileByte * start->files.size(), call.cancel);
-  if (!room.ok()) return room.status();
+  auto share = memory.Take({}, call.job_id, kMemoryPerFileByte * start->files.size(), call.cancel);
+  if (!share.ok()) return share.status();
   absl::Status status = ReadEach<v1::SliceRequest>(
       stream, [&](const v1::SliceRequest& request) { return start->files.Add(request.chunk()); });
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
   absl::StatusOr<SliceInput> input = start->files.Finish();
   if (!input.ok()) return input.status();
-  start->call.memory = room->get();
-  return Request{*std::move(room), std::move(start->call), *std::move(input),
+  start->call.memory = share->get();
+  return Request{*std::move(share), std::move(start->call), *std::move(input),
                  std::move(start->options)};
 }
 
@@ -73,10 +73,10 @@ absl::Status Answer(const PlacedScene& scene, Stream& stream) {
 }
 
 template <typename Stream>
-absl::Status Answer(const std::vector<PlatePlace>& places, Stream& stream) {
-  return WriteEach<v1::PlatePlace>(
+absl::Status Answer(const std::vector<PlatePosition>& places, Stream& stream) {
+  return WriteEach<v1::PlatePosition>(
       stream, places,
-      [](const PlatePlace& place, v1::PlatePlace* proto) { return ToProto(place, proto); });
+      [](const PlatePosition& place, v1::PlatePosition* proto) { return ToProto(place, proto); });
 }
 
 template <typename Stream>
@@ -118,7 +118,7 @@ std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
                                                   ReadProjects projects, rpc::CallLimiter& gate,
                                                   int threads, MemoryBudget& memory) {
   using Service = v1::Slicing::Service;
-  auto service = std::make_unique<rpc::GatedService<v1::Slicing>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Slicing>>(gate);
   service->Add("Slice", &Service::Slice, FromFiles(memory, [&slicing, threads](Request& request) {
                  request.call.threads = threads;
                  return slicing.Slice(request.call, std::move(request.input), request.options);

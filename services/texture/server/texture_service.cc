@@ -1,6 +1,6 @@
 #include "services/texture/server/texture_service.h"
 
-#include "common/rpc/server/gated_service.h"
+#include "common/rpc/server/limited_service.h"
 #include "common/wire/engraving/engrave_input_wire.h"
 #include "common/wire/engraving/engraved_wire.h"
 #include "common/wire/stage_answer.h"
@@ -29,7 +29,7 @@ absl::Status Engrave(const TextureStage& stage, rpc::Call& call, Stream& stream,
 
 std::unique_ptr<grpc::Service> MakeTextureService(const TextureStage& stage, rpc::CallLimiter& gate,
                                                   SharedCache& shared) {
-  auto service = std::make_unique<rpc::GatedService<v1::Texture>>(gate);
+  auto service = std::make_unique<rpc::LimitedService<v1::Texture>>(gate);
   service->Add("MapSurface", &v1::Texture::Service::MapSurface,
                [&](rpc::Call& call, auto& stream) -> absl::Status {
                  const auto begun = BeginCall<SurfaceInput>(call, stream, shared);

@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-#include "services/beading/algo/arachne/count_stretches.h"
+#include "services/beading/algo/arachne/count_spans.h"
 #include "services/beading/algo/arachne/small_fills.h"
 
 namespace slicefarm::beading {

@@ -17,7 +17,7 @@ struct CountOptions {
   /// Largest change of a bead's width, in nm, by which a transition between two numbers of beads
   /// may be avoided.
   double filter_deviation_nm = 100'000;
-  /// Length in nm of the longest stretch that may get another number of beads to avoid a
+  /// Length in nm of the longest span that may get another number of beads to avoid a
   /// transition.
   double filter_distance_nm = 100'000'000;
   /// Function that returns the radius from which the number of beads is chosen at a position.
@@ -43,9 +43,9 @@ struct BeadCount {
 /// node.
 ///
 /// Edges are split at the start, middle and end of transitions and at the thicknesses of
-/// BeadingStrategy::Kinks; `central` grows with the edges. A stretch is a set of connected central
-/// edges with the same number of beads. A stretch is merged into a neighbouring stretch if this
-/// changes widths by less than the filter in `options` allows; the shortest stretch is merged
+/// BeadingStrategy::Kinks; `central` grows with the edges. A span is a set of connected central
+/// edges with the same number of beads. A span is merged into a neighbouring span if this
+/// changes widths by less than the filter in `options` allows; the shortest span is merged
 /// first. Cost: O(n log n), n edges.
 ///
 /// Source: Kuipers et al. 2020, section 3.3. Unlike there, the number of beads in a transition

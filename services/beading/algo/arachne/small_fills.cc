@@ -11,10 +11,10 @@ namespace {
 constexpr int kLeastWalls = 4;
 
 /// Connected parts of the graph that belong to the infill.
-class FillPlaces {
+class FillParts {
  public:
-  FillPlaces(const BeadingStrategy& strategy, const SkeletalGraph& graph,
-             const std::vector<int>& edge_counts)
+  FillParts(const BeadingStrategy& strategy, const SkeletalGraph& graph,
+            const std::vector<int>& edge_counts)
       : strategy_(strategy),
         graph_(graph),
         edge_counts_(edge_counts),
@@ -30,7 +30,7 @@ class FillPlaces {
     std::vector<char> seen(graph_.nodes.size(), false);
     for (int node = 0; node < static_cast<int>(small.size()); ++node) {
       if (seen[node] || 2 * graph_.nodes[node].radius < static_cast<double>(least_)) continue;
-      const FillPlace place = PlaceAround(node, seen);
+      const FillPart place = PartAround(node, seen);
       if (place.area >= kLeastFillNm2 || !WallsReach(place.radius)) continue;
       for (const int inside : place.nodes) small[inside] = true;
     }
@@ -38,7 +38,7 @@ class FillPlaces {
   }
 
  private:
-  struct FillPlace {
+  struct FillPart {
     std::vector<int> nodes;
     double area = 0;
     double radius = 0;  ///< largest radius
@@ -59,8 +59,8 @@ class FillPlaces {
     return along_outline * (from + to);
   }
 
-  FillPlace PlaceAround(int start, std::vector<char>& seen) const {
-    FillPlace place;
+  FillPart PartAround(int start, std::vector<char>& seen) const {
+    FillPart place;
     place.nodes = {start};
     seen[start] = true;
     double twice = 0;  // area of edges that are visited from both ends
@@ -102,7 +102,7 @@ class FillPlaces {
 
 std::vector<char> SmallFills(const BeadingStrategy& strategy, const SkeletalGraph& graph,
                              const std::vector<int>& edge_counts) {
-  return FillPlaces(strategy, graph, edge_counts).Small();
+  return FillParts(strategy, graph, edge_counts).Small();
 }
 
 }  // namespace slicefarm::beading

@@ -33,20 +33,21 @@ std::vector<double> Shares(int count, int distribution_count) {
 
 /// Widths of a half at one breakpoint of the thickness. Between two breakpoints the widths are
 /// linear.
-struct Stop {
+struct Breakpoint {
   double thickness = 0;
   std::vector<double> widths;
 };
 
-Stop AllOf(double width, int count) {
+Breakpoint AllOf(double width, int count) {
   return {width * count, std::vector(HalfCount(count), width)};
 }
 
 /// Returns the stop at which the middle bead has `middle_width` and the other beads follow by their
 /// shares.
-Stop MiddleOf(double middle_width, int count, double optimal, const std::vector<double>& shares) {
+Breakpoint MiddleOf(double middle_width, int count, double optimal,
+                    const std::vector<double>& shares) {
   const double excess = (middle_width - optimal) / shares.back();
-  Stop stop{optimal * count + excess, {}};
+  Breakpoint stop{optimal * count + excess, {}};
   for (const double share : shares) stop.widths.push_back(optimal + excess * share);
   return stop;
 }
@@ -59,13 +60,13 @@ Beading DistributedStrategy::Compute(Coord thickness_nm, int count) const {
   const auto least = static_cast<double>(options_.min_width_nm);
   const auto most = static_cast<double>(options_.max_width_nm);
   const std::vector<double> shares = Shares(count, options_.distribution_count);
-  const std::array<Stop, 5> stops = {AllOf(0, count), AllOf(least, count),
-                                     MiddleOf(least, count, optimal, shares),
-                                     MiddleOf(most, count, optimal, shares), AllOf(most, count)};
+  const std::array<Breakpoint, 5> stops = {
+      AllOf(0, count), AllOf(least, count), MiddleOf(least, count, optimal, shares),
+      MiddleOf(most, count, optimal, shares), AllOf(most, count)};
   const auto thickness = static_cast<double>(thickness_nm);
   size_t above = 1;
   while (above + 1 < stops.size() && thickness > stops[above].thickness) ++above;
-  const Stop &low = stops[above - 1], &high = stops[above];
+  const Breakpoint &low = stops[above - 1], &high = stops[above];
   const double span = high.thickness - low.thickness;
   const double t = span > 0 ? std::clamp((thickness - low.thickness) / span, 0.0, 1.0) : 1;
   std::vector<Coord> widths;

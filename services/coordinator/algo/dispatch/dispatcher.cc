@@ -158,13 +158,13 @@ absl::Status Dispatcher::Execute(const StageCall& call, std::span<const Task> ta
           take};
   jobs_[job.id] = &job;
   work_.notify_all();
-  int32_t told = 0;
-  while (!job.over && (!job.Whole() || told < job.weight_done)) {
-    if (told == job.weight_done) AwaitEnd(lock, job);
-    if (told == job.weight_done) continue;
-    told = job.weight_done;
+  int32_t reported = 0;
+  while (!job.over && (!job.Whole() || reported < job.weight_done)) {
+    if (reported == job.weight_done) AwaitEnd(lock, job);
+    if (reported == job.weight_done) continue;
+    reported = job.weight_done;
     lock.unlock();
-    if (weight_done) weight_done(told);
+    if (weight_done) weight_done(reported);
     lock.lock();
   }
   fan_out_.Remove(job.id);

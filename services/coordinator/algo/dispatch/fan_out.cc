@@ -25,9 +25,9 @@ bool IsRefusal(const absl::Status& status) { return absl::IsInternal(status); }
 bool IsDeath(const absl::Status& status) {
   const ErrorDetail detail = DetailOf(status);
   const auto lost = detail.metadata.find("lost");
-  const bool untold =
+  const bool unreported =
       detail.metadata.empty() || (lost != detail.metadata.end() && lost->second == "connection");
-  return absl::IsUnavailable(status) && detail.reason == Reason::kUnavailable && untold;
+  return absl::IsUnavailable(status) && detail.reason == Reason::kUnavailable && unreported;
 }
 
 }  // namespace
@@ -48,18 +48,18 @@ void FanOut::Remove(JobId job) {
 
 /// Returns the jobs of these processes; the job that is next in turn comes first. Cost: O(n log n).
 std::vector<FanOut::JobId> FanOut::Order(ProcessSet can) const {
-  using Turn = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
-  std::map<std::string, Turn> tenants;
+  using TenantLoad = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
+  std::map<std::string, TenantLoad> tenants;
   for (const auto& [id, job] : jobs_) {
     auto& [running, last_turn] = tenants[job.claimant.tenant];
     running += job.scheduler.Running();
     last_turn = std::max(last_turn, job.last_turn);
   }
-  std::vector<std::tuple<Turn, int, Turn, JobId>> keys;
+  std::vector<std::tuple<TenantLoad, int, TenantLoad, JobId>> keys;
   for (const auto& [id, job] : jobs_) {
     if (!can.Has(job.process)) continue;
     keys.emplace_back(tenants.at(job.claimant.tenant), -job.claimant.priority,
-                      Turn(job.scheduler.Running(), job.last_turn), id);
+                      TenantLoad(job.scheduler.Running(), job.last_turn), id);
   }
   std::sort(keys.begin(), keys.end());
   std::vector<JobId> order;

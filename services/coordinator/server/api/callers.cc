@@ -66,9 +66,9 @@ absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& contex
   absl::Status rate =
       CheckRate(calls_, caller->tenant, "calls", caller->max_calls_per_second, 1, now_us_());
   if (!rate.ok()) return rate;
-  auto place = places_.Enter(caller->tenant);
-  if (!place.ok()) return place.status();
-  return PlacedCaller{*std::move(caller), *std::move(place)};
+  auto slot = slots_.Enter(caller->tenant);
+  if (!slot.ok()) return slot.status();
+  return PlacedCaller{*std::move(caller), *std::move(slot)};
 }
 
 absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) const {

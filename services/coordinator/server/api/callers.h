@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "services/coordinator/algo/rate_limits.h"
 #include "services/coordinator/algo/tenants.h"
-#include "services/coordinator/server/api/tenant_places.h"
+#include "services/coordinator/server/api/tenant_slots.h"
 
 namespace slicefarm::coordinator {
 
@@ -18,14 +18,14 @@ namespace slicefarm::coordinator {
 using TenantsNow = std::function<std::shared_ptr<const Tenants>()>;
 
 /// Largest number of calls in progress, including uploads and downloads. Tenants share them by the
-/// rule of TenantPlaces. Each call occupies a thread of the server.
+/// rule of TenantSlots. Each call occupies a thread of the server.
 struct CallLimits {
   int calls = 480;
 };
 
 /// Caller with its slot among the calls in progress. The destructor releases the slot.
 struct PlacedCaller : Caller {
-  TenantPlaces::Place place;
+  TenantSlots::Slot slot;
 };
 
 /// Marks that identify a caller in a log. A mark is empty if the caller did not send the data for
@@ -43,7 +43,7 @@ struct CallerMarks {
 class Callers {
  public:
   Callers(TenantsNow tenants, const CallLimits& limits, std::function<int64_t()> now_us)
-      : tenants_(std::move(tenants)), now_us_(std::move(now_us)), places_(limits.calls) {}
+      : tenants_(std::move(tenants)), now_us_(std::move(now_us)), slots_(limits.calls) {}
 
   /// Returns the caller with a slot for the call. The caller is identified by its token, or without
   /// a token by its certificate. If it sends both, they must belong to the same tenant. The caller
@@ -65,7 +65,7 @@ class Callers {
 
   const TenantsNow tenants_;
   const std::function<int64_t()> now_us_;
-  mutable TenantPlaces places_;
+  mutable TenantSlots slots_;
   mutable RateLimits calls_;
   mutable RateLimits jobs_;
 };

@@ -158,12 +158,13 @@ class CoordinatorClient {
     absl::Status end;
     const std::vector<v1::JobEvent> events = Watch(id, 0, &end);
     EXPECT_TRUE(end.ok()) << end;
-    const v1::Job told = events.empty() ? v1::Job() : events.back().job();
+    const v1::Job reported = events.empty() ? v1::Job() : events.back().job();
     const absl::StatusOr<v1::Job> job = Get(id);
     EXPECT_TRUE(job.ok()) << job.status();
     if (!job.ok()) return {};
-    EXPECT_EQ(told.state(), job->state());
-    EXPECT_EQ(told.result().SerializeAsString(), WithoutShares(job->result()).SerializeAsString());
+    EXPECT_EQ(reported.state(), job->state());
+    EXPECT_EQ(reported.result().SerializeAsString(),
+              WithoutShares(job->result()).SerializeAsString());
     return *job;
   }
 

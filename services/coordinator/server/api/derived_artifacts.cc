@@ -43,7 +43,7 @@ absl::StatusOr<std::string> LayersOf(const JobRecord& job, const std::shared_ptr
     scan.Add(*piece);
     at += std::ssize(*piece);
   }
-  const std::vector<LayerPlace> layers = std::move(scan).Layers();
+  const std::vector<ProgramLayer> layers = std::move(scan).Layers();
   if (layers.empty()) return HasNone(job, "comments that mark layers");
   return LayersJson(layers, LayerTimesOf(report));
 }

@@ -35,7 +35,7 @@ absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, Blo
   return usage;
 }
 
-void TellWaiting(const TaskExecutor& executor, v1::Job& job) {
+void DescribeWaiting(const TaskExecutor& executor, v1::Job& job) {
   if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
   const Process process = EnumFromProto<Process>(job.spec().process(), kProcessCount, "process")
                               .value_or(kDefaultProcess);

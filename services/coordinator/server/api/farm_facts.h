@@ -24,7 +24,7 @@ absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, Blo
 
 /// Marks an open job as waiting if no connected worker supports its process. Removes its expected
 /// end, because the end is unknown then.
-void TellWaiting(const TaskExecutor& executor, v1::Job& job);
+void DescribeWaiting(const TaskExecutor& executor, v1::Job& job);
 
 /// Converts the description of a setting.
 v1::ListSettingsResponse::Info ToProto(const config::SettingSpec& spec);

@@ -124,18 +124,18 @@ TEST_F(IntegratorCallsTest, AllJobsOfATenantAreWatched) {
   const auto stream = jobs_->WatchJobs(&context, request);
   stream->WaitForInitialMetadata();
   const std::string first = Submit("x"), second = Submit("xx");
-  std::map<std::string, std::vector<int64_t>> told;
+  std::map<std::string, std::vector<int64_t>> reported;
   std::set<std::string> ended;
   std::string cursor;
   v1::WatchJobsResponse response;
   while (ended.size() < 2 && stream->Read(&response)) {
     const v1::JobEvent& event = response.event();
-    told[event.job().id()].push_back(event.sequence());
+    reported[event.job().id()].push_back(event.sequence());
     if (event.job().state() == v1::JOB_STATE_SUCCEEDED) ended.insert(event.job().id());
     cursor = response.cursor();
   }
-  EXPECT_THAT(told[first], ElementsAre(1, 2, 3));
-  EXPECT_THAT(told[second], ElementsAre(1, 2, 3));
+  EXPECT_THAT(reported[first], ElementsAre(1, 2, 3));
+  EXPECT_THAT(reported[second], ElementsAre(1, 2, 3));
   context.TryCancel();
   EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
 
@@ -145,7 +145,7 @@ TEST_F(IntegratorCallsTest, AllJobsOfATenantAreWatched) {
   Bound(again);
   const auto resumed = jobs_->WatchJobs(&again, request);
   ASSERT_TRUE(resumed->Read(&response));
-  EXPECT_TRUE(told.contains(response.event().job().id())) << "what is young comes once more";
+  EXPECT_TRUE(reported.contains(response.event().job().id())) << "what is young comes once more";
   again.TryCancel();
 }
 

@@ -44,7 +44,7 @@ absl::StatusOr<std::shared_ptr<const ResolvedJob>> JobIntake::Check(const Submis
 
 absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission, const CancelToken& cancel) {
   NewJob job;
-  job.refusal = disk_.CheckRoom();
+  job.refusal = disk_.CheckSpace();
   job.refusal.Update(budgets_.CheckBytes(submission.tenant, submission.max_kept_bytes, 0));
   if (job.refusal.ok())
     job.refusal = budgets_.CheckJobs(submission.tenant, submission.max_kept_jobs, 1);

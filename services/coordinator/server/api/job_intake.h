@@ -10,7 +10,7 @@
 #include "common/model/limits.h"
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/tenant_budgets.h"
-#include "services/coordinator/server/api/tenant_turns.h"
+#include "services/coordinator/server/api/tenant_slot_queue.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/server/execution/job_results.h"
 #include "services/coordinator/server/execution/resolved_jobs.h"
@@ -101,7 +101,7 @@ class JobIntake {
   const std::function<int64_t()> now_us_;
   const ProcessSet processes_;
   /// Slots for writing to the store, so that no caller waits for all writes of another tenant.
-  TenantTurns turns_{kWritesAtOnce};
+  TenantSlotQueue turns_{kWritesAtOnce};
 };
 
 /// Returns an unpredictable id of 32 hex digits. Aborts if there is no source of randomness.

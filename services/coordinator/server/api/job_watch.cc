@@ -152,8 +152,8 @@ void JobWatch::SendProgress() {
   const auto progress = watches_.feed.ProgressOf(request_.id());
   const JobRecord& job = last_->job;
   const bool of_run = progress && progress->epoch == job.owner_epoch;
-  if (job.state != JobState::kRunning || !of_run || progress == told_) return;
-  told_ = progress;
+  if (job.state != JobState::kRunning || !of_run || progress == reported_) return;
+  reported_ = progress;
   Write({read_to_, progress->time_us, job.state, progress->layers_total, progress->layers_done},
         job);
 }

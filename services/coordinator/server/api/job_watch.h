@@ -12,7 +12,7 @@
 #include "absl/status/statusor.h"
 #include "common/rpc/server/call_queue.h"
 #include "services/coordinator/server/api/callers.h"
-#include "services/coordinator/server/api/tenant_places.h"
+#include "services/coordinator/server/api/tenant_slots.h"
 #include "services/coordinator/server/api/watch_reads.h"
 #include "services/coordinator/server/execution/job_feed.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -22,13 +22,13 @@ namespace slicefarm::coordinator {
 /// Largest number of watches at once. Each watch uses some memory, and a thread only while it
 /// processes an event.
 struct WatchOptions {
-  int calls = 10'000;  ///< number of slots, which tenants share by the rule of TenantPlaces
+  int calls = 10'000;  ///< number of slots, which tenants share by the rule of TenantSlots
 };
 
 /// Caller that watches, with its slot among the watchers.
 struct Watcher {
   Caller caller;
-  TenantPlaces::Place place;
+  TenantSlots::Slot slot;
 };
 
 /// Objects that watches use. All of them must outlive the watches.
@@ -112,7 +112,7 @@ class JobWatch {
   std::shared_ptr<const JobSteps> steps_;
   size_t sent_ = 0;                       ///< number of events of `steps_` that were sent
   std::shared_ptr<const JobSteps> last_;  ///< last result of a read that was processed
-  std::optional<JobProgress> told_;       ///< progress that was sent last
+  std::optional<JobProgress> reported_;   ///< progress that was sent last
 };
 
 }  // namespace slicefarm::coordinator

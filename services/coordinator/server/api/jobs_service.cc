@@ -104,7 +104,7 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
   }
   const auto created = Create(*caller, *request, *context);
   if (created.ok()) *response = ToProto(*created);
-  TellWaiting(backend_.pipeline.executor(), *response);
+  DescribeWaiting(backend_.pipeline.executor(), *response);
   return rpc::ToGrpc(created.status());
 }
 
@@ -129,7 +129,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
-      TellWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
+      DescribeWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
       ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
       // The error is shortened like the errors of calls, because one answer may contain many
@@ -162,8 +162,8 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
 grpc::Status JobsService::Preflight(
     const grpc::ServerContext& context, const Caller& caller, std::string_view method,
     const std::function<absl::Status(const rpc::Call& call)>& work) {
-  const auto place = preflights_of_tenants_.Enter(caller.tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = preflights_of_tenants_.Enter(caller.tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   return preflights_.Run(context, method, [&](const rpc::Call& call) {
     const CancelScope scope(call.cancel);
     const auto turn = preflight_turns_.Enter(caller.tenant, call.cancel);
@@ -312,9 +312,9 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   stage_call.claimant = ClaimantOf(submission);
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
-  const auto room = RoomForMeshes(stage_call, **resolved, **blobs, backend_.memory);
-  if (!room.ok()) return room.status();
-  stage_call.memory = room->get();
+  const auto reserved = ReserveMeshMemory(stage_call, **resolved, **blobs, backend_.memory);
+  if (!reserved.ok()) return reserved.status();
+  stage_call.memory = reserved->get();
   auto meshes = LoadMeshes(**resolved, **blobs);
   if (!meshes.ok()) return meshes.status();
   meshes->advise_orientations = request.advise_orientations();
@@ -339,18 +339,18 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
 }
 
 /// Converts the job with its current progress and its position in the queue.
-v1::Job JobsService::Tell(JobRecord job) {
+v1::Job JobsService::Describe(JobRecord job) {
   backend_.feed.AddProgress(job);
   v1::Job answer = ToProto(job);
-  queue_.Tell(job, answer);
-  TellWaiting(backend_.pipeline.executor(), answer);
+  queue_.Describe(job, answer);
+  DescribeWaiting(backend_.pipeline.executor(), answer);
   return answer;
 }
 
 grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                                  v1::Job* response) {
   auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
-  if (job.ok()) *response = Tell(*std::move(job));
+  if (job.ok()) *response = Describe(*std::move(job));
   if (request->view() == v1::JOB_VIEW_BASIC) ClearDetails(*response);
   return rpc::ToGrpc(job.status());
 }
@@ -371,7 +371,7 @@ grpc::Status JobsService::BatchGetJobs(grpc::ServerContext* context,
       *outcome.mutable_error() = ToProto(JobErrorOf(rpc::FromGrpc(rpc::ToGrpc(job.status()))));
       continue;
     }
-    *outcome.mutable_job() = Tell(*std::move(job));
+    *outcome.mutable_job() = Describe(*std::move(job));
     ClearDetails(*outcome.mutable_job());
     outcome.mutable_job()->clear_spec();
   }
@@ -393,16 +393,16 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   query->tenant = *tenant;
   query->all_tenants = caller->may(Scope::kAdmin) && !request->has_tenant();
   // All callers share the store's connections, and a list may occupy one for long.
-  const auto place = lists_of_tenants_.Enter(caller->tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = lists_of_tenants_.Enter(caller->tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   auto jobs = backend_.jobs.List(*query);
   if (!jobs.ok()) return rpc::ToGrpc(jobs.status());
   for (JobRecord& job : *jobs) backend_.feed.AddProgress(job);
   *response = ToProto(*jobs, *query);
   for (int i = 0; i < response->jobs_size(); ++i) {  // a page may be shorter than the list
     v1::Job& job = *response->mutable_jobs(i);
-    queue_.Tell((*jobs)[i], job);
-    TellWaiting(backend_.pipeline.executor(), job);
+    queue_.Describe((*jobs)[i], job);
+    DescribeWaiting(backend_.pipeline.executor(), job);
   }
   return rpc::ToGrpc(jobs.status());
 }
@@ -416,9 +416,9 @@ void JobsService::ServeFrom(grpc::ServerCompletionQueue& queue) {
 absl::StatusOr<Watcher> JobsService::AdmitWatch(const grpc::ServerContext& context) {
   auto caller = backend_.callers.Find(context, {Scope::kRead, Scope::kAdmin});
   if (!caller.ok()) return caller.status();
-  auto place = watches_of_tenants_.Enter(caller->tenant);
-  if (!place.ok()) return place.status();
-  return Watcher{*caller, *std::move(place)};
+  auto slot = watches_of_tenants_.Enter(caller->tenant);
+  if (!slot.ok()) return slot.status();
+  return Watcher{*caller, *std::move(slot)};
 }
 
 grpc::Status JobsService::GetWebhook(grpc::ServerContext* context,

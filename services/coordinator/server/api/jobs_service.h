@@ -19,7 +19,7 @@
 #include "services/coordinator/server/api/plate_submissions.h"
 #include "services/coordinator/server/api/preset_library.h"
 #include "services/coordinator/server/api/queue_view.h"
-#include "services/coordinator/server/api/tenant_turns.h"
+#include "services/coordinator/server/api/tenant_slot_queue.h"
 #include "services/coordinator/server/api/tenant_watch.h"
 #include "services/coordinator/server/api/transfers.h"
 #include "services/coordinator/server/api/watch_reads.h"
@@ -132,7 +132,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
   absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
                                  const std::string& id, Of of);
-  v1::Job Tell(JobRecord job);
+  v1::Job Describe(JobRecord job);
   absl::StatusOr<JobRecord> Cancel(const Caller& caller, const std::string& id);
   absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
@@ -169,12 +169,12 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   JobsBackend backend_;
   Transfers downloads_;
   rpc::CallLimiter preflights_;  ///< limits preflights, which take as long as slicing
-  TenantPlaces preflights_of_tenants_;
-  TenantTurns preflight_turns_;
-  TenantPlaces lists_of_tenants_;
+  TenantSlots preflights_of_tenants_;
+  TenantSlotQueue preflight_turns_;
+  TenantSlots lists_of_tenants_;
   DerivedFacts derived_facts_;
-  TenantPlaces watches_of_tenants_;
-  TenantPlaces watches_of_all_jobs_;
+  TenantSlots watches_of_tenants_;
+  TenantSlots watches_of_all_jobs_;
   WatchReads watch_reads_;
   QueueView queue_;
   std::optional<JobWatches> watches_;

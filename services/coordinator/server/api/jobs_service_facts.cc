@@ -33,8 +33,8 @@ grpc::Status JobsService::GetUsage(grpc::ServerContext* context, const v1::GetUs
   const auto tenant = TenantAskedFor(*caller, request->has_tenant(), request->tenant());
   if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
   // The method reads all data of the tenant, so the number of such calls is limited.
-  const auto place = lists_of_tenants_.Enter(caller->tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = lists_of_tenants_.Enter(caller->tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   const auto usage = UsageOf(*tenant, backend_.jobs, backend_.blobs);
   if (usage.ok()) *response = *usage;
   return rpc::ToGrpc(usage.status());
@@ -48,8 +48,8 @@ grpc::Status JobsService::ListArtifacts(grpc::ServerContext* context,
   const auto job = Find(*caller, request->id(), Of::kTenant);
   if (!job.ok()) return rpc::ToGrpc(job.status());
   // The method reads a program, so the number of such calls is limited.
-  const auto place = lists_of_tenants_.Enter(caller->tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = lists_of_tenants_.Enter(caller->tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   const CancelScope scope(CancelToken([&] { return context->IsCancelled(); }));
   auto list = coordinator::ListArtifacts(*job, backend_.blobs, derived_facts_);
   if (list.ok()) *response = *std::move(list);
@@ -65,8 +65,8 @@ grpc::Status JobsService::WatchJobs(grpc::ServerContext* context,
   if (!tenant.ok()) return rpc::ToGrpc(tenant.status());
   const auto from_us = WatchedFrom(*request, backend_.now_us());
   if (!from_us.ok()) return rpc::ToGrpc(from_us.status());
-  const auto place = watches_of_all_jobs_.Enter(caller->tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = watches_of_all_jobs_.Enter(caller->tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   TenantWatch watch(backend_.jobs, backend_.feed, backend_.now_us);
   // Otherwise a client could not distinguish an open watch from a dead server.
   context->AddInitialMetadata("slicefarm-watch", "open");

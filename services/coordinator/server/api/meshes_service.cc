@@ -54,8 +54,8 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
   UploadPieces pieces(first.write_offset(),
                       [&](int64_t offset, std::string_view bytes) -> absl::StatusOr<BlobStatus> {
                         // The check is repeated for each piece, because other calls write as well.
-                        absl::Status room = disk.CheckRoom(size - offset);
-                        if (!room.ok()) return room;
+                        absl::Status space = disk.CheckSpace(size - offset);
+                        if (!space.ok()) return space;
                         return blobs.Append(digest, offset, bytes);
                       });
   v1::UploadMeshRequest chunk = first;
@@ -98,10 +98,11 @@ grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* str
     if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
     const auto there = (*blobs)->Status(first.sha256());
     if (there.ok() && !there->complete) {
-      if (absl::Status room = backend_.full_queues.Check(caller->tenant); !room.ok()) return room;
-      const absl::Status room = backend_.budgets.CheckBytes(caller->tenant, caller->max_kept_bytes,
-                                                            first.size() - there->committed_size);
-      if (!room.ok()) return room;
+      if (absl::Status space = backend_.full_queues.Check(caller->tenant); !space.ok())
+        return space;
+      const absl::Status space = backend_.budgets.CheckBytes(caller->tenant, caller->max_kept_bytes,
+                                                             first.size() - there->committed_size);
+      if (!space.ok()) return space;
     }
     const auto status = Receive(**blobs, backend_.disk, *stream, moved, first);
     if (status.ok()) *response = ToProto(first.sha256(), *status);
@@ -140,8 +141,8 @@ grpc::Status MeshesService::ListMeshes(grpc::ServerContext* context,
                            ? kDefaultPageSize
                            : std::min(request->page_size(), limits::kMaxPageSize);
   // The method reads the list of all blobs of the tenant, so the number of such calls is limited.
-  const auto place = lists_of_tenants_.Enter(caller->tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = lists_of_tenants_.Enter(caller->tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   const auto blobs = backend_.blobs.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
   const auto page =
@@ -167,8 +168,8 @@ grpc::Status MeshesService::ReadProject(grpc::ServerContext* context,
                                         v1::ReadProjectResponse* response) {
   const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  const auto place = projects_of_tenants_.Enter(caller->tenant);
-  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto slot = projects_of_tenants_.Enter(caller->tenant);
+  if (!slot.ok()) return rpc::ToGrpc(slot.status());
   return projects_.Run(*context, "ReadProject", [&](const rpc::Call& call) {
     auto project = ReadStored(*caller, *request, call);
     if (project.ok()) *response = *std::move(project);
@@ -186,9 +187,9 @@ absl::StatusOr<v1::ReadProjectResponse> MeshesService::ReadStored(
   stage_call.claimant.tenant = caller.tenant;
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
-  const auto room =
+  const auto space =
       backend_.memory.Take(stage_call.claimant, "", status->committed_size, call.cancel);
-  if (!room.ok()) return room.status();
+  if (!space.ok()) return space.status();
   auto bytes = (*blobs)->Get(request.sha256());
   if (!bytes.ok()) return bytes.status();
   auto project = backend_.projects.Read(

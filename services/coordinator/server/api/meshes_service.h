@@ -8,7 +8,7 @@
 #include "services/coordinator/server/api/callers.h"
 #include "services/coordinator/server/api/full_queues.h"
 #include "services/coordinator/server/api/tenant_budgets.h"
-#include "services/coordinator/server/api/tenant_places.h"
+#include "services/coordinator/server/api/tenant_slots.h"
 #include "services/coordinator/server/api/transfers.h"
 #include "services/coordinator/server/execution/disk_guard.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
@@ -67,8 +67,8 @@ class MeshesService final : public v1::Meshes::Service {
   Transfers uploads_;
   Transfers downloads_;
   rpc::CallLimiter projects_;
-  TenantPlaces projects_of_tenants_;
-  TenantPlaces lists_of_tenants_;
+  TenantSlots projects_of_tenants_;
+  TenantSlots lists_of_tenants_;
 };
 
 }  // namespace slicefarm::coordinator

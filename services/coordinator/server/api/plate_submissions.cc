@@ -29,12 +29,12 @@ absl::StatusOr<std::vector<std::vector<SceneObject>>> OnBeds(const StageCall& ca
                                                              const PlatesBackend& backend) {
   const auto blobs = backend.blobs.Of(tenant);
   if (!blobs.ok()) return blobs.status();
-  const auto room = RoomForMeshes(call, job, **blobs, backend.memory);
-  if (!room.ok()) return room.status();
+  const auto reserved = ReserveMeshMemory(call, job, **blobs, backend.memory);
+  if (!reserved.ok()) return reserved.status();
   auto input = LoadMeshes(job, **blobs);
   if (!input.ok()) return input.status();
   const std::vector<SceneObject>& objects = job.request.scene.objects;
-  input->objects = ObjectsToPlace(objects);
+  input->objects = ObjectsToArrange(objects);
   const auto places =
       backend.arranging.PutOnPlates(call, *std::move(input), job.plate.settings.slicing);
   if (!places.ok()) return places.status();

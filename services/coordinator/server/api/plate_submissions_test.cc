@@ -89,9 +89,9 @@ TEST_F(PlatesTest, PlatesOfSeveralRequestsComeInTheirOrder) {
   for (size_t i = 0; i < 3; ++i) {
     const v1::Job job = AwaitEnd(jobs->at(i).id());
     EXPECT_EQ(job.result().layers(), layers[i]);
-    for (const v1::Job& told : {jobs->at(i), job}) {
-      EXPECT_EQ(told.spec().plate().request(), requests[i]);
-      EXPECT_EQ(told.spec().plate().bed(), beds[i]);
+    for (const v1::Job& reported : {jobs->at(i), job}) {
+      EXPECT_EQ(reported.spec().plate().request(), requests[i]);
+      EXPECT_EQ(reported.spec().plate().bed(), beds[i]);
     }
   }
 }

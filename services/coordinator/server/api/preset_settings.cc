@@ -29,10 +29,10 @@ Sources AllSources(const v1::JobSpec& given, const v1::JobSpec& spec, const Pres
     all.push_back(SourceOfAll("project", SettingsFromProto(given.project_settings())));
     std::erase(all.back().keys, "creation_time");  // programs add it for templates
   }
-  const Sources told = SourcesFromProto(spec.setting_sources());
-  std::copy_n(told.begin(), of_client, std::back_inserter(all));
+  const Sources reported = SourcesFromProto(spec.setting_sources());
+  std::copy_n(reported.begin(), of_client, std::back_inserter(all));
   if (presets != nullptr) std::ranges::copy(presets->job.sources, std::back_inserter(all));
-  std::copy(told.begin() + of_client, told.end(), std::back_inserter(all));
+  std::copy(reported.begin() + of_client, reported.end(), std::back_inserter(all));
   SettingSource config = {"config", {}}, job = {"job", {}};
   for (const v1::Setting& setting : given.settings())
     (setting.from_profile() ? config : job).keys.push_back(setting.key());
@@ -53,9 +53,9 @@ void AddPresets(const LoadedPresets& loaded, const PresetJob& presets, v1::JobSp
   named.mutable_bundles()->Assign(loaded.bundles().begin(), loaded.bundles().end());
   const auto warn = [&](const std::string& line) {
     const std::string text = ReplaceControls(line, '?');
-    const bool told = std::ranges::any_of(
+    const bool reported = std::ranges::any_of(
         spec.notes(), [&](const v1::ProjectNote& note) { return note.text() == text; });
-    if (!told) spec.add_notes()->set_text(text);
+    if (!reported) spec.add_notes()->set_text(text);
   };
   for (const std::string& note : presets.notes) warn(note);
   for (const std::string& line : presets.job.of_print) warn(line + ": not supported yet");
@@ -103,7 +103,7 @@ absl::Status AddOverlays(const config::presets::PresetNames& names, const std::s
 
 }  // namespace
 
-bool TellsSources(const v1::JobSpec& spec) {
+bool ReportsSources(const v1::JobSpec& spec) {
   return spec.has_presets() || spec.setting_sources_size() > 0;
 }
 
@@ -116,7 +116,7 @@ absl::StatusOr<v1::JobSpec> WithAllSettings(v1::JobSpec given, const std::string
     if (absl::Status ok = AddOverlays(presets->job->names, tenant, profiles, given); !ok.ok())
       return ok;
   auto spec = WithMachine(given, tenant, default_profile, profiles);
-  if (!spec.ok() || !TellsSources(given)) return spec;
+  if (!spec.ok() || !ReportsSources(given)) return spec;
   if (presets->job != nullptr) AddPresets(*presets->loaded, *presets->job, *spec);
   const Sources sources = AllSources(given, *spec, presets->job.get());
   spec->clear_setting_sources();

@@ -24,7 +24,7 @@ namespace {
 
 namespace presets = config::presets;
 
-constexpr int kToldProblems = 100;  // lines of an answer; a set of 8,000 files may have as many
+constexpr int kReportedProblems = 100;  // lines of an answer; a set of 8,000 files may have as many
 /// Bytes of the files of one bundle. With its name and digest, it must fit into a message.
 constexpr int64_t kMaxBundleBytes = limits::kMaxPublicMessageBytes - (64 << 10);
 constexpr size_t kProblemBytes = 1'000;
@@ -77,9 +77,9 @@ absl::Status PresetsService::Import(const Caller& caller, const v1::ImportPreset
   if (std::ssize(bytes) > kMaxBundleBytes)
     return LimitError(Reason::kRequestTooLarge, "bytes of a bundle of presets", kMaxBundleBytes,
                       std::ssize(bytes));
-  if (absl::Status room = disk_.CheckRoom(std::ssize(bytes)); !room.ok()) return room;
-  absl::Status room = budgets_.CheckBytes(caller.tenant, caller.max_kept_bytes, std::ssize(bytes));
-  if (!room.ok()) return room;
+  if (absl::Status space = disk_.CheckSpace(std::ssize(bytes)); !space.ok()) return space;
+  absl::Status space = budgets_.CheckBytes(caller.tenant, caller.max_kept_bytes, std::ssize(bytes));
+  if (!space.ok()) return space;
   v1::PresetBundle given;
   *given.mutable_files() = request.files();
   const auto set = library_.Read(given);
@@ -94,7 +94,8 @@ absl::Status PresetsService::Import(const Caller& caller, const v1::ImportPreset
   bundle->set_presets(static_cast<int32_t>(
       std::ranges::count_if(set->presets(), [](const auto& each) { return each.listed; })));
   for (const std::string& line : set->problems())
-    if (bundle->problems_size() < kToldProblems) bundle->add_problems(ToUtf8(line, kProblemBytes));
+    if (bundle->problems_size() < kReportedProblems)
+      bundle->add_problems(ToUtf8(line, kProblemBytes));
   *response = *std::move(bundle);
   return absl::OkStatus();
 }

@@ -182,10 +182,10 @@ TEST_F(PresetsServiceTest, TheReportTellsTheSourceOfEachSetting) {
   for (const auto& [key, source] : sources) EXPECT_EQ(SourceOf(*job, key), source) << key;
   ASSERT_EQ(AwaitEnd(job->id()).state(), v1::JOB_STATE_SUCCEEDED);
   const auto report = nlohmann::json::parse(*Download(job->id(), v1::ARTIFACT_REPORT));
-  std::map<std::string, std::string> told;
+  std::map<std::string, std::string> reported;
   for (const auto& each : report["setting_sources"])
-    for (const auto& key : each["keys"]) told[key] = each["source"];
-  for (const auto& [key, source] : sources) EXPECT_EQ(told[key], source) << key;
+    for (const auto& key : each["keys"]) reported[key] = each["source"];
+  for (const auto& [key, source] : sources) EXPECT_EQ(reported[key], source) << key;
 }
 
 TEST_F(PresetsServiceTest, AJobGetsTheOverlaysOfItsPrinter) {

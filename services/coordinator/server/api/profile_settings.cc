@@ -80,7 +80,7 @@ absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& te
     auto profile = ReadProfile(*record);
     if (!profile.ok()) return profile.status();
     settings.MergeFrom(profile->settings());
-    if (TellsSources(spec)) AddSource(*profile, spec);
+    if (ReportsSources(spec)) AddSource(*profile, spec);
     spec.set_profiles(i, fmt::format("{}@{}", record->name, record->revision));
   }
   settings.MergeFrom(spec.settings());

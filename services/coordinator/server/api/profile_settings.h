@@ -31,7 +31,7 @@ absl::Status CheckProfileName(const std::string& name);
 
 /// Returns the spec with the settings of its profiles inserted before its own settings. References
 /// to profiles get revision numbers, so that later changes of the profiles do not change the spec.
-/// If the job tells sources (TellsSources), each profile becomes one.
+/// If the job reports sources (ReportsSources), each profile becomes one.
 /// Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition); see ProfileStore.
 absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
                                          ProfileStore& profiles);

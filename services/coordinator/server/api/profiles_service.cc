@@ -45,7 +45,7 @@ absl::Status ProfilesService::Put(const std::string& tenant, const v1::PutProfil
                       std::ssize(bytes));
   }
   if (absl::Status known = CheckSettings(request.settings()); !known.ok()) return known;
-  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
+  if (absl::Status space = disk_.CheckSpace(); !space.ok()) return space;
   const std::string digest = Sha256Hex(bytes);
   const auto record = profiles_.Put({tenant, request.name(), std::move(bytes), digest}, now_us_());
   if (!record.ok()) return record.status();

@@ -21,7 +21,7 @@ void SetEnd(int64_t end_us, v1::Job& answer) {
 }  // namespace
 
 struct QueueView::Look {
-  struct Turn {
+  struct QueuePosition {
     int32_t position = 0;
     int64_t end_us = 0;
   };
@@ -31,7 +31,7 @@ struct QueueView::Look {
   bool runs = false;   ///< true if the farm works on a job
   int64_t run_us = 0;  ///< mean time of a run; 0 if it is unknown
   std::set<std::string> held_work;
-  std::unordered_map<int64_t, Turn> turns;  ///< expected turns, by the number of the job
+  std::unordered_map<int64_t, QueuePosition> turns;  ///< expected turns, by the number of the job
 
   static std::shared_ptr<const Look> At(JobStore& jobs, int64_t now_us) {
     auto look = std::make_shared<Look>();
@@ -63,12 +63,12 @@ std::shared_ptr<const QueueView::Look> QueueView::Latest() {
   return found;
 }
 
-void QueueView::Tell(const JobRecord& job, v1::Job& answer) {
-  if (job.state == JobState::kQueued) TellQueued(job, answer);
-  if (job.state == JobState::kRunning) TellRunning(job, answer);
+void QueueView::Describe(const JobRecord& job, v1::Job& answer) {
+  if (job.state == JobState::kQueued) DescribeQueued(job, answer);
+  if (job.state == JobState::kRunning) DescribeRunning(job, answer);
 }
 
-void QueueView::TellQueued(const JobRecord& job, v1::Job& answer) {
+void QueueView::DescribeQueued(const JobRecord& job, v1::Job& answer) {
   const bool waits_for_attempt = job.owner.empty() && job.owner_until_us > now_us_();
   if (waits_for_attempt || job.cancel_requested) return;
   const auto look = Latest();
@@ -81,7 +81,7 @@ void QueueView::TellQueued(const JobRecord& job, v1::Job& answer) {
 
 /// Estimates the end of a running job from its finished layers. Before the first finished layer,
 /// uses the mean time of other jobs.
-void QueueView::TellRunning(const JobRecord& job, v1::Job& answer) {
+void QueueView::DescribeRunning(const JobRecord& job, v1::Job& answer) {
   const int64_t now_us = now_us_();
   if (job.start_us == 0 || job.start_us > now_us) return;
   if (job.layers_done > 0) {

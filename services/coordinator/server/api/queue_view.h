@@ -25,14 +25,14 @@ class QueueView {
   /// Adds the position in the queue and the expected end of `job` to `answer`. Adds nothing if they
   /// are unknown: for a job that waits for its next attempt or for another job with the same work,
   /// and if the store does not answer within half a second.
-  void Tell(const JobRecord& job, v1::Job& answer);
+  void Describe(const JobRecord& job, v1::Job& answer);
 
  private:
   struct Look;
 
   std::shared_ptr<const Look> Latest();
-  void TellQueued(const JobRecord& job, v1::Job& answer);
-  void TellRunning(const JobRecord& job, v1::Job& answer);
+  void DescribeQueued(const JobRecord& job, v1::Job& answer);
+  void DescribeRunning(const JobRecord& job, v1::Job& answer);
 
   const std::function<int64_t()> now_us_;
   std::mutex mutex_;

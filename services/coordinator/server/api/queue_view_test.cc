@@ -63,10 +63,10 @@ class QueueViewTest : public testing::Test {
     }
   }
 
-  v1::Job Tell(const std::string& id) { return Tell(*memory_.Get(id)); }
-  v1::Job Tell(const JobRecord& job) {
+  v1::Job Describe(const std::string& id) { return Describe(*memory_.Get(id)); }
+  v1::Job Describe(const JobRecord& job) {
     v1::Job answer;
-    view_.Tell(job, answer);
+    view_.Describe(job, answer);
     return answer;
   }
 
@@ -90,12 +90,12 @@ TEST_F(QueueViewTest, TellsPlaceAndEnd) {
   for (const char* id : {"running", "first", "second"}) Make(id);
   Begin();
   now_us_ += 4 * kSecond;
-  EXPECT_EQ(Tell("running").queue_position(), 0);
-  EXPECT_EQ(EndOf(Tell("running")), 6);
-  EXPECT_EQ(Tell("first").queue_position(), 1);
-  EXPECT_EQ(EndOf(Tell("first")), 16);
-  EXPECT_EQ(Tell("second").queue_position(), 2);
-  EXPECT_EQ(EndOf(Tell("second")), 26);
+  EXPECT_EQ(Describe("running").queue_position(), 0);
+  EXPECT_EQ(EndOf(Describe("running")), 6);
+  EXPECT_EQ(Describe("first").queue_position(), 1);
+  EXPECT_EQ(EndOf(Describe("first")), 16);
+  EXPECT_EQ(Describe("second").queue_position(), 2);
+  EXPECT_EQ(EndOf(Describe("second")), 26);
 }
 
 TEST_F(QueueViewTest, TellsNothingOfWhatIsNotKnown) {
@@ -113,20 +113,20 @@ TEST_F(QueueViewTest, TellsNothingOfWhatIsNotKnown) {
               {.state = JobState::kQueued, .claimable_from_us = now_us_ + kLease, .retry = true},
               now_us_)
           .ok());
-  EXPECT_EQ(Tell("same").queue_position(), 0) << "waits for the same work";
-  EXPECT_EQ(Tell("again").queue_position(), 0) << "waits for its next attempt";
-  EXPECT_GT(Tell("waiting").queue_position(), 0);
-  EXPECT_EQ(EndOf(Tell("waiting")), -1) << "no run has ended";
-  EXPECT_EQ(EndOf(Tell("running")), -1);
+  EXPECT_EQ(Describe("same").queue_position(), 0) << "waits for the same work";
+  EXPECT_EQ(Describe("again").queue_position(), 0) << "waits for its next attempt";
+  EXPECT_GT(Describe("waiting").queue_position(), 0);
+  EXPECT_EQ(EndOf(Describe("waiting")), -1) << "no run has ended";
+  EXPECT_EQ(EndOf(Describe("running")), -1);
   End(running);
-  EXPECT_EQ(EndOf(Tell("running")), -1) << "it ended";
+  EXPECT_EQ(EndOf(Describe("running")), -1) << "it ended";
 }
 
 TEST_F(QueueViewTest, TellsNoEndWhileNothingRuns) {
   MakeRuns(10 * kSecond);
   Make("waiting");
-  EXPECT_EQ(Tell("waiting").queue_position(), 1);
-  EXPECT_EQ(EndOf(Tell("waiting")), -1);
+  EXPECT_EQ(Describe("waiting").queue_position(), 1);
+  EXPECT_EQ(EndOf(Describe("waiting")), -1);
 }
 
 TEST_F(QueueViewTest, LayersTellTheEnd) {
@@ -135,29 +135,29 @@ TEST_F(QueueViewTest, LayersTellTheEnd) {
   Begin();
   now_us_ += 30 * kSecond;
   JobRecord job = *memory_.Get("a");
-  EXPECT_EQ(EndOf(Tell(job)), -1) << "it has lasted longer than others";
+  EXPECT_EQ(EndOf(Describe(job)), -1) << "it has lasted longer than others";
   job.layers_total = 40;
   job.layers_done = 10;
-  EXPECT_EQ(EndOf(Tell(job)), 90);
+  EXPECT_EQ(EndOf(Describe(job)), 90);
 }
 
 TEST_F(QueueViewTest, AStoreThatFailsOrStandsStillTellsNothing) {
   Make("a");
   store_.fails = true;
-  EXPECT_EQ(Tell("a").queue_position(), 0);
+  EXPECT_EQ(Describe("a").queue_position(), 0);
   store_.fails = false;
   Event go_on;
   store_.go_on = &go_on;
-  EXPECT_EQ(Tell("a").queue_position(), 0);
+  EXPECT_EQ(Describe("a").queue_position(), 0);
   go_on.Happen();
-  while (Tell("a").queue_position() == 0) continue;  // the read that was in progress ends first
-  EXPECT_EQ(Tell("a").queue_position(), 1);
+  while (Describe("a").queue_position() == 0) continue;  // the read that was in progress ends first
+  EXPECT_EQ(Describe("a").queue_position(), 1);
 }
 
 TEST_F(QueueViewTest, AskingOfManyTakesFewLooks) {
   constexpr int kJobs = 2'000;
   for (int i = 0; i < kJobs; ++i) Make(absl::StrCat(i));
-  for (int i = 0; i < kJobs; i += 20) EXPECT_EQ(Tell(absl::StrCat(i)).queue_position(), i + 1);
+  for (int i = 0; i < kJobs; i += 20) EXPECT_EQ(Describe(absl::StrCat(i)).queue_position(), i + 1);
   EXPECT_LT(store_.looks, kJobs / 20 / 4);
 }
 

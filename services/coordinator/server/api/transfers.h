@@ -8,12 +8,12 @@
 
 #include "absl/status/status.h"
 #include "common/rpc/server/stream_watch.h"
-#include "services/coordinator/server/api/tenant_places.h"
+#include "services/coordinator/server/api/tenant_slots.h"
 
 namespace slicefarm::coordinator {
 
 /// Limits of transfers: largest number of simultaneous uploads (and of downloads), which tenants
-/// share by the rule of TenantPlaces, and slowest allowed transfer.
+/// share by the rule of TenantSlots, and slowest allowed transfer.
 struct TransferOptions {
   int slots = 64;
   rpc::StreamTimes times = {};
@@ -28,7 +28,7 @@ class Transfers {
   using Moved = std::function<void(int64_t bytes)>;
 
   explicit Transfers(const TransferOptions& options)
-      : options_(options), places_(options.slots), watch_(options.times) {}
+      : options_(options), slots_(options.slots), watch_(options.times) {}
 
   /// Runs `work` if a slot is free. `tenant`: empty if there is only one. Errors: OVERLOADED;
   /// CANCELLED if the call was cut off; errors of `work`.
@@ -37,7 +37,7 @@ class Transfers {
 
  private:
   const TransferOptions options_;
-  TenantPlaces places_;
+  TenantSlots slots_;
   rpc::StreamWatch watch_;
 };
 

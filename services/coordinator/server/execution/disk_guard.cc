@@ -46,7 +46,7 @@ FreeBytes FreeInDatabase(std::function<absl::StatusOr<DatabaseFill>()> fill, int
   };
 }
 
-absl::Status DiskGuard::CheckRoom(int64_t bytes) const {
+absl::Status DiskGuard::CheckSpace(int64_t bytes) const {
   if (!free_) return absl::OkStatus();
   const std::optional<int64_t> free = free_();
   if (!free || *free - bytes >= min_free_bytes_) return absl::OkStatus();

@@ -34,7 +34,7 @@ class DiskGuard {
 
   /// Checks that `bytes` more bytes may be stored. Errors: DISK_LOW, with the time after which to
   /// retry.
-  absl::Status CheckRoom(int64_t bytes = 0) const;
+  absl::Status CheckSpace(int64_t bytes = 0) const;
 
  private:
   const FreeBytes free_;

@@ -10,17 +10,17 @@ namespace {
 
 TEST(DiskGuard, KeepsAReserve) {
   const DiskGuard guard([] { return 1'000; }, 300);
-  EXPECT_TRUE(guard.CheckRoom(700).ok());
-  const ErrorDetail low = DetailOf(guard.CheckRoom(701));
+  EXPECT_TRUE(guard.CheckSpace(700).ok());
+  const ErrorDetail low = DetailOf(guard.CheckSpace(701));
   EXPECT_EQ(low.reason, Reason::kDiskLow);
   EXPECT_EQ(low.metadata.at("free_bytes"), "1000");
   EXPECT_TRUE(low.metadata.contains(rpc::kRetryAfterMs));
 }
 
 TEST(DiskGuard, WhatCannotBeAskedIsLeftToTheWrites) {
-  EXPECT_TRUE(DiskGuard([] { return std::nullopt; }, 1).CheckRoom(1).ok());
-  EXPECT_TRUE(DiskGuard(nullptr, 1).CheckRoom(1).ok());
-  EXPECT_TRUE(DiskGuard(FreeOnDisk("/no/such/directory"), 1).CheckRoom(1).ok());
+  EXPECT_TRUE(DiskGuard([] { return std::nullopt; }, 1).CheckSpace(1).ok());
+  EXPECT_TRUE(DiskGuard(nullptr, 1).CheckSpace(1).ok());
+  EXPECT_TRUE(DiskGuard(FreeOnDisk("/no/such/directory"), 1).CheckSpace(1).ok());
 }
 
 TEST(DiskGuard, ADatabaseIsAskedNowAndThen) {
@@ -31,12 +31,12 @@ TEST(DiskGuard, ADatabaseIsAskedNowAndThen) {
     return DatabaseFill{.bytes = bytes};
   };
   const DiskGuard often(FreeInDatabase(fill, 1'000, std::chrono::seconds(0)), 0);
-  EXPECT_TRUE(often.CheckRoom(400).ok());
+  EXPECT_TRUE(often.CheckSpace(400).ok());
   bytes = 1'200;
-  EXPECT_EQ(DetailOf(often.CheckRoom()).reason, Reason::kDiskLow);
+  EXPECT_EQ(DetailOf(often.CheckSpace()).reason, Reason::kDiskLow);
   asked = 0;
   const DiskGuard seldom(FreeInDatabase(fill, 1'000, std::chrono::seconds(3600)), 0);
-  for (int i = 0; i < 5; ++i) EXPECT_FALSE(seldom.CheckRoom().ok());
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(seldom.CheckSpace().ok());
   EXPECT_EQ(asked, 1);
 }
 
@@ -45,7 +45,7 @@ TEST(DiskGuard, ADatabaseThatIsAwayRefusesNothing) {
       FreeInDatabase([] { return absl::StatusOr<DatabaseFill>(absl::UnavailableError("away")); },
                      1'000),
       0);
-  EXPECT_TRUE(guard.CheckRoom(1).ok());
+  EXPECT_TRUE(guard.CheckSpace(1).ok());
 }
 
 }  // namespace

@@ -103,14 +103,14 @@ class FakeSlicing : public SlicingStage {
 /// as slicing does.
 class FakeArranging : public ArrangingStage {
  public:
-  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
-                                                      const SlicingOptions&) const override {
+  absl::StatusOr<std::vector<PlatePosition>> PutOnPlates(const StageCall& call, SliceInput input,
+                                                         const SlicingOptions&) const override {
     if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
     ++runs_;
     for (const MeshFile& file : input.files)
       if (file.bytes.find('!') != std::string::npos)
         return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, "a bad mesh");
-    std::vector<PlatePlace> places;
+    std::vector<PlatePosition> places;
     int32_t plates = 0;
     for (const ObjectInput& object : input.objects)
       for (const CopyInput& copy : object.copies)

@@ -25,21 +25,21 @@ void JobFeed::Forget(int64_t ticket) {
   entries_.erase(entry);
 }
 
-void JobFeed::Tell(const std::string& job_id, News news) {
+void JobFeed::Notify(const std::string& job_id, News news) {
   const auto [first, last] = by_job_.equal_range(job_id);
   for (auto i = first; i != last; ++i) entries_.at(i->second).listener(news);
 }
 
 void JobFeed::Changed(const std::string& job_id) {
   std::lock_guard lock(mutex_);
-  Tell(job_id, News::kEvents);
-  if (!job_id.empty()) Tell("", News::kEvents);  // for listeners to all jobs
+  Notify(job_id, News::kEvents);
+  if (!job_id.empty()) Notify("", News::kEvents);  // for listeners to all jobs
 }
 
 void JobFeed::Progressed(const std::string& job_id, const JobProgress& progress) {
   std::lock_guard lock(mutex_);
   running_[job_id] = progress;
-  Tell(job_id, News::kProgress);
+  Notify(job_id, News::kProgress);
 }
 
 void JobFeed::Ended(const std::string& job_id, int64_t epoch) {
@@ -50,11 +50,11 @@ void JobFeed::Ended(const std::string& job_id, int64_t epoch) {
 
 void JobFeed::Progressed(ProgressReport report) {
   std::lock_guard lock(mutex_);
-  ProgressReport& told = elsewhere_[report.owner];
-  const ProgressReport before = std::exchange(told, std::move(report));
-  for (const auto& [id, progress] : told.jobs) {
+  ProgressReport& reported = elsewhere_[report.owner];
+  const ProgressReport before = std::exchange(reported, std::move(report));
+  for (const auto& [id, progress] : reported.jobs) {
     const auto then = before.jobs.find(id);
-    if (then == before.jobs.end() || then->second != progress) Tell(id, News::kProgress);
+    if (then == before.jobs.end() || then->second != progress) Notify(id, News::kProgress);
   }
 }
 

@@ -63,7 +63,7 @@ class JobFeed {
     Listener listener;
   };
 
-  void Tell(const std::string& job_id, News news);
+  void Notify(const std::string& job_id, News news);
 
   std::atomic<bool> closed_ = false;
   mutable std::mutex mutex_;

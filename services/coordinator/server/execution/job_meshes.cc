@@ -4,10 +4,10 @@
 
 namespace slicefarm::coordinator {
 
-absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> RoomForMeshes(const StageCall& call,
-                                                                   const ResolvedJob& job,
-                                                                   BlobStore& blobs,
-                                                                   MemoryBudget& memory) {
+absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> ReserveMeshMemory(const StageCall& call,
+                                                                       const ResolvedJob& job,
+                                                                       BlobStore& blobs,
+                                                                       MemoryBudget& memory) {
   int64_t bytes = 0;
   for (const StoredMesh& mesh : job.request.scene.meshes) {
     const auto status = blobs.Status(mesh.sha256);

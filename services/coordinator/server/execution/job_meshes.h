@@ -12,10 +12,10 @@ namespace slicefarm::coordinator {
 
 /// Reserves memory for the mesh files of a job. Waits until enough memory is free. Errors: see
 /// BlobStore::Status and MemoryBudget::Take.
-absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> RoomForMeshes(const StageCall& call,
-                                                                   const ResolvedJob& job,
-                                                                   BlobStore& blobs,
-                                                                   MemoryBudget& memory);
+absl::StatusOr<std::unique_ptr<MemoryBudget::Share>> ReserveMeshMemory(const StageCall& call,
+                                                                       const ResolvedJob& job,
+                                                                       BlobStore& blobs,
+                                                                       MemoryBudget& memory);
 
 /// Returns the mesh files of a job and its objects. Errors: see BlobStore::Get.
 absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs);

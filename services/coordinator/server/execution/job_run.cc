@@ -119,9 +119,9 @@ absl::StatusOr<bool> JobRun::Compute() {
   call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
   call.spans = &spans_;
   call.cancel = given_up;
-  const auto room = RoomForMeshes(call, *resolved_, **blobs, environment_.memory);
-  if (!room.ok()) return room.status();
-  call.memory = room->get();
+  const auto reserved = ReserveMeshMemory(call, *resolved_, **blobs, environment_.memory);
+  if (!reserved.ok()) return reserved.status();
+  call.memory = reserved->get();
   auto meshes = LoadMeshes(*resolved_, **blobs);
   if (!meshes.ok()) return meshes.status();
   loading.reset();
@@ -183,7 +183,7 @@ void JobRun::Progress(PipelineProgress progress) {
 
 absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
   JobUpdate update =
-      Conclusion(job_, lost_runs_, *wishes_, error, progress_.told(), environment_.now_us());
+      Conclusion(job_, lost_runs_, *wishes_, error, progress_.reported(), environment_.now_us());
   const std::string reason(ReasonName(DetailOf(error).reason));
   met_other_build_ = DetailOf(error).reason == Reason::kBuildMismatch;
   environment_.log.Warn("job not done", Fields({{"state", std::string(JobStateName(update.state))},

@@ -43,7 +43,7 @@ struct RunEnvironment {
   /// of another build, this function is called before each claim.
   std::function<bool()> stages_fit = [] { return true; };
   /// Returns true if the stores have space for the result of a run. Called before each claim.
-  std::function<bool()> room = [] { return true; };
+  std::function<bool()> has_space = [] { return true; };
 };
 
 /// Run of one claimed job, from the claim to its end. Takes the steps of RunSteps. At the end, the

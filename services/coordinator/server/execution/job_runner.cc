@@ -28,13 +28,13 @@ absl::Status JobRunner::Start() {
   }
   calm_since_us_ = NowUs();
   for (int i = 0; i < options_.jobs; ++i) {
-    threads_.emplace_back([this] { Serve(Place::kAny); });
+    threads_.emplace_back([this] { Serve(SlotKind::kAny); });
   }
   for (int i = 0; i < options_.guests; ++i) {
-    threads_.emplace_back([this] { Serve(Place::kGuest); });
+    threads_.emplace_back([this] { Serve(SlotKind::kGuest); });
   }
   // With a thread of their own, interactive jobs do not wait for long jobs to end.
-  threads_.emplace_back([this] { Serve(Place::kInteractive); });
+  threads_.emplace_back([this] { Serve(SlotKind::kInteractive); });
   threads_.emplace_back([this] { Keep(); });
   threads_.emplace_back([this] { Judge(); });
   threads_.emplace_back([this] { Tidy(); });
@@ -73,8 +73,8 @@ void JobRunner::Stop() {
 /// Returns true if a thread of this kind may claim a job now. Guests may claim only if all slots of
 /// kind kAny are taken; otherwise the limit `jobs` would have no effect. After each wake, only one
 /// guest queries the store.
-bool JobRunner::MayClaim(Place place) {
-  if (place != Place::kGuest) return true;
+bool JobRunner::MayClaim(SlotKind slot) {
+  if (slot != SlotKind::kGuest) return true;
   std::lock_guard lock(mutex_);
   if (at_any_ < options_.jobs || guests_asked_ == wakes_) return false;
   guests_asked_ = wakes_;
@@ -83,16 +83,16 @@ bool JobRunner::MayClaim(Place place) {
 
 /// Counts a run that begins (1) or ends (-1). Wakes the guests when all slots of kind kAny are
 /// taken, and when another guest begins or ends.
-void JobRunner::Count(Place place, int more) {
+void JobRunner::Count(SlotKind slot, int more) {
   std::lock_guard lock(mutex_);
-  if (place == Place::kAny) at_any_ += more;
-  if (place == Place::kInteractive || at_any_ < options_.jobs) return;
+  if (slot == SlotKind::kAny) at_any_ += more;
+  if (slot == SlotKind::kInteractive || at_any_ < options_.jobs) return;
   ++wakes_;
   wake_.notify_all();
 }
 
 /// Claims and runs jobs on one thread until the runner stops or drains.
-void JobRunner::Serve(Place place) {
+void JobRunner::Serve(SlotKind slot) {
   while (true) {
     int64_t seen = 0;
     {
@@ -101,11 +101,11 @@ void JobRunner::Serve(Place place) {
       seen = wakes_;
       ++at_work_;
     }
-    const auto run = MayClaim(place) ? Claim(place) : nullptr;
+    const auto run = MayClaim(slot) ? Claim(slot) : nullptr;
     if (run) {
-      Count(place, 1);
+      Count(slot, 1);
       run->Run();
-      Count(place, -1);
+      Count(slot, -1);
       if (run->met_other_build() && !met_other_build_.exchange(true))
         environment_.log.Warn("stages are of another build: no job starts until they match", {});
     }
@@ -158,22 +158,22 @@ bool JobRunner::StagesFit() {
 
 /// Returns true if there is space for a result. Without this check, a run with a result that cannot
 /// be stored would be repeated endlessly.
-bool JobRunner::HasRoom() {
-  const bool room = environment_.room();
-  if (!room && !without_room_.exchange(true))
+bool JobRunner::HasSpace() {
+  const bool has_space = environment_.has_space();
+  if (!has_space && !low_on_space_.exchange(true))
     environment_.log.Warn("the disk is nearly full: no job starts until there is space", {});
-  if (room) without_room_ = false;
-  return room;
+  if (has_space) low_on_space_ = false;
+  return has_space;
 }
 
-std::unique_ptr<JobRun> JobRunner::Claim(Place place) {
+std::unique_ptr<JobRun> JobRunner::Claim(SlotKind slot) {
   std::lock_guard claiming(claim_mutex_);
-  if (!StagesFit() || !HasRoom()) return nullptr;
+  if (!StagesFit() || !HasSpace()) return nullptr;
   const int64_t now_us = NowUs();
   auto job = environment_.jobs.Claim(
       options_.owner, now_us, leases_.UntilUs(now_us),
-      {.at_least = place == Place::kInteractive ? Priority::kInteractive : Priority::kBulk,
-       .of_idle_tenants = place == Place::kGuest});
+      {.at_least = slot == SlotKind::kInteractive ? Priority::kInteractive : Priority::kBulk,
+       .of_idle_tenants = slot == SlotKind::kGuest});
   if (!job.ok()) Warn("no job claimed", job.status());  // the next poll tries again
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;

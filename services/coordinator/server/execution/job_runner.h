@@ -55,8 +55,8 @@ class JobRunner {
   void Stop();
 
  private:
-  enum class Place { kAny, kInteractive, kGuest };
-  void Serve(Place place);
+  enum class SlotKind { kAny, kInteractive, kGuest };
+  void Serve(SlotKind slot);
   void Keep();
   void Judge();
   void Warn(const std::string& what, const absl::Status& why) const;
@@ -64,10 +64,10 @@ class JobRunner {
   void Tidy();
   int32_t EndOverdue();
   bool StagesFit();
-  bool HasRoom();
-  bool MayClaim(Place place);
-  void Count(Place place, int more);
-  std::unique_ptr<JobRun> Claim(Place place);
+  bool HasSpace();
+  bool MayClaim(SlotKind slot);
+  void Count(SlotKind slot, int more);
+  std::unique_ptr<JobRun> Claim(SlotKind slot);
   bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
 
@@ -77,7 +77,7 @@ class JobRunner {
   /// build.
   std::atomic<bool> met_other_build_ = false;
   /// True if the store is nearly full. The log then contains a warning.
-  std::atomic<bool> without_room_ = false;
+  std::atomic<bool> low_on_space_ = false;
   /// Held during a claim, because concurrent claims would wait for each other in the store.
   std::mutex claim_mutex_;
   std::mutex mutex_;

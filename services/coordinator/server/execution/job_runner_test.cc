@@ -75,14 +75,14 @@ TEST_F(JobRunnerTest, JobsOfTheSameWorkLeaveRoomForOthers) {
 TEST_F(JobRunnerTest, ProgressIsToldAndNotWritten) {
   const auto runner = Runner();
   const std::string id = Submit(std::string(20'000, 'x'));
-  std::atomic<int> told = 0;
+  std::atomic<int> reported = 0;
   const int64_t ticket =
-      feed_.Listen(id, [&](JobFeed::News news) { told += news == JobFeed::News::kProgress; });
+      feed_.Listen(id, [&](JobFeed::News news) { reported += news == JobFeed::News::kProgress; });
   runner->Wake();
   EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
   feed_.Forget(ticket);
-  EXPECT_GE(told, 1);
-  EXPECT_LE(told, 101) << "not layer by layer";
+  EXPECT_GE(reported, 1);
+  EXPECT_LE(reported, 101) << "not layer by layer";
   EXPECT_EQ(jobs_->Events(id, 0, 10'000)->size(), 3u) << "queued, running, succeeded";
 }
 

@@ -34,7 +34,7 @@ void Maintenance::SweepOnce(const std::stop_token& stop) {
   const auto mine = jobs_.TakeChore("sweep", now_us_(), now_us_() + turn_us);
   if (!mine.ok()) log_.Warn("sweep failed", {{"error", std::string(mine.status().message())}});
   if (!mine.ok() || !*mine) return;
-  const auto settled = IsSettled(jobs_, options_.sweep, now_us_());
+  const auto settled = HasBeenInUse(jobs_, options_.sweep, now_us_());
   if (!settled.ok())
     log_.Warn("sweep failed", {{"error", std::string(settled.status().message())}});
   if (!settled.ok() || !*settled) return;

@@ -11,7 +11,7 @@
 namespace slicefarm::coordinator {
 
 /// Sweeps the stores at regular intervals, on its own thread. Of all coordinators that share the
-/// stores, only one sweeps. Removes nothing before IsSettled (blob_sweep.h) returns true.
+/// stores, only one sweeps. Removes nothing before HasBeenInUse (blob_sweep.h) returns true.
 class Maintenance {
  public:
   /// Storage times and the interval of the sweeps.

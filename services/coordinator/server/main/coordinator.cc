@@ -11,9 +11,9 @@ namespace slicefarm::coordinator {
 namespace {
 
 /// Free space that results of runs need. No run begins with less.
-constexpr int64_t kRoomForResults = 256 << 20;
+constexpr int64_t kResultSpace = 256 << 20;
 
-constexpr std::chrono::seconds kTellEvery(1);
+constexpr std::chrono::seconds kReportInterval(1);
 
 int64_t NowUs() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -68,7 +68,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       runner_(RunEnvironment{runs_, run_blobs_, resolved_, results_, pipeline_, memory_, feed_,
                              NowUs, options_.build_id, options_.sharing, log,
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); },
-                             options_.stages_fit, [this] { return RunsHaveRoom(); }},
+                             options_.stages_fit, [this] { return RunsHaveSpace(); }},
               options_.runner),
       presets_(*stores_.preset_bundles),
       meshes_service_(
@@ -92,8 +92,8 @@ DiskGuard Coordinator::Guard() const {
 
 /// Returns true if the disks of the state and of the spool have space for the results of runs. The
 /// limit is lower than the limit for new data, so that accepted jobs can end.
-bool Coordinator::RunsHaveRoom() const {
-  const int64_t least = std::min(options_.min_free_bytes, kRoomForResults);
+bool Coordinator::RunsHaveSpace() const {
+  const int64_t least = std::min(options_.min_free_bytes, kResultSpace);
   for (const std::string& directory : {options_.stores.state_dir, options_.spool_dir}) {
     if (directory.empty()) continue;
     const auto free = FreeOnDisk(directory)();
@@ -117,7 +117,7 @@ absl::Status Coordinator::Start() {
                                    feed_.Progressed(std::move(report));
                                }});
   if (changes_)
-    telling_ = std::jthread([this](const std::stop_token& stop) { TellProgress(stop); });
+    progress_ = std::jthread([this](const std::stop_token& stop) { PublishProgress(stop); });
   webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
                           NowUs, log_, Registry());
   maintenance_.emplace(jobs_, blobs_, *stores_.profiles, *stores_.preset_bundles,
@@ -130,7 +130,7 @@ void Coordinator::Stop() {
   feed_.Close();
   jobs_service_.EndWatches();
   runner_.Stop();
-  telling_ = {};
+  progress_ = {};
   changes_.reset();
   maintenance_.reset();
   webhook_sender_.reset();
@@ -138,13 +138,13 @@ void Coordinator::Stop() {
 
 /// Sends the progress of running jobs to the other coordinators every second. The shared store
 /// contains the running jobs, but not their progress.
-void Coordinator::TellProgress(const std::stop_token& stop) {
-  ProgressReport told = {options_.runner.owner, {}};
-  while (SleepUnlessStopped(stop, kTellEvery)) {
+void Coordinator::PublishProgress(const std::stop_token& stop) {
+  ProgressReport reported = {options_.runner.owner, {}};
+  while (SleepUnlessStopped(stop, kReportInterval)) {
     ProgressReport report = {options_.runner.owner, feed_.Running()};
-    if (report == told) continue;
-    changes_->Tell(report);
-    told = std::move(report);
+    if (report == reported) continue;
+    changes_->Publish(report);
+    reported = std::move(report);
   }
 }
 

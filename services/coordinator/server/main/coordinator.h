@@ -113,10 +113,10 @@ class Coordinator {
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
               TaskExecutor& executor, const rpc::JsonLog& log);
   void Changed(const std::optional<JobChange>& change);
-  void TellProgress(const std::stop_token& stop);
+  void PublishProgress(const std::stop_token& stop);
   prometheus::Registry& Registry();
   DiskGuard Guard() const;
-  bool RunsHaveRoom() const;
+  bool RunsHaveSpace() const;
 
   const CoordinatorOptions options_;
   const Stores stores_;
@@ -144,7 +144,7 @@ class Coordinator {
   ProfilesService profiles_service_;
   PresetsService presets_service_;
   std::unique_ptr<JobChanges> changes_;
-  std::jthread telling_;  ///< sends the progress to other coordinators, if there are any
+  std::jthread progress_;  ///< sends the progress to other coordinators, if there are any
   std::optional<WebhookSender> webhook_sender_;
   std::optional<Maintenance> maintenance_;
 };

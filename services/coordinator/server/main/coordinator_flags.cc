@@ -78,7 +78,7 @@ Maintenance::Options CoordinatorFlags::maintenance() const {
   Maintenance::Options options;
   options.sweep.keep_jobs_s = keep_jobs_days * 24 * 3600;
   options.sweep.keep_blobs_s = keep_blobs_hours * 3600;
-  options.sweep.settle_s = sweep_after_hours * 3600;
+  options.sweep.min_use_s = sweep_after_hours * 3600;
   return options;
 }
 

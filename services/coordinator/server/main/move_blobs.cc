@@ -18,7 +18,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 /// Number of moved blobs between two lines of output.
-constexpr int64_t kTellEach = 1'000;
+constexpr int64_t kBlobsPerReport = 1'000;
 
 /// Source of the blobs.
 struct Source {
@@ -62,7 +62,7 @@ absl::Status Move(const StoreOptions& from, const S3Flags& to) {
   };
   absl::Status moved_all = blobs.MoveStaged([&](const BlobEntry& blob) {
     bytes += blob.size;
-    if (++count % kTellEach == 0) tell();
+    if (++count % kBlobsPerReport == 0) tell();
   });
   tell();
   return moved_all;

@@ -14,7 +14,7 @@ constexpr int32_t kPageOfEvents = 200;
 }  // namespace
 
 absl::StatusOr<std::vector<TenantEvent>> TenantEvents::Next(int64_t now_us) {
-  EventPlace after;
+  EventCursor after;
   bool back = false;
   if (page_) {
     after = *page_;
@@ -28,11 +28,12 @@ absl::StatusOr<std::vector<TenantEvent>> TenantEvents::Next(int64_t now_us) {
   if (!found.ok()) return found;
   if (back) looked_back_us_ = now_us;
   page_.reset();
-  if (std::ssize(*found) == kPageOfEvents) page_ = found->back().place;
+  if (std::ssize(*found) == kPageOfEvents) page_ = found->back().cursor;
   std::erase_if(*found,
-                [&](const TenantEvent& event) { return !told_.insert(event.place).second; });
-  for (const TenantEvent& event : *found) last_us_ = std::max(last_us_, event.place.time_us);
-  if (!page_) told_.erase(told_.begin(), told_.lower_bound({last_us_ - kLateUs, -1, -1}));
+                [&](const TenantEvent& event) { return !reported_.insert(event.cursor).second; });
+  for (const TenantEvent& event : *found) last_us_ = std::max(last_us_, event.cursor.time_us);
+  if (!page_)
+    reported_.erase(reported_.begin(), reported_.lower_bound({last_us_ - kLateUs, -1, -1}));
   return found;
 }
 

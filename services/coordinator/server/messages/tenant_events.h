@@ -44,11 +44,11 @@ class TenantEvents {
   JobStore& jobs_;
   const std::string tenant_;
   const int64_t from_us_;
-  int64_t last_us_;                 ///< time of the last event that was returned
-  int64_t looked_back_us_ = 0;      ///< time of the last full read of the range with late events
-  std::optional<EventPlace> page_;  ///< position where an incomplete read continues
+  int64_t last_us_;                  ///< time of the last event that was returned
+  int64_t looked_back_us_ = 0;       ///< time of the last full read of the range with late events
+  std::optional<EventCursor> page_;  ///< position where an incomplete read continues
   /// Returned events in the period that is read again; they are not returned twice.
-  std::set<EventPlace> told_;
+  std::set<EventCursor> reported_;
 };
 
 /// Returns the time of a cursor; nullopt if the cursor is invalid.

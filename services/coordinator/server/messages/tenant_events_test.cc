@@ -22,7 +22,7 @@ class TenantEventsTest : public testing::Test {
     ASSERT_TRUE(store_.Create(job, time_us).ok());
   }
 
-  static std::string Told(TenantEvents& events, int64_t now_us) {
+  static std::string Reported(TenantEvents& events, int64_t now_us) {
     const auto found = events.Next(now_us);
     EXPECT_TRUE(found.ok()) << found.status();
     std::string text;
@@ -39,31 +39,31 @@ TEST_F(TenantEventsTest, EachIsToldOnceFromTheBeginningOn) {
   Make("a", 100 * kSecond);
   Make("other", 101 * kSecond, "other");
   TenantEvents events(store_, "t", 100 * kSecond);
-  EXPECT_EQ(Told(events, 101 * kSecond), "a ");
-  EXPECT_EQ(Told(events, 101 * kSecond), "");
+  EXPECT_EQ(Reported(events, 101 * kSecond), "a ");
+  EXPECT_EQ(Reported(events, 101 * kSecond), "");
   Make("b", 102 * kSecond);
-  EXPECT_EQ(Told(events, 102 * kSecond), "b ");
-  EXPECT_EQ(Told(events, 110 * kSecond), "") << "though it looks back";
+  EXPECT_EQ(Reported(events, 102 * kSecond), "b ");
+  EXPECT_EQ(Reported(events, 110 * kSecond), "") << "though it looks back";
 }
 
 // The event has an early time because its coordinator's clock is behind. It was committed late.
 TEST_F(TenantEventsTest, OneThatIsLateIsToldLate) {
   TenantEvents events(store_, "t", 100 * kSecond);
   Make("a", 140 * kSecond);
-  EXPECT_EQ(Told(events, 140 * kSecond), "a ");
+  EXPECT_EQ(Reported(events, 140 * kSecond), "a ");
   Make("a little late", 139 * kSecond);
   Make("late", 105 * kSecond);
-  EXPECT_EQ(Told(events, 141 * kSecond), "a little late ");
-  EXPECT_EQ(Told(events, 145 * kSecond), "late ");
-  EXPECT_EQ(Told(events, 155 * kSecond), "");
+  EXPECT_EQ(Reported(events, 141 * kSecond), "a little late ");
+  EXPECT_EQ(Reported(events, 145 * kSecond), "late ");
+  EXPECT_EQ(Reported(events, 155 * kSecond), "");
 }
 
 TEST_F(TenantEventsTest, WhoGoesOnFromACursorMissesNothing) {
   TenantEvents events(store_, "t", 0);
   for (int i = 0; i < 300; ++i) Make("j" + std::to_string(i), 1000 * kSecond + i);
-  std::string all = Told(events, 1001 * kSecond);
+  std::string all = Reported(events, 1001 * kSecond);
   EXPECT_TRUE(events.more());
-  all += Told(events, 1001 * kSecond);
+  all += Reported(events, 1001 * kSecond);
   EXPECT_FALSE(events.more());
   EXPECT_EQ(std::count(all.begin(), all.end(), ' '), 300);
   Make("late", 990 * kSecond);
@@ -72,7 +72,7 @@ TEST_F(TenantEventsTest, WhoGoesOnFromACursorMissesNothing) {
   EXPECT_LE(*time_us, 990 * kSecond);
   EXPECT_GT(*time_us, 900 * kSecond);
   TenantEvents again(store_, "t", *time_us);
-  EXPECT_TRUE(Told(again, 1002 * kSecond).starts_with("late j0 ")) << "and some once more";
+  EXPECT_TRUE(Reported(again, 1002 * kSecond).starts_with("late j0 ")) << "and some once more";
 }
 
 TEST(Cursor, IsATime) {

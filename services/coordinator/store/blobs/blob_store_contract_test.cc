@@ -18,12 +18,12 @@
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
-#include "services/coordinator/store/store_place_test.h"
+#include "services/coordinator/store/store_location_test.h"
 
 namespace slicefarm::coordinator::blob_store_contract_test {
 namespace {
 
-class DirectoryPlace : public StorePlace<BlobStore> {
+class DirectoryLocation : public StoreLocation<BlobStore> {
  public:
   std::unique_ptr<BlobStore> Open() override {
     auto store = DirectoryBlobStore::OpenAt(directory_.path() + "/deep/down");
@@ -35,9 +35,9 @@ class DirectoryPlace : public StorePlace<BlobStore> {
   TempDirectory directory_;
 };
 
-class PostgresPlace : public StorePlace<BlobStore> {
+class PostgresLocation : public StoreLocation<BlobStore> {
  public:
-  explicit PostgresPlace(std::string tenant = "") : tenant_(std::move(tenant)) {}
+  explicit PostgresLocation(std::string tenant = "") : tenant_(std::move(tenant)) {}
 
   std::unique_ptr<BlobStore> Open() override {
     auto database = PostgresDatabase::Open(database_);
@@ -52,9 +52,9 @@ class PostgresPlace : public StorePlace<BlobStore> {
 
 /// Location of an S3 store. Its uploads are stored beside the jobs, in a directory or in
 /// PostgreSQL.
-class S3Place : public StorePlace<BlobStore> {
+class S3Location : public StoreLocation<BlobStore> {
  public:
-  explicit S3Place(bool postgres) : postgres_(postgres) {}
+  explicit S3Location(bool postgres) : postgres_(postgres) {}
 
   std::unique_ptr<BlobStore> Open() override {
     if (!postgres_) {
@@ -78,16 +78,16 @@ class S3Place : public StorePlace<BlobStore> {
 };
 
 const std::vector<StoreKind<BlobStore>> kStores = {
-    {"Directory", [] { return std::make_unique<DirectoryPlace>(); }},
-    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
-    {"PostgresOfATenant", [] { return std::make_unique<PostgresPlace>("acme"); }},
-    {"S3BesideADirectory", [] { return std::make_unique<S3Place>(/*postgres=*/false); }},
-    {"S3OfATenantBesidePostgres", [] { return std::make_unique<S3Place>(/*postgres=*/true); }},
+    {"Directory", [] { return std::make_unique<DirectoryLocation>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresLocation>(); }},
+    {"PostgresOfATenant", [] { return std::make_unique<PostgresLocation>("acme"); }},
+    {"S3BesideADirectory", [] { return std::make_unique<S3Location>(/*postgres=*/false); }},
+    {"S3OfATenantBesidePostgres", [] { return std::make_unique<S3Location>(/*postgres=*/true); }},
 };
 
 class BlobStoreTest : public testing::TestWithParam<StoreKind<BlobStore>> {
  protected:
-  std::unique_ptr<StorePlace<BlobStore>> place_ = GetParam().place();
+  std::unique_ptr<StoreLocation<BlobStore>> place_ = GetParam().place();
   std::unique_ptr<BlobStore> store_ = place_->Open();
   const std::string bytes_ = std::string("some\0bytes", 10) + std::string(200'000, 'x');
   const std::string digest_ = Sha256Hex(bytes_);
@@ -107,7 +107,7 @@ TEST_P(BlobStoreTest, GivesBackWhatWasPut) {
 /// Returns a text that needs several pieces in a database.
 SpooledText LongText() {
   auto spool = *SpoolFile::Make("");
-  const SpoolFile::Place place = *spool->Add(std::string(1'500'000, 'y'));
+  const SpoolFile::Chunk place = *spool->Add(std::string(1'500'000, 'y'));
   SpooledText text(std::move(spool));
   text.Add(std::string("begin"));
   for (int i = 0; i < 3; ++i) text.Add(place);
@@ -129,7 +129,7 @@ TEST_P(BlobStoreTest, GivesBackTextsThatDoNotFitIntoMemory) {
 TEST_P(BlobStoreTest, ATextThatCannotBeReadIsNoBlob) {
   SpooledText text(*SpoolFile::Make(""));
   text.Add(std::string(100, 'x'));
-  text.Add(SpoolFile::Place{0, 100});  // the spool is empty
+  text.Add(SpoolFile::Chunk{0, 100});  // the spool is empty
   EXPECT_EQ(DetailOf(store_->PutText(text).status()).reason, Reason::kStoreFailed);
   int blobs = 0;
   EXPECT_TRUE(store_->ForEach([&](const BlobEntry&) { ++blobs; }).ok());

@@ -99,7 +99,7 @@ class BlobLife : public StoreLife {
 
   /// Returns true if the error fits the fault. A short write causes an error only if the disk is
   /// then full.
-  bool Tells(const absl::Status& status, Fault fault) const override {
+  bool Reports(const absl::Status& status, Fault fault) const override {
     const bool io = fault == Fault::kEio || fault == Fault::kEintr;
     return DetailOf(status).reason == (io ? Reason::kStoreFailed : Reason::kDiskFull);
   }

@@ -47,7 +47,7 @@ std::vector<std::string> Live(StoreLife& life, DiskCalls& disk, const ErrorPlan&
       status = step.run();
       if (status.ok()) break;
       if (!disk.struck()) violations.push_back(step.name + " fails without a reason");
-      if (!life.Tells(status, plan.fault))
+      if (!life.Reports(status, plan.fault))
         violations.push_back(absl::StrCat(step.name, ": ", status.ToString()));
       if (plan.reopens) life.Close();
       disk.Heal();
@@ -235,7 +235,7 @@ void RecordTrials(const TrialResults& results) {
 
 }  // namespace
 
-bool StoreLife::Tells(const absl::Status& status, Fault) const {
+bool StoreLife::Reports(const absl::Status& status, Fault) const {
   const Reason reason = DetailOf(status).reason;
   return reason == Reason::kStoreFailed || reason == Reason::kDiskFull;
 }

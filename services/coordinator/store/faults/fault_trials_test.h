@@ -30,7 +30,7 @@ class StoreLife {
   virtual std::vector<LifeStep> Steps() = 0;
 
   /// Returns true if an error sufficiently describes the fault of a call.
-  virtual bool Tells(const absl::Status& status, Fault fault) const;
+  virtual bool Reports(const absl::Status& status, Fault fault) const;
 
   /// Returns the violations in the state in `directory`, found after `changes` changes of the disk.
   /// Violations are broken promises from before, changed bytes, or a store that does not work. May

@@ -82,7 +82,7 @@ class JobStoreCalls : public JobStore {
     return Make("Events", &JobStore::Events, id, after, limit);
   }
   absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
-                                                    const EventPlace& after,
+                                                    const EventCursor& after,
                                                     int32_t limit) override {
     return Make("EventsOf", &JobStore::EventsOf, tenant, after, limit);
   }

@@ -69,7 +69,7 @@ class JobChanges {
 
   /// Sends a report to the other coordinators some time later. If several reports arrive before
   /// that, only the last is sent.
-  virtual void Tell(const ProgressReport& report) = 0;
+  virtual void Publish(const ProgressReport& report) = 0;
 };
 
 }  // namespace slicefarm::coordinator

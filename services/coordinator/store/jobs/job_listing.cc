@@ -89,7 +89,7 @@ absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const 
 }
 
 absl::StatusOr<std::vector<TenantEvent>> ListEventsOf(SqlConnection& db, const std::string& tenant,
-                                                      const EventPlace& after, int32_t limit) {
+                                                      const EventCursor& after, int32_t limit) {
   SqlQuery query(db,
                  "SELECT jobs.id, events.time_us, events.job, events.sequence, events.state,"
                  " events.layers_total, events.layers_done"
@@ -102,9 +102,9 @@ absl::StatusOr<std::vector<TenantEvent>> ListEventsOf(SqlConnection& db, const s
   while (query.Next()) {
     TenantEvent& event = events.emplace_back();
     event.job_id = query.Text(0);
-    event.place = {query.Int(1), query.Int(2), query.Int(3)};
-    event.event = {.sequence = event.place.sequence,
-                   .time_us = event.place.time_us,
+    event.cursor = {query.Int(1), query.Int(2), query.Int(3)};
+    event.event = {.sequence = event.cursor.sequence,
+                   .time_us = event.cursor.time_us,
                    .state = JobStateFromName(query.Text(4)).value_or(JobState::kQueued),
                    .layers_total = static_cast<int32_t>(query.Int(5)),
                    .layers_done = static_cast<int32_t>(query.Int(6))};

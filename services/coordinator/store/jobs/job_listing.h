@@ -16,6 +16,6 @@ absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const 
                                                        int64_t after, int32_t limit);
 /// Implements JobStore::EventsOf in SQL.
 absl::StatusOr<std::vector<TenantEvent>> ListEventsOf(SqlConnection& db, const std::string& tenant,
-                                                      const EventPlace& after, int32_t limit);
+                                                      const EventCursor& after, int32_t limit);
 
 }  // namespace slicefarm::coordinator

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Stores, JobQueueTest, testing::ValuesIn(kStores),
 
 TEST_P(JobQueueTest, IsEmptyWithoutOpenJobs) {
   MakeDone("a", ResultOf("g", "r"));
-  EXPECT_EQ(store_->ReadQueue(now_)->held, std::vector<HeldPlace>());
+  EXPECT_EQ(store_->ReadQueue(now_)->held, std::vector<HeldSlot>());
   EXPECT_EQ(store_->ReadQueue(now_)->tenants, std::vector<TenantQueue>());
 }
 

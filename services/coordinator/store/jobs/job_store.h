@@ -106,18 +106,18 @@ struct ListQuery {
 };
 
 /// Position of an event in the order of all events.
-struct EventPlace {
+struct EventCursor {
   int64_t time_us = 0;
   int64_t number = -1;  ///< JobRecord::number of the event's job
   int64_t sequence = -1;
 
-  friend auto operator<=>(const EventPlace&, const EventPlace&) = default;
+  friend auto operator<=>(const EventCursor&, const EventCursor&) = default;
 };
 
 /// Event of a job of a tenant.
 struct TenantEvent {
   std::string job_id;
-  EventPlace place;
+  EventCursor cursor;
   JobEventRecord event;
 
   friend bool operator==(const TenantEvent&, const TenantEvent&) = default;
@@ -260,11 +260,11 @@ class JobStore {
                                                              int32_t limit) = 0;
 
   /// Returns at most `limit` events of the tenant's jobs after the position `after`, in the order
-  /// of TenantEvent::place. An event may appear in the store after events with later times, because
-  /// its time is taken before it is written. Cost: reads all tenants' events from the time of
-  /// `after` on.
+  /// of TenantEvent::cursor. An event may appear in the store after events with later times,
+  /// because its time is taken before it is written. Cost: reads all tenants' events from the time
+  /// of `after` on.
   virtual absl::StatusOr<std::vector<TenantEvent>> EventsOf(const std::string& tenant,
-                                                            const EventPlace& after,
+                                                            const EventCursor& after,
                                                             int32_t limit) = 0;
 
   /// Returns the stored result with this action_digest; nullopt if there is none.

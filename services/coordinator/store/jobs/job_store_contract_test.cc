@@ -288,7 +288,7 @@ TEST_P(JobStoreTest, EventsOfATenantComeInTheOrderOfTheirTimes) {
   const auto ids = [](const std::vector<TenantEvent>& events) {
     std::string text;
     for (const TenantEvent& event : events)
-      text += event.job_id + std::to_string(event.place.sequence) + " ";
+      text += event.job_id + std::to_string(event.cursor.sequence) + " ";
     return text;
   };
   const std::string tenant = JobOf("a").tenant;
@@ -298,7 +298,7 @@ TEST_P(JobStoreTest, EventsOfATenantComeInTheOrderOfTheirTimes) {
   EXPECT_EQ(all->front().event, store_->Events("b", 1, 9)->front());
   const auto first = *store_->EventsOf(tenant, {}, 2);
   EXPECT_EQ(ids(first), "b2 a1 ");
-  EXPECT_EQ(ids(*store_->EventsOf(tenant, first.back().place, 100)), "b1 c1 ");
+  EXPECT_EQ(ids(*store_->EventsOf(tenant, first.back().cursor, 100)), "b1 c1 ");
   EXPECT_EQ(ids(*store_->EventsOf("other", {}, 100)), "x1 ");
   EXPECT_THAT(*store_->EventsOf("nobody", {}, 100), IsEmpty());
 }

@@ -18,7 +18,7 @@
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
-#include "services/coordinator/store/store_place_test.h"
+#include "services/coordinator/store/store_location_test.h"
 #include "tests/support/memory_job_store.h"
 
 namespace slicefarm::coordinator::job_store_contract_test {
@@ -31,7 +31,7 @@ using testing::UnorderedElementsAre;
 using enum JobState;
 
 /// Location of a job store in SQLite.
-class SqlitePlace : public StorePlace<JobStore> {
+class SqliteLocation : public StoreLocation<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override {
     auto store = OpenSqliteJobStore(directory_.path() + "/jobs.db");
@@ -44,7 +44,7 @@ class SqlitePlace : public StorePlace<JobStore> {
 };
 
 /// Location of a job store in PostgreSQL.
-class PostgresPlace : public StorePlace<JobStore> {
+class PostgresLocation : public StoreLocation<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override {
     auto database = PostgresDatabase::Open(database_);
@@ -57,7 +57,7 @@ class PostgresPlace : public StorePlace<JobStore> {
 };
 
 /// Location of a job store in memory.
-class MemoryPlace : public StorePlace<JobStore> {
+class MemoryLocation : public StoreLocation<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override { return std::make_unique<MemoryJobStore>(jobs_); }
 
@@ -66,9 +66,9 @@ class MemoryPlace : public StorePlace<JobStore> {
 };
 
 inline const std::vector<StoreKind<JobStore>> kStores = {
-    {"Memory", [] { return std::make_unique<MemoryPlace>(); }},
-    {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
-    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
+    {"Memory", [] { return std::make_unique<MemoryLocation>(); }},
+    {"Sqlite", [] { return std::make_unique<SqliteLocation>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresLocation>(); }},
 };
 
 /// Returns a job to be created.
@@ -140,7 +140,7 @@ class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
     ASSERT_TRUE(Succeed(lease, result).ok());
   }
 
-  std::unique_ptr<StorePlace<JobStore>> place_ = GetParam().place();
+  std::unique_ptr<StoreLocation<JobStore>> place_ = GetParam().place();
   std::unique_ptr<JobStore> store_ = place_->Open();
   int64_t now_ = 1'000'000;
 };

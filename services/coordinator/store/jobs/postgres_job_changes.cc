@@ -29,7 +29,7 @@ PostgresJobChanges::~PostgresJobChanges() {
   close(wake_);
 }
 
-void PostgresJobChanges::Tell(const ProgressReport& report) {
+void PostgresJobChanges::Publish(const ProgressReport& report) {
   {
     const std::lock_guard lock(mutex_);
     notice_ = ToText(report);

@@ -16,7 +16,7 @@ class PostgresJobChanges : public JobChanges {
  public:
   PostgresJobChanges(std::string conninfo, Listener listener);
   ~PostgresJobChanges() override;
-  void Tell(const ProgressReport& report) override;
+  void Publish(const ProgressReport& report) override;
 
  private:
   void Run();

@@ -17,7 +17,7 @@
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
-#include "services/coordinator/store/store_place_test.h"
+#include "services/coordinator/store/store_location_test.h"
 
 namespace slicefarm::coordinator::profile_store_contract_test {
 namespace {
@@ -25,9 +25,9 @@ namespace {
 using testing::ElementsAre;
 using testing::Field;
 
-class SqlitePlace : public StorePlace<ProfileStore> {
+class SqliteLocation : public StoreLocation<ProfileStore> {
  public:
-  explicit SqlitePlace(const RevisionTable& table) : table_(table) {}
+  explicit SqliteLocation(const RevisionTable& table) : table_(table) {}
 
   std::unique_ptr<ProfileStore> Open() override {
     return std::make_unique<SqlProfileStore>(*SqliteDatabase::Open(directory_.path() + "/db"),
@@ -39,9 +39,9 @@ class SqlitePlace : public StorePlace<ProfileStore> {
   TempDirectory directory_;
 };
 
-class PostgresPlace : public StorePlace<ProfileStore> {
+class PostgresLocation : public StoreLocation<ProfileStore> {
  public:
-  explicit PostgresPlace(const RevisionTable& table) : table_(table) {}
+  explicit PostgresLocation(const RevisionTable& table) : table_(table) {}
 
   std::unique_ptr<ProfileStore> Open() override {
     return std::make_unique<SqlProfileStore>(*PostgresDatabase::Open(database_), table_);
@@ -53,10 +53,10 @@ class PostgresPlace : public StorePlace<ProfileStore> {
 };
 
 const std::vector<StoreKind<ProfileStore>> kStores = {
-    {"Sqlite", [] { return std::make_unique<SqlitePlace>(kProfileTable); }},
-    {"Postgres", [] { return std::make_unique<PostgresPlace>(kProfileTable); }},
-    {"SqlitePresets", [] { return std::make_unique<SqlitePlace>(kPresetTable); }},
-    {"PostgresPresets", [] { return std::make_unique<PostgresPlace>(kPresetTable); }},
+    {"Sqlite", [] { return std::make_unique<SqliteLocation>(kProfileTable); }},
+    {"Postgres", [] { return std::make_unique<PostgresLocation>(kProfileTable); }},
+    {"SqlitePresets", [] { return std::make_unique<SqliteLocation>(kPresetTable); }},
+    {"PostgresPresets", [] { return std::make_unique<PostgresLocation>(kPresetTable); }},
 };
 
 class ProfileStoreTest : public testing::TestWithParam<StoreKind<ProfileStore>> {
@@ -68,7 +68,7 @@ class ProfileStoreTest : public testing::TestWithParam<StoreKind<ProfileStore>> 
     return *std::move(put);
   }
 
-  std::unique_ptr<StorePlace<ProfileStore>> place_ = GetParam().place();
+  std::unique_ptr<StoreLocation<ProfileStore>> place_ = GetParam().place();
   std::unique_ptr<ProfileStore> store_ = place_->Open();
   int64_t now_us_ = 1'000;
 };
@@ -165,7 +165,7 @@ TEST_P(ProfileStoreTest, RevisionsThatManyFollowedLongAgoExpire) {
 
 TEST(SqlProfileStore, StoresAsManyBytesAsTheTableAllows) {
   constexpr RevisionTable kSmall = {"presets", "bundle of presets", 3, 10};
-  SqlitePlace place(kSmall);
+  SqliteLocation place(kSmall);
   const auto store = place.Open();
   const auto put = [&](const std::string& name, const std::string& bytes) {
     return store->Put({"a", name, bytes, Sha256Hex(bytes)}, 1).status();

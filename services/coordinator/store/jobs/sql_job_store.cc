@@ -369,7 +369,7 @@ absl::StatusOr<std::vector<JobEventRecord>> SqlJobStore::Events(const std::strin
 }
 
 absl::StatusOr<std::vector<TenantEvent>> SqlJobStore::EventsOf(const std::string& tenant,
-                                                               const EventPlace& after,
+                                                               const EventCursor& after,
                                                                int32_t limit) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();

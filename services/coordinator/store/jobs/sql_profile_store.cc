@@ -53,7 +53,7 @@ absl::StatusOr<int64_t> SqlProfileStore::LastRevision(SqlConnection& db, const s
 }
 
 /// Checks the limits of stored revisions. There are limits because revisions are stored for long.
-absl::Status SqlProfileStore::CheckRoom(SqlConnection& db, const NewProfile& profile) const {
+absl::Status SqlProfileStore::CheckSpace(SqlConnection& db, const NewProfile& profile) const {
   SqlQuery query(db, Sql(table_.max_bytes > 0 ? "SELECT count(*), coalesce(sum(length(settings)), "
                                                 "0) FROM revisions WHERE tenant = ?"
                                               : "SELECT count(*) FROM revisions WHERE tenant = ?"));
@@ -95,7 +95,7 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
     if (!newest.ok()) return newest.status();
     if (*newest && (*newest)->settings_digest == profile.settings_digest)
       return **std::move(newest);
-    if (absl::Status room = CheckRoom(**session, profile); !room.ok()) return room;
+    if (absl::Status space = CheckSpace(**session, profile); !space.ok()) return space;
     const auto last = LastRevision(**session, profile.tenant, profile.name);
     if (!last.ok()) return last.status();
     auto made = Insert(**session, profile, *last + 1, now_us);

@@ -46,7 +46,7 @@ class SqlProfileStore : public ProfileStore {
  private:
   std::string Sql(std::string_view text) const;
   absl::Status NotFound(const std::string& name, int64_t revision) const;
-  absl::Status CheckRoom(SqlConnection& db, const NewProfile& profile) const;
+  absl::Status CheckSpace(SqlConnection& db, const NewProfile& profile) const;
   absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::string& tenant,
                                                     const std::string& name,
                                                     int64_t revision) const;

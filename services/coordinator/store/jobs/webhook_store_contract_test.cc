@@ -16,7 +16,7 @@
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/sql/sqlite_database.h"
-#include "services/coordinator/store/store_place_test.h"
+#include "services/coordinator/store/store_location_test.h"
 
 namespace slicefarm::coordinator::webhook_store_contract_test {
 namespace {
@@ -30,7 +30,7 @@ struct JobsAndWebhooks {
   SqlWebhookStore webhooks;
 };
 
-class SqlitePlace : public StorePlace<JobsAndWebhooks> {
+class SqliteLocation : public StoreLocation<JobsAndWebhooks> {
  public:
   std::unique_ptr<JobsAndWebhooks> Open() override {
     return std::make_unique<JobsAndWebhooks>(*SqliteDatabase::Open(directory_.path() + "/db"));
@@ -40,7 +40,7 @@ class SqlitePlace : public StorePlace<JobsAndWebhooks> {
   TempDirectory directory_;
 };
 
-class PostgresPlace : public StorePlace<JobsAndWebhooks> {
+class PostgresLocation : public StoreLocation<JobsAndWebhooks> {
  public:
   std::unique_ptr<JobsAndWebhooks> Open() override {
     return std::make_unique<JobsAndWebhooks>(*PostgresDatabase::Open(database_));
@@ -51,8 +51,8 @@ class PostgresPlace : public StorePlace<JobsAndWebhooks> {
 };
 
 const std::vector<StoreKind<JobsAndWebhooks>> kStores = {
-    {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
-    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
+    {"Sqlite", [] { return std::make_unique<SqliteLocation>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresLocation>(); }},
 };
 
 class WebhookStoreTest : public testing::TestWithParam<StoreKind<JobsAndWebhooks>> {
@@ -69,7 +69,7 @@ class WebhookStoreTest : public testing::TestWithParam<StoreKind<JobsAndWebhooks
     ASSERT_TRUE(store_->jobs.RequestCancel(id, now_us).ok());
   }
 
-  std::unique_ptr<StorePlace<JobsAndWebhooks>> place_ = GetParam().place();
+  std::unique_ptr<StoreLocation<JobsAndWebhooks>> place_ = GetParam().place();
   std::unique_ptr<JobsAndWebhooks> store_ = place_->Open();
 };
 

@@ -32,12 +32,12 @@ absl::StatusOr<bool> Ask(SqlConnection& db, std::string_view sql) {
 /// Right to change the schema, held for the lifetime of this object. It is requested repeatedly
 /// instead of with one waiting statement, because CREATE INDEX CONCURRENTLY would wait for such a
 /// statement.
-class Turn {
+class SchemaLock {
  public:
-  explicit Turn(SqlConnection& db) : db_(db) {}
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-  ~Turn() {
+  explicit SchemaLock(SqlConnection& db) : db_(db) {}
+  SchemaLock(const SchemaLock&) = delete;
+  SchemaLock& operator=(const SchemaLock&) = delete;
+  ~SchemaLock() {
     if (mine_) Ask(db_, "SELECT pg_advisory_unlock(5117317)").IgnoreError();
   }
 
@@ -143,7 +143,7 @@ std::span<const PostgresMigration> PostgresMigrations() { return kPostgresMigrat
 
 absl::Status MigratePostgres(SqlConnection& db, std::span<const PostgresMigration> steps,
                              const Migrated& migrated, const CancelToken& cancel) {
-  Turn turn(db);
+  SchemaLock turn(db);
   if (absl::Status mine = turn.Await(cancel); !mine.ok()) return mine;
   const absl::Status ready = db.Execute(
       "CREATE TABLE IF NOT EXISTS slicefarm_schema (version BIGINT NOT NULL);"

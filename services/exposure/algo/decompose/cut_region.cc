@@ -22,7 +22,7 @@ void DropIfStraight(Polygon& ring, size_t i) {
 
 /// Returns the ring's points from `first` to `last`, both included. If `last` is less than `first`,
 /// the range continues at the ring's first point.
-Polygon Stretch(const Polygon& ring, size_t first, size_t last) {
+Polygon Chain(const Polygon& ring, size_t first, size_t last) {
   Polygon points;
   points.reserve(ring.size() + 2);
   if (last < first) {
@@ -35,8 +35,8 @@ Polygon Stretch(const Polygon& ring, size_t first, size_t last) {
 }
 
 /// Returns a range of the ring's points, closed by the cut from its last point to its first.
-Polygon ClosedStretch(const Polygon& ring, size_t first, size_t last) {
-  Polygon points = Stretch(ring, first, last);
+Polygon ClosedChain(const Polygon& ring, size_t first, size_t last) {
+  Polygon points = Chain(ring, first, last);
   DropIfStraight(points, points.size() - 1);
   DropIfStraight(points, 0);
   return points;
@@ -101,8 +101,8 @@ std::vector<CutRegion> CutAlong(CutRegion region, CornerIndex a, CornerIndex b) 
   }
 
   const Polygon& ring = region.rings[a.ring];
-  Polygon first = ClosedStretch(ring, a.point, b.point);
-  Polygon second = ClosedStretch(ring, b.point, a.point);
+  Polygon first = ClosedChain(ring, a.point, b.point);
+  Polygon second = ClosedChain(ring, b.point, a.point);
   std::vector<CutRegion> regions(2);
   size_t next = 0;
   if (outer) {

@@ -60,19 +60,19 @@ absl::Status FindTouches(std::vector<Edge>& edges) {
 }
 
 /// Directed edge between two corners, without a corner between them.
-struct Way {
+struct DirectedEdge {
   Point from, to;
   bool used = false;
 
-  friend bool operator<(const Way& v, const Way& w) {
+  friend bool operator<(const DirectedEdge& v, const DirectedEdge& w) {
     return v.from != w.from ? v.from < w.from : v.to < w.to;
   }
 };
 
 /// Divides edges where corners touch them, and removes pairs of opposite edges. Returns the
 /// remaining edges, sorted.
-absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
-  std::vector<Way> paths;
+absl::StatusOr<std::vector<DirectedEdge>> Divided(std::vector<Edge> edges) {
+  std::vector<DirectedEdge> paths;
   for (Edge& edge : edges) {
     const auto from_start = [&](Point p, Point q) {
       return Distance(edge.a, p) < Distance(edge.a, q);
@@ -86,10 +86,10 @@ absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
     paths.push_back({from, edge.b});
   }
   std::sort(paths.begin(), paths.end());
-  std::vector<Way> left;
+  std::vector<DirectedEdge> left;
   for (size_t i = 0; i < paths.size(); ++i) {
     if (i > 0 && !(paths[i - 1] < paths[i])) return Malformed("lie on each other", paths[i].from);
-    if (!std::binary_search(paths.begin(), paths.end(), Way{paths[i].to, paths[i].from}))
+    if (!std::binary_search(paths.begin(), paths.end(), DirectedEdge{paths[i].to, paths[i].from}))
       left.push_back(paths[i]);
   }
   return left;
@@ -108,23 +108,24 @@ bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
 
 /// Joins the edges into rings. At each corner, the ring continues with the first edge clockwise
 /// from the edge on which it arrives, so that it crosses no other ring.
-absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> paths) {
+absl::StatusOr<std::vector<Polygon>> Followed(std::vector<DirectedEdge> paths) {
   const auto leaving = [&](Point p) {
-    const auto first = std::lower_bound(paths.begin(), paths.end(), Way{p, {INT64_MIN, INT64_MIN}});
+    const auto first =
+        std::lower_bound(paths.begin(), paths.end(), DirectedEdge{p, {INT64_MIN, INT64_MIN}});
     auto last = first;
     while (last != paths.end() && last->from == p) ++last;
-    return std::span<Way>(first, last);
+    return std::span<DirectedEdge>(first, last);
   };
   std::vector<Polygon> rings;
-  for (Way& start : paths) {
+  for (DirectedEdge& start : paths) {
     if (start.used) continue;
     Polygon ring;
-    for (Way* path = &start; !path->used;) {
+    for (DirectedEdge* path = &start; !path->used;) {
       path->used = true;
       ring.push_back(path->from);
       const Vector2 back = ToVector(path->from - path->to);
-      Way* next = nullptr;
-      for (Way& other : leaving(path->to)) {
+      DirectedEdge* next = nullptr;
+      for (DirectedEdge& other : leaving(path->to)) {
         if (next == nullptr ||
             ComesFirst(back, ToVector(other.to - other.from), ToVector(next->to - next->from)))
           next = &other;

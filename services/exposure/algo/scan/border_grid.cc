@@ -37,7 +37,8 @@ bool AreApart(Vector2 a, Vector2 b, Vector2 c, Vector2 d, double distance) {
 
 using Span = std::pair<double, double>;
 
-/// Extends `span` by the values of t at which `a + t * way` is within `distance` of the point c.
+/// Extends `span` by the values of t at which `a + t * path` is within `distance` of the point
+/// c.
 void AddCircle(Vector2 a, Vector2 path, Vector2 c, double distance, Span& span) {
   const double length2 = Dot(path, path), along = Dot(c - a, path) / length2;
   const Vector2 off{a.x() + along * path.x() - c.x(), a.y() + along * path.y() - c.y()};
@@ -47,7 +48,7 @@ void AddCircle(Vector2 a, Vector2 path, Vector2 c, double distance, Span& span) 
   span = {std::min(span.first, along - half), std::max(span.second, along + half)};
 }
 
-/// Extends `span` by the values of t at which `a + t * way` is in the rectangle that reaches
+/// Extends `span` by the values of t at which `a + t * path` is in the rectangle that reaches
 /// `distance` to both sides of the segment cd.
 void AddRectangle(Vector2 a, Vector2 path, Vector2 c, Vector2 d, double distance, Span& span) {
   const double length = Norm(d - c);
@@ -69,8 +70,8 @@ void AddRectangle(Vector2 a, Vector2 path, Vector2 c, Vector2 d, double distance
   span = {std::min(span.first, low), std::max(span.second, high)};
 }
 
-/// Returns the values of t at which `a + t * way` is within `distance` of the segment cd. If first
-/// > second, there is no such value.
+/// Returns the values of t at which `a + t * path` is within `distance` of the segment cd. If
+/// first > second, there is no such value.
 Span NearSpan(Vector2 a, Vector2 path, Vector2 c, Vector2 d, double distance) {
   Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   AddCircle(a, path, c, distance, span);
@@ -123,7 +124,7 @@ BorderGrid::BorderGrid(const MultiPolygon& region, double reach_nm) : box_(Bound
   });
   ChooseSquares(reach_nm);
   SortEdges(reach_nm);
-  FindRoom();
+  FindInterior();
 }
 
 void BorderGrid::ChooseSquares(double reach_nm) {
@@ -176,34 +177,34 @@ void BorderGrid::SortEdges(double reach_nm) {
   }
 }
 
-void BorderGrid::FindRoom() {
+void BorderGrid::FindInterior() {
   // A square without border is inside if a ray from the left to its middle crosses the border an
   // odd number of times.
-  room_.assign(static_cast<size_t>(columns_) * rows_, 0);
+  interior_.assign(static_cast<size_t>(columns_) * rows_, 0);
   for (const Edge& edge : edges_) {
     const double low = std::min(edge.a.y(), edge.b.y()), high = std::max(edge.a.y(), edge.b.y());
     for (int32_t row = At({0, low}).row; row <= At({0, high}).row; ++row) {
       const double y = (row + 0.5) * square_;
       if ((edge.a.y() <= y) == (edge.b.y() <= y)) continue;
       const double t = (y - edge.a.y()) / (edge.b.y() - edge.a.y());
-      room_[IndexOf(At({edge.a.x() + t * (edge.b.x() - edge.a.x()), y}))] ^= 1;
+      interior_[IndexOf(At({edge.a.x() + t * (edge.b.x() - edge.a.x()), y}))] ^= 1;
     }
   }
   for (int32_t row = 0; row < rows_; ++row) {
     uint8_t odd = 0;
     for (int32_t column = 0; column < columns_; ++column) {
       const size_t i = IndexOf({column, row});
-      odd ^= room_[i];
-      room_[i] = begin_[i] == begin_[i + 1] ? odd : 0;
+      odd ^= interior_[i];
+      interior_[i] = begin_[i] == begin_[i + 1] ? odd : 0;
     }
   }
   // Computes each square's distance to the nearest square with boundary or outside, from the
   // distances of its neighbours. One pass forward and one pass backward over the grid are enough.
   const auto relax = [&](int32_t column, int32_t row, int32_t step) {
-    uint8_t& room = room_[IndexOf({column, row})];
+    uint8_t& room = interior_[IndexOf({column, row})];
     if (room == 0) return;
     const auto at = [&](int32_t c, int32_t r) -> int {
-      return c < 0 || r < 0 || c >= columns_ || r >= rows_ ? 0 : room_[IndexOf({c, r})];
+      return c < 0 || r < 0 || c >= columns_ || r >= rows_ ? 0 : interior_[IndexOf({c, r})];
     };
     const int least = std::min({at(column - step, row), at(column - step, row - step),
                                 at(column, row - step), at(column + step, row - step)});
@@ -218,11 +219,11 @@ void BorderGrid::FindRoom() {
 
 bool BorderGrid::IsFarFromBorder(Point a, Point b) const {
   const Square middle = SquareOf({(a.x + b.x) / 2, (a.y + b.y) / 2});
-  const int32_t room = room_[IndexOf(middle)];
-  const auto is_in_room = [&](Square s) {
+  const int32_t room = interior_[IndexOf(middle)];
+  const auto is_inside = [&](Square s) {
     return std::abs(s.column - middle.column) < room && std::abs(s.row - middle.row) < room;
   };
-  return is_in_room(SquareOf(a)) && is_in_room(SquareOf(b));
+  return is_inside(SquareOf(a)) && is_inside(SquareOf(b));
 }
 
 bool BorderGrid::Keeps(Point a, Point b, double distance_nm) const {
@@ -325,8 +326,8 @@ bool BorderGrid::Follow(Vector2 a, Vector2 b, Visit visit) const {
     const bool leaves_aside = !(next_y <= next_x);
     const double next = leaves_aside ? next_x : next_y;
     if (!(next < 1)) return true;
-    if (room_[index] > 1) {  // jump to the end of the known free area
-      const double far = next + (room_[index] - 1) * jump;
+    if (interior_[index] > 1) {  // jump to the end of the known free area
+      const double far = next + (interior_[index] - 1) * jump;
       if (!(far < 1)) return true;
       at = At({a.x() + far * path.x(), a.y() + far * path.y()});
     } else if (leaves_aside) {
@@ -344,8 +345,8 @@ bool BorderGrid::KeepsAlong(Vector2 a, Vector2 b, double distance_nm, bool& insi
   return Follow(a, b, [&](size_t square) {
     const int32_t begin = begin_[square], end = begin_[square + 1];
     if (begin == end) {
-      inside = inside || room_[square] > 0;
-      return room_[square] > 0;
+      inside = inside || interior_[square] > 0;
+      return interior_[square] > 0;
     }
     bool left_of_all = true;
     for (int32_t i = begin; i < end; ++i) {
@@ -366,7 +367,7 @@ bool BorderGrid::IsInside(Vector2 p) const {
   bool odd = false;
   for (int32_t column = At(p).column; column >= 0; --column) {
     const size_t square = IndexOf({column, row});
-    if (begin_[square] == begin_[square + 1]) return odd != (room_[square] > 0);
+    if (begin_[square] == begin_[square + 1]) return odd != (interior_[square] > 0);
     for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
       const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
       if ((edge.a.y() <= p.y()) == (edge.b.y() <= p.y())) continue;

@@ -103,7 +103,7 @@ class BorderGrid {
 
   void ChooseSquares(double reach_nm);
   void SortEdges(double reach_nm);
-  void FindRoom();
+  void FindInterior();
 
   std::vector<Edge> edges_;
   Box box_;
@@ -115,7 +115,7 @@ class BorderGrid {
   std::vector<int32_t> items_;  ///< edges within reach of each square
   /// Distance of each square, in squares, to the nearest square that contains boundary or is
   /// outside. 0: the square itself contains boundary or is outside.
-  std::vector<uint8_t> room_;
+  std::vector<uint8_t> interior_;
 };
 
 }  // namespace slicefarm::exposure

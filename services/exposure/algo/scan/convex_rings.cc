@@ -60,7 +60,7 @@ ConvexRing ConvexInsets::At(double distance) {
   // Intersects half planes in the order of their directions. `lines` from index `front` on are the
   // lines that contribute a side to the intersection so far.
   struct Line {
-    Vector2 at = Vector2::Zero(), way = Vector2::Zero();
+    Vector2 at = Vector2::Zero(), direction = Vector2::Zero();
     size_t edge = 0;
   };
   std::vector<Line> lines;
@@ -69,25 +69,27 @@ ConvexRing ConvexInsets::At(double distance) {
   corners.reserve(edges_.size());
   size_t front = 0;
   const auto meet = [](const Line& a, const Line& b) {
-    const double t = Cross(b.way, a.at - b.at) / Cross(a.way, b.way);
-    return Vector2{a.at.x() + t * a.way.x(), a.at.y() + t * a.way.y()};
+    const double t = Cross(b.direction, a.at - b.at) / Cross(a.direction, b.direction);
+    return Vector2{a.at.x() + t * a.direction.x(), a.at.y() + t * a.direction.y()};
   };
   const auto outside = [](const Line& line, Vector2 p) {
-    return Cross(line.way, p - line.at) <= 0;
+    return Cross(line.direction, p - line.at) <= 0;
   };
   for (size_t i = 0; i < edges_.size(); ++i) {
     const Edge& edge = edges_[i];
-    const Line line{{edge.at.x() - distance * edge.way.y(), edge.at.y() + distance * edge.way.x()},
-                    edge.way,
-                    i};
+    const Line line{
+        {edge.at.x() - distance * edge.direction.y(), edge.at.y() + distance * edge.direction.x()},
+        edge.direction,
+        i};
     while (lines.size() > front + 1 && outside(line, corners.back())) {
       lines.pop_back();
       corners.pop_back();
     }
     while (lines.size() > front + 1 && outside(line, corners[front])) ++front;
     if (lines.size() > front) {
-      const double turn = Cross(lines.back().way, line.way);
-      if (turn < -kParallel || (turn <= kParallel && Dot(lines.back().way, line.way) < 0))
+      const double turn = Cross(lines.back().direction, line.direction);
+      if (turn < -kParallel ||
+          (turn <= kParallel && Dot(lines.back().direction, line.direction) < 0))
         return {};
       if (turn <= kParallel) {  // same direction: the inner line counts
         if (outside(lines.back(), line.at)) continue;
@@ -106,7 +108,9 @@ ConvexRing ConvexInsets::At(double distance) {
     corners.pop_back();
   }
   while (lines.size() > front + 2 && outside(lines.back(), corners[front])) ++front;
-  if (lines.size() < front + 3 || Cross(lines.back().way, lines[front].way) <= kParallel) return {};
+  if (lines.size() < front + 3 ||
+      Cross(lines.back().direction, lines[front].direction) <= kParallel)
+    return {};
   ConvexRing ring(corners.begin() + static_cast<ptrdiff_t>(front), corners.end());
   ring.push_back(meet(lines.back(), lines[front]));
   std::vector<Edge> left;
@@ -138,7 +142,7 @@ namespace {
 
 /// Longest side of a polygon, and the polygon's extent perpendicular to it.
 struct Base {
-  Vector2 at = Vector2::Zero(), way = Vector2::Zero();
+  Vector2 at = Vector2::Zero(), direction = Vector2::Zero();
   double width = std::numeric_limits<double>::infinity();
 };
 
@@ -162,16 +166,16 @@ Spine Chord(const ConvexRing& ring, const Base& base, double height) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vector2 a = ring[i] - base.at, b = ring[(i + 1) % ring.size()] - base.at;
-    const double up_a = Cross(base.way, a) - height, up_b = Cross(base.way, b) - height;
+    const double up_a = Cross(base.direction, a) - height, up_b = Cross(base.direction, b) - height;
     if ((up_a < 0) == (up_b < 0)) continue;
     const double t = up_a / (up_a - up_b);
-    const double u = Dot(base.way, a) + t * (Dot(base.way, b) - Dot(base.way, a));
+    const double u = Dot(base.direction, a) + t * (Dot(base.direction, b) - Dot(base.direction, a));
     low = std::min(low, u);
     high = std::max(high, u);
   }
   const auto place = [&](double u) {
-    return Vector2{base.at.x() + u * base.way.x() - height * base.way.y(),
-                   base.at.y() + u * base.way.y() + height * base.way.x()};
+    return Vector2{base.at.x() + u * base.direction.x() - height * base.direction.y(),
+                   base.at.y() + u * base.direction.y() + height * base.direction.x()};
   };
   return {place(low), place(high), base.width};
 }

@@ -39,13 +39,14 @@ struct SharpCorner {
 };
 
 Vector2 UnitBetween(Vector2 a, Vector2 b) {
-  const Vector2 way = b - a;
-  const double length = Norm(way);
-  return length > 0 ? Vector2{way.x() / length, way.y() / length} : Vector2(Vector2::Zero());
+  const Vector2 direction = b - a;
+  const double length = Norm(direction);
+  return length > 0 ? Vector2{direction.x() / length, direction.y() / length}
+                    : Vector2(Vector2::Zero());
 }
 
-Vector2 Along(Vector2 from, Vector2 way, double length) {
-  return {from.x() + length * way.x(), from.y() + length * way.y()};
+Vector2 Along(Vector2 from, Vector2 direction, double length) {
+  return {from.x() + length * direction.x(), from.y() + length * direction.y()};
 }
 
 /// Returns the sharp corner at point i, or nullopt if the corner is blunt or not a corner at all.
@@ -63,7 +64,7 @@ std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
 }
 
 struct Spur {
-  Vector2 way = Vector2::Zero();  ///< unit vector of the direction
+  Vector2 direction = Vector2::Zero();  ///< unit vector of the direction
   double length = 0;
 };
 
@@ -78,26 +79,27 @@ ConvexRing Spurred(const ConvexRing& ring, const SpurFill& fill, SpurOf spur_of)
     if (!corner) continue;
     const Spur spur = spur_of(*corner);
     if (!(spur.length > fill.least_nm) || !std::isfinite(spur.length)) continue;
-    result.push_back(Along(ring[i], spur.way, spur.length));
+    result.push_back(Along(ring[i], spur.direction, spur.length));
     result.push_back(ring[i]);
   }
   return result;
 }
 
-/// Returns the distance from `p`, inside a convex ring, to the ring in the direction `way`.
-double DistanceTo(const ConvexRing& ring, Vector2 p, Vector2 way) {
+/// Returns the distance from `p`, inside a convex ring, to the ring in the direction `direction`.
+double DistanceTo(const ConvexRing& ring, Vector2 p, Vector2 direction) {
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vector2 a = ring[i], edge = ring[(i + 1) % ring.size()] - a;
-    const double out = Cross(way, edge);
+    const double out = Cross(direction, edge);
     if (out > 0) nearest = std::min(nearest, Cross(edge, p - a) / out);
   }
   return nearest;
 }
 
-/// Returns the width of a convex ring at `p`, perpendicular to `way`.
-double WidthAt(const ConvexRing& ring, Vector2 p, Vector2 way) {
-  return DistanceTo(ring, p, {way.y(), -way.x()}) + DistanceTo(ring, p, {-way.y(), way.x()});
+/// Returns the width of a convex ring at `p`, perpendicular to `direction`.
+double WidthAt(const ConvexRing& ring, Vector2 p, Vector2 direction) {
+  return DistanceTo(ring, p, {direction.y(), -direction.x()}) +
+         DistanceTo(ring, p, {-direction.y(), direction.x()});
 }
 
 }  // namespace
@@ -108,8 +110,10 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
     const Spur spur{corner.outward, to_tip - fill.spot_nm / 2};
     // If a side of the gap is missing in the ring, the gap may taper less than the ring's corner.
     // Then the gap's width decides.
-    const double width = WidthAt(around, Along(corner.at, spur.way, spur.length), spur.way);
-    return width < kOpenTip * fill.spot_nm ? Spur{spur.way, to_tip - corner.OpenNm(fill)} : spur;
+    const double width =
+        WidthAt(around, Along(corner.at, spur.direction, spur.length), spur.direction);
+    return width < kOpenTip * fill.spot_nm ? Spur{spur.direction, to_tip - corner.OpenNm(fill)}
+                                           : spur;
   });
 }
 
@@ -157,7 +161,7 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGri
     // everywhere along its length.
     const double least = std::max(fill.least_nm, kSpurTouchNm);
     for (; spur.length > least; spur.length *= 0.7) {
-      const Vector2 tip = Along(corner.at, spur.way, spur.length);
+      const Vector2 tip = Along(corner.at, spur.direction, spur.length);
       if (keeps(tip, tip, kRoundingNm) && keeps(corner.at, tip, kSimplifiedNm)) return spur;
     }
     return Spur{};

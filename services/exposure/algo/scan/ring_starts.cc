@@ -11,7 +11,7 @@ namespace slicefarm::exposure {
 namespace {
 
 /// Point of a closed line: index of the point at which its edge starts, and its position.
-struct RingPlace {
+struct RingPoint {
   size_t edge = 0;
   Point at;
 };
@@ -25,10 +25,10 @@ void ForEachSide(const Polyline& ring, Visit visit) {
     if (!is_tip(i) && !is_tip((i + 1) % size)) visit(i, ring[i], ring[i + 1]);
 }
 
-RingPlace PlaceAtShare(const Polyline& ring, double share) {
+RingPoint PointAtShare(const Polyline& ring, double share) {
   double length = 0;
   ForEachSide(ring, [&](size_t, Point a, Point b) { length += Distance(a, b); });
-  RingPlace place{0, ring[0]};
+  RingPoint place{0, ring[0]};
   double left = share * length;
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const double side = Distance(a, b);
@@ -42,8 +42,8 @@ RingPlace PlaceAtShare(const Polyline& ring, double share) {
   return place;
 }
 
-RingPlace NearestPlace(const Polyline& ring, Point p) {
-  RingPlace place{0, ring[0]};
+RingPoint NearestRingPoint(const Polyline& ring, Point p) {
+  RingPoint place{0, ring[0]};
   double nearest = std::numeric_limits<double>::infinity();
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const Point at = NearestOnSegment(p, a, b);
@@ -57,8 +57,8 @@ RingPlace NearestPlace(const Polyline& ring, Point p) {
 
 /// Returns the point where the line from `in`, inside of the ring, to `out` leaves the ring. If
 /// rounding hides this point, returns the point nearest to `out`.
-RingPlace CrossingPlace(const Polyline& ring, Point in, Point out) {
-  std::optional<RingPlace> place;
+RingPoint CrossingPoint(const Polyline& ring, Point in, Point out) {
+  std::optional<RingPoint> place;
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const double from = Cross(out - in, a - in), to = Cross(out - in, b - in);
     if (from > 0 || to <= 0) return;  // a convex ring is left from right to left
@@ -66,10 +66,10 @@ RingPlace CrossingPlace(const Polyline& ring, Point in, Point out) {
     place = {edge, a + Point{std::llround(t * static_cast<double>(b.x - a.x)),
                              std::llround(t * static_cast<double>(b.y - a.y))}};
   });
-  return place ? *place : NearestPlace(ring, out);
+  return place ? *place : NearestRingPoint(ring, out);
 }
 
-void StartAt(const RingPlace& place, Polyline& ring) {
+void StartAt(const RingPoint& place, Polyline& ring) {
   ring.pop_back();
   size_t first = place.edge;
   if (place.at != ring[first]) {
@@ -89,16 +89,16 @@ bool IsClosed(const Polyline& line) { return line.size() > 3; }
 
 void StartAtShare(std::vector<Polyline>& rings, double share) {
   if (rings.empty() || !IsClosed(rings.front())) return;
-  const RingPlace outer = PlaceAtShare(rings.front(), share);
+  const RingPoint outer = PointAtShare(rings.front(), share);
   const Polyline& innermost = rings.back();
   const Point inner = IsClosed(innermost)
-                          ? NearestPlace(innermost, outer.at).at
+                          ? NearestRingPoint(innermost, outer.at).at
                           : NearestOnSegment(outer.at, innermost.front(), innermost.back());
   StartAt(outer, rings.front());
   for (size_t i = 1; i < rings.size(); ++i) {
     if (!IsClosed(rings[i])) continue;
-    StartAt(i + 1 == rings.size() ? NearestPlace(rings[i], outer.at)
-                                  : CrossingPlace(rings[i], inner, outer.at),
+    StartAt(i + 1 == rings.size() ? NearestRingPoint(rings[i], outer.at)
+                                  : CrossingPoint(rings[i], inner, outer.at),
             rings[i]);
   }
 }

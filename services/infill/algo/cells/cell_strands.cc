@@ -36,7 +36,7 @@ StrandTile::StrandTile(VoronoiTile tile) : tile_(std::move(tile)) {
   MeasureBends();
 }
 
-Vector2 StrandTile::Way(int32_t half) const {
+Vector2 StrandTile::DirectionOf(int32_t half) const {
   const TileEdge& edge = tile_.edges[static_cast<size_t>(half / 2)];
   const Vector2 a = tile_.vertices[static_cast<size_t>(edge.from)];
   const Vector2 b = tile_.vertices[static_cast<size_t>(edge.to)];
@@ -48,7 +48,7 @@ void StrandTile::MatchVertices() {
   std::vector<WeightedEdge> edges;
   for (int32_t edge = 0; edge < static_cast<int32_t>(tile_.edges.size()); ++edge) {
     const TileEdge& at = tile_.edges[static_cast<size_t>(edge)];
-    edges.push_back({at.from, at.to, std::llround(Norm(Way(2 * edge)) / kLengthUnit)});
+    edges.push_back({at.from, at.to, std::llround(Norm(DirectionOf(2 * edge)) / kLengthUnit)});
   }
   const PerfectMatching matching =
       LightestPerfectMatching(static_cast<int32_t>(tile_.vertices.size()), edges);
@@ -61,13 +61,14 @@ void StrandTile::MatchVertices() {
 void StrandTile::LayCourses() {
   for (int32_t edge = 0; edge < static_cast<int32_t>(doubled_.size()); ++edge) {
     if (!doubled_[static_cast<size_t>(edge)]) continue;
-    const Vector2 way = Way(2 * edge);
+    const Vector2 direction = DirectionOf(2 * edge);
     const auto sides = [&](int32_t vertex, int32_t own) {
       std::array<int32_t, 2> others{};
       size_t count = 0;
       for (const int32_t half : leaving_[static_cast<size_t>(vertex)])
         if (half != own) others[count++] = half;
-      if (Cross(way, Way(others[0])) < Cross(way, Way(others[1]))) std::swap(others[0], others[1]);
+      if (Cross(direction, DirectionOf(others[0])) < Cross(direction, DirectionOf(others[1])))
+        std::swap(others[0], others[1]);
       return others;
     };
     const auto from = sides(tile_.edges[static_cast<size_t>(edge)].from, 2 * edge);
@@ -84,7 +85,8 @@ void StrandTile::JoinCourses() {
   for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
   std::vector<size_t> pairs;
   for (size_t i = 0; i < courses_.size(); i += 2) pairs.push_back(i);
-  std::ranges::stable_sort(pairs, {}, [this](size_t i) { return Norm(Way(2 * courses_[i].edge)); });
+  std::ranges::stable_sort(pairs, {},
+                           [this](size_t i) { return Norm(DirectionOf(2 * courses_[i].edge)); });
   for (const size_t i : pairs) {
     if (!join(courses_[i].ends[0], courses_[i + 1].ends[0])) continue;
     std::swap(courses_[i].ends[1], courses_[i + 1].ends[1]);
@@ -125,15 +127,15 @@ void StrandTile::LinkStrands() {
 
 void StrandTile::MeasureBends() {
   for (const Course& course : courses_) {
-    const Vector2 doubled = Way(2 * course.edge);
+    const Vector2 doubled = DirectionOf(2 * course.edge);
     const Vector2 first =
         tile_.vertices[static_cast<size_t>(tile_.edges[static_cast<size_t>(course.edge)].from)];
     std::array<Bend, 2>& bends = bends_.emplace_back();
     bends[0].vertex = first;
     bends[1].vertex = {first.x() + doubled.x(), first.y() + doubled.y()};
     for (const size_t end : {0, 1}) {
-      bends[end].way = Way(course.ends[end]);
-      const double aside = std::abs(Cross(bends[end].way, doubled)) / Norm(doubled);
+      bends[end].direction = DirectionOf(course.ends[end]);
+      const double aside = std::abs(Cross(bends[end].direction, doubled)) / Norm(doubled);
       bends[end].share_by_gap = aside > 0 ? 0.5 / aside : kSteepest;
     }
   }

@@ -55,19 +55,19 @@ class StrandTile {
     std::array<int32_t, 2> ends{};
   };
   /// Bend between a doubled edge and a single edge: the end of a strand's part beside the doubled
-  /// edge. It is on the edge that leaves `vertex` in the direction `way`. `share_by_gap`: its
+  /// edge. It is on the edge that leaves `vertex` in the direction `direction`. `share_by_gap`: its
   /// distance from the vertex along this edge, per unit of the gap.
   struct Bend {
     Vector2 vertex = Vector2::Zero();
-    Vector2 way = Vector2::Zero();
+    Vector2 direction = Vector2::Zero();
     double share_by_gap = 0;
 
     Vector2 At(double share) const {
-      return {vertex.x() + share * way.x(), vertex.y() + share * way.y()};
+      return {vertex.x() + share * direction.x(), vertex.y() + share * direction.y()};
     }
   };
 
-  Vector2 Way(int32_t half) const;
+  Vector2 DirectionOf(int32_t half) const;
   void MatchVertices();
   void LayCourses();
   void JoinCourses();

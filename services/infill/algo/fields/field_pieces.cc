@@ -79,8 +79,8 @@ absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coor
 
 /// Returns the position of a point on the edges of a region, or a position without a ring if no
 /// edge is near.
-EdgePlace PlaceOn(const EdgeIndex& edges, Point p) {
-  EdgePlace place;
+EdgePosition PlaceOn(const EdgeIndex& edges, Point p) {
+  EdgePosition place;
   double nearest = kOnEdgeNm;
   edges.ForEachNear(Box{p, p}.Grown(kOnEdgeNm), [&](int32_t number) {
     const EdgeIndex::Edge& edge = edges.At(number);
@@ -101,7 +101,7 @@ MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, 
 }
 
 absl::StatusOr<std::vector<Piece>> PiecesInParts(const MultiPolygon& region, FillPattern pattern,
-                                                 PatternPlace place, const LayerField& field) {
+                                                 PatternContext place, const LayerField& field) {
   const auto parts = PartsOfField(region, field);
   if (!parts.ok()) return parts.status();
   const EdgeIndex edges(region, kSquareNm);
@@ -141,7 +141,7 @@ absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region
 }
 
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
-                                                 const PatternPlace& place,
+                                                 const PatternContext& place,
                                                  const LayerField& field) {
   if (region.empty()) return std::vector<Piece>{};
   if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
@@ -149,7 +149,7 @@ absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, Fil
   const double greatest = field.density->Greatest();
   if (greatest <= 0) return std::vector<Piece>{};
   const auto spacing = static_cast<double>(place.spacing_nm);
-  PatternPlace upright = place;  // all graded lines lean alike, no pattern by itself
+  PatternContext upright = place;  // all graded lines lean alike, no pattern by itself
   upright.pitch_nm = spacing / greatest;
   upright.z_nm = 0;
   return GradedPieces(region, Leaning(LineFamiliesOf(pattern, upright), place.z_nm), field,

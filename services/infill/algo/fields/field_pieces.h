@@ -24,11 +24,11 @@ absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region
 /// Fills a region with the density of a field. A field with directions gives streamlines
 /// (Streamlines). Other fields use the lines of `pattern`, graded (GradedPieces) or in parts
 /// (IsInParts). In parts, lines end at the boundary of their part, and lines that follow this
-/// boundary keep half a pitch from other parts. `place` gives all parameters of the pattern except
-/// the pitch. Errors: REQUEST_TOO_LARGE for too many cells, lines or points; other errors of
+/// boundary keep half a pitch from other parts. `context` gives all parameters of the pattern
+/// except the pitch. Errors: REQUEST_TOO_LARGE for too many cells, lines or points; other errors of
 /// `pattern`, see its MakePattern.
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
-                                                 const PatternPlace& place,
+                                                 const PatternContext& context,
                                                  const LayerField& field);
 
 }  // namespace slicefarm::infill

@@ -43,11 +43,11 @@ TEST(PiecesOfField, EveryPatternGivesTheMeanDensity) {
       ASSERT_TRUE(paths.ok()) << info.name;
       for (const Path& path : *paths) plastic_mm3 += PlasticMm3(path, 200'000);
     }
-    const double room_mm3 = 64.0 * 64 * 0.2 * kLayers;
+    const double volume_mm3 = 64.0 * 64 * 0.2 * kLayers;
     // Links along the walls add plastic, on half of the perimeter.
     const double links = 0.5 * 4 * 64 * 0.407 / (64 * 64 * 0.25);
-    EXPECT_GE(plastic_mm3 / room_mm3 / 0.25, 0.975) << info.name;
-    EXPECT_LE(plastic_mm3 / room_mm3 / 0.25, 1.025 + links) << info.name;
+    EXPECT_GE(plastic_mm3 / volume_mm3 / 0.25, 0.975) << info.name;
+    EXPECT_LE(plastic_mm3 / volume_mm3 / 0.25, 1.025 + links) << info.name;
   }
 }
 
@@ -91,7 +91,7 @@ TEST(PiecesOfField, RememberedStreamlinesAreThoseOfTheirBoxAndSpacing) {
   remembers.memo = &memo;
   for (const Coord spacing : {400'000, 400'000, 500'000}) {
     for (const double side : {20.0, 20.5, 60.0, 20.0}) {
-      const PatternPlace place{.spacing_nm = spacing};
+      const PatternContext place{.spacing_nm = spacing};
       const auto fresh = PiecesOfField(Square(side), FillPattern::kGrid, place, plain);
       const auto again = PiecesOfField(Square(side), FillPattern::kGrid, place, remembers);
       ASSERT_TRUE(fresh.ok() && again.ok());

@@ -12,51 +12,51 @@ namespace {
 constexpr double kLookMm = 0.25;
 
 /// Part of a line, given by its ends.
-struct Stretch {
+struct DenseSpan {
   double from = 0;
   double to = 0;
 };
 
 /// Returns the parts of a line between `from` and `to` where the field is above `level`.
-std::vector<Stretch> Above(const LineAxes& frame, double v, double from, double to, double level,
-                           const LayerField& field) {
-  std::vector<Stretch> stretches;
+std::vector<DenseSpan> Above(const LineAxes& frame, double v, double from, double to, double level,
+                             const LayerField& field) {
+  std::vector<DenseSpan> spans;
   const auto count =
       std::max<int64_t>(1, static_cast<int64_t>(std::ceil((to - from) / (kLookMm * kNmPerMm))));
   const double step = (to - from) / static_cast<double>(count);
   double last_u = from;
   double last = field.DensityAt(frame.At(from, v)) - level;
-  if (last > 0) stretches.push_back({from, to});
+  if (last > 0) spans.push_back({from, to});
   for (int64_t i = 1; i <= count; ++i) {
     const double u = i == count ? to : from + static_cast<double>(i) * step;
     const double value = field.DensityAt(frame.At(u, v)) - level;
     if ((value > 0) != (last > 0)) {
       const double at = last_u + (u - last_u) * last / (last - value);
       if (value > 0) {
-        stretches.push_back({at, to});
+        spans.push_back({at, to});
       } else {
-        stretches.back().to = at;
+        spans.back().to = at;
       }
     }
     last_u = u, last = value;
   }
-  return stretches;
+  return spans;
 }
 
 /// Removes gaps that are too short, then parts that are too short. A part that touches an end of
 /// the line is kept.
-std::vector<Stretch> WithoutShort(const std::vector<Stretch>& stretches, double from, double to,
-                                  double min_length) {
-  std::vector<Stretch> joined;
-  for (const Stretch& stretch : stretches) {
-    if (!joined.empty() && stretch.from - joined.back().to < min_length) {
-      joined.back().to = stretch.to;
+std::vector<DenseSpan> WithoutShort(const std::vector<DenseSpan>& spans, double from, double to,
+                                    double min_length) {
+  std::vector<DenseSpan> joined;
+  for (const DenseSpan& span : spans) {
+    if (!joined.empty() && span.from - joined.back().to < min_length) {
+      joined.back().to = span.to;
     } else {
-      joined.push_back(stretch);
+      joined.push_back(span);
     }
   }
-  std::erase_if(joined, [&](const Stretch& stretch) {
-    return stretch.to - stretch.from < min_length && stretch.from != from && stretch.to != to;
+  std::erase_if(joined, [&](const DenseSpan& span) {
+    return span.to - span.from < min_length && span.from != from && span.to != to;
   });
   return joined;
 }
@@ -84,13 +84,13 @@ absl::StatusOr<std::vector<Piece>> GradedPieces(const MultiPolygon& region,
       const double v = lines->first_v + lines->pitch * from.line;
       const int64_t index = std::llround((v - family.phase_nm) / family.pitch_nm);
       const double level = graded.greatest * RankOf(index);
-      const auto stretches = WithoutShort(Above(lines->frame, v, from.u, to.u, level, field),
-                                          from.u, to.u, graded.min_length_nm);
-      for (const Stretch& stretch : stretches) {
-        Piece part{{lines->frame.At(stretch.from, v), lines->frame.At(stretch.to, v)}};
+      const auto spans = WithoutShort(Above(lines->frame, v, from.u, to.u, level, field), from.u,
+                                      to.u, graded.min_length_nm);
+      for (const DenseSpan& span : spans) {
+        Piece part{{lines->frame.At(span.from, v), lines->frame.At(span.to, v)}};
         if (part.points[0] == part.points[1]) continue;
-        if (stretch.from == from.u) part.from = {from.ring, from.edge};
-        if (stretch.to == to.u) part.to = {to.ring, to.edge};
+        if (span.from == from.u) part.from = {from.ring, from.edge};
+        if (span.to == to.u) part.to = {to.ring, to.edge};
         pieces.push_back(std::move(part));
       }
     }

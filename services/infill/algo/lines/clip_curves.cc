@@ -24,7 +24,7 @@ Point OfCurve(Point p) { return OfRegion(p) + kAside; }
 /// Crossing of a curve's segment and an edge.
 struct Meeting {
   double t = 0;  ///< position along the segment, in [0, 1]
-  EdgePlace place;
+  EdgePosition place;
   bool enters = false;
 };
 
@@ -144,7 +144,7 @@ class Clipper {
   State state_ = State::kUnknown;
   Piece current_;
   Polyline head_;  ///< points from the curve's beginning to the first edge
-  EdgePlace head_end_;
+  EdgePosition head_end_;
   std::vector<Piece> pieces_;
 };
 

@@ -38,32 +38,32 @@ FittedStrips::FittedStrips(const ScanLines& lines, const Options& options) : lin
   for (size_t i = 0; i < lines.crossings.size(); ++i) {
     const auto from = static_cast<int32_t>(i);
     if (const auto flat = FlatFrom(from, options.reach_nm))
-      AddStretch(*flat, from, options.linked[i] ? options.link_nm : 0);
+      AddSpan(*flat, from, options.linked[i] ? options.link_nm : 0);
   }
-  std::ranges::sort(rooms_, {}, [](const Room& room) {
-    return std::tuple(room.side, room.knots.front().u, room.knots.back().u);
+  std::ranges::sort(extra_widths_, {}, [](const ExtraWidth& extra) {
+    return std::tuple(extra.side, extra.knots.front().u, extra.knots.back().u);
   });
 }
 
 /// Returns the points along the boundary from a crossing to the next one, in the frame.
-std::vector<Vector2> FittedStrips::WayOf(int32_t from) const {
+std::vector<Vector2> FittedStrips::CurveOf(int32_t from) const {
   const Crossing& a = lines_.crossings[from];
   const Crossing& b = lines_.crossings[a.next];
-  std::vector<Vector2> way = {{a.u, lines_.VOf(a.line)}};
+  std::vector<Vector2> curve = {{a.u, lines_.VOf(a.line)}};
   ForEachCorner(*lines_.rings[a.ring], {a.edge, b.edge, true}, [&](Point p) {
-    way.push_back({lines_.frame.U(p), lines_.frame.V(p)});
+    curve.push_back({lines_.frame.U(p), lines_.frame.V(p)});
   });
-  way.push_back({b.u, lines_.VOf(b.line)});
-  return way;
+  curve.push_back({b.u, lines_.VOf(b.line)});
+  return curve;
 }
 
 /// Returns the lower one of the two lines between which a part of the boundary runs.
-int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& way) const {
+int32_t FittedStrips::LineBelow(int32_t from, const std::vector<Vector2>& curve) const {
   const Crossing& a = lines_.crossings[from];
   const int32_t other = lines_.crossings[a.next].line;
   if (a.line != other) return std::min(a.line, other);
   const auto [lowest, highest] =
-      std::ranges::minmax(way, {}, [](const Vector2& p) { return p.y(); });
+      std::ranges::minmax(curve, {}, [](const Vector2& p) { return p.y(); });
   const double v = lines_.VOf(a.line);
   return highest.y() - v > v - lowest.y() ? a.line : a.line - 1;
 }
@@ -81,59 +81,59 @@ int32_t FittedStrips::PieceBeside(int32_t line, double from_u, double to_u) cons
   return lines_.crossings[*std::prev(after)].u <= from_u ? place / 2 : -1;
 }
 
-std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
-                                                                double reach_nm) const {
+std::optional<FittedStrips::FlatSpan> FittedStrips::FlatFrom(int32_t from, double reach_nm) const {
   const Crossing* start = &lines_.crossings[from];
   const Crossing* end = &lines_.crossings[start->next];
   const double least = kLeastFlatPitches * lines_.pitch;
   if (std::abs(end->u - start->u) < least) return std::nullopt;
 
-  FlatStretch flat{.way = WayOf(from)};
-  std::vector<Vector2>& way = flat.way;
-  const int32_t below = LineBelow(from, way);
+  FlatSpan flat{.curve = CurveOf(from)};
+  std::vector<Vector2>& curve = flat.curve;
+  const int32_t below = LineBelow(from, curve);
   // The region is to the left of its boundary.
   flat.region_above = end->u > start->u;
-  if (!flat.region_above) std::ranges::reverse(way);
-  if (!std::ranges::is_sorted(way, {}, [](const Vector2& p) { return p.x(); })) return std::nullopt;
+  if (!flat.region_above) std::ranges::reverse(curve);
+  if (!std::ranges::is_sorted(curve, {}, [](const Vector2& p) { return p.x(); }))
+    return std::nullopt;
   flat.line = flat.region_above ? below + 1 : below;
-  flat.piece = PieceBeside(flat.line, way.front().x(), way.back().x());
+  flat.piece = PieceBeside(flat.line, curve.front().x(), curve.back().x());
   if (flat.piece < 0) return std::nullopt;
 
   // Steep ends of the part are treated like normal ends of lines: the flat part ends before them.
   const auto steep = [](const Vector2& a, const Vector2& b) {
     return std::abs(b.y() - a.y()) > kSteepSlope * (b.x() - a.x());
   };
-  flat.last = way.size() - 1;
-  while (flat.first < flat.last && steep(way[flat.first], way[flat.first + 1])) ++flat.first;
-  while (flat.first < flat.last && steep(way[flat.last - 1], way[flat.last])) --flat.last;
-  const double width = way[flat.last].x() - way[flat.first].x();
+  flat.last = curve.size() - 1;
+  while (flat.first < flat.last && steep(curve[flat.first], curve[flat.first + 1])) ++flat.first;
+  while (flat.first < flat.last && steep(curve[flat.last - 1], curve[flat.last])) --flat.last;
+  const double width = curve[flat.last].x() - curve[flat.first].x();
   if (width < least) return std::nullopt;
   double length = 0;
   for (size_t i = flat.first; i < flat.last; ++i)
-    length += Hypot(way[i + 1].x() - way[i].x(), way[i + 1].y() - way[i].y());
+    length += Hypot(curve[i + 1].x() - curve[i].x(), curve[i + 1].y() - curve[i].y());
   flat.reach_nm = reach_nm * length / width;
   return flat;
 }
 
 /// Returns the distance from the boundary to the far side of the strip of the line beside the
 /// boundary.
-double FittedStrips::RoomAt(const FlatStretch& flat, size_t i) const {
-  return std::abs(flat.way[i].y() - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
+double FittedStrips::ExtraWidthAt(const FlatSpan& flat, size_t i) const {
+  return std::abs(flat.curve[i].y() - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
 }
 
-void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, double link_nm) {
+void FittedStrips::AddSpan(const FlatSpan& flat, int32_t from, double link_nm) {
   std::vector<Knot> edge;
   for (size_t i = flat.first; i <= flat.last; ++i) {
-    const double strip =
-        std::clamp(RoomAt(flat, i) - link_nm, kNarrowest * lines_.pitch, kWidest * lines_.pitch);
-    edge.push_back({flat.way[i].x(), strip - lines_.pitch});
+    const double strip = std::clamp(ExtraWidthAt(flat, i) - link_nm, kNarrowest * lines_.pitch,
+                                    kWidest * lines_.pitch);
+    edge.push_back({flat.curve[i].x(), strip - lines_.pitch});
   }
   const Crossing* start = &lines_.crossings[from];
   const Crossing* end = &lines_.crossings[start->next];
   if (!flat.region_above) std::swap(start, end);
   edge.front().u = start->u;
   edge.back().u = end->u;
-  rooms_.push_back(
+  extra_widths_.push_back(
       {2 * flat.piece + (flat.region_above ? 0 : 1),
        Joined(std::move(edge), start->place / 2 == flat.piece, end->place / 2 == flat.piece)});
 }
@@ -166,11 +166,11 @@ double FittedStrips::MoreAt(const std::vector<Knot>& knots, double u) {
 /// Returns the knots on one side of a piece. If flat parts overlap, the first one counts.
 std::vector<FittedStrips::Knot> FittedStrips::KnotsOf(int32_t side) const {
   std::vector<Knot> knots;
-  for (auto it = std::ranges::lower_bound(rooms_, side, {}, &Room::side);
-       it != rooms_.end() && it->side == side; ++it) {
-    const Room& room = *it;
-    if (knots.empty() || room.knots.front().u >= knots.back().u)
-      knots.insert(knots.end(), room.knots.begin(), room.knots.end());
+  for (auto it = std::ranges::lower_bound(extra_widths_, side, {}, &ExtraWidth::side);
+       it != extra_widths_.end() && it->side == side; ++it) {
+    const ExtraWidth& extra = *it;
+    if (knots.empty() || extra.knots.front().u >= knots.back().u)
+      knots.insert(knots.end(), extra.knots.begin(), extra.knots.end());
   }
   return knots;
 }

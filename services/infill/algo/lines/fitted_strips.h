@@ -57,14 +57,14 @@ class FittedStrips {
   };
   /// Extra widths on one side of a piece, along one part of the boundary beside it. Outside of its
   /// knots there is no extra width.
-  struct Room {
+  struct ExtraWidth {
     int32_t side = 0;  ///< 2 * index of the piece; + 1 for the side above the piece (greater v)
     std::vector<Knot> knots;
   };
   /// Part of the boundary at a small angle to the lines, from one crossing to the next, and the
   /// piece beside it.
-  struct FlatStretch {
-    std::vector<Vector2> way;  ///< points as (u, v), with increasing u
+  struct FlatSpan {
+    std::vector<Vector2> curve;  ///< points as (u, v), with increasing u
     size_t first = 0, last = 0;
     int32_t line = 0, piece = 0;
     bool region_above = false;
@@ -72,18 +72,18 @@ class FittedStrips {
     double reach_nm = 0;
   };
 
-  std::optional<FlatStretch> FlatFrom(int32_t from, double reach_nm) const;
-  void AddStretch(const FlatStretch& flat, int32_t from, double link_nm);
-  double RoomAt(const FlatStretch& flat, size_t i) const;
-  std::vector<Vector2> WayOf(int32_t from) const;
-  int32_t LineBelow(int32_t from, const std::vector<Vector2>& way) const;
+  std::optional<FlatSpan> FlatFrom(int32_t from, double reach_nm) const;
+  void AddSpan(const FlatSpan& flat, int32_t from, double link_nm);
+  double ExtraWidthAt(const FlatSpan& flat, size_t i) const;
+  std::vector<Vector2> CurveOf(int32_t from) const;
+  int32_t LineBelow(int32_t from, const std::vector<Vector2>& curve) const;
   int32_t PieceBeside(int32_t line, double from_u, double to_u) const;
   std::vector<Knot> Joined(std::vector<Knot> edge, bool own_start, bool own_end) const;
   std::vector<Knot> KnotsOf(int32_t side) const;
   static double MoreAt(const std::vector<Knot>& knots, double u);
 
   const ScanLines& lines_;
-  std::vector<Room> rooms_;  ///< extra widths, sorted by side, then along the side
+  std::vector<ExtraWidth> extra_widths_;  ///< extra widths, sorted by side, then along the side
 };
 
 }  // namespace slicefarm::infill

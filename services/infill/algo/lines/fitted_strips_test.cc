@@ -47,7 +47,7 @@ TEST(FittedStrips, HalfAPitchToEachSideWhereTheEdgeIsSteep) {
     const std::vector<StripPoint> strip = strips.fitted.From(place);
     ASSERT_EQ(strip.size(), 2u);
     const auto at = [&](int32_t p) {
-      return strips.lines.PlaceOf(strips.lines.crossings[strips.lines.order[p]]);
+      return strips.lines.PointOf(strips.lines.crossings[strips.lines.order[p]]);
     };
     EXPECT_EQ(strip.front(), (StripPoint{at(place), kPitch}));
     EXPECT_EQ(strip.back(), (StripPoint{at(place ^ 1), kPitch}));

@@ -87,7 +87,7 @@ void SortByLine(int32_t line_count, ScanLines& lines) {
 
 }  // namespace
 
-Point ScanLines::PlaceOf(const Crossing& crossing) const {
+Point ScanLines::PointOf(const Crossing& crossing) const {
   return frame.At(crossing.u, VOf(crossing.line));
 }
 

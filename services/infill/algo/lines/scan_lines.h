@@ -47,7 +47,7 @@ struct ScanLines {
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
   double VOf(int32_t line) const { return first_v + pitch * line; }
   /// Returns the crossing's position in the plane, rounded to nm.
-  Point PlaceOf(const Crossing& crossing) const;
+  Point PointOf(const Crossing& crossing) const;
   /// Returns the length of one piece, in nm.
   double PieceLength(int32_t piece) const;
   /// Returns the total length of all pieces, in nm.

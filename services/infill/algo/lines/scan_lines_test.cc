@@ -24,7 +24,7 @@ TEST(ScanLines, CutASquare) {
   EXPECT_EQ(lines->PieceCount(), 10);
   EXPECT_NEAR(lines->PieceLength(3), 10e6, 1e-3);
   EXPECT_NEAR(TotalMm(*lines), 100, 1e-9);
-  EXPECT_EQ(lines->PlaceOf(lines->crossings[lines->order[0]]), (Point{0, 500'000}));
+  EXPECT_EQ(lines->PointOf(lines->crossings[lines->order[0]]), (Point{0, 500'000}));
 }
 
 // Every line through vertices and along edges still meets the boundary an even number of times.

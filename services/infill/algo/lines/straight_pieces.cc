@@ -12,7 +12,7 @@ absl::StatusOr<std::vector<Piece>> StraightPieces(const MultiPolygon& region,
     for (int32_t piece = 0; piece < lines->PieceCount(); ++piece) {
       const Crossing& from = lines->crossings[lines->order[2 * piece]];
       const Crossing& to = lines->crossings[lines->order[2 * piece + 1]];
-      const Point start = lines->PlaceOf(from), end = lines->PlaceOf(to);
+      const Point start = lines->PointOf(from), end = lines->PointOf(to);
       if (start == end) continue;
       pieces.push_back({{start, end}, {from.ring, from.edge}, {to.ring, to.edge}});
     }

@@ -27,8 +27,8 @@ Linked LinkAll(std::string_view text, const LineFamily& family, double max_link_
     if (!links[static_cast<size_t>(end)]) continue;
     EXPECT_FALSE(links[static_cast<size_t>(ends.Next(end))]);
     ++linked.links;
-    linked.length_nm += ends.StretchLength(end);
-    EXPECT_LE(ends.StretchLength(end), max_link_nm);
+    linked.length_nm += ends.SpanLength(end);
+    EXPECT_LE(ends.SpanLength(end), max_link_nm);
   }
   return linked;
 }

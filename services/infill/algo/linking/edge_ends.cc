@@ -12,27 +12,27 @@ EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces) : 
   });
   ends_.reserve(2 * pieces.size());
   for (const Piece& piece : pieces) {
-    ends_.push_back({piece.closed ? EdgePlace{} : piece.from});
-    ends_.push_back({piece.closed ? EdgePlace{} : piece.to});
+    ends_.push_back({piece.closed ? EdgePosition{} : piece.from});
+    ends_.push_back({piece.closed ? EdgePosition{} : piece.to});
   }
   SortAlongRings();
 }
 
-Point EdgeEnds::PlaceOf(int32_t end) const {
+Point EdgeEnds::PositionOf(int32_t end) const {
   const Polyline& points = PieceAt(end / 2).points;
   return end % 2 == 0 ? points.front() : points.back();
 }
 
-Polyline EdgeEnds::StretchPoints(int32_t end) const {
+Polyline EdgeEnds::SpanPoints(int32_t end) const {
   const End& from = At(end);
   const End& to = At(from.next);
   const bool around = from.next == end || to.along_nm < from.along_nm ||
-                      (to.along_nm == from.along_nm && from.stretch_nm > 0);
-  Polyline points{PlaceOf(end)};
+                      (to.along_nm == from.along_nm && from.span_nm > 0);
+  Polyline points{PositionOf(end)};
   ForEachCorner(*rings_[static_cast<size_t>(from.place.ring)],
                 {from.place.edge, to.place.edge, true, around},
                 [&points](Point p) { points.push_back(p); });
-  points.push_back(PlaceOf(from.next));
+  points.push_back(PositionOf(from.next));
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() == 1) points.push_back(points.front());
   return points;
@@ -44,7 +44,7 @@ void EdgeEnds::SortAlongRings() {
     End& end = ends_[static_cast<size_t>(i)];
     const auto ring = static_cast<size_t>(end.place.ring);
     const auto edge = static_cast<size_t>(end.place.edge);
-    end.along_nm = corner_at_[ring][edge] + Distance((*rings_[ring])[edge], PlaceOf(i));
+    end.along_nm = corner_at_[ring][edge] + Distance((*rings_[ring])[edge], PositionOf(i));
     order_.push_back(i);
   }
   // The edge is compared first: an end's position is rounded, and may seem to be beyond its edge's
@@ -64,9 +64,8 @@ void EdgeEnds::SortAlongRings() {
       End& to = ends_[static_cast<size_t>(order_[wraps ? first : i + 1])];
       from.next = order_[wraps ? first : i + 1];
       to.previous = order_[i];
-      from.stretch_nm =
-          std::max(0.0, to.along_nm - from.along_nm +
-                            (wraps ? corner_at_[static_cast<size_t>(ring)].back() : 0));
+      from.span_nm = std::max(0.0, to.along_nm - from.along_nm +
+                                       (wraps ? corner_at_[static_cast<size_t>(ring)].back() : 0));
     }
     first = last;
   }
@@ -76,8 +75,8 @@ void EdgeEnds::SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord 
   for (const int32_t number : order_) {
     End& end = ends_[static_cast<size_t>(number)];
     const auto ring = static_cast<size_t>(end.place.ring);
-    end.room = RoomAlong(taken[ring], corner_at_[ring].back(), end.along_nm, end.stretch_nm,
-                         static_cast<double>(width_nm));
+    end.clearance = ClearanceAlong(taken[ring], corner_at_[ring].back(), end.along_nm, end.span_nm,
+                                   static_cast<double>(width_nm));
   }
 }
 

@@ -14,7 +14,7 @@ namespace slicefarm::infill {
 inline constexpr int32_t kNoEnd = -1;
 
 /// Ends of pieces in their order along the boundary of their region. Ends 2i and 2i + 1 belong to
-/// piece i, so that `end ^ 1` is the other end of the same piece. An edge part (`Stretch` in names)
+/// piece i, so that `end ^ 1` is the other end of the same piece. An edge part (`Span` in names)
 /// is the part of a ring from one end forwards to the next end on the ring. The index of an edge
 /// part is the index of its first end.
 class EdgeEnds {
@@ -39,30 +39,30 @@ class EdgeEnds {
   int32_t Next(int32_t end) const { return At(end).next; }
   int32_t Previous(int32_t end) const { return At(end).previous; }
   /// Returns the length of the edge part that begins at `end`, in nm. REQUIRES: IsOnEdge(end).
-  double StretchLength(int32_t end) const { return At(end).stretch_nm; }
+  double SpanLength(int32_t end) const { return At(end).span_nm; }
   /// Returns the length of a link along the edge part that begins at `end`, in nm, or infinity if
   /// another bead blocks it. REQUIRES: IsOnEdge(end).
   double LinkLength(int32_t end) const {
-    return At(end).room.links ? At(end).stretch_nm : std::numeric_limits<double>::infinity();
+    return At(end).clearance.links ? At(end).span_nm : std::numeric_limits<double>::infinity();
   }
   /// Returns the free space for beads along the edge part that begins at `end`. REQUIRES:
   /// IsOnEdge(end).
-  const StretchRoom& RoomOf(int32_t end) const { return At(end).room; }
+  const SpanClearance& ClearanceOf(int32_t end) const { return At(end).clearance; }
 
   /// Returns the position of an end in the plane.
-  Point PlaceOf(int32_t end) const;
+  Point PositionOf(int32_t end) const;
   /// Returns the points of the edge part that begins at `end`, including the positions of its two
   /// ends.
-  Polyline StretchPoints(int32_t end) const;
+  Polyline SpanPoints(int32_t end) const;
 
  private:
   struct End {
-    EdgePlace place;
+    EdgePosition place;
     int32_t next = kNoEnd;
     int32_t previous = kNoEnd;
     double along_nm = 0;  ///< distance along the ring from its first point
-    double stretch_nm = 0;
-    StretchRoom room{};  ///< free space along the edge part that begins here
+    double span_nm = 0;
+    SpanClearance clearance{};  ///< free space along the edge part that begins here
   };
 
   const End& At(int32_t end) const { return ends_[static_cast<size_t>(end)]; }

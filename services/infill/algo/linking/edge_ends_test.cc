@@ -32,11 +32,11 @@ TEST(EdgeEnds, StretchesPartTheRings) {
     for (const int32_t end : ends.OnEdge()) {
       const int32_t next = ends.Next(end);
       EXPECT_EQ(ends.Previous(next), end);
-      const Polyline path = ends.StretchPoints(end);
-      EXPECT_EQ(path.front(), ends.PlaceOf(end));
-      EXPECT_EQ(path.back(), ends.PlaceOf(next));
-      EXPECT_NEAR(Length(path), ends.StretchLength(end), 5);
-      length += ends.StretchLength(end);
+      const Polyline path = ends.SpanPoints(end);
+      EXPECT_EQ(path.front(), ends.PositionOf(end));
+      EXPECT_EQ(path.back(), ends.PositionOf(next));
+      EXPECT_NEAR(Length(path), ends.SpanLength(end), 5);
+      length += ends.SpanLength(end);
     }
     EXPECT_NEAR(length, expected, 100);
   }
@@ -55,10 +55,10 @@ TEST(EdgeEnds, AStretchMayGoRoundTheWholeRing) {
   // The two ends are on one edge.
   const std::vector<Piece> pieces = {{MakeLineOrDie("(5 0, 5 2, 7 2, 7 0)"), {0, 0}, {0, 0}}};
   const EdgeEnds ends(Region(), pieces);
-  EXPECT_NEAR(ends.StretchLength(0), 2e6, 1);
-  EXPECT_NEAR(ends.StretchLength(1), 58e6, 1);
-  EXPECT_EQ(ends.StretchPoints(0), MakeLineOrDie("(5 0, 7 0)"));
-  EXPECT_EQ(ends.StretchPoints(1), MakeLineOrDie("(7 0, 20 0, 20 10, 0 10, 0 0, 5 0)"));
+  EXPECT_NEAR(ends.SpanLength(0), 2e6, 1);
+  EXPECT_NEAR(ends.SpanLength(1), 58e6, 1);
+  EXPECT_EQ(ends.SpanPoints(0), MakeLineOrDie("(5 0, 7 0)"));
+  EXPECT_EQ(ends.SpanPoints(1), MakeLineOrDie("(7 0, 20 0, 20 10, 0 10, 0 0, 5 0)"));
 }
 
 }  // namespace

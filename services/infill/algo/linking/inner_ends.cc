@@ -75,7 +75,7 @@ class Ends {
   int32_t size() const { return static_cast<int32_t>(2 * pieces_.size()); }
   const Piece& PieceOf(int32_t end) const { return pieces_[U(end / 2)]; }
   double LengthOf(int32_t end) const { return lengths_[U(end / 2)]; }
-  EdgePlace PlaceOf(int32_t end) const {
+  EdgePosition PositionOf(int32_t end) const {
     return end % 2 == 0 ? PieceOf(end).from : PieceOf(end).to;
   }
 
@@ -84,7 +84,7 @@ class Ends {
     std::vector<int32_t> inner;
     Box box;
     for (int32_t end = 0; end < size(); ++end) {
-      if (PieceOf(end).closed || PlaceOf(end).ring >= 0) continue;
+      if (PieceOf(end).closed || PositionOf(end).ring >= 0) continue;
       inner.push_back(end);
       box.Add(PointOf(end));
     }
@@ -296,7 +296,7 @@ class Chains {
   /// Returns the chain of pieces that begins at an end.
   Piece Follow(int32_t first) {
     Piece chain;
-    chain.from = ends_.PlaceOf(first);
+    chain.from = ends_.PositionOf(first);
     int32_t end = first;
     while (end != kNone && !done_[U(end / 2)]) {
       done_[U(end / 2)] = true;
@@ -306,7 +306,7 @@ class Chains {
       for (const Point p : run)
         if (chain.points.empty() || chain.points.back() != p) chain.points.push_back(p);
       const int32_t out = end ^ 1;
-      chain.to = ends_.PlaceOf(out);
+      chain.to = ends_.PositionOf(out);
       const Joint* joint = matching_.Of(out);
       end = joint == nullptr ? kNone : joint->Other(out);
     }

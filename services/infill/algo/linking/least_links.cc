@@ -18,17 +18,16 @@ struct ChainLinks {
 };
 
 /// Edge parts of a ring in order, and their lengths as links.
-struct StretchRing {
-  std::vector<int32_t> stretches;
+struct SpanRing {
+  std::vector<int32_t> spans;
   std::vector<double> length_nm;
 
-  size_t size() const { return stretches.size(); }
+  size_t size() const { return spans.size(); }
 };
 
 class RingMatcher {
  public:
-  RingMatcher(const StretchRing& ring, double max_link_nm)
-      : ring_(ring), max_link_nm_(max_link_nm) {}
+  RingMatcher(const SpanRing& ring, double max_link_nm) : ring_(ring), max_link_nm_(max_link_nm) {}
 
   /// Returns the edge parts that are links, as indices on the ring.
   std::vector<size_t> Match() const {
@@ -76,15 +75,15 @@ class RingMatcher {
     return chosen;
   }
 
-  const StretchRing& ring_;
+  const SpanRing& ring_;
   const double max_link_nm_;
 };
 
-StretchRing RingFrom(const EdgeEnds& ends, int32_t first) {
-  StretchRing ring;
+SpanRing RingFrom(const EdgeEnds& ends, int32_t first) {
+  SpanRing ring;
   int32_t at = first;
   do {
-    ring.stretches.push_back(at);
+    ring.spans.push_back(at);
     ring.length_nm.push_back(ends.LinkLength(at));
     at = ends.Next(at);
   } while (at != first);
@@ -98,10 +97,10 @@ Links LeastLinks(const EdgeEnds& ends, double max_link_nm) {
   std::vector<bool> seen(static_cast<size_t>(ends.size()), false);
   for (const int32_t end : ends.OnEdge()) {
     if (seen[static_cast<size_t>(end)]) continue;
-    const StretchRing ring = RingFrom(ends, end);
-    for (const int32_t stretch : ring.stretches) seen[static_cast<size_t>(stretch)] = true;
+    const SpanRing ring = RingFrom(ends, end);
+    for (const int32_t span : ring.spans) seen[static_cast<size_t>(span)] = true;
     for (const size_t place : RingMatcher(ring, max_link_nm).Match())
-      links[static_cast<size_t>(ring.stretches[place])] = true;
+      links[static_cast<size_t>(ring.spans[place])] = true;
   }
   return links;
 }

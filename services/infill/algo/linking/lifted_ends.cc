@@ -53,12 +53,12 @@ class Lifter {
   struct Foot {
     double lifted_nm = 0;
     Point at;
-    EdgePlace place;
+    EdgePosition place;
   };
 
   /// Returns the new foot of an end. The end is not lifted if the piece is beside the boundary on
   /// both sides of the end, or over too great a length.
-  Foot Lift(EdgePlace place, Point end, int32_t piece, double length_nm) {
+  Foot Lift(EdgePosition place, Point end, int32_t piece, double length_nm) {
     if (place.ring < 0) return {};
     const auto ring = static_cast<size_t>(place.ring);
     const Polygon& points = *rings_[ring];

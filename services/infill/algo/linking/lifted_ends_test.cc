@@ -12,7 +12,7 @@ constexpr Coord kWidth = 450'000;
 
 MultiPolygon Box() { return MakePolygonsOrDie("(0 0, 20 0, 20 10, 0 10)"); }
 
-Piece Make(std::string_view line, EdgePlace from, EdgePlace to) {
+Piece Make(std::string_view line, EdgePosition from, EdgePosition to) {
   return {MakeLineOrDie(line), from, to};
 }
 

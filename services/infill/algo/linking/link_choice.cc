@@ -16,7 +16,7 @@ constexpr int kRounds = 4;
 /// Number of times that a growing path may reverse a part of itself.
 constexpr int kTurnsOfItself = 8;
 
-enum class Way { kForward, kBackward };
+enum class Direction { kForward, kBackward };
 
 class Chooser {
  public:
@@ -33,27 +33,27 @@ class Chooser {
  private:
   int32_t Partner(int32_t end) const { return LinkedTo(ends_, links_, end); }
   bool IsLoose(int32_t end) const { return ends_.IsOnEdge(end) && Partner(end) == kNoEnd; }
-  int32_t Neighbour(int32_t end, Way path) const {
-    return path == Way::kForward ? ends_.Next(end) : ends_.Previous(end);
+  int32_t Neighbour(int32_t end, Direction path) const {
+    return path == Direction::kForward ? ends_.Next(end) : ends_.Previous(end);
   }
   /// Returns the edge part from an end to its neighbour.
-  int32_t Stretch(int32_t end, Way path) const {
-    return path == Way::kForward ? end : ends_.Previous(end);
+  int32_t SpanTo(int32_t end, Direction path) const {
+    return path == Direction::kForward ? end : ends_.Previous(end);
   }
 
   void LinkShortestFirst() {
-    std::vector<int32_t> stretches = ends_.OnEdge();
-    std::erase_if(stretches, [this](int32_t s) {
+    std::vector<int32_t> spans = ends_.OnEdge();
+    std::erase_if(spans, [this](int32_t s) {
       return ends_.LinkLength(s) > max_link_nm_ || ends_.Next(s) == s;
     });
-    std::stable_sort(stretches.begin(), stretches.end(), [this](int32_t a, int32_t b) {
+    std::stable_sort(spans.begin(), spans.end(), [this](int32_t a, int32_t b) {
       return ends_.LinkLength(a) < ends_.LinkLength(b);
     });
     DisjointSets paths(ends_.PieceCount());
-    for (const int32_t stretch : stretches) {
-      const int32_t next = ends_.Next(stretch);
-      if (Partner(stretch) != kNoEnd || Partner(next) != kNoEnd) continue;
-      if (paths.Join(stretch / 2, next / 2)) links_[static_cast<size_t>(stretch)] = true;
+    for (const int32_t span : spans) {
+      const int32_t next = ends_.Next(span);
+      if (Partner(span) != kNoEnd || Partner(next) != kNoEnd) continue;
+      if (paths.Join(span / 2, next / 2)) links_[static_cast<size_t>(span)] = true;
     }
   }
 
@@ -62,7 +62,7 @@ class Chooser {
     for (int round = 0; round < kRounds; ++round) {
       bool better = false;
       for (const int32_t end : ends_.OnEdge()) {
-        for (const Way path : {Way::kForward, Way::kBackward}) {
+        for (const Direction path : {Direction::kForward, Direction::kBackward}) {
           if (work_left_ <= 0) return;
           if (IsLoose(end) && Move(end, path)) better = true;
           if (IsLoose(end) && Grow(end, path)) better = true;
@@ -72,9 +72,9 @@ class Chooser {
     }
   }
 
-  void Flip(int32_t stretch, std::vector<int32_t>& flipped) {
-    links_[static_cast<size_t>(stretch)] = !links_[static_cast<size_t>(stretch)];
-    flipped.push_back(stretch);
+  void Flip(int32_t span, std::vector<int32_t>& flipped) {
+    links_[static_cast<size_t>(span)] = !links_[static_cast<size_t>(span)];
+    flipped.push_back(span);
   }
 
   /// Reverts all flips except the first `keep`.
@@ -86,14 +86,15 @@ class Chooser {
   /// Grows the path that ends at the loose end `end`, step by step (StepKind), until it joins a
   /// path at a loose end or a ring. Steps before this take pieces from other paths or reverse a
   /// part of the path. Returns true if the number of paths is reduced; otherwise nothing changes.
-  bool Grow(int32_t end, Way first) {
+  bool Grow(int32_t end, Direction first) {
     const int32_t tail = EndOfPath(end);
-    const Way second = first == Way::kForward ? Way::kBackward : Way::kForward;
+    const Direction second =
+        first == Direction::kForward ? Direction::kBackward : Direction::kForward;
     std::vector<int32_t> flipped;
     int turns_left = kTurnsOfItself;
     while (work_left_ > 0) {
       std::optional<Step> best;
-      for (const Way path : {first, second}) {
+      for (const Direction path : {first, second}) {
         const std::optional<Step> step = StepFrom(end, tail, path);
         if (step && (!best || step->kind < best->kind)) best = step;
       }
@@ -123,16 +124,16 @@ class Chooser {
 
   /// Returns the step from a loose end, or nothing if the edge part is too long or a ring would
   /// result. `tail`: the path's other end.
-  std::optional<Step> StepFrom(int32_t end, int32_t tail, Way path) {
+  std::optional<Step> StepFrom(int32_t end, int32_t tail, Direction path) {
     const int32_t near = Neighbour(end, path);
-    const int32_t made = Stretch(end, path);
+    const int32_t made = SpanTo(end, path);
     if (near == end || ends_.LinkLength(made) > max_link_nm_) return std::nullopt;
     const int32_t far = Partner(near);
     if (far == kNoEnd) {
       if (near == tail) return std::nullopt;
       return Step{StepKind::kMeets, made};
     }
-    const int32_t lost = Stretch(near, path);
+    const int32_t lost = SpanTo(near, path);
     for (int32_t at = near;;) {
       --work_left_;
       const int32_t out = at ^ 1;
@@ -149,24 +150,24 @@ class Chooser {
 
   /// Moves a loose end along its ring to the position with the fewest paths. Returns true if the
   /// number of paths is reduced; otherwise nothing changes.
-  bool Move(int32_t end, Way path) {
+  bool Move(int32_t end, Direction path) {
     std::vector<int32_t> flipped;  // edge parts, in order
     size_t best_flips = 0;
     int paths = 0, fewest = 0;  // differences from the current number
     const int32_t start = end;
     do {
-      const int32_t stretch = Stretch(end, path);
+      const int32_t span = SpanTo(end, path);
       const int32_t near = Neighbour(end, path);
-      if (near == end || ends_.LinkLength(stretch) > max_link_nm_) break;
+      if (near == end || ends_.LinkLength(span) > max_link_nm_) break;
       const int32_t far = Partner(near);
       if (far == kNoEnd) {
         if (EndOfPath(end) == near) break;
-        Flip(stretch, flipped);
+        Flip(span, flipped);
         --paths;
       } else {
         paths += ChangeByMoving(end, near, far);
-        Flip(Stretch(near, path), flipped);
-        Flip(stretch, flipped);
+        Flip(SpanTo(near, path), flipped);
+        Flip(span, flipped);
       }
       if (paths < fewest) fewest = paths, best_flips = flipped.size();
       if (far == kNoEnd) break;

@@ -37,12 +37,12 @@ Links WithinBudget(const EdgeEnds& ends, Links links, double budget_nm) {
   for (const int32_t end : ends.OnEdge()) {
     if (!links[static_cast<size_t>(end)]) continue;
     linked.push_back(end);
-    length += ends.StretchLength(end);
+    length += ends.SpanLength(end);
   }
   if (length <= budget_nm) return links;
-  std::ranges::stable_sort(linked, {}, [&](int32_t end) { return ends.StretchLength(end); });
+  std::ranges::stable_sort(linked, {}, [&](int32_t end) { return ends.SpanLength(end); });
   for (; !linked.empty() && length > budget_nm; linked.pop_back()) {
-    length -= ends.StretchLength(linked.back());
+    length -= ends.SpanLength(linked.back());
     links[static_cast<size_t>(linked.back())] = false;
   }
   return links;
@@ -123,8 +123,8 @@ class Assembler {
 
   /// Returns the points of the edge part beside an end, beginning at the end.
   Polyline PathFrom(int32_t end, bool forward) const {
-    if (forward) return ends_.StretchPoints(end);
-    Polyline route = ends_.StretchPoints(ends_.Previous(end));
+    if (forward) return ends_.SpanPoints(end);
+    Polyline route = ends_.SpanPoints(ends_.Previous(end));
     std::reverse(route.begin(), route.end());
     return route;
   }
@@ -134,8 +134,8 @@ class Assembler {
   Polyline Anchor(int32_t end) const {
     if (!ends_.IsOnEdge(end) || options_.anchor_nm <= 0) return {};
     const int32_t before = ends_.Previous(end);
-    const double ahead = RoomFor(end, end, ends_.RoomOf(end).ahead_nm, ends_.Next(end));
-    const double behind = RoomFor(end, before, ends_.RoomOf(before).behind_nm, before);
+    const double ahead = ClearanceFor(end, end, ends_.ClearanceOf(end).ahead_nm, ends_.Next(end));
+    const double behind = ClearanceFor(end, before, ends_.ClearanceOf(before).behind_nm, before);
     const double length = std::min(options_.anchor_nm, std::max(ahead, behind));
     if (length < kLeastAnchor * static_cast<double>(options_.width_nm)) return {};
     const Polyline route = PathFrom(end, ahead >= behind);
@@ -145,10 +145,10 @@ class Assembler {
 
   /// Returns the length available for an anchor along an edge part, of which `free_nm` are free. If
   /// the edge part's other end is loose too, each anchor gets half of the edge part.
-  double RoomFor(int32_t end, int32_t stretch, double free_nm, int32_t neighbour) const {
-    if (links_[static_cast<size_t>(stretch)]) return 0;
+  double ClearanceFor(int32_t end, int32_t span, double free_nm, int32_t neighbour) const {
+    if (links_[static_cast<size_t>(span)]) return 0;
     const bool is_shared = neighbour == end || LinkedTo(ends_, links_, neighbour) == kNoEnd;
-    const double length = ends_.StretchLength(stretch);
+    const double length = ends_.SpanLength(span);
     return std::min(free_nm, is_shared ? length / 2 : length) -
            static_cast<double>(options_.width_nm);
   }

@@ -65,19 +65,19 @@ class Mover {
     const auto neighbour = [&](int32_t of) {
       return forward ? ends_.Next(of) : ends_.Previous(of);
     };
-    const auto stretch = [&](int32_t of) { return forward ? of : ends_.Previous(of); };
+    const auto span = [&](int32_t of) { return forward ? of : ends_.Previous(of); };
     flipped_.clear();
     size_t keep = 0;
     double longer_nm = 0;  // added length of links
     int32_t best_end = end;
     for (int step = 0; step < kReach; ++step) {
       const int32_t near = neighbour(end);
-      if (near == end || ends_.LinkLength(stretch(end)) > max_link_nm_) break;
+      if (near == end || ends_.LinkLength(span(end)) > max_link_nm_) break;
       const int32_t far = LinkedTo(ends_, links_, near);
       if (far == kNoEnd || far != neighbour(near)) break;
-      longer_nm += ends_.LinkLength(stretch(end)) - ends_.LinkLength(stretch(near));
-      Flip(stretch(near));
-      Flip(stretch(end));
+      longer_nm += ends_.LinkLength(span(end)) - ends_.LinkLength(span(near));
+      Flip(span(near));
+      Flip(span(end));
       end = far;
       const std::optional<double> routes = PathsBetween(ends_, links_);
       if (!routes || *routes + longer_nm >= least_) continue;
@@ -89,9 +89,9 @@ class Mover {
     return best_end;
   }
 
-  void Flip(int32_t stretch) {
-    links_[static_cast<size_t>(stretch)] = !links_[static_cast<size_t>(stretch)];
-    flipped_.push_back(stretch);
+  void Flip(int32_t span) {
+    links_[static_cast<size_t>(span)] = !links_[static_cast<size_t>(span)];
+    flipped_.push_back(span);
   }
 
   /// Reverts all flips except the first `keep`.
@@ -123,7 +123,7 @@ std::optional<double> PathsBetween(const EdgeEnds& ends, const Links& links) {
       ++pieces;
       out = at ^ 1;
     }
-    paths.push_back({ends.PlaceOf(end), ends.PlaceOf(out)});
+    paths.push_back({ends.PositionOf(end), ends.PositionOf(out)});
   }
   if (pieces < ends.PieceCount()) return std::nullopt;
   return TreeOf(paths);

@@ -41,7 +41,7 @@ void ExpectLinks(const EdgeEnds& ends, const Links& links, double max_link_nm) {
     if (!links[static_cast<size_t>(end)]) continue;
     EXPECT_NE(ends.Next(end), end);
     EXPECT_FALSE(links[static_cast<size_t>(ends.Next(end))]);
-    EXPECT_LE(ends.StretchLength(end), max_link_nm);
+    EXPECT_LE(ends.SpanLength(end), max_link_nm);
   }
 }
 

@@ -46,7 +46,7 @@ class Walker {
 
  private:
   const Crossing& At(int32_t place) const { return lines_.crossings[lines_.order[place]]; }
-  Point PlaceAt(int32_t place) const { return lines_.PlaceOf(At(place)); }
+  Point PointAt(int32_t place) const { return lines_.PointOf(At(place)); }
   bool IsReady(int32_t piece) const {
     return !done_[piece] && (!options_.monotonic || waiting_for_[piece] == 0);
   }
@@ -130,7 +130,7 @@ class Walker {
     int tried = 0;
     for (auto it = ready_.begin(); it != ready_.end() && tried < kChoices; ++it, ++tried) {
       for (const int32_t place : {2 * *it, 2 * *it + 1}) {
-        const double distance = SquaredNorm(PlaceAt(place) - *at_);
+        const double distance = SquaredNorm(PointAt(place) - *at_);
         if (distance < nearest) nearest = distance, best = place;
       }
     }
@@ -146,13 +146,13 @@ class Walker {
     while (true) {
       path.pieces.push_back(static_cast<int32_t>(path.points.size()));
       path.places.push_back(place);
-      path.points.push_back(PlaceAt(place));
-      path.points.push_back(PlaceAt(place ^ 1));
+      path.points.push_back(PointAt(place));
+      path.points.push_back(PointAt(place ^ 1));
       const int32_t from = lines_.order[place ^ 1];
       const std::optional<Link> link = BestLink(from);
       if (!link) return path;
       AppendLink(from, *link, path.points);
-      path.stretches.push_back(link->forward ? from : link->to);
+      path.spans.push_back(link->forward ? from : link->to);
       place = lines_.crossings[link->to].place;
       Finish(place / 2);
     }
@@ -192,10 +192,10 @@ class Walker {
   }
 
   double LinkLength(int32_t from, const Link& link) const {
-    Point at = lines_.PlaceOf(lines_.crossings[from]);
+    Point at = lines_.PointOf(lines_.crossings[from]);
     double length = 0;
     ForEachLinkCorner(from, link, [&](Point p) { length += Distance(at, p), at = p; });
-    return length + Distance(at, lines_.PlaceOf(lines_.crossings[link.to]));
+    return length + Distance(at, lines_.PointOf(lines_.crossings[link.to]));
   }
 
   void AppendLink(int32_t from, const Link& link, Polyline& path) const {

@@ -29,7 +29,7 @@ struct SerpentinePath {
   std::vector<int32_t> places;
   /// Index in ScanLines::crossings of the crossing from which each link follows its ring forwards.
   /// This is the link's start or its end.
-  std::vector<int32_t> stretches;
+  std::vector<int32_t> spans;
 };
 
 /// Joins pieces of scan lines into long back-and-forth paths. Neighbouring ends are joined along

@@ -14,18 +14,17 @@ namespace {
 constexpr double kPlainEndPitches = 0.75;
 
 /// Returns, for each crossing, true if a link runs from it to the next crossing on its ring.
-std::vector<bool> LinkedStretches(const ScanLines& lines,
-                                  const std::vector<SerpentinePath>& paths) {
+std::vector<bool> LinkedSpans(const ScanLines& lines, const std::vector<SerpentinePath>& paths) {
   std::vector<bool> linked(lines.crossings.size(), false);
   for (const SerpentinePath& path : paths)
-    for (const int32_t from : path.stretches) linked[from] = true;
+    for (const int32_t from : path.spans) linked[from] = true;
   return linked;
 }
 
 FittedStrips StripsOf(const ScanLines& lines, const std::vector<SerpentinePath>& paths,
                       const SolidBeads::Options& options) {
   if (!options.fitted) return FittedStrips(lines);
-  return FittedStrips(lines, {.linked = LinkedStretches(lines, paths),
+  return FittedStrips(lines, {.linked = LinkedSpans(lines, paths),
                               .link_nm = options.link_share * lines.pitch,
                               .reach_nm = options.reach_nm});
 }

@@ -16,17 +16,17 @@ constexpr size_t kMostPairs = 4'000'000;
 constexpr double kCut = 0.45;
 
 /// Crossing of segment i of a path (from its point i) and segment j of another path.
-struct CrossPlace {
+struct PathCrossing {
   size_t i = 0;
   size_t j = 0;
   Point at;
 };
 
-size_t StretchCount(const Path& path) {
+size_t SpanCount(const Path& path) {
   return path.closed ? path.points.size() : path.points.size() - 1;
 }
 
-Point EndOfStretch(const Path& path, size_t i) {
+Point EndOfSpan(const Path& path, size_t i) {
   return path.points[i + 1 == path.points.size() ? 0 : i + 1];
 }
 
@@ -63,18 +63,18 @@ struct Placed {
   Box box;
 };
 
-std::optional<CrossPlace> FirstCrossing(const Placed& placed, const Path& ring, double margin,
-                                        size_t& pairs) {
+std::optional<PathCrossing> FirstCrossing(const Placed& placed, const Path& ring, double margin,
+                                          size_t& pairs) {
   const Path& path = placed.path;
-  for (size_t j = 0; j < StretchCount(ring); ++j) {
-    const Point c = ring.points[j], d = EndOfStretch(ring, j);
+  for (size_t j = 0; j < SpanCount(ring); ++j) {
+    const Point c = ring.points[j], d = EndOfSpan(ring, j);
     const Box box = BoxOf(c, d);
     if (!box.Intersects(placed.box) || Distance(c, d) < 2 * margin) continue;
-    pairs += StretchCount(path);
-    for (size_t i = 0; i < StretchCount(path); ++i) {
-      const Point a = path.points[i], b = EndOfStretch(path, i);
+    pairs += SpanCount(path);
+    for (size_t i = 0; i < SpanCount(path); ++i) {
+      const Point a = path.points[i], b = EndOfSpan(path, i);
       if (IsBeside(a, b, box)) continue;
-      if (auto at = MeetingOf(a, b, c, d, margin)) return CrossPlace{i, j, *at};
+      if (auto at = MeetingOf(a, b, c, d, margin)) return PathCrossing{i, j, *at};
     }
   }
   return std::nullopt;
@@ -89,16 +89,16 @@ Point OnTheWay(Point at, Point to, double distance_nm) {
 
 /// Inserts a ring into a path at a crossing. The two corners there are cut off, so that the beads
 /// on both sides of the crossing do not meet.
-void TakeIn(const Path& ring, const CrossPlace& crossing, double cut_nm, Path& path) {
+void TakeIn(const Path& ring, const PathCrossing& crossing, double cut_nm, Path& path) {
   const auto turn = [&](Point from, Point to, std::vector<Point>& points) {
     points.push_back(OnTheWay(crossing.at, from, cut_nm));
     points.push_back(OnTheWay(crossing.at, to, cut_nm));
   };
   std::vector<Point> points;
-  turn(path.points[crossing.i], EndOfStretch(ring, crossing.j), points);
+  turn(path.points[crossing.i], EndOfSpan(ring, crossing.j), points);
   for (size_t k = 1; k <= ring.points.size(); ++k)
     points.push_back(ring.points[(crossing.j + k) % ring.points.size()]);
-  turn(ring.points[crossing.j], EndOfStretch(path, crossing.i), points);
+  turn(ring.points[crossing.j], EndOfSpan(path, crossing.i), points);
   path.points.insert(path.points.begin() + static_cast<ptrdiff_t>(crossing.i + 1), points.begin(),
                      points.end());
 }

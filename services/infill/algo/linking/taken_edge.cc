@@ -83,9 +83,9 @@ std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
   return taken;
 }
 
-StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
-                      double length_nm, double width_nm) {
-  StretchRoom room{true, length_nm, length_nm};
+SpanClearance ClearanceAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
+                             double length_nm, double width_nm) {
+  SpanClearance room{true, length_nm, length_nm};
   for (const double turn : {0.0, ring_nm}) {
     const double start = from_nm - turn;
     for (const TakenSpan& span : taken) {

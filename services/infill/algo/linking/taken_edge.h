@@ -27,7 +27,7 @@ std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
                                               std::span<const Piece> pieces, double width_nm);
 
 /// Free length for beads along an edge part (EdgeEnds).
-struct StretchRoom {
+struct SpanClearance {
   /// True if a bead fits along the whole edge part. The bead may overlap other beads over a length
   /// of at most one width.
   bool links = true;
@@ -38,8 +38,8 @@ struct StretchRoom {
 /// Returns the free length of the edge part that begins `from_nm` after the ring's first point and
 /// is `length_nm` long. `taken`: parts of the ring that are not free. `ring_nm`: length of the
 /// ring.
-StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
-                      double length_nm, double width_nm);
+SpanClearance ClearanceAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
+                             double length_nm, double width_nm);
 
 /// Returns the distance of each point of a ring from its first point, along the ring; then the
 /// length of the whole ring. All in nm.

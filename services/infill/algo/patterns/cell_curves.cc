@@ -31,8 +31,8 @@ struct Cell {
 /// Walk along a curve through the cells near a region. Squares far from the region are skipped.
 class CellWalker {
  public:
-  CellWalker(const MultiPolygon& region, const PatternPlace& place)
-      : frame_(place.angle_rad), box_(BoxIn(frame_, region)), pitch_(place.pitch_nm) {}
+  CellWalker(const MultiPolygon& region, const PatternContext& context)
+      : frame_(context.angle_rad), box_(BoxIn(frame_, region)), pitch_(context.pitch_nm) {}
 
   absl::Status Check() const {
     return CheckLineCount(((box_.max_u - box_.min_u) / pitch_ + 3) *
@@ -128,18 +128,20 @@ class CellWalker {
 
 }  // namespace
 
-absl::StatusOr<std::vector<Piece>> Hilbert(const MultiPolygon& region, const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> Hilbert(const MultiPolygon& region,
+                                           const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  CellWalker walker(region, place);
+  CellWalker walker(region, context);
   if (absl::Status ok = walker.Check(); !ok.ok()) return ok;
   const int64_t low = -(int64_t{1} << (kHilbertOrder - 1));
   walker.Hilbert(kHilbertOrder, {low, low}, {1, 0}, {0, 1});
   return ClipCurves(region, walker.Take());
 }
 
-absl::StatusOr<std::vector<Piece>> Peano(const MultiPolygon& region, const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> Peano(const MultiPolygon& region,
+                                         const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  CellWalker walker(region, place);
+  CellWalker walker(region, context);
   if (absl::Status ok = walker.Check(); !ok.ok()) return ok;
   int64_t size = 1;
   for (int i = 0; i < kPeanoOrder; ++i) size *= 3;

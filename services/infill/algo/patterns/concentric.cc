@@ -17,23 +17,23 @@ constexpr double kNarrow = 0.35;
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> Concentric(const MultiPolygon& region,
-                                              const PatternPlace& place) {
+                                              const PatternContext& context) {
   std::vector<Piece> pieces;
   if (region.empty()) return pieces;
   const Box box = Bounds(region);
   const auto size = static_cast<double>(std::min(box.max.x - box.min.x, box.max.y - box.min.y));
-  if (absl::Status ok = CheckLineCount(size / 2 / place.pitch_nm); !ok.ok()) return ok;
+  if (absl::Status ok = CheckLineCount(size / 2 / context.pitch_nm); !ok.ok()) return ok;
   // A loop with two sides that would overlap is omitted. Where lines are far apart in any case, an
   // empty area of the same width may remain.
-  const double spare = (place.pitch_nm - static_cast<double>(place.spacing_nm)) / 2;
+  const double spare = (context.pitch_nm - static_cast<double>(context.spacing_nm)) / 2;
   const Coord narrow =
-      std::llround(std::clamp(spare, 0.0, kNarrow * static_cast<double>(place.spacing_nm)));
+      std::llround(std::clamp(spare, 0.0, kNarrow * static_cast<double>(context.spacing_nm)));
   // The last loop of a group is so far from the next group that the groups have the pitch.
-  const int32_t lines = place.shape.lines;
-  const auto spacing = static_cast<double>(place.spacing_nm);
-  const double to_group = lines * place.pitch_nm - (lines - 1) * spacing;
+  const int32_t lines = context.shape.lines;
+  const auto spacing = static_cast<double>(context.spacing_nm);
+  const double to_group = lines * context.pitch_nm - (lines - 1) * spacing;
   int32_t count = 0;
-  MultiPolygon left = FastOffset(region, -std::llround(place.first_line * to_group));
+  MultiPolygon left = FastOffset(region, -std::llround(context.first_line * to_group));
   while (!left.empty()) {
     ForEachRing(left, [&pieces](const Polygon& ring) {
       Piece& loop = pieces.emplace_back();

@@ -16,9 +16,9 @@ TEST(Concentric, LoopsAreAPitchApart) {
 
 // Two lines side by side, then the space of two pitches less the group's width.
 TEST(Concentric, GroupsAreTwoPitchesApart) {
-  PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 400'000};
-  place.shape.lines = 2;
-  const auto loops = Concentric(SampleBox(), place);
+  PatternContext context{.pitch_nm = 2e6, .spacing_nm = 400'000};
+  context.shape.lines = 2;
+  const auto loops = Concentric(SampleBox(), context);
   ASSERT_EQ(loops->size(), 12u);
   EXPECT_NEAR(LengthOf(*loops) * 2e6 / Area(SampleBox()), 1, 1e-6);
   const auto side = [&](size_t i) { return Bounds((*loops)[i].points).max.x; };

@@ -34,21 +34,21 @@ double HatchBand(double density) {
 double RowLength(double a) { return 2 * a + std::sqrt((1 - 2 * a) * (1 - 2 * a) + 4 * a * a); }
 
 /// Returns the amplitude of the waves in P. `progress`: from 0 at one end of the transition to 1 in
-/// its middle. `room`: largest amplitude that keeps neighbours a spacing apart, in P.
-double HatchWave(double progress, double room) {
-  return std::min(kLowWave + (kHighWave - kLowWave) * progress, room);
+/// its middle. `space`: largest amplitude that keeps neighbours a spacing apart, in P.
+double HatchWave(double progress, double space) {
+  return std::min(kLowWave + (kHighWave - kLowWave) * progress, space);
 }
 
 /// Returns the mean length of a row over a period, per length of a straight line.
-double MeanRowLength(double band, double room) {
+double MeanRowLength(double band, double space) {
   double sum = 0;
-  for (int i = 0; i < kHatchSteps; ++i) sum += RowLength(HatchWave((i + 0.5) / kHatchSteps, room));
+  for (int i = 0; i < kHatchSteps; ++i) sum += RowLength(HatchWave((i + 0.5) / kHatchSteps, space));
   return (band + kTransition * sum / kHatchSteps) / (band + kTransition);
 }
 
 /// Returns the largest amplitude of waves that keeps neighbours a spacing apart, in P. `apart` (P),
 /// `spacing` in nm.
-double RoomForWaves(double apart, double spacing) {
+double SpaceForWaves(double apart, double spacing) {
   return std::max(0.0, (1 - spacing / apart) / 2);
 }
 
@@ -56,7 +56,7 @@ double RoomForWaves(double apart, double spacing) {
 double HatchApart(double pitch, double spacing, double band) {
   double apart = pitch;
   for (int i = 0; i < kHatchRounds; ++i)
-    apart = pitch * MeanRowLength(band, RoomForWaves(apart, spacing));
+    apart = pitch * MeanRowLength(band, SpaceForWaves(apart, spacing));
   return apart;
 }
 
@@ -68,7 +68,7 @@ struct HatchRows {
 
 /// Returns the rows at a height in P. As in OrcaSlicer, the bed is within a transition, or near
 /// one: the first layers are joined to both directions.
-HatchRows HatchRowsAt(double z, double band, double room) {
+HatchRows HatchRowsAt(double z, double band, double space) {
   const double period = band + kTransition;
   const double height = z + band / 2 + kTransition;
   const double turns = std::floor(height / period);
@@ -77,23 +77,23 @@ HatchRows HatchRowsAt(double z, double band, double room) {
   if (progress < 0) return {0, !odd};
   const bool second_half = progress >= 0.5;
   const double from_end = second_half ? 2 - 2 * progress : 2 * progress;
-  return {HatchWave(from_end, room), odd == second_half};
+  return {HatchWave(from_end, space), odd == second_half};
 }
 
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> Crosshatch(const MultiPolygon& region,
-                                              const PatternPlace& place) {
-  const auto spacing = static_cast<double>(place.spacing_nm);
-  const double band = HatchBand(spacing / place.pitch_nm);
-  const double apart = HatchApart(place.pitch_nm, spacing, band);
+                                              const PatternContext& context) {
+  const auto spacing = static_cast<double>(context.spacing_nm);
+  const double band = HatchBand(spacing / context.pitch_nm);
+  const double apart = HatchApart(context.pitch_nm, spacing, band);
   const HatchRows rows =
-      HatchRowsAt(static_cast<double>(place.z_nm) / apart, band, RoomForWaves(apart, spacing));
+      HatchRowsAt(static_cast<double>(context.z_nm) / apart, band, SpaceForWaves(apart, spacing));
   const double a = rows.wave * apart;
   const std::array<Vector2, 4> wave = {Vector2{0.5 * apart - a, a}, Vector2{0.5 * apart + a, a},
                                        Vector2{1.5 * apart - a, -a}, Vector2{1.5 * apart + a, -a}};
   const auto curves = RowsOver(
-      region, {.angle_rad = place.angle_rad,
+      region, {.angle_rad = context.angle_rad,
                .transposed = rows.transposed,
                .apart_nm = apart,
                .period_nm = 2 * apart,

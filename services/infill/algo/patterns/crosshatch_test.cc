@@ -15,7 +15,7 @@ namespace {
 constexpr double kPitch = 2e6;
 
 std::vector<Piece> At(double z_mm, Coord spacing_nm = 400'000) {
-  const PatternPlace place{.z_nm = FromMm(z_mm), .pitch_nm = kPitch, .spacing_nm = spacing_nm};
+  const PatternContext place{.z_nm = FromMm(z_mm), .pitch_nm = kPitch, .spacing_nm = spacing_nm};
   return *Crosshatch(SampleBox(), place);
 }
 

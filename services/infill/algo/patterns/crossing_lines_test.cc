@@ -8,12 +8,12 @@ namespace slicefarm::infill::crossing_lines_test {
 namespace {
 
 TEST(CrossingLines, FamiliesShareTheDensity) {
-  const PatternPlace place{.pitch_nm = 2e6};
+  const PatternContext context{.pitch_nm = 2e6};
   // The grid has whole periods. The result of the other patterns is exact except for about a line
   // at the corners.
-  EXPECT_NEAR(LengthOf(*Grid(SampleBox(), place)) * 2e6 / Area(SampleBox()), 1, 1e-6);
+  EXPECT_NEAR(LengthOf(*Grid(SampleBox(), context)) * 2e6 / Area(SampleBox()), 1, 1e-6);
   for (MakePattern* pattern : {Triangles, Stars, Cubic})
-    EXPECT_NEAR(LengthOf(*pattern(SampleBox(), place)) * 2e6 / Area(SampleBox()), 1, 0.06);
+    EXPECT_NEAR(LengthOf(*pattern(SampleBox(), context)) * 2e6 / Area(SampleBox()), 1, 0.06);
 }
 
 // In the planes of cubes a line shifts sideways by height / sqrt 2. After one pitch it is at the

@@ -53,11 +53,11 @@ struct Rows {
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> Honeycomb(const MultiPolygon& region,
-                                             const PatternPlace& place) {
+                                             const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineAxes frame(place.angle_rad);
-  const auto gap = static_cast<double>(place.spacing_nm);
-  const Rows rows{frame, BoxIn(frame, region), SideFor(place.pitch_nm, gap)};
+  const LineAxes frame(context.angle_rad);
+  const auto gap = static_cast<double>(context.spacing_nm);
+  const Rows rows{frame, BoxIn(frame, region), SideFor(context.pitch_nm, gap)};
   if (absl::Status ok = rows.Check(); !ok.ok()) return ok;
   const double s = rows.side, high = (rows.Rise() - gap) / 2;
   std::vector<Curve> curves;
@@ -76,10 +76,10 @@ absl::StatusOr<std::vector<Piece>> Honeycomb(const MultiPolygon& region,
 }
 
 absl::StatusOr<std::vector<Piece>> HoneycombCells(const MultiPolygon& region,
-                                                  const PatternPlace& place) {
+                                                  const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineAxes frame(place.angle_rad);
-  const Rows rows{frame, BoxIn(frame, region), 2 / kSqrt3 * place.pitch_nm};
+  const LineAxes frame(context.angle_rad);
+  const Rows rows{frame, BoxIn(frame, region), 2 / kSqrt3 * context.pitch_nm};
   if (absl::Status ok = rows.Check(); !ok.ok()) return ok;
   const double s = rows.side, high = rows.Rise() / 2;
   std::vector<Curve> curves;

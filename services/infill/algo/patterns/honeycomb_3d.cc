@@ -37,16 +37,16 @@ Waves WavesAt(double z, double most) {
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> Honeycomb3d(const MultiPolygon& region,
-                                               const PatternPlace& place) {
-  const auto spacing = static_cast<double>(place.spacing_nm);
-  const double apart = RowsApart(place.pitch_nm, spacing);
+                                               const PatternContext& context) {
+  const auto spacing = static_cast<double>(context.spacing_nm);
+  const double apart = RowsApart(context.pitch_nm, spacing);
   const Waves waves =
-      WavesAt(static_cast<double>(place.z_nm), std::max(0.0, (apart - spacing) / 2));
+      WavesAt(static_cast<double>(context.z_nm), std::max(0.0, (apart - spacing) / 2));
   const double period = 4 * apart, a = waves.height;
   const std::array<Vector2, 4> wave = {Vector2{a, a}, Vector2{period / 2 - a, a},
                                        Vector2{period / 2 + a, -a}, Vector2{period - a, -a}};
   const auto curves = RowsOver(
-      region, {.angle_rad = place.angle_rad + (waves.turned ? std::numbers::pi / 2 : 0),
+      region, {.angle_rad = context.angle_rad + (waves.turned ? std::numbers::pi / 2 : 0),
                .apart_nm = apart,
                .period_nm = period,
                .wave = a > 0 ? std::span<const Vector2>(wave) : std::span<const Vector2>()});

@@ -10,13 +10,13 @@ namespace slicefarm::infill::honeycomb_3d_test {
 namespace {
 
 TEST(Honeycomb3d, WavesGrowFromNothingAndTurn) {
-  const PatternPlace flat{.z_nm = 0, .pitch_nm = 2e6, .spacing_nm = 400'000};
+  const PatternContext flat{.z_nm = 0, .pitch_nm = 2e6, .spacing_nm = 400'000};
   const auto rows = Honeycomb3d(SampleBox(), flat);
   for (const Piece& row : *rows) EXPECT_EQ(row.points.size(), 2u);
-  PatternPlace place = flat;
+  PatternContext context = flat;
   double least = 1e18, most = 0;
-  for (; place.z_nm < 1'700'000; place.z_nm += 100'000) {
-    const double length = LengthOf(*Honeycomb3d(SampleBox(), place));
+  for (; context.z_nm < 1'700'000; context.z_nm += 100'000) {
+    const double length = LengthOf(*Honeycomb3d(SampleBox(), context));
     least = std::min(least, length), most = std::max(most, length);
   }
   EXPECT_GT(most / least, 1.1);

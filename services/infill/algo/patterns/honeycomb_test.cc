@@ -12,7 +12,7 @@ namespace {
 
 // Beads without width give sides of 8 / (3 sqrt 3) and 2 / sqrt 3 pitches.
 TEST(Honeycomb, SidesFollowFromTheLaw) {
-  const PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 0};
+  const PatternContext context{.pitch_nm = 2e6, .spacing_nm = 0};
   const auto longest = [](const std::vector<Piece>& pieces) {
     double most = 0;
     for (const Piece& piece : pieces)
@@ -20,8 +20,8 @@ TEST(Honeycomb, SidesFollowFromTheLaw) {
         most = std::max(most, Distance(piece.points[i - 1], piece.points[i]));
     return most;
   };
-  EXPECT_NEAR(longest(*Honeycomb(SampleBox(), place)), 8 / (3 * std::sqrt(3.0)) * 2e6, 5);
-  EXPECT_NEAR(longest(*HoneycombCells(SampleBox(), place)), 2 / std::sqrt(3.0) * 2e6, 5);
+  EXPECT_NEAR(longest(*Honeycomb(SampleBox(), context)), 8 / (3 * std::sqrt(3.0)) * 2e6, 5);
+  EXPECT_NEAR(longest(*HoneycombCells(SampleBox(), context)), 2 / std::sqrt(3.0) * 2e6, 5);
 }
 
 TEST(Honeycomb, RowsLieASpacingApartWhereTheyMeet) {

@@ -10,6 +10,6 @@ namespace slicefarm::infill {
 
 /// Returns the families of straight lines that form a pattern, including lines side by side
 /// (PatternOptions::lines); empty if the pattern is not formed by such families.
-std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternPlace& place);
+std::vector<LineFamily> LineFamiliesOf(FillPattern pattern, const PatternContext& context);
 
 }  // namespace slicefarm::infill

@@ -16,9 +16,9 @@ TEST(LineFamilies, TogetherHaveThePitchThatIsAskedFor) {
     double per_area = 0;
     for (int i = 0; i < kHeights; ++i) {
       const double thirds = 3.0 * (i + 0.5) / kHeights;
-      PatternPlace place{.z_nm = std::llround(thirds * 4e6 / 3), .pitch_nm = 2e6};
-      place.shape.honeycomb_rad = 0.78539816339744831;
-      for (const LineFamily& family : LineFamiliesOf(info.pattern, place))
+      PatternContext context{.z_nm = std::llround(thirds * 4e6 / 3), .pitch_nm = 2e6};
+      context.shape.honeycomb_rad = 0.78539816339744831;
+      for (const LineFamily& family : LineFamiliesOf(info.pattern, context))
         per_area += 1 / family.pitch_nm / kHeights;
     }
     if (per_area > 0) {
@@ -38,12 +38,12 @@ TEST(LineFamilies, CrossZagShiftsEvenAndOddLayersApart) {
 }
 
 TEST(LineFamilies, MirroredLinesHaveTheOppositeAngle) {
-  PatternPlace place{.layer = 4, .pitch_nm = 2e6, .angle_rad = 0.6};
+  PatternContext context{.layer = 4, .pitch_nm = 2e6, .angle_rad = 0.6};
   for (const FillPattern pattern : {FillPattern::kZigzag, FillPattern::kCrossZag}) {
-    place.shape.mirrored = false;
-    const LineFamily plain = LineFamiliesOf(pattern, place)[0];
-    place.shape.mirrored = true;
-    const LineFamily mirrored = LineFamiliesOf(pattern, place)[0];
+    context.shape.mirrored = false;
+    const LineFamily plain = LineFamiliesOf(pattern, context)[0];
+    context.shape.mirrored = true;
+    const LineFamily mirrored = LineFamiliesOf(pattern, context)[0];
     EXPECT_EQ(mirrored.angle_rad, -plain.angle_rad);
     EXPECT_EQ(mirrored.phase_nm, plain.phase_nm);
   }
@@ -51,8 +51,8 @@ TEST(LineFamilies, MirroredLinesHaveTheOppositeAngle) {
 
 /// Returns the distance between the two families of a pattern at a height, modulo the pitch of a
 /// family, or -1 for a single family.
-double Between(FillPattern pattern, const PatternPlace& place) {
-  const auto families = LineFamiliesOf(pattern, place);
+double Between(FillPattern pattern, const PatternContext& context) {
+  const auto families = LineFamiliesOf(pattern, context);
   if (families.size() < 2) return -1;
   const double turns = (families[1].phase_nm - families[0].phase_nm) / families[0].pitch_nm;
   return (turns - std::floor(turns)) * families[0].pitch_nm;
@@ -74,28 +74,28 @@ TEST(LineFamilies, LatticeMovesWithTheHeight) {
 // Pitch 2 mm: walls of a row are 2.667 mm apart, half of that is the width of a fork. At 45
 // degrees, a fork is as high as it is wide.
 TEST(LineFamilies, LateralHoneycombForksInEveryThirdPartOfTheHeight) {
-  PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 400'000};
-  place.shape.honeycomb_rad = 0.78539816339744831;
+  PatternContext context{.pitch_nm = 2e6, .spacing_nm = 400'000};
+  context.shape.honeycomb_rad = 0.78539816339744831;
   const double third_mm = 4.0 / 3;
   const auto at = [&](double thirds) {
-    place.z_nm = FromMm(thirds * third_mm);
-    return Between(FillPattern::kLateralHoneycomb, place);
+    context.z_nm = FromMm(thirds * third_mm);
+    return Between(FillPattern::kLateralHoneycomb, context);
   };
   for (const double upright : {0.1, 1.0, 1.9, 3.1, 4.9}) EXPECT_EQ(at(upright), -1) << upright;
   EXPECT_NEAR(at(2.5), 2e6 * 2 / 3, 10);
   EXPECT_NEAR(at(5.5), 2e6 * 2 / 3, 10);
   // Rows above a fork are half a period further.
-  place.z_nm = 0;
-  const double low = LineFamiliesOf(FillPattern::kLateralHoneycomb, place)[0].phase_nm;
-  place.z_nm = FromMm(3.5 * third_mm);
-  const double high = LineFamiliesOf(FillPattern::kLateralHoneycomb, place)[0].phase_nm;
+  context.z_nm = 0;
+  const double low = LineFamiliesOf(FillPattern::kLateralHoneycomb, context)[0].phase_nm;
+  context.z_nm = FromMm(3.5 * third_mm);
+  const double high = LineFamiliesOf(FillPattern::kLateralHoneycomb, context)[0].phase_nm;
   EXPECT_NEAR(high - low, 2e6 * 2 / 3, 1);
 }
 
 TEST(LineFamilies, SeveralLinesAreASpacingApart) {
-  PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 400'000};
-  place.shape.lines = 3;
-  const auto families = LineFamiliesOf(FillPattern::kZigzag, place);
+  PatternContext context{.pitch_nm = 2e6, .spacing_nm = 400'000};
+  context.shape.lines = 3;
+  const auto families = LineFamiliesOf(FillPattern::kZigzag, context);
   ASSERT_EQ(families.size(), 3u);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(families[static_cast<size_t>(i)].pitch_nm, 6e6);

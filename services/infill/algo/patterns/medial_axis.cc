@@ -30,10 +30,10 @@ struct AxisPhase {
 /// each other become one line on the axis. After they have met, this line continues for the same
 /// height. The phase uses the nominal pitch, so that lines of layers with slightly different
 /// pitches are above each other.
-AxisPhase PhaseAt(const PatternPlace& place, double pitch_nm) {
-  const double turns = -static_cast<double>(place.z_nm) / place.pitch_nm;
+AxisPhase PhaseAt(const PatternContext& context, double pitch_nm) {
+  const double turns = -static_cast<double>(context.z_nm) / context.pitch_nm;
   const double phase = (turns - std::floor(turns)) * pitch_nm;
-  const double merged = std::min(pitch_nm, static_cast<double>(place.spacing_nm)) / 2;
+  const double merged = std::min(pitch_nm, static_cast<double>(context.spacing_nm)) / 2;
   if (phase < merged) return {phase + pitch_nm, true};
   return {phase, phase >= pitch_nm - merged};
 }
@@ -70,8 +70,8 @@ std::vector<Polyline> JoinedAxis(const PolygonWithHoles& island, double least_nm
 /// Lines of an island before they are cut.
 class AxisLines {
  public:
-  AxisLines(const PolygonWithHoles& island, const PatternPlace& place)
-      : place_(place), axis_(JoinedAxis(island, place.pitch_nm / 2)) {
+  AxisLines(const PolygonWithHoles& island, const PatternContext& context)
+      : place_(context), axis_(JoinedAxis(island, context.pitch_nm / 2)) {
     ForEachRing({island}, [this](const Polygon& ring) {
       for (size_t i = 0; i < ring.size(); ++i)
         LookAtEdge(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
@@ -99,7 +99,7 @@ class AxisLines {
     }
   }
 
-  const PatternPlace& place_;
+  const PatternContext& place_;
   const std::vector<Polyline> axis_;
   double most_nm_ = 0;  ///< greatest distance of the island's edge from the axis
 };
@@ -107,36 +107,36 @@ class AxisLines {
 /// Returns the parts of the lines inside an island. Smoothed lines are shorter, so that their pitch
 /// is reduced to keep the length.
 std::vector<Piece> PiecesInside(const PolygonWithHoles& island, const AxisLines& lines,
-                                const PatternPlace& place) {
-  const auto smoothing = static_cast<double>(place.smoothing_nm);
-  std::vector<Piece> pieces = ClipCurves({island}, lines.Curves(place.pitch_nm, smoothing));
+                                const PatternContext& context) {
+  const auto smoothing = static_cast<double>(context.smoothing_nm);
+  std::vector<Piece> pieces = ClipCurves({island}, lines.Curves(context.pitch_nm, smoothing));
   if (smoothing <= 0) return pieces;
-  const double asked = PiecesLength(ClipCurves({island}, lines.Curves(place.pitch_nm, 0)));
+  const double asked = PiecesLength(ClipCurves({island}, lines.Curves(context.pitch_nm, 0)));
   const double got = PiecesLength(pieces);
   if (asked <= 0 || got <= 0) return pieces;
   const double share = std::clamp(got / asked, kLeastPitchShare, 1.0);
-  return ClipCurves({island}, lines.Curves(place.pitch_nm * share, smoothing));
+  return ClipCurves({island}, lines.Curves(context.pitch_nm * share, smoothing));
 }
 
 absl::StatusOr<std::vector<Piece>> AroundAxis(const PolygonWithHoles& island,
-                                              const PatternPlace& place) {
+                                              const PatternContext& context) {
   // Lines are counted in parts as long as the pitch, like the cells of a space-filling curve.
-  const double stretches = Area(island) / (place.pitch_nm * place.pitch_nm);
-  if (absl::Status ok = CheckLineCount(stretches); !ok.ok()) return ok;
-  return PiecesInside(island, AxisLines(island, place), place);
+  const double spans = Area(island) / (context.pitch_nm * context.pitch_nm);
+  if (absl::Status ok = CheckLineCount(spans); !ok.ok()) return ok;
+  return PiecesInside(island, AxisLines(island, context), context);
 }
 
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> MedialAxis(const MultiPolygon& region,
-                                              const PatternPlace& place) {
+                                              const PatternContext& context) {
   std::vector<Piece> all;
   int32_t rings = 0;
   for (const PolygonWithHoles& island : region) {
-    auto pieces = AroundAxis(island, place);
+    auto pieces = AroundAxis(island, context);
     if (!pieces.ok()) return pieces.status();
     for (Piece& piece : *pieces) {
-      for (EdgePlace* end : {&piece.from, &piece.to})
+      for (EdgePosition* end : {&piece.from, &piece.to})
         if (end->ring >= 0) end->ring += rings;
       all.push_back(std::move(piece));
     }

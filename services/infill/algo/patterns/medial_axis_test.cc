@@ -21,7 +21,7 @@ constexpr Coord kSpacing = 400'000;
 constexpr double kPitch = 2e6;
 constexpr int kPhases = 50;
 
-PatternPlace At(int phase) {
+PatternContext At(int phase) {
   return {
       .z_nm = std::llround(kPitch * phase / kPhases), .pitch_nm = kPitch, .spacing_nm = kSpacing};
 }
@@ -34,9 +34,9 @@ double LengthWithin(const MultiPolygon& part, const std::vector<Piece>& pieces) 
 }
 
 /// Returns the sorted positions, in nm, where lines cross a strip 10 mm wide, 50 mm from its end.
-std::vector<double> PlacesAcross(const MultiPolygon& strip, const PatternPlace& place) {
+std::vector<double> PlacesAcross(const MultiPolygon& strip, const PatternContext& context) {
   std::vector<Curve> curves;
-  const auto pieces = MedialAxis(strip, place);
+  const auto pieces = MedialAxis(strip, context);
   for (const Piece& piece : *pieces) curves.push_back({piece.points, piece.closed});
   std::vector<double> places;
   for (const Piece& piece : ClipCurves(MakePolygonsOrDie("(50 -1, 52 -1, 52 11, 50 11)"), curves))
@@ -87,9 +87,9 @@ TEST(MedialAxis, LinesEndAtTheEdge) {
 TEST(MedialAxis, LinesLeanByTheHeight) {
   const MultiPolygon strip = MakePolygonsOrDie("(0 0, 100 0, 100 10, 0 10)");
   const auto heights = [&](Coord z_nm) {
-    PatternPlace place = At(0);
-    place.z_nm = z_nm;
-    return PlacesAcross(strip, place);
+    PatternContext context = At(0);
+    context.z_nm = z_nm;
+    return PlacesAcross(strip, context);
   };
   const auto low = heights(400'000), high = heights(600'000);
   ASSERT_EQ(low.size(), 4u);
@@ -140,9 +140,9 @@ TEST(MedialAxis, SmoothLinesTurnLessAndAreAsDense) {
   const MultiPolygon region = MakePolygonsOrDie(kShapes[2]);
   double length = 0;
   for (int i = 0; i < kPhases; ++i) {
-    PatternPlace place = At(i);
-    place.smoothing_nm = 1'000'000;
-    const auto pieces = MedialAxis(region, place);
+    PatternContext context = At(i);
+    context.smoothing_nm = 1'000'000;
+    const auto pieces = MedialAxis(region, context);
     ASSERT_TRUE(pieces.ok());
     length += LengthOf(*pieces) / kPhases;
     if (i != 7) continue;

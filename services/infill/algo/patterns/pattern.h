@@ -12,7 +12,7 @@ namespace slicefarm::infill {
 
 /// Position and density of a pattern. All values are in the object's own frame, around its origin.
 /// A pattern is therefore the same in all layers, islands and copies.
-struct PatternPlace {
+struct PatternContext {
   Coord z_nm = 0;  ///< height of the layer's middle above the object's bottom
   int32_t layer = 0;
   /// pitch in nm: the length of lines per area is 1 / pitch, on average over a period in z
@@ -33,6 +33,6 @@ struct PatternPlace {
 /// requires it (crossing lines). Errors: REQUEST_TOO_LARGE with `limit` and `got`, for more lines
 /// than limits::kMaxLinesPerFill.
 using MakePattern = absl::StatusOr<std::vector<Piece>>(const MultiPolygon& region,
-                                                       const PatternPlace& place);
+                                                       const PatternContext& context);
 
 }  // namespace slicefarm::infill

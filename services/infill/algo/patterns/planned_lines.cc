@@ -5,10 +5,10 @@
 namespace slicefarm::infill {
 
 absl::StatusOr<std::vector<Piece>> PlannedLines(const MultiPolygon& region,
-                                                const PatternPlace& place) {
+                                                const PatternContext& context) {
   std::vector<Curve> curves;
-  curves.reserve(place.planned.size());
-  for (const Polyline& line : place.planned) curves.push_back({.points = line});
+  curves.reserve(context.planned.size());
+  for (const Polyline& line : context.planned) curves.push_back({.points = line});
   return ClipCurves(region, curves);
 }
 

@@ -5,7 +5,7 @@
 namespace slicefarm::infill {
 
 /// Lines that planning has laid out for the layer (adaptive and support cubic, lightning:
-/// services/planning/algo/infill), cut to the region. Pitch and angle of the PatternPlace are
+/// services/planning/algo/infill), cut to the region. Pitch and angle of the PatternContext are
 /// ignored.
 MakePattern PlannedLines;
 

@@ -6,21 +6,23 @@
 namespace slicefarm::infill {
 
 absl::StatusOr<std::vector<Piece>> AlignedRectilinear(const MultiPolygon& region,
-                                                      const PatternPlace& place) {
-  return StraightPieces(region, LineFamiliesOf(FillPattern::kAlignedRectilinear, place));
+                                                      const PatternContext& context) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kAlignedRectilinear, context));
 }
 
-absl::StatusOr<std::vector<Piece>> Zigzag(const MultiPolygon& region, const PatternPlace& place) {
-  return StraightPieces(region, LineFamiliesOf(FillPattern::kZigzag, place));
+absl::StatusOr<std::vector<Piece>> Zigzag(const MultiPolygon& region,
+                                          const PatternContext& context) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kZigzag, context));
 }
 
-absl::StatusOr<std::vector<Piece>> CrossZag(const MultiPolygon& region, const PatternPlace& place) {
-  return StraightPieces(region, LineFamiliesOf(FillPattern::kCrossZag, place));
+absl::StatusOr<std::vector<Piece>> CrossZag(const MultiPolygon& region,
+                                            const PatternContext& context) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kCrossZag, context));
 }
 
 absl::StatusOr<std::vector<Piece>> Rectilinear(const MultiPolygon& region,
-                                               const PatternPlace& place) {
-  return StraightPieces(region, LineFamiliesOf(FillPattern::kRectilinear, place));
+                                               const PatternContext& context) {
+  return StraightPieces(region, LineFamiliesOf(FillPattern::kRectilinear, context));
 }
 
 }  // namespace slicefarm::infill

@@ -48,11 +48,11 @@ std::vector<Curve> ParallelCurves(std::span<const Polyline> lines, int32_t count
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> PiecesOfPattern(FillPattern pattern, const MultiPolygon& region,
-                                                   const PatternPlace& place) {
-  const int32_t lines = TakesSeveralLines(pattern) ? place.shape.lines : 1;
-  const bool by_itself =
-      lines == 1 || pattern == FillPattern::kConcentric || !LineFamiliesOf(pattern, place).empty();
-  PatternPlace wide = place;
+                                                   const PatternContext& context) {
+  const int32_t lines = TakesSeveralLines(pattern) ? context.shape.lines : 1;
+  const bool by_itself = lines == 1 || pattern == FillPattern::kConcentric ||
+                         !LineFamiliesOf(pattern, context).empty();
+  PatternContext wide = context;
   wide.shape.lines = by_itself ? lines : 1;
   if (by_itself || region.empty()) return PatternOf(pattern)(region, wide);
   wide.pitch_nm *= lines;
@@ -61,7 +61,7 @@ absl::StatusOr<std::vector<Piece>> PiecesOfPattern(FillPattern pattern, const Mu
   auto pieces = PatternOf(pattern)(FastOffset(region, wide.spacing_nm), wide);
   if (!pieces.ok()) return pieces.status();
   const std::vector<Polyline> middles = LinesOfPieces(*std::move(pieces));
-  return ClipCurves(region, ParallelCurves(middles, lines, place.spacing_nm));
+  return ClipCurves(region, ParallelCurves(middles, lines, context.spacing_nm));
 }
 
 }  // namespace slicefarm::infill

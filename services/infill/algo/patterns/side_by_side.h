@@ -17,6 +17,6 @@ namespace slicefarm::infill {
 /// where curves touch. Errors: see MakePattern. Cost: the cost of the pattern; for curves also a
 /// union of strips for every two lines of a group.
 absl::StatusOr<std::vector<Piece>> PiecesOfPattern(FillPattern pattern, const MultiPolygon& region,
-                                                   const PatternPlace& place);
+                                                   const PatternContext& context);
 
 }  // namespace slicefarm::infill

@@ -23,9 +23,10 @@ std::vector<FillPattern> PatternsOfSeveralLines() {
 
 std::vector<Piece> Lines(FillPattern pattern, int32_t lines, double pitch_nm, Coord z_nm,
                          int32_t layer = 0) {
-  PatternPlace place{.z_nm = z_nm, .layer = layer, .pitch_nm = pitch_nm, .spacing_nm = kSpacing};
-  place.shape.lines = lines;
-  return *PiecesOfPattern(pattern, SampleBox(), place);
+  PatternContext context{
+      .z_nm = z_nm, .layer = layer, .pitch_nm = pitch_nm, .spacing_nm = kSpacing};
+  context.shape.lines = lines;
+  return *PiecesOfPattern(pattern, SampleBox(), context);
 }
 
 class SideBySide : public testing::TestWithParam<FillPattern> {};
@@ -50,13 +51,13 @@ TEST_P(SideBySide, KeepTheDensity) {
         const Point outwards{p.x > 0 ? wider : -wider, p.y > 0 ? wider : -wider};
         p = p + outwards + Point{part(0.6180339887), part(0.7548776662)};
       }
-      PatternPlace place{.z_nm = std::llround(i * kPitch * lines / std::numbers::sqrt2),
-                         .layer = i,
-                         .pitch_nm = kPitch,
-                         .angle_rad = 0.5,
-                         .spacing_nm = kSpacing};
-      place.shape.lines = lines;
-      length += LengthOf(*PiecesOfPattern(GetParam(), box, place));
+      PatternContext context{.z_nm = std::llround(i * kPitch * lines / std::numbers::sqrt2),
+                             .layer = i,
+                             .pitch_nm = kPitch,
+                             .angle_rad = 0.5,
+                             .spacing_nm = kSpacing};
+      context.shape.lines = lines;
+      length += LengthOf(*PiecesOfPattern(GetParam(), box, context));
       area += Area(box);
     }
     EXPECT_NEAR(length * kPitch / area, 1, 0.015) << lines;
@@ -88,9 +89,9 @@ TEST_P(SideBySide, LinesOfAGroupAreASpacingApart) {
 }
 
 TEST(PiecesOfPattern, OneLineIsThePatternItself) {
-  PatternPlace place{.z_nm = 700'000, .pitch_nm = 2e6, .spacing_nm = kSpacing};
+  PatternContext context{.z_nm = 700'000, .pitch_nm = 2e6, .spacing_nm = kSpacing};
   for (const FillPattern pattern : {FillPattern::kGyroid, FillPattern::kGrid}) {
-    const auto plain = PiecesOfPattern(pattern, SampleBox(), place);
+    const auto plain = PiecesOfPattern(pattern, SampleBox(), context);
     ASSERT_TRUE(plain.ok());
     EXPECT_EQ(plain->size(), Lines(pattern, 1, 2e6, 700'000).size());
   }

@@ -48,21 +48,21 @@ double FirstTurn(double least_nm, double nm_per_turn) {
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
-                                               const PatternPlace& place) {
+                                               const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineAxes frame(place.angle_rad);
+  const LineAxes frame(context.angle_rad);
   const Radii radii = RadiiOf(region, frame);
-  const double last = std::ceil(radii.most / place.pitch_nm) + 1;
-  const double chords_at_most = last * ChordsAt(last * place.pitch_nm);
+  const double last = std::ceil(radii.most / context.pitch_nm) + 1;
+  const double chords_at_most = last * ChordsAt(last * context.pitch_nm);
   if (absl::Status ok = CheckLineCount(chords_at_most); !ok.ok()) return ok;
   Curve spiral;
-  for (double turn = FirstTurn(radii.least, place.pitch_nm); turn < last; ++turn) {
-    const double chords = ChordsAt((turn + 1) * place.pitch_nm);
+  for (double turn = FirstTurn(radii.least, context.pitch_nm); turn < last; ++turn) {
+    const double chords = ChordsAt((turn + 1) * context.pitch_nm);
     const double half = std::numbers::pi / chords;
     const double outside = half * half / 6;
     for (double i = 0; i < chords; ++i) {
       const double at = turn + i / chords;
-      const double r = at * place.pitch_nm * (1 + outside);
+      const double r = at * context.pitch_nm * (1 + outside);
       spiral.points.push_back(
           frame.At(r * Cos(kTurn * (i / chords)), r * Sin(kTurn * (i / chords))));
     }
@@ -70,9 +70,10 @@ absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
   return ClipCurves(region, {&spiral, 1});
 }
 
-absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region, const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region,
+                                            const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineAxes frame(place.angle_rad);
+  const LineAxes frame(context.angle_rad);
   // The star has its outer corners at radius 1. These are the distances of its edges and of its
   // inner corners from the middle.
   const double edge = std::numbers::sqrt2 / 2;
@@ -82,7 +83,7 @@ absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region, const Pa
     const double r = i % 2 == 0 ? 1 : inner;
     star[static_cast<size_t>(i)] = {r * Cos(kTurn * i / kCorners), r * Sin(kTurn * i / kCorners)};
   }
-  const double growth = place.pitch_nm / edge;  // growth of the outer corners per turn
+  const double growth = context.pitch_nm / edge;  // growth of the outer corners per turn
   const Radii radii = RadiiOf(region, frame);
   const double last = std::ceil(radii.most / (inner * growth)) + 2;
   if (absl::Status ok = CheckLineCount(last * kCorners); !ok.ok()) return ok;

@@ -22,8 +22,8 @@ constexpr int kLeastSquares = 32;
 constexpr int kMostSquares = 96;
 
 /// Sine and cosine of a coordinate.
-struct Turn {
-  explicit Turn(double periods)
+struct SineCosine {
+  explicit SineCosine(double periods)
       : sine(Sin(2 * std::numbers::pi * periods)), cosine(Cos(2 * std::numbers::pi * periods)) {}
   double sine;
   double cosine;
@@ -34,42 +34,48 @@ struct Turn {
 /// Returns the section of a surface at the layer's height. `value(x, y, z)`: function of three
 /// Turns; `pitches`: the period in pitches.
 template <typename Value>
-absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const PatternPlace& place,
-                                           double pitches, Value value) {
-  const double period = pitches * place.pitch_nm;
-  const double height = static_cast<double>(place.z_nm) / period;
-  const Turn z(height - std::floor(height));
+absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region,
+                                           const PatternContext& context, double pitches,
+                                           Value value) {
+  const double period = pitches * context.pitch_nm;
+  const double height = static_cast<double>(context.z_nm) / period;
+  const SineCosine z(height - std::floor(height));
   const int squares =
       static_cast<int>(std::clamp(period / kSampleNm, 1.0 * kLeastSquares, 1.0 * kMostSquares));
-  std::vector<LevelLine> lines =
-      LevelLines([&](Vector2 at) { return value(Turn(at.x()), Turn(at.y()), z); }, squares);
+  std::vector<LevelLine> lines = LevelLines(
+      [&](Vector2 at) { return value(SineCosine(at.x()), SineCosine(at.y()), z); }, squares);
   const double tolerance = std::min(kSurfaceToleranceNm / period, kTolerancePeriods);
   for (LevelLine& line : lines) line = WithLongSegments(line, tolerance);
-  const auto curves = TiledLines(region, lines, LineAxes(place.angle_rad), period);
+  const auto curves = TiledLines(region, lines, LineAxes(context.angle_rad), period);
   if (!curves.ok()) return curves.status();
   return ClipCurves(region, *curves);
 }
 
 }  // namespace
 
-absl::StatusOr<std::vector<Piece>> Gyroid(const MultiPolygon& region, const PatternPlace& place) {
-  return Section(region, place, 2.4561, [](const Turn& x, const Turn& y, const Turn& z) {
-    return x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
-  });
+absl::StatusOr<std::vector<Piece>> Gyroid(const MultiPolygon& region,
+                                          const PatternContext& context) {
+  return Section(region, context, 2.4561,
+                 [](const SineCosine& x, const SineCosine& y, const SineCosine& z) {
+                   return x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
+                 });
 }
 
-absl::StatusOr<std::vector<Piece>> SchwarzD(const MultiPolygon& region, const PatternPlace& place) {
-  return Section(region, place, 3.043, [](const Turn& x, const Turn& y, const Turn& z) {
-    return x.cosine * y.cosine * z.cosine - x.sine * y.sine * z.sine;
-  });
+absl::StatusOr<std::vector<Piece>> SchwarzD(const MultiPolygon& region,
+                                            const PatternContext& context) {
+  return Section(region, context, 3.043,
+                 [](const SineCosine& x, const SineCosine& y, const SineCosine& z) {
+                   return x.cosine * y.cosine * z.cosine - x.sine * y.sine * z.sine;
+                 });
 }
 
 absl::StatusOr<std::vector<Piece>> FischerKochS(const MultiPolygon& region,
-                                                const PatternPlace& place) {
-  return Section(region, place, 4.264, [](const Turn& x, const Turn& y, const Turn& z) {
-    return x.CosOfTwice() * y.sine * z.cosine + y.CosOfTwice() * z.sine * x.cosine +
-           z.CosOfTwice() * x.sine * y.cosine;
-  });
+                                                const PatternContext& context) {
+  return Section(region, context, 4.264,
+                 [](const SineCosine& x, const SineCosine& y, const SineCosine& z) {
+                   return x.CosOfTwice() * y.sine * z.cosine + y.CosOfTwice() * z.sine * x.cosine +
+                          z.CosOfTwice() * x.sine * y.cosine;
+                 });
 }
 
 }  // namespace slicefarm::infill

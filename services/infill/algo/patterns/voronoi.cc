@@ -168,11 +168,12 @@ class NearStrands {
 
 }  // namespace
 
-absl::StatusOr<std::vector<Piece>> Voronoi(const MultiPolygon& region, const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> Voronoi(const MultiPolygon& region,
+                                           const PatternContext& context) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineAxes frame(place.angle_rad);
+  const LineAxes frame(context.angle_rad);
   const FrameBox box = BoxIn(frame, region);
-  const SizedTile tile = TileFor(place.pitch_nm, static_cast<double>(place.spacing_nm));
+  const SizedTile tile = TileFor(context.pitch_nm, static_cast<double>(context.spacing_nm));
   if (absl::Status ok = CheckLineCount(NearStrands::CountOf(tile, box)); !ok.ok()) return ok;
   return ClipCurves(region, NearStrands(tile, frame, box).Curves());
 }

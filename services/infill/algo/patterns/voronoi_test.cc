@@ -7,15 +7,15 @@
 namespace slicefarm::infill::voronoi_test {
 namespace {
 
-constexpr PatternPlace kPlace{.pitch_nm = 2e6, .angle_rad = 0.3, .spacing_nm = 400'000};
+constexpr PatternContext kPlace{.pitch_nm = 2e6, .angle_rad = 0.3, .spacing_nm = 400'000};
 
 // The error is 0.2 % for whole tiles.
 TEST(Voronoi, IsAsDenseAsAsked) {
   const MultiPolygon plate = MakePolygonsOrDie("(-250 -250, 250 -250, 250 250, -250 250)");
   for (const double pitch_nm : {1.5e6, 2e6, 4e6, 8e6}) {
-    PatternPlace place = kPlace;
-    place.pitch_nm = pitch_nm;
-    const auto pieces = Voronoi(plate, place);
+    PatternContext context = kPlace;
+    context.pitch_nm = pitch_nm;
+    const auto pieces = Voronoi(plate, context);
     ASSERT_TRUE(pieces.ok());
     EXPECT_NEAR(LengthOf(*pieces) * pitch_nm / Area(plate), 1, pitch_nm < 4e6 ? 0.003 : 0.015)
         << pitch_nm;
@@ -23,7 +23,7 @@ TEST(Voronoi, IsAsDenseAsAsked) {
 }
 
 TEST(Voronoi, IsTheSameInAllLayers) {
-  PatternPlace above = kPlace;
+  PatternContext above = kPlace;
   above.z_nm = 7'700'000;
   above.layer = 38;
   const auto low = Voronoi(SampleBox(), kPlace), high = Voronoi(SampleBox(), above);

@@ -23,23 +23,24 @@ absl::StatusOr<std::vector<Piece>> OfIslands(const MultiPolygon& region, const F
 
 }  // namespace
 
-absl::StatusOr<std::vector<Piece>> Fermat(const MultiPolygon& region, const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> Fermat(const MultiPolygon& region,
+                                          const PatternContext& context) {
   return OfIslands(region, [&](const PolygonWithHoles& island) {
-    return FermatFill(island, {std::llround(place.pitch_nm), place.first_line});
+    return FermatFill(island, {std::llround(context.pitch_nm), context.first_line});
   });
 }
 
 absl::StatusOr<std::vector<Piece>> HilbertQuadtree(const MultiPolygon& region,
-                                                   const PatternPlace& place) {
+                                                   const PatternContext& context) {
   return OfIslands(region, [&](const PolygonWithHoles& island) {
-    return HilbertFill(island, {std::llround(place.pitch_nm), place.first_line});
+    return HilbertFill(island, {std::llround(context.pitch_nm), context.first_line});
   });
 }
 
 absl::StatusOr<std::vector<Piece>> PeanoQuadtree(const MultiPolygon& region,
-                                                 const PatternPlace& place) {
+                                                 const PatternContext& context) {
   return OfIslands(region, [&](const PolygonWithHoles& island) {
-    return PeanoFill(island, {std::llround(place.pitch_nm), place.first_line});
+    return PeanoFill(island, {std::llround(context.pitch_nm), context.first_line});
   });
 }
 

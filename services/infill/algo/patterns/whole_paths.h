@@ -7,7 +7,7 @@ namespace slicefarm::infill {
 // One path through each connected part of a region, with the first line along its boundary
 // (space_filling/). The path returns to its start, so any straight cut through the part crosses it
 // an even number of times. The length per area is therefore only approximately 1 / pitch; it is
-// exact where many lines are side by side. The path does not depend on PatternPlace::angle_rad or
+// exact where many lines are side by side. The path does not depend on PatternContext::angle_rad or
 // on the layer.
 
 /// Connected Fermat spirals.

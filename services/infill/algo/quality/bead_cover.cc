@@ -18,7 +18,7 @@ namespace {
 constexpr double kRowsAngle = 0.2237;
 
 /// Part of a row within a convex shape.
-struct CoveredStretch {
+struct CoveredSpan {
   double from = std::numeric_limits<double>::infinity();
   double to = -std::numeric_limits<double>::infinity();
 
@@ -35,34 +35,34 @@ struct Bead {
   double ra = 0, rb = 0;
 };
 
-void AddDisc(Vector2 middle, double radius, double v, CoveredStretch& stretch) {
+void AddDisc(Vector2 middle, double radius, double v, CoveredSpan& span) {
   const double away = v - middle.y(), square = radius * radius - away * away;
   if (square < 0) return;
-  stretch.Add(middle.x() - std::sqrt(square));
-  stretch.Add(middle.x() + std::sqrt(square));
+  span.Add(middle.x() - std::sqrt(square));
+  span.Add(middle.x() + std::sqrt(square));
 }
 
-void AddEdge(Vector2 a, Vector2 b, double v, CoveredStretch& stretch) {
+void AddEdge(Vector2 a, Vector2 b, double v, CoveredSpan& span) {
   if ((a.y() < v) == (b.y() < v)) return;
-  stretch.Add(a.x() + (b.x() - a.x()) * ((v - a.y()) / (b.y() - a.y())));
+  span.Add(a.x() + (b.x() - a.x()) * ((v - a.y()) / (b.y() - a.y())));
 }
 
 /// Returns the part of a row within a bead: a disc at either end, and the sides between them. This
 /// part is connected.
-CoveredStretch Across(const Bead& bead, double v) {
-  CoveredStretch stretch;
-  AddDisc(bead.a, bead.ra, v, stretch);
-  AddDisc(bead.b, bead.rb, v, stretch);
+CoveredSpan Across(const Bead& bead, double v) {
+  CoveredSpan span;
+  AddDisc(bead.a, bead.ra, v, span);
+  AddDisc(bead.b, bead.rb, v, span);
   const double du = bead.b.x() - bead.a.x(), dv = bead.b.y() - bead.a.y();
   const double length = std::sqrt(du * du + dv * dv);
-  if (length == 0) return stretch;
+  if (length == 0) return span;
   for (const double side : {-1 / length, 1 / length}) {
     const auto aside = [&](Vector2 p, double radius) {
       return Vector2{p.x() - side * radius * dv, p.y() + side * radius * du};
     };
-    AddEdge(aside(bead.a, bead.ra), aside(bead.b, bead.rb), v, stretch);
+    AddEdge(aside(bead.a, bead.ra), aside(bead.b, bead.rb), v, span);
   }
-  return stretch;
+  return span;
 }
 
 /// Rows over a region, with the edges and beads on each of them.
@@ -89,8 +89,8 @@ class CoverRows {
   void Add(const Bead& bead) {
     ForEachRow(std::min(bead.a.y() - bead.ra, bead.b.y() - bead.rb),
                std::max(bead.a.y() + bead.ra, bead.b.y() + bead.rb), [&](size_t row, double v) {
-                 const CoveredStretch stretch = Across(bead, v);
-                 if (!stretch.IsEmpty()) beads_[row].push_back(stretch);
+                 const CoveredSpan span = Across(bead, v);
+                 if (!span.IsEmpty()) beads_[row].push_back(span);
                });
   }
 
@@ -98,7 +98,7 @@ class CoverRows {
     double inside = 0, covered = 0;
     for (size_t row = 0; row < edges_.size(); ++row) {
       std::ranges::sort(edges_[row]);
-      std::ranges::sort(beads_[row], {}, &CoveredStretch::from);
+      std::ranges::sort(beads_[row], {}, &CoveredSpan::from);
       for (size_t i = 0; i + 1 < edges_[row].size(); i += 2) {
         inside += edges_[row][i + 1] - edges_[row][i];
         covered += CoveredBetween(edges_[row][i], edges_[row][i + 1], beads_[row]);
@@ -127,9 +127,9 @@ class CoverRows {
     }
   }
 
-  static double CoveredBetween(double from, double to, const std::vector<CoveredStretch>& beads) {
+  static double CoveredBetween(double from, double to, const std::vector<CoveredSpan>& beads) {
     double covered = 0, reached = from;
-    for (const CoveredStretch& bead : beads) {
+    for (const CoveredSpan& bead : beads) {
       if (bead.from >= to) break;
       const double begin = std::max(bead.from, reached), end = std::min(bead.to, to);
       if (end > begin) covered += end - begin;
@@ -140,8 +140,8 @@ class CoverRows {
 
   LineAxes frame_;
   double first_ = 0, pitch_ = 1;
-  std::vector<std::vector<double>> edges_;          ///< crossings with the region's edges, per row
-  std::vector<std::vector<CoveredStretch>> beads_;  ///< parts under beads, per row
+  std::vector<std::vector<double>> edges_;       ///< crossings with the region's edges, per row
+  std::vector<std::vector<CoveredSpan>> beads_;  ///< parts under beads, per row
 };
 
 }  // namespace

@@ -24,8 +24,8 @@ FillStats UseOf(const RequestedFill& asked, std::span<const Path> paths, Coord l
   use.feature = asked.feature;
   use.pattern = asked.pattern;
   use.area_mm2 = asked.area_nm2 / kNmPerMm / kNmPerMm;
-  use.room_mm3 = use.area_mm2 * ToMm(static_cast<double>(asked.height_nm));
-  use.asked_mm3 = asked.share * use.room_mm3;
+  use.volume_mm3 = use.area_mm2 * ToMm(static_cast<double>(asked.height_nm));
+  use.asked_mm3 = asked.share * use.volume_mm3;
   use.paths = std::ssize(paths);
   for (const Path& path : paths) {
     const double length_mm = ToMm(PathLength(path));

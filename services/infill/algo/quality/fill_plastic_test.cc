@@ -45,7 +45,7 @@ TEST(UseOf, SumsPathsAndKeepsTheLongest) {
   EXPECT_EQ(use.feature, Feature::kBridgeInfill);
   EXPECT_EQ(use.pattern, FillPattern::kGrid);
   EXPECT_NEAR(use.area_mm2, 50, 1e-9);
-  EXPECT_NEAR(use.room_mm3, 20, 1e-9);
+  EXPECT_NEAR(use.volume_mm3, 20, 1e-9);
   EXPECT_NEAR(use.asked_mm3, 5, 1e-9);
   EXPECT_NEAR(use.plastic_mm3, 40 * SectionMm2(450'000, kHeight), 1e-9);
   EXPECT_EQ(use.paths, 2);

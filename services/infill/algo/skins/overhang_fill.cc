@@ -43,7 +43,7 @@ class Chain {
   void AddAll(std::vector<Piece> lines) {
     while (!lines.empty()) {
       const auto nearest = std::ranges::min_element(lines, {}, [this](const Piece& line) {
-        return std::min(Way(line.points.front()), Way(line.points.back()));
+        return std::min(DistanceTo(line.points.front()), DistanceTo(line.points.back()));
       });
       Add(std::move(*nearest));
       lines.erase(nearest);
@@ -53,15 +53,15 @@ class Chain {
   FillGroup Take() { return std::move(group_); }
 
  private:
-  double Way(Point to) const {
+  double DistanceTo(Point to) const {
     return group_.paths.empty() ? 0 : Distance(EndOf(group_.paths.back()), to);
   }
 
   void Add(Piece line) {
-    if (!line.closed && Way(line.points.back()) < Way(line.points.front()))
+    if (!line.closed && DistanceTo(line.points.back()) < DistanceTo(line.points.front()))
       std::ranges::reverse(line.points);
     const bool joins = !group_.paths.empty() && !group_.paths.back().closed && !line.closed &&
-                       Way(line.points.front()) <= max_link_nm_;
+                       DistanceTo(line.points.front()) <= max_link_nm_;
     if (!joins) {
       Path& path = group_.paths.emplace_back();
       path.feature = Feature::kBridgeInfill;

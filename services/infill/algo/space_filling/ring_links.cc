@@ -8,7 +8,7 @@
 
 #include "common/base/disjoint_sets.h"
 #include "common/geometry/predicates.h"
-#include "services/infill/algo/space_filling/ring_places.h"
+#include "services/infill/algo/space_filling/ring_positions.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -55,7 +55,7 @@ struct Pass {
 /// index.
 struct Spot {
   int32_t near = 0;
-  double place = 0;
+  double position = 0;
   double distance = 0;
 };
 
@@ -153,14 +153,14 @@ class Linker {
   /// along ring `b`.
   void FindSpots(int32_t b, const Pass& pass, std::vector<Spot>& spots) {
     spots.clear();
-    std::vector<RingPlaces::NearRing> near;
+    std::vector<RingPositions::NearRing> near;
     const auto wanted = [&](int32_t a) {
       return a < b && !families_.AreJoined(a, b) &&
              !(pass.other_steps_only && rings_[a].step == rings_[b].step);
     };
-    ForEachSample(b, [&](double place) {
-      places_.NearRings(places_.At(b, place), pass.reach, wanted, near);
-      for (const auto& [a, distance] : near) spots.push_back({a, place, distance});
+    ForEachSample(b, [&](double position) {
+      places_.NearRings(places_.At(b, position), pass.reach, wanted, near);
+      for (const auto& [a, distance] : near) spots.push_back({a, position, distance});
     });
     std::stable_sort(spots.begin(), spots.end(),
                      [](const Spot& x, const Spot& y) { return x.near > y.near; });
@@ -198,28 +198,28 @@ class Linker {
       const Cut& cut = CutAt(pair.a, bridges_at_[pair.a].front());
       const Point seam = places_.At(pair.a, cut.from + cut.length);
       if (const auto start = places_.Nearest(seam, from, pass.reach))
-        attempt(start->place, gap_at(DistanceTo(to, start->place, from, pass)));
+        attempt(start->position, gap_at(DistanceTo(to, start->position, from, pass)));
       if (!best || best_misfit > kGoodFit) first = NearestSpot(pair, seam);
     }
     for (size_t i = 0; i < pair.spots.size() && (!best || best_misfit > kGoodFit); ++i) {
       const Spot& spot = pair.spots[(first + i) % pair.spots.size()];
-      const auto middle = places_.Nearest(places_.At(pair.b, spot.place), from, pass.reach);
+      const auto middle = places_.Nearest(places_.At(pair.b, spot.position), from, pass.reach);
       const double gap = gap_at(spot.distance);
-      if (middle) attempt(middle->place - gap / 2, gap);
+      if (middle) attempt(middle->position - gap / 2, gap);
     }
     if (best && !a_longer) std::swap(best->cuts[0], best->cuts[1]);
     return best;
   }
 
   /// Returns the distance from a position on ring `from` to ring `to`, at most the pass's reach.
-  double DistanceTo(int32_t to, double place, int32_t from, const Pass& pass) const {
-    const auto near = places_.Nearest(places_.At(from, place), to, pass.reach);
+  double DistanceTo(int32_t to, double position, int32_t from, const Pass& pass) const {
+    const auto near = places_.Nearest(places_.At(from, position), to, pass.reach);
     return near ? near->distance : pass.reach;
   }
 
   size_t NearestSpot(const Pair& pair, Point p) const {
     const auto apart = [&](const Spot& spot) {
-      return SquaredNorm(places_.At(pair.b, spot.place) - p);
+      return SquaredNorm(places_.At(pair.b, spot.position) - p);
     };
     const auto nearest =
         std::min_element(pair.spots.begin(), pair.spots.end(),
@@ -238,7 +238,7 @@ class Linker {
     const Point p0 = places_.At(from, begin), p1 = places_.At(from, end);
     const auto q0 = places_.Nearest(p0, to, pass.reach), q1 = places_.Nearest(p1, to, pass.reach);
     if (!q0 || !q1) return std::nullopt;
-    const double t0 = Snapped(to, q0->place), t1 = Snapped(to, q1->place);
+    const double t0 = Snapped(to, q0->position), t1 = Snapped(to, q1->position);
     const double forward = places_.Wrapped(to, t1 - t0), whole = places_.Length(to);
     const bool same_way = forward <= whole / 2;
     const Cut other = same_way ? Cut{to, t0, forward} : Cut{to, t1, whole - forward};
@@ -255,15 +255,15 @@ class Linker {
   }
 
   /// Returns a position, or the end of a cut if it is very near.
-  double Snapped(int32_t ring, double place) const {
+  double Snapped(int32_t ring, double position) const {
     for (const int32_t b : bridges_at_[ring]) {
       const Cut& cut = CutAt(ring, b);
       for (const double end : {cut.from, cut.from + cut.length}) {
-        const double apart = places_.Wrapped(ring, place - end + kSnap * spacing_);
+        const double apart = places_.Wrapped(ring, position - end + kSnap * spacing_);
         if (apart <= 2 * kSnap * spacing_) return places_.Wrapped(ring, end);
       }
     }
-    return places_.Wrapped(ring, place);
+    return places_.Wrapped(ring, position);
   }
 
   const Cut& CutAt(int32_t ring, int32_t bridge) const {
@@ -295,7 +295,7 @@ class Linker {
     };
     const Point from = part(kShorter), to = part(length - kShorter);
     bool clear = !may_link_ || may_link_(from, to);
-    places_.ForEachEdgeNear(from, to, [&](const RingPlaces::Edge& edge) {
+    places_.ForEachEdgeNear(from, to, [&](const RingPositions::Edge& edge) {
       if (!clear || !DoSegmentsCross(from, to, edge.from, edge.to)) return;
       clear = IsCutAway(edge, from, to, bridge);
     });
@@ -307,16 +307,17 @@ class Linker {
   }
 
   /// Returns true if the point of an edge that a segment crosses has been cut away.
-  bool IsCutAway(const RingPlaces::Edge& edge, Point from, Point to, const Bridge& bridge) const {
+  bool IsCutAway(const RingPositions::Edge& edge, Point from, Point to,
+                 const Bridge& bridge) const {
     const Point route = to - from, d = edge.to - edge.from;
     const double turn = Cross(d, route);
     if (turn == 0) return false;
     const double part = Cross(from - edge.from, route) / turn;
-    const double place =
-        places_.PlaceOn(edge, {edge.from.x + std::llround(part * static_cast<double>(d.x)),
-                               edge.from.y + std::llround(part * static_cast<double>(d.y))});
+    const double position =
+        places_.PositionOn(edge, {edge.from.x + std::llround(part * static_cast<double>(d.x)),
+                                  edge.from.y + std::llround(part * static_cast<double>(d.y))});
     const auto in = [&](const Cut& cut) {
-      return cut.ring == edge.ring && places_.Wrapped(cut.ring, place - cut.from) < cut.length;
+      return cut.ring == edge.ring && places_.Wrapped(cut.ring, position - cut.from) < cut.length;
     };
     return in(bridge.cuts[0]) || in(bridge.cuts[1]) ||
            std::any_of(bridges_at_[edge.ring].begin(), bridges_at_[edge.ring].end(),
@@ -411,7 +412,7 @@ class Linker {
   std::span<const StepRing> rings_;
   double spacing_;
   const std::function<bool(Point, Point)>& may_link_;
-  RingPlaces places_;
+  RingPositions places_;
   SegmentGrid links_;  ///< links, numbered by the end on the first ring
   std::vector<Bridge> bridges_;
   std::vector<std::vector<int32_t>> bridges_at_;  ///< bridges of each ring, the oldest first

@@ -35,8 +35,8 @@ class AreaGraph {
     }
   }
 
-  std::vector<AreaPlace> Order() {
-    std::vector<AreaPlace> order;
+  std::vector<AreaIndex> Order() {
+    std::vector<AreaIndex> order;
     for (uint32_t level = 0; level < nodes_.size(); ++level)
       for (uint32_t area = 0; area < nodes_[level].size(); ++area) Visit({level, area}, order);
     return order;
@@ -49,10 +49,10 @@ class AreaGraph {
     bool done = false;
   };
 
-  void Visit(AreaPlace first, std::vector<AreaPlace>& order) {
-    std::vector<AreaPlace> open = {first};
+  void Visit(AreaIndex first, std::vector<AreaIndex>& order) {
+    std::vector<AreaIndex> open = {first};
     while (!open.empty()) {
-      const AreaPlace place = open.back();
+      const AreaIndex place = open.back();
       open.pop_back();
       Node& node = nodes_[place.level][place.area];
       if (node.done || node.waits_for > 0) continue;
@@ -70,7 +70,7 @@ class AreaGraph {
 
 }  // namespace
 
-std::vector<AreaPlace> CutOrder(std::span<const MilledStep> levels) {
+std::vector<AreaIndex> CutOrder(std::span<const MilledStep> levels) {
   return AreaGraph(levels).Order();
 }
 

@@ -11,7 +11,7 @@ CutArea Square(double low, double high) {
   return {.area = {{PointOf({low, low}), PointOf({high, low}), PointOf({high, high}),
                     PointOf({low, high})},
                    {}},
-          .ways = {}};
+          .passes = {}};
 }
 
 MilledStep Level(double z, std::vector<CutArea> areas) {
@@ -23,7 +23,7 @@ TEST(CutOrder, GoesDownPocketByPocket) {
   const std::vector<MilledStep> levels = {Level(3, {Square(0, 10)}),
                                           Level(2, {Square(1, 4), Square(6, 9)}),
                                           Level(1, {Square(2, 3), Square(6, 9)})};
-  const std::vector<AreaPlace> wanted = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}};
+  const std::vector<AreaIndex> wanted = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 1}};
   EXPECT_EQ(CutOrder(levels), wanted);
 }
 
@@ -32,7 +32,7 @@ TEST(CutOrder, WaitsForAllThatLiesAbove) {
   const std::vector<MilledStep> levels = {Level(3, {Square(0, 2), Square(5, 7)}),
                                           Level(2, {Square(0, 7), Square(20, 22)}),
                                           Level(1, {Square(0, 7)})};
-  const std::vector<AreaPlace> wanted = {{0, 0}, {0, 1}, {1, 0}, {2, 0}, {1, 1}};
+  const std::vector<AreaIndex> wanted = {{0, 0}, {0, 1}, {1, 0}, {2, 0}, {1, 1}};
   EXPECT_EQ(CutOrder(levels), wanted);
 }
 

@@ -13,7 +13,7 @@ absl::StatusOr<int> CutLevels(const MillingJob& job, std::span<const MilledStep>
                               MoveBuilder& moves, const CancelToken& cancel) {
   StockCutter cutter(job.options, moves, cancel);
   int cut = 0;
-  for (const AreaPlace& place : CutOrder(levels)) {
+  for (const AreaIndex& place : CutOrder(levels)) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     const MilledStep& level = levels[place.level];
     cut += cutter.Cut(level.areas[place.area], level.step.at_mm, level.step.phase);
@@ -37,7 +37,7 @@ absl::StatusOr<MillProgram> AssembleProgram(const MillingJob& job,
     const auto cut = phase == MillPhase::kRest ? CutRest(job, of_phase, moves, cancel)
                                                : CutLevels(job, of_phase, moves, cancel);
     if (!cut.ok()) return cut.status();
-    program.ways += *cut;
+    program.passes += *cut;
   }
   moves.Retract();
   program.removed_mm3 = moves.stock().removed_mm3();

@@ -14,7 +14,7 @@ namespace slicefarm::milling {
 struct MillProgram {
   std::vector<MillMove> moves;
   double safe_z_mm = 0;
-  int ways = 0;  ///< number of passes and rest-area runs that are cut
+  int passes = 0;  ///< number of passes and rest-area runs that are cut
   double removed_mm3 = 0;
 };
 

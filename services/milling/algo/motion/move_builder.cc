@@ -24,17 +24,17 @@ Eigen::Vector3d Rounded(const Eigen::Vector3d& p) {
   return {WholeMicrometres(p.x()), WholeMicrometres(p.y()), WholeMicrometres(p.z())};
 }
 
-PlaceUm MicrometresOf(const Eigen::Vector2d& p) {
+PointUm MicrometresOf(const Eigen::Vector2d& p) {
   return {static_cast<int32_t>(std::llround(p.x() * 1000)),
           static_cast<int32_t>(std::llround(p.y() * 1000))};
 }
 
-Eigen::Vector2d PlaceOfUm(PlaceUm p) { return {p.x / 1000.0, p.y / 1000.0}; }
+Eigen::Vector2d PlaceOfUm(PointUm p) { return {p.x / 1000.0, p.y / 1000.0}; }
 
-std::vector<PlaceUm> PlacesInUm(std::span<const Eigen::Vector2d> line_mm) {
-  std::vector<PlaceUm> places;
+std::vector<PointUm> PlacesInUm(std::span<const Eigen::Vector2d> line_mm) {
+  std::vector<PointUm> places;
   for (const Eigen::Vector2d& p : line_mm)
-    if (const PlaceUm um = MicrometresOf(p); places.empty() || places.back() != um)
+    if (const PointUm um = MicrometresOf(p); places.empty() || places.back() != um)
       places.push_back(um);
   return places;
 }
@@ -99,19 +99,19 @@ void MoveBuilder::ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& cen
 }
 
 void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double feed_mm_min) {
-  const std::vector<PlaceUm> places = PlacesInUm(line_mm);
+  const std::vector<PointUm> places = PlacesInUm(line_mm);
   if (places.size() < 2) return;
   const double z = at_.z(), tolerance = job_.options.tolerance_mm;
   const Coord chord_nm = FromMm(kLineShare * tolerance);
   Polyline straight = {PointOf(PlaceOfUm(places[0]))};
   const auto lines = [&] {
     for (const Point p : SimplifyLine(straight, chord_nm)) {
-      const Eigen::Vector2d place = PlaceOf(p);
+      const Eigen::Vector2d place = PointMmOf(p);
       LineTo({place.x(), place.y(), z}, feed_mm_min);
     }
   };
   if (!job_.options.machining.arcs) {
-    for (const PlaceUm place : places) straight.push_back(PointOf(PlaceOfUm(place)));
+    for (const PointUm place : places) straight.push_back(PointOf(PlaceOfUm(place)));
     return lines();
   }
   const double arc_um = std::max(kLeastArcToleranceUm, kArcShare * 1000 * tolerance);

@@ -21,16 +21,16 @@ constexpr double kMostLinkRows = 2.5;
 constexpr double kLinkStepShare = 0.2;
 
 /// Position on a run: one of its points, or a point between two of them.
-struct RunPlace {
+struct RunPosition {
   Eigen::Vector3d tip{0, 0, 0};
   bool corner = false;
   bool in_stock = false;
 };
 
-std::vector<RunPlace> PlacesOfRun(const RestRun& run, const MillingJob& job,
-                                  const StockMap& stock) {
+std::vector<RunPosition> PlacesOfRun(const RestRun& run, const MillingJob& job,
+                                     const StockMap& stock) {
   const double step = kRunAskShare * job.options.cutter.radius_mm();
-  std::vector<RunPlace> places = {{.tip = run[0], .corner = true}};
+  std::vector<RunPosition> places = {{.tip = run[0], .corner = true}};
   for (size_t i = 0; i + 1 < run.size(); ++i) {
     const double steps = std::max(1.0, std::ceil((run[i + 1] - run[i]).norm() / step));
     for (double k = 1; k <= steps; ++k)
@@ -39,7 +39,7 @@ std::vector<RunPlace> PlacesOfRun(const RestRun& run, const MillingJob& job,
   // The cutter is not widened here as in other tests: along a finished wall, every run would then
   // meet the wall.
   const Eigen::Vector3d touch(0, 0, kRunTouchMm);
-  for (RunPlace& place : places) place.in_stock = stock.Meets(place.tip + touch, 0);
+  for (RunPosition& place : places) place.in_stock = stock.Meets(place.tip + touch, 0);
   return places;
 }
 
@@ -47,7 +47,7 @@ std::vector<RunPlace> PlacesOfRun(const RestRun& run, const MillingJob& job,
 /// Parts closer to each other than the cutter's diameter are merged.
 std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
                                   const StockMap& stock) {
-  const std::vector<RunPlace> places = PlacesOfRun(run, job, stock);
+  const std::vector<RunPosition> places = PlacesOfRun(run, job, stock);
   const auto gap = static_cast<size_t>(2 / kRunAskShare);
   std::vector<RestRun> parts;
   for (size_t i = 0; i < places.size(); ++i) {

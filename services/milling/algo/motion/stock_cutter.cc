@@ -17,7 +17,7 @@ constexpr double kAskShare = 0.25;
 
 ClosedPath ClosedPathOf(const Polygon& ring) {
   ClosedPath pass;
-  for (const Point p : ring) pass.push_back(PlaceOf(p));
+  for (const Point p : ring) pass.push_back(PointMmOf(p));
   return pass;
 }
 
@@ -138,7 +138,7 @@ int StockCutter::Cut(const CutArea& area, double z_mm, MillPhase phase) {
   area_ = &area.area;
   int cut = 0;
   std::optional<ClosedPath> air;
-  for (const Polygon& ring : area.ways) {
+  for (const Polygon& ring : area.passes) {
     if (cancel_.Cancelled()) break;
     const ClosedPath pass = ClosedPathOf(ring);
     if (!MeetsStock(pass, z_mm)) {

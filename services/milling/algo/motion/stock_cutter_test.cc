@@ -29,7 +29,7 @@ TEST(StockCutter, EntersFromOutsideAndStaysDown) {
   MoveBuilder moves(job);
   StockCutter cutter(job.options, moves, kNever);
   const CutArea area{.area = {SquareRing(-3.5, 21.5), {}},
-                     .ways = {SquareRing(-3.5, 21.5), SquareRing(-1.9, 19.9), SquareRing(0, 18)}};
+                     .passes = {SquareRing(-3.5, 21.5), SquareRing(-1.9, 19.9), SquareRing(0, 18)}};
   EXPECT_EQ(cutter.Cut(area, 9.5, MillPhase::kRoughing), 2);  // the first pass is in air
   const std::vector<MillMove> made = moves.TakeMoves();
   EXPECT_EQ(CountOf(made, MoveKind::kRapid), 2u);  // horizontally, and down beside the stock
@@ -42,7 +42,7 @@ TEST(StockCutter, GoesDownIntoAPocketByAHelixOrAlongItsWay) {
     job.options.machining.entry = entry;
     MoveBuilder moves(job);
     StockCutter cutter(job.options, moves, kNever);
-    const CutArea area{.area = {SquareRing(4, 14), {}}, .ways = {SquareRing(7, 11)}};
+    const CutArea area{.area = {SquareRing(4, 14), {}}, .passes = {SquareRing(7, 11)}};
     EXPECT_EQ(cutter.Cut(area, 9.2, MillPhase::kRoughing), 1);
     const std::vector<MillMove> made = moves.TakeMoves();
     EXPECT_EQ(CountOf(made, MoveKind::kCounterClockwise) > 0, entry == EntryKind::kHelix);
@@ -60,8 +60,8 @@ TEST(StockCutter, LeavesOutWhatIsCutAlready) {
   MoveBuilder moves(job);
   StockCutter cutter(job.options, moves, kNever);
   const CutArea wide{.area = {SquareRing(4, 14), {}},
-                     .ways = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4, 14)}};
-  const CutArea again{.area = {SquareRing(5, 13), {}}, .ways = {SquareRing(8, 10)}};
+                     .passes = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4, 14)}};
+  const CutArea again{.area = {SquareRing(5, 13), {}}, .passes = {SquareRing(8, 10)}};
   EXPECT_EQ(cutter.Cut(wide, 9.2, MillPhase::kRoughing), 3);
   EXPECT_EQ(cutter.Cut(again, 9.2, MillPhase::kRoughing), 0);
   EXPECT_EQ(cutter.Cut(again, 9.0, MillPhase::kRoughing), 1);
@@ -73,20 +73,20 @@ TEST(StockCutter, MeetsFinishingWaysByArcs) {
   MoveBuilder moves(job);
   StockCutter cutter(job.options, moves, kNever);
   const CutArea rough{.area = {SquareRing(4, 14), {}},
-                      .ways = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4.2, 13.8)}};
+                      .passes = {SquareRing(8, 10), SquareRing(6, 12), SquareRing(4.2, 13.8)}};
   cutter.Cut(rough, 9.2, MillPhase::kRoughing);
   moves.Retract();
   moves.TakeMoves();
   Polygon ring = SquareRing(4, 14);
   ring.insert(ring.begin() + 1, PointOf({9, 4}));
   moves.RapidTo({9, 6}, 9.2);
-  const CutArea fine{.area = {SquareRing(4, 14), {}}, .ways = {ring}};
+  const CutArea fine{.area = {SquareRing(4, 14), {}}, .passes = {ring}};
   EXPECT_EQ(cutter.Cut(fine, 9.2, MillPhase::kFinishing), 1);
   EXPECT_EQ(CountOf(moves.TakeMoves(), MoveKind::kCounterClockwise), 0u);  // near, so straight
   moves.Retract();
   StockCutter other(job.options, moves, kNever);
   Polygon deeper = ring;
-  EXPECT_EQ(other.Cut({.area = fine.area, .ways = {deeper}}, 9.1, MillPhase::kFinishing), 1);
+  EXPECT_EQ(other.Cut({.area = fine.area, .passes = {deeper}}, 9.1, MillPhase::kFinishing), 1);
 }
 
 }  // namespace

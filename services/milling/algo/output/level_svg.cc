@@ -13,7 +13,7 @@ namespace {
 void AppendRing(const Polygon& ring, fmt::memory_buffer& text) {
   char word = 'M';
   for (const Point p : ring) {
-    const Eigen::Vector2d place = PlaceOf(p);
+    const Eigen::Vector2d place = PointMmOf(p);
     fmt::format_to(std::back_inserter(text), "{}{:.3f} {:.3f}", word, place.x(), -place.y());
     word = 'L';
   }
@@ -41,10 +41,10 @@ std::string LevelSvg(const MillingJob& job, const MilledStep& level) {
     AppendRing(cut.area.outer, text);
     for (const Polygon& hole : cut.area.holes) AppendRing(hole, text);
     text.append(std::string_view("\"/>\n"));
-    for (size_t i = 0; i < cut.ways.size(); ++i) {
-      const size_t red = 255 * (i + 1) / cut.ways.size();
+    for (size_t i = 0; i < cut.passes.size(); ++i) {
+      const size_t red = 255 * (i + 1) / cut.passes.size();
       fmt::format_to(out, "<path fill=\"none\" stroke=\"rgb({},0,{})\" d=\"", red, 255 - red);
-      AppendRing(cut.ways[i], text);
+      AppendRing(cut.passes[i], text);
       text.append(std::string_view("\"/>\n"));
     }
   }

@@ -19,9 +19,9 @@ TEST(LevelSvg, DrawsStockAreasAndWays) {
   ASSERT_FALSE(steps.empty());
   for (const MilledStep& level : steps) {
     const std::string svg = LevelSvg(job, level);
-    size_t ways = 0;
-    for (const CutArea& area : level.areas) ways += area.ways.size();
-    EXPECT_EQ(CountOf(svg, "<path fill=\"none\""), ways);
+    size_t passes = 0;
+    for (const CutArea& area : level.areas) passes += area.passes.size();
+    EXPECT_EQ(CountOf(svg, "<path fill=\"none\""), passes);
     EXPECT_EQ(CountOf(svg, "<path fill=\"#bfd\""), level.areas.size());
     EXPECT_EQ(CountOf(svg, "<rect"), 1u);
     EXPECT_EQ(svg.find("nan"), svg.npos);

@@ -58,7 +58,7 @@ class GougeCheck {
 absl::StatusOr<MillReport> ReportOf(const MillingJob& job, const MillProgram& program,
                                     const CancelToken& cancel, int threads) {
   MillReport report;
-  report.ways = program.ways;
+  report.passes = program.passes;
   report.removed_mm3 = program.removed_mm3;
   const std::vector<MoveTime> times = TimesOf(program.moves, job.options, cancel);
   for (size_t i = 1; i < program.moves.size(); ++i) {

@@ -24,7 +24,7 @@ TEST(ReportOf, SumsByPhase) {
                  .centre_mm = {-3, -5},
                  .feed_mm_min = 600}},
       .safe_z_mm = 9,
-      .ways = 2,
+      .passes = 2,
       .removed_mm3 = 5};
   const auto report = ReportOf(job, program);
   ASSERT_TRUE(report.ok());
@@ -35,7 +35,7 @@ TEST(ReportOf, SumsByPhase) {
   EXPECT_NEAR(report->phases[1].seconds, times[3].seconds, 1e-12);
   EXPECT_NEAR(report->phases[1].cut_mm, std::numbers::pi, 1e-12);
   EXPECT_EQ(report->phases[1].arcs, 1u);
-  EXPECT_EQ(report->ways, 2);
+  EXPECT_EQ(report->passes, 2);
   EXPECT_EQ(report->gouges, 0u);
 }
 

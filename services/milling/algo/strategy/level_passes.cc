@@ -36,21 +36,21 @@ class RingMaker {
   RingMaker(Coord stepover_nm, bool from_outside, const CancelToken& cancel)
       : stepover_nm_(stepover_nm), from_outside_(from_outside), cancel_(cancel) {}
 
-  void Add(const PolygonWithHoles& area, std::vector<Polygon>& ways, int depth = 0) const {
-    if (from_outside_) AddRing({area.outer.rbegin(), area.outer.rend()}, ways);
+  void Add(const PolygonWithHoles& area, std::vector<Polygon>& passes, int depth = 0) const {
+    if (from_outside_) AddRing({area.outer.rbegin(), area.outer.rend()}, passes);
     if (depth < kMostRings && !cancel_.Cancelled()) {
       const OffsetOptions round{.join = Join::kRound};
       for (const PolygonWithHoles& inner :
            Simplify(Offset({area}, -stepover_nm_, round), kRingChordNm))
-        Add(inner, ways, depth + 1);
+        Add(inner, passes, depth + 1);
     }
-    for (const Polygon& hole : area.holes) AddRing(hole, ways);
-    if (!from_outside_) AddRing(area.outer, ways);
+    for (const Polygon& hole : area.holes) AddRing(hole, passes);
+    if (!from_outside_) AddRing(area.outer, passes);
   }
 
  private:
-  static void AddRing(Polygon ring, std::vector<Polygon>& ways) {
-    if (Perimeter(ring) >= kLeastRingNm) ways.push_back(std::move(ring));
+  static void AddRing(Polygon ring, std::vector<Polygon>& passes) {
+    if (Perimeter(ring) >= kLeastRingNm) passes.push_back(std::move(ring));
   }
 
   Coord stepover_nm_;
@@ -58,9 +58,9 @@ class RingMaker {
   const CancelToken& cancel_;
 };
 
-void Turn(std::vector<Polygon>& ways, CutDirection direction) {
+void Turn(std::vector<Polygon>& passes, CutDirection direction) {
   if (direction == CutDirection::kClimb) return;
-  for (Polygon& pass : ways) std::reverse(pass.begin(), pass.end());
+  for (Polygon& pass : passes) std::reverse(pass.begin(), pass.end());
 }
 
 }  // namespace
@@ -72,11 +72,11 @@ std::vector<CutArea> RoughingPasses(const FreeArea& level, const MillingOptions&
     wide = Intersection(OffsetTwice(wide, -half, half), level.free);
   std::vector<CutArea> areas;
   for (PolygonWithHoles& area : wide) {
-    CutArea cut{.area = std::move(area), .ways = {}};
+    CutArea cut{.area = std::move(area), .passes = {}};
     const RingMaker rings(FromMm(options.stepover_mm()),
                           ReachesOutside(cut.area.outer, level.reach), cancel);
-    rings.Add(cut.area, cut.ways);
-    Turn(cut.ways, options.machining.direction);
+    rings.Add(cut.area, cut.passes);
+    Turn(cut.passes, options.machining.direction);
     areas.push_back(std::move(cut));
   }
   return areas;
@@ -85,9 +85,9 @@ std::vector<CutArea> RoughingPasses(const FreeArea& level, const MillingOptions&
 std::vector<CutArea> FinishingPasses(const FreeArea& level, const MillingOptions& options) {
   std::vector<CutArea> areas;
   for (const PolygonWithHoles& area : level.free) {
-    CutArea cut{.area = area, .ways = area.holes};
-    cut.ways.push_back(area.outer);
-    Turn(cut.ways, options.machining.direction);
+    CutArea cut{.area = area, .passes = area.holes};
+    cut.passes.push_back(area.outer);
+    Turn(cut.passes, options.machining.direction);
     areas.push_back(std::move(cut));
   }
   return areas;

@@ -18,9 +18,9 @@ Polygon Hole(double low, double high) {
   return {ring.rbegin(), ring.rend()};
 }
 
-double LeastDistance(const std::vector<Polygon>& ways, Point p) {
+double LeastDistance(const std::vector<Polygon>& passes, Point p) {
   double least = 1e18;
-  for (const Polygon& pass : ways)
+  for (const Polygon& pass : passes)
     for (size_t i = 0; i < pass.size(); ++i)
       least = std::min(least, DistanceToSegment(p, pass[i], pass[(i + 1) % pass.size()]));
   return least;
@@ -33,7 +33,7 @@ void ExpectCovered(const std::vector<CutArea>& areas, double stepover, const cha
       for (double y = -2; y < 22; y += 0.41) {
         const Point p = PointOf({x, y});
         if (Locate(p, area.area) != Side::kInside) continue;
-        EXPECT_LT(LeastDistance(area.ways, p), FromMm(stepover) * 1.01) << what << x << " " << y;
+        EXPECT_LT(LeastDistance(area.passes, p), FromMm(stepover) * 1.01) << what << x << " " << y;
       }
     }
   }
@@ -57,17 +57,17 @@ TEST(RoughingPasses, CoverTheAreaInTheOrderOfCutting) {
     const std::vector<CutArea> areas = RoughingPasses(c.level, options);
     ASSERT_EQ(areas.size(), 1u) << c.name;
     ExpectCovered(areas, options.stepover_mm(), c.name);
-    const std::vector<Polygon>& ways = areas[0].ways;
-    const double first = std::abs(SignedArea(ways.front())),
-                 last = std::abs(SignedArea(ways.back()));
+    const std::vector<Polygon>& passes = areas[0].passes;
+    const double first = std::abs(SignedArea(passes.front())),
+                 last = std::abs(SignedArea(passes.back()));
     EXPECT_EQ(first > last, c.from_outside) << c.name;
     if (!c.from_outside && !c.level.free[0].holes.empty()) continue;  // begins at the island
     // Climb milling has the stock on the right. Going inwards, the stock is inside of the pass;
     // going outwards, it is outside.
-    EXPECT_EQ(SignedArea(ways.front()) < 0, c.from_outside) << c.name;
+    EXPECT_EQ(SignedArea(passes.front()) < 0, c.from_outside) << c.name;
     MillingOptions turned = options;
     turned.machining.direction = CutDirection::kConventional;
-    EXPECT_EQ(SignedArea(RoughingPasses(c.level, turned)[0].ways.front()) > 0, c.from_outside)
+    EXPECT_EQ(SignedArea(RoughingPasses(c.level, turned)[0].passes.front()) > 0, c.from_outside)
         << c.name;
   }
 }
@@ -88,9 +88,9 @@ TEST(FinishingPasses, AreTheOutlinesWithTheStockOnTheRight) {
   const FreeArea level{stock, {{Square(0, 20), {Hole(8, 14), Hole(2, 5)}}}};
   const std::vector<CutArea> areas = FinishingPasses(level, OptionsFor("ball:2"));
   ASSERT_EQ(areas.size(), 1u);
-  ASSERT_EQ(areas[0].ways.size(), 3u);
-  EXPECT_LT(SignedArea(areas[0].ways[0]), 0);
-  EXPECT_GT(SignedArea(areas[0].ways[2]), 0);
+  ASSERT_EQ(areas[0].passes.size(), 3u);
+  EXPECT_LT(SignedArea(areas[0].passes[0]), 0);
+  EXPECT_GT(SignedArea(areas[0].passes[2]), 0);
 }
 
 }  // namespace

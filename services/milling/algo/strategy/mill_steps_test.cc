@@ -12,7 +12,7 @@ void ExpectSame(const MilledStep& a, const MilledStep& b) {
   ASSERT_EQ(a.areas.size(), b.areas.size());
   for (size_t i = 0; i < a.areas.size(); ++i) {
     EXPECT_EQ(a.areas[i].area, b.areas[i].area);
-    EXPECT_EQ(a.areas[i].ways, b.areas[i].ways);
+    EXPECT_EQ(a.areas[i].passes, b.areas[i].passes);
   }
   EXPECT_EQ(a.runs, b.runs);
 }

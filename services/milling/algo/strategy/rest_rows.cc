@@ -103,7 +103,7 @@ class RestRow {
     }
     RestRun run;
     for (const Point p : SimplifyLine(line, FromMm(kChordShare * tolerance_mm_))) {
-      const Eigen::Vector2d place = PlaceOf(p);
+      const Eigen::Vector2d place = PointMmOf(p);
       run.push_back({place.x(), y_mm_, place.y()});
     }
     return run;

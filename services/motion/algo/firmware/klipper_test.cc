@@ -24,15 +24,15 @@ TEST(Klipper, LimitsAndAccelerations) {
 }
 
 TEST(Klipper, ReadsWhatItWrites) {
-  MachineLimits told;
-  told.max_feedrate_mm_s = {111, 111, 20, 120};
-  told.max_acceleration_extruding_mm_s2 = 2222;
-  told.square_corner_velocity_mm_s = 6;
+  MachineLimits written;
+  written.max_feedrate_mm_s = {111, 111, 20, 120};
+  written.max_acceleration_extruding_mm_s2 = 2222;
+  written.square_corner_velocity_mm_s = 6;
   GcodeText out;
-  Klipper().WriteLimits(told, out);
+  Klipper().WriteLimits(written, out);
   MachineLimits read;
   Klipper().ApplyLimits(ParseGcodeLine(out.text()), read);
-  EXPECT_EQ(read, told);
+  EXPECT_EQ(read, written);
 }
 
 TEST(Klipper, RefusesThickBeads) {

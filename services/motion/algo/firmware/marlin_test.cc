@@ -27,22 +27,22 @@ TEST(Marlin, AccelerationsByKindOfMove) {
 }
 
 TEST(Marlin, ReadsWhatItWrites) {
-  MachineLimits told;
-  told.max_acceleration_mm_s2 = {11, 12, 13, 14};
-  told.max_feedrate_mm_s = {21, 22, 23, 24};
-  told.max_jerk_mm_s = {1, 2, 3, 4};
-  told.max_acceleration_extruding_mm_s2 = 31;
-  told.max_acceleration_retracting_mm_s2 = 32;
-  told.max_acceleration_travel_mm_s2 = 33;
+  MachineLimits written;
+  written.max_acceleration_mm_s2 = {11, 12, 13, 14};
+  written.max_feedrate_mm_s = {21, 22, 23, 24};
+  written.max_jerk_mm_s = {1, 2, 3, 4};
+  written.max_acceleration_extruding_mm_s2 = 31;
+  written.max_acceleration_retracting_mm_s2 = 32;
+  written.max_acceleration_travel_mm_s2 = 33;
   GcodeText out;
-  Marlin2().WriteLimits(told, out);
+  Marlin2().WriteLimits(written, out);
   MachineLimits read;
   std::string_view text = out.text();
   while (!text.empty()) {
     Marlin2().ApplyLimits(ParseGcodeLine(text.substr(0, text.find('\n'))), read);
     text.remove_prefix(text.find('\n') + 1);
   }
-  EXPECT_EQ(read, told);
+  EXPECT_EQ(read, written);
 }
 
 TEST(Marlin, TravelApartOnlyInMarlin2) {

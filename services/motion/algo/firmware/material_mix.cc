@@ -4,18 +4,18 @@
 
 namespace slicefarm::motion {
 
-void MaterialMix::SetFor(const PlaceMm& place_mm, GcodeText& out) {
+void MaterialMix::SetFor(const PositionMm& place_mm, GcodeText& out) {
   if (field_ == nullptr) return;
   std::vector<double> shares;
-  bool changed = told_.empty();
+  bool changed = written_.empty();
   for (const DensityField& part : field_->parts) {
     const double share = part.At(place_mm, 0);
-    changed = changed || std::abs(share - told_[shares.size()]) > field_->step;
+    changed = changed || std::abs(share - written_[shares.size()]) > field_->step;
     shares.push_back(share);
   }
   if (!changed) return;
   firmware_.WriteMix(shares, out);
-  told_ = std::move(shares);
+  written_ = std::move(shares);
 }
 
 }  // namespace slicefarm::motion

@@ -20,14 +20,14 @@ class MaterialMix {
       : firmware_(firmware), field_(field) {}
 
   /// Writes the mix for a bead that ends at this position on the plate, if the mix has changed.
-  void SetFor(const PlaceMm& place_mm, GcodeText& out);
+  void SetFor(const PositionMm& place_mm, GcodeText& out);
   /// Forces the next mix to be written even if it is unchanged.
-  void Forget() { told_.clear(); }
+  void Forget() { written_.clear(); }
 
  private:
   const Firmware& firmware_;
   const MaterialField* field_;
-  std::vector<double> told_;  ///< mix written last; empty: none
+  std::vector<double> written_;  ///< mix written last; empty: none
 };
 
 }  // namespace slicefarm::motion

@@ -13,14 +13,14 @@ TEST(RepRap, KnowsItsCommands) {
 }
 
 TEST(RepRap, ReadsWhatItWrites) {
-  MachineLimits told;
-  told.max_acceleration_mm_s2 = {11, 12, 13, 14};
-  told.max_feedrate_mm_s = {60, 120, 180, 240};
-  told.max_jerk_mm_s = {60, 120, 180, 240};
-  told.max_acceleration_extruding_mm_s2 = 31;
-  told.max_acceleration_travel_mm_s2 = 33;
+  MachineLimits written;
+  written.max_acceleration_mm_s2 = {11, 12, 13, 14};
+  written.max_feedrate_mm_s = {60, 120, 180, 240};
+  written.max_jerk_mm_s = {60, 120, 180, 240};
+  written.max_acceleration_extruding_mm_s2 = 31;
+  written.max_acceleration_travel_mm_s2 = 33;
   GcodeText out;
-  RepRap().WriteLimits(told, out);
+  RepRap().WriteLimits(written, out);
   EXPECT_NE(out.text().find("M203 X3600"), std::string::npos) << "in mm/min";
   MachineLimits read;
   std::string_view text = out.text();
@@ -29,9 +29,9 @@ TEST(RepRap, ReadsWhatItWrites) {
     text.remove_prefix(text.find('\n') + 1);
   }
   for (size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(read.max_feedrate_mm_s[i], told.max_feedrate_mm_s[i], 1e-9);
-  for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(read.max_jerk_mm_s[i], told.max_jerk_mm_s[i], 1e-9);
-  EXPECT_EQ(read.max_acceleration_mm_s2, told.max_acceleration_mm_s2);
+    EXPECT_NEAR(read.max_feedrate_mm_s[i], written.max_feedrate_mm_s[i], 1e-9);
+  for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(read.max_jerk_mm_s[i], written.max_jerk_mm_s[i], 1e-9);
+  EXPECT_EQ(read.max_acceleration_mm_s2, written.max_acceleration_mm_s2);
   EXPECT_EQ(read.max_acceleration_travel_mm_s2, 33);
 }
 

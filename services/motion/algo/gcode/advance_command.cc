@@ -47,13 +47,13 @@ std::optional<AdvanceControl> AdvanceControl::Of(const MotionOptions& options) {
 void AdvanceCommand::SetFor(const Toolpath& path, size_t index, GcodeText& out) {
   if (control_ == nullptr) return;
   const bool known = path_ == &path && first_ <= index && index < last_;
-  if (known && told_ >= 0) return;
+  if (known && written_ >= 0) return;
   path_ = &path;
   first_ = index;
   last_ = EndOfRun(path, index);
   const double value = ValueOf(path, first_, last_);
-  if (value == told_) return;
-  told_ = value;
+  if (value == written_) return;
+  written_ = value;
   firmware_.WritePressureAdvance(value, out);
 }
 

@@ -38,7 +38,7 @@ class AdvanceCommand {
   /// Writes the command for the bead `index` of a path, if the value changes there.
   void SetFor(const Toolpath& path, size_t index, GcodeText& out);
   /// Forces the value to be written again, because the text before may be skipped.
-  void Forget() { told_ = -1; }
+  void Forget() { written_ = -1; }
 
  private:
   size_t EndOfRun(const Toolpath& path, size_t first) const;
@@ -48,7 +48,7 @@ class AdvanceCommand {
   const AdvanceControl* control_;
   const Toolpath* path_ = nullptr;
   size_t first_ = 0, last_ = 0;  ///< current beads: [first_, last_) of path_
-  double told_ = -1;             ///< value written last; -1: none
+  double written_ = -1;          ///< value written last; -1: none
 };
 
 }  // namespace slicefarm::motion

@@ -27,14 +27,14 @@ void ExtruderWords::Push(int32_t filament, GcodeText& out) {
   pushed_ += filament;
   const int64_t place = std::llround(static_cast<double>(pushed_) * per_unit_);
   out << " E";
-  out.Filament(relative_ ? place - told_ : place);
-  told_ = place;
+  out.Filament(relative_ ? place - written_ : place);
+  written_ = place;
 }
 
 void ExtruderWords::Reset(GcodeText& out) {
-  if (!relative_ && told_ != 0)
+  if (!relative_ && written_ != 0)
     out << (comments_ ? "G92 E0 ; reset extrusion distance\n" : "G92 E0\n");
-  pushed_ = told_ = 0;
+  pushed_ = written_ = 0;
 }
 
 void ExtruderWords::WriteCanonicalState(GcodeText& out) const {

@@ -47,7 +47,7 @@ class ExtruderWords {
   double per_unit_ = 1;  ///< value in the text per mm of filament
   int64_t pushed_ = 0;   ///< length extruded since the last reset to 0, in 1e-5 mm
   /// length written since the last reset to 0, in units of the text's last digit
-  int64_t told_ = 0;
+  int64_t written_ = 0;
 };
 
 }  // namespace slicefarm::motion

@@ -50,7 +50,7 @@ ModeLine LineSince(size_t begin, MachineMode mode, const GcodeText& out) {
   return {static_cast<int64_t>(begin), size, mode, std::move(line)};
 }
 
-std::string PlaceText(PlaceUm place) { return absl::StrCat(place.x, " ", place.y); }
+std::string PositionText(PointUm place) { return absl::StrCat(place.x, " ", place.y); }
 
 }  // namespace
 
@@ -74,10 +74,10 @@ ModeValues LayerWriter::Modes() const {
   GcodeText text;
   if (fan_.percent() != kFanAsBefore) WriteFan(fan_.percent(), text);
   value(MachineMode::kFan) = text.Take();
-  for (const auto& [mode, told] : {std::pair(MachineMode::kAcceleration, acceleration_),
-                                   {MachineMode::kTravelAcceleration, travel_acceleration_}}) {
+  for (const auto& [mode, written] : {std::pair(MachineMode::kAcceleration, acceleration_),
+                                      {MachineMode::kTravelAcceleration, travel_acceleration_}}) {
     GcodeText line;
-    if (told != -1) WriteAcceleration(mode, told, line);
+    if (written != -1) WriteAcceleration(mode, written, line);
     value(mode) = line.Take();
   }
   if (jerk_ != -1) {
@@ -85,7 +85,7 @@ ModeValues LayerWriter::Modes() const {
     firmware_.WriteJerk(accelerations_.jerks.OfAxes(jerk_), line);
     value(MachineMode::kJerk) = line.Take();
   }
-  if (at_) value(MachineMode::kPlace) = PlaceText(*at_);
+  if (at_) value(MachineMode::kPosition) = PositionText(*at_);
   return values;
 }
 
@@ -104,11 +104,11 @@ void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm
       WriteMove(path, i++, shift, out);
     }
   }
-  TellWipe(false, out);
+  WriteWipe(false, out);
   if (std::exchange(pulled_, false)) extruder_.Reset(out);
 }
 
-void LayerWriter::TellWipe(bool wipes, GcodeText& out) {
+void LayerWriter::WriteWipe(bool wipes, GcodeText& out) {
   if (wipes == wipes_) return;
   wipes_ = wipes;
   out << (wipes ? firmware_.comments().wipe_start : firmware_.comments().wipe_end) << '\n';
@@ -129,13 +129,13 @@ void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shi
   out.Micrometers(move.y_um + shift.y) << " I";
   out.Micrometers(arc.centre.x - from.x_um) << " J";
   out.Micrometers(arc.centre.y - from.y_um);
-  at_ = PlaceUm{move.x_um + shift.x, move.y_um + shift.y};
+  at_ = PointUm{move.x_um + shift.x, move.y_um + shift.y};
   WriteEnd(move, comments_ ? CommentOn(path, arc.first) : "", out);
   for (size_t i = arc.first; i < arc.last && fan_.IsKicking(); ++i) fan_.Pass(TimeS(path, i), out);
 }
 
 /// Writes the coordinates that have changed. This saves text: a coordinate is an eighth of a line.
-void LayerWriter::WritePlace(PlaceUm to, GcodeText& out) {
+void LayerWriter::WritePosition(PointUm to, GcodeText& out) {
   const bool stays = at_ == to;
   if (!at_ || stays || at_->x != to.x) (out << " X").Micrometers(to.x);
   if (!at_ || stays || at_->y != to.y) (out << " Y").Micrometers(to.y);
@@ -242,7 +242,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
                  mm(move.y_um + shift.y + state_.to_plate.y), mm(move.z_um)},
                 out);
   }
-  TellWipe(move.kind == MoveKind::kWipe, out);
+  WriteWipe(move.kind == MoveKind::kWipe, out);
   if (WriteByFirmware(move, out)) return;
   const bool climbs =
       (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) && move.z_um != z_um_;
@@ -250,7 +250,7 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   SetJerk(move, out);
   const size_t begin = out.text().size();
   out << "G1";
-  if (MovesInPlane(move.kind)) WritePlace({move.x_um + shift.x, move.y_um + shift.y}, out);
+  if (MovesInPlane(move.kind)) WritePosition({move.x_um + shift.x, move.y_um + shift.y}, out);
   if (move.kind == MoveKind::kLift || climbs) {
     out << " Z";
     out.Micrometers(move.z_um);
@@ -260,8 +260,8 @@ void LayerWriter::WriteMove(const Toolpath& path, size_t index, ShiftUm shift, G
   if (fan_.IsKicking()) fan_.Pass(TimeS(path, index), out);
   if (!MovesInPlane(move.kind) || std::exchange(approached_, true)) return;
   if (move.kind != MoveKind::kTravel || climbs) return;
-  mode_lines_.push_back(LineSince(begin, MachineMode::kPlace, out));
-  mode_lines_.back().value = PlaceText(*at_);
+  mode_lines_.push_back(LineSince(begin, MachineMode::kPosition, out));
+  mode_lines_.back().value = PositionText(*at_);
 }
 
 /// Writes a line that may be removed later, so the text before and after it does not depend on it.
@@ -311,9 +311,9 @@ void LayerWriter::Describe(const Move& move, double length_um, int32_t fan_perce
 }
 
 void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
-  if (!accelerations_.told) return;
+  if (!accelerations_.written) return;
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
-  if (of_travel && !accelerations_.told_travel) return;
+  if (of_travel && !accelerations_.travel_written) return;
   if (of_travel && firmware_.HasTravelAcceleration()) {
     SetAcceleration(MachineMode::kTravelAcceleration, move.acceleration_mm_s2, travel_acceleration_,
                     out);
@@ -322,8 +322,8 @@ void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   }
 }
 
-void LayerWriter::SetAcceleration(MachineMode mode, float value, float& told, GcodeText& out) {
-  const float before = std::exchange(told, value);
+void LayerWriter::SetAcceleration(MachineMode mode, float value, float& written, GcodeText& out) {
+  const float before = std::exchange(written, value);
   if (before == value) return;
   const size_t begin = out.text().size();
   WriteAcceleration(mode, value, out);
@@ -342,7 +342,7 @@ void LayerWriter::SetJerk(const Move& move, GcodeText& out) {
   const Jerks& jerks = accelerations_.jerks;
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
   const bool sets = move.kind == MoveKind::kPrint || (of_travel && jerks.travel > 0);
-  if (!jerks.told || !sets || move.jerk_mm_s == jerk_) return;
+  if (!jerks.written || !sets || move.jerk_mm_s == jerk_) return;
   const size_t begin = out.text().size();
   firmware_.WriteJerk(jerks.OfAxes(move.jerk_mm_s), out);
   if (std::exchange(jerk_, move.jerk_mm_s) == -1)

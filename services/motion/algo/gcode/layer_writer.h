@@ -70,7 +70,7 @@ class LayerWriter {
   /// Writes the command for the layer's fan speed.
   void WriteLayerFan(GcodeText& out);
 
-  /// Appends the moves [first, last), shifted. May be called several times, one stretch after the
+  /// Appends the moves [first, last), shifted. May be called several times, one span after the
   /// other. The first move of each call has both coordinates. So the text does not depend on the
   /// text before it, and the machine may skip the copy before.
   void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
@@ -113,8 +113,8 @@ class LayerWriter {
   bool WriteByFirmware(const Move& move, GcodeText& out);
   void CountAnew(const Move& move, GcodeText& out);
   void WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shift, GcodeText& out);
-  void TellWipe(bool wipes, GcodeText& out);
-  void WritePlace(PlaceUm to, GcodeText& out);
+  void WriteWipe(bool wipes, GcodeText& out);
+  void WritePosition(PointUm to, GcodeText& out);
   void WriteEnd(const Move& move, std::string_view comment, GcodeText& out);
   bool HasBridgeFan(const Move& move) const;
   int32_t OwnFan(Feature feature) const;
@@ -125,7 +125,7 @@ class LayerWriter {
   void SetHeight(int32_t height_um, GcodeText& out);
   void Describe(const Move& move, double length_um, int32_t fan_percent, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
-  void SetAcceleration(MachineMode mode, float value, float& told, GcodeText& out);
+  void SetAcceleration(MachineMode mode, float value, float& written, GcodeText& out);
   void WriteAcceleration(MachineMode mode, float value, GcodeText& out) const;
   void SetJerk(const Move& move, GcodeText& out);
   void FeedRate(const Move& move, GcodeText& out);
@@ -145,7 +145,7 @@ class LayerWriter {
   FanCommand fan_;
   AdvanceCommand advance_;
   int32_t z_um_ = -1;
-  std::optional<PlaceUm> at_;
+  std::optional<PointUm> at_;
   bool wipes_ = false;
   /// true if the filament was retracted, and E has not been reset to 0 since
   bool pulled_ = false;

@@ -110,7 +110,7 @@ TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   path.moves = {Print(1'000, Feature::kPerimeter), Travel(2'000),
                 Print(3'000, Feature::kPerimeter)};
   Accelerations accelerations;
-  accelerations.told = accelerations.told_travel = true;
+  accelerations.written = accelerations.travel_written = true;
   accelerations.travel = 3'000;
   GcodeText out;
   LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), accelerations, {200});
@@ -202,10 +202,10 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
 TEST(LayerWriter, AnAccelerationThatIsSetIsNotToldInTheNextBlock) {
   Toolpath path;
   path.moves = {Travel(500), Print(1'000, Feature::kPerimeter)};
-  Accelerations told;
-  told.told = true;
+  Accelerations written;
+  written.written = true;
   GcodeText out;
-  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), told, {200});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), written, {200});
   for (int i = 0; i < 2; ++i) {
     writer.BeginBlock(out);
     writer.Write(path, 0, 2, {}, out);
@@ -262,14 +262,14 @@ TEST(LayerWriter, ArcsWithTheSumOfTheirFilament) {
 }
 
 TEST(LayerWriter, AccelerationsByFlavour) {
-  Accelerations untold;
-  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, untold), "");
-  Accelerations told;
-  told.told = true;
-  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, told), "M204 P1000;M204 P500;");
-  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, told), "M204 S1000;M204 S500;");
-  Accelerations travel = told;
-  travel.told_travel = true;
+  Accelerations unwritten;
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, unwritten), "");
+  Accelerations written;
+  written.written = true;
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, written), "M204 P1000;M204 P500;");
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, written), "M204 S1000;M204 S500;");
+  Accelerations travel = written;
+  travel.travel_written = true;
   travel.travel = 3000;
   EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, travel), "M204 T3000;M204 P1000;M204 P500;");
   EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, travel),
@@ -287,34 +287,34 @@ std::vector<Move> WithJerk(std::vector<Move> moves, float travel_mm_s) {
 }
 
 TEST(LayerWriter, JerkWhereItChanges) {
-  Accelerations told;
-  told.jerks.told = true;
+  Accelerations written;
+  written.jerks.written = true;
   const std::vector<Move> moves =
       WithJerk({Travel(0), Print(1'000, Feature::kPerimeter), Travel(2'000),
                 Print(3'000, Feature::kPerimeter), Print(4'000, Feature::kExternalPerimeter)},
                9);
-  const auto jerks = [&](const std::vector<Move>& written) {
-    const std::string text = Written(written, GcodeFlavor::kMarlin2, told);
+  const auto jerks = [&](const std::vector<Move>& some) {
+    const std::string text = Written(some, GcodeFlavor::kMarlin2, written);
     std::string lines;
     for (size_t at = text.find("M205"); at != std::string::npos; at = text.find("M205", at + 1))
       lines += text.substr(at, text.find('\n', at) - at) + ";";
     return lines;
   };
   EXPECT_EQ(jerks(moves), "M205 X9 Y9;M205 X7 Y7;");
-  told.jerks.travel = 12;
+  written.jerks.travel = 12;
   EXPECT_EQ(jerks(WithJerk(moves, 12)),
             "M205 X12 Y12;M205 X9 Y9;M205 X12 Y12;M205 X9 Y9;M205 X7 Y7;");
-  told.jerks.told = false;
+  written.jerks.written = false;
   EXPECT_EQ(jerks(moves), "");
 }
 
 TEST(LayerWriter, TheFirstJerkIsAMode) {
-  Accelerations told;
-  told.jerks.told = true;
+  Accelerations written;
+  written.jerks.written = true;
   Toolpath path;
   path.moves = WithJerk({Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)}, 9);
   GcodeText out;
-  LayerWriter writer(FirmwareOf(GcodeFlavor::kKlipper), told, {});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kKlipper), written, {});
   writer.Write(path, 0, 2, {}, out);
   const std::vector<ModeLine> lines = writer.TakeModeLines();
   ASSERT_EQ(lines.size(), 1u);
@@ -324,10 +324,10 @@ TEST(LayerWriter, TheFirstJerkIsAMode) {
 }
 
 TEST(LayerWriter, AccelerationsOfShortMoves) {
-  Accelerations told;
-  told.told = true;
-  told.to_decel = 0.5;
-  EXPECT_NE(Written({Print(1'000, Feature::kPerimeter)}, GcodeFlavor::kKlipper, told)
+  Accelerations written;
+  written.written = true;
+  written.to_decel = 0.5;
+  EXPECT_NE(Written({Print(1'000, Feature::kPerimeter)}, GcodeFlavor::kKlipper, written)
                 .find("SET_VELOCITY_LIMIT ACCEL=1000 ACCEL_TO_DECEL=500\n"),
             std::string::npos);
 }

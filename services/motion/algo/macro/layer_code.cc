@@ -43,7 +43,7 @@ absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
   return layer;
 }
 
-absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPlace& place,
+absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerContext& context,
                                          const JobFacts& facts) const {
   CustomCode code;
   code.waits = code_.layers_wait;
@@ -52,7 +52,7 @@ absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPla
   code.primes = heights_.PrimesAt(layer);
   code.moves = moves_;
   if (!any_ || code.waits) return code;
-  const macro::TemplateVariables now = LayerVariables(place, facts);
+  const macro::TemplateVariables now = LayerVariables(context, facts);
   macro::TemplateMemory memory;
   auto before = macro::RunTemplate(code_.before_layer, {job_, now}, memory);
   if (!before.ok()) return before.status();
@@ -64,9 +64,9 @@ absl::StatusOr<CustomCode> LayerCode::At(const LayerFrame& layer, const LayerPla
   return code;
 }
 
-absl::StatusOr<RoleTexts> LayerCode::RolesAt(const LayerPlace& place, const JobFacts& facts,
+absl::StatusOr<RoleTexts> LayerCode::RolesAt(const LayerContext& context, const JobFacts& facts,
                                              const std::set<RoleChange>& changes) const {
-  return RoleTextsOf(code_.role, changes, job_, LayerVariables(place, facts));
+  return RoleTextsOf(code_.role, changes, job_, LayerVariables(context, facts));
 }
 
 }  // namespace slicefarm::motion

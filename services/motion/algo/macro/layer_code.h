@@ -9,7 +9,7 @@
 #include "common/model/job_facts.h"
 #include "services/motion/algo/macro/height_text.h"
 #include "services/motion/algo/macro/role_code.h"
-#include "services/motion/algo/toolpath/layer_place.h"
+#include "services/motion/algo/toolpath/layer_context.h"
 
 namespace slicefarm {
 struct MotionOptions;
@@ -38,7 +38,7 @@ class LayerCode {
   static absl::StatusOr<LayerCode> Of(const MotionOptions& options);
 
   /// Fills in the code of a layer. Errors: as RunTemplate.
-  absl::StatusOr<CustomCode> At(const LayerFrame& layer, const LayerPlace& place,
+  absl::StatusOr<CustomCode> At(const LayerFrame& layer, const LayerContext& context,
                                 const JobFacts& facts) const;
 
   const HeightTexts& heights() const { return heights_; }
@@ -46,7 +46,7 @@ class LayerCode {
   /// Returns true if there is G-code between features.
   bool HasRoles() const { return has_roles_; }
   /// Fills in the code between features. Errors: as RunTemplate.
-  absl::StatusOr<RoleTexts> RolesAt(const LayerPlace& place, const JobFacts& facts,
+  absl::StatusOr<RoleTexts> RolesAt(const LayerContext& context, const JobFacts& facts,
                                     const std::set<RoleChange>& changes) const;
 
  private:

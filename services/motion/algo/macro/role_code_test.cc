@@ -9,7 +9,7 @@ namespace {
 
 macro::Template Parsed(const std::string& text) {
   macro::Template code;
-  const macro::TemplatePlace places[] = {{"change_extrusion_role_gcode", text, code}};
+  const macro::TemplateTarget places[] = {{"change_extrusion_role_gcode", text, code}};
   EXPECT_TRUE(macro::ParseTemplates(std::span(places)).ok());
   return code;
 }

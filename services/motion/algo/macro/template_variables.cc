@@ -122,13 +122,13 @@ TemplateVariables JobVariables(const MotionOptions& options, std::string_view se
   return variables;
 }
 
-TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts& facts) {
-  const double z_mm = ToMm(static_cast<double>(place.print_z_nm));
+TemplateVariables LayerVariables(const LayerContext& context, const JobFacts& facts) {
+  const double z_mm = ToMm(static_cast<double>(context.print_z_nm));
   TemplateVariables variables;
-  variables["current_object_idx"] = int64_t{place.pass};
-  variables["layer_num"] = int64_t{place.number};
+  variables["current_object_idx"] = int64_t{context.pass};
+  variables["layer_num"] = int64_t{context.number};
   variables["layer_z"] = variables["toolchange_z"] = z_mm;
-  variables["max_layer_z"] = ToMm(static_cast<double>(place.top_nm));
+  variables["max_layer_z"] = ToMm(static_cast<double>(context.top_nm));
   if (facts.layer_count > 0) variables["total_layer_count"] = int64_t{facts.layer_count};
   return variables;
 }

@@ -6,7 +6,7 @@
 #include "common/model/job_facts.h"
 #include "common/model/layers/layer.h"
 #include "common/model/layers/program_summary.h"
-#include "services/motion/algo/toolpath/layer_place.h"
+#include "services/motion/algo/toolpath/layer_context.h"
 
 namespace slicefarm {
 struct MotionOptions;
@@ -26,7 +26,7 @@ macro::TemplateVariables JobVariables(const MotionOptions& options, std::string_
 /// - current_object_idx, the index of the pass;
 /// - total_layer_count, only if the facts have it. This planned number includes top layers that
 ///   turn out to be too thin for a bead.
-macro::TemplateVariables LayerVariables(const LayerPlace& place, const JobFacts& facts);
+macro::TemplateVariables LayerVariables(const LayerContext& context, const JobFacts& facts);
 
 /// Returns the variables that are known after all layers:
 /// - total_layer_count;

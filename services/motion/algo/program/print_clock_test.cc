@@ -40,7 +40,7 @@ struct Case {
   double lift_mm = 0;
   double retraction_mm = 0.8;
   double travel_acceleration_mm_s2 = 0;
-  bool told = true;
+  bool written = true;
   double tolerance_s = 1e-6;  ///< tolerance of each sum
 };
 
@@ -50,7 +50,7 @@ MotionOptions Options(const Case& c) {
   options.tool().retraction.length_mm = c.retraction_mm;
   options.tool().retraction.lift_mm = c.lift_mm;
   options.travel_acceleration_mm_s2 = c.travel_acceleration_mm_s2;
-  if (c.told) {
+  if (c.written) {
     options.default_acceleration_mm_s2 = 1000;
     options.acceleration_mm_s2[static_cast<size_t>(Feature::kExternalPerimeter)] = 600;
     options.acceleration_mm_s2[static_cast<size_t>(Feature::kSolidInfill)] = 2500;
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{.name = "Klipper"}, Case{.name = "KlipperLifts", .lift_mm = 0.4},
         Case{.name = "KlipperTravels", .lift_mm = 0.2, .travel_acceleration_mm_s2 = 2000},
         Case{.name = "KlipperWithoutRetraction", .retraction_mm = 0, .tolerance_s = 1e-3},
-        Case{.name = "KlipperUntold", .told = false},
+        Case{.name = "KlipperUntold", .written = false},
         Case{.name = "RepRap", .flavor = GcodeFlavor::kRepRapFirmware, .lift_mm = 0.3},
         // The machine never stops between layers.
         Case{.name = "Marlin2", .flavor = GcodeFlavor::kMarlin2, .tolerance_s = 2e-3},

@@ -63,10 +63,10 @@ class Checker {
     report_.filament_mm = filament_.PrintedMm();
     const double tolerance =
         kSumMm + kSumOfRoundingMm * std::sqrt(static_cast<double>(report_.moves));
-    if (told_mm_ && std::abs(*told_mm_ - report_.filament_mm) > tolerance) {
-      Find(absl::StrFormat("filament used [mm] = %.5f, but the program extrudes %.5f", *told_mm_,
+    if (written_mm_ && std::abs(*written_mm_ - report_.filament_mm) > tolerance) {
+      Find(absl::StrFormat("filament used [mm] = %.5f, but the program extrudes %.5f", *written_mm_,
                            report_.filament_mm),
-           told_line_);
+           written_line_);
     }
     return std::move(report_);
   }
@@ -81,16 +81,16 @@ class Checker {
 
   void ReadComment(std::string_view comment) {
     labels_.Read(comment);
-    const auto told = QuotedValue(comment, "filament used [mm]");
-    if (!told) return;
+    const auto written = QuotedValue(comment, "filament used [mm]");
+    if (!written) return;
     double sum = 0;
-    for (const std::string_view part : Split(*told, ",;")) {
+    for (const std::string_view part : Split(*written, ",;")) {
       const auto number = ToNumber(Trim(part));
       if (!number) return;
       sum += *number;
     }
-    told_mm_ = sum;
-    told_line_ = report_.lines;
+    written_mm_ = sum;
+    written_line_ = report_.lines;
   }
 
   void CheckCommand(const GcodeLine& line) {
@@ -191,8 +191,8 @@ class Checker {
   ProgramLabels labels_;
   bool heated_ = false;
   bool firmware_retracted_ = false;
-  std::optional<double> told_mm_;
-  int64_t told_line_ = 0;
+  std::optional<double> written_mm_;
+  int64_t written_line_ = 0;
   ProgramReport report_;
 };
 

@@ -32,11 +32,11 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
   const MachineLimits& limits = options.limits;
   const Firmware& firmware = FirmwareOf(options.flavor);
   Accelerations result;
-  result.told = options.default_acceleration_mm_s2 > 0;
-  result.told_travel = result.told && options.travel_acceleration_mm_s2 > 0;
+  result.written = options.default_acceleration_mm_s2 > 0;
+  result.travel_written = result.written && options.travel_acceleration_mm_s2 > 0;
   for (size_t i = 0; i < result.print.size(); ++i) {
     double asked = limits.max_acceleration_extruding_mm_s2;
-    if (result.told) {
+    if (result.written) {
       asked = FirstSet({options.acceleration_mm_s2[i], options.default_acceleration_mm_s2});
       const double of_ground = ground == Ground::kBed    ? options.first_layer_acceleration_mm_s2
                                : ground == Ground::kRaft ? options.over_raft_acceleration_mm_s2
@@ -48,7 +48,7 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
     }
     result.print[i] = FirstSet({asked});
   }
-  if (result.told_travel) {
+  if (result.travel_written) {
     result.travel = options.travel_acceleration_mm_s2;
     if (ground == Ground::kBed && options.first_layer_travel_acceleration_mm_s2 > 0)
       result.travel = options.first_layer_travel_acceleration_mm_s2;

@@ -13,12 +13,12 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Acceleration and jerk of each kind of move, in mm/s^2 and mm/s. `told` decides if the G-code
+/// Acceleration and jerk of each kind of move, in mm/s^2 and mm/s. `written` decides if the G-code
 /// sets them.
 ///
 /// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, even if
-/// features have settings. The values are then the machine limits, which the firmware uses. `told`:
-/// true if the G-code sets the accelerations.
+/// features have settings. The values are then the machine limits, which the firmware uses.
+/// `written`: true if the G-code sets the accelerations.
 ///
 /// Some firmwares have a separate acceleration for travels. With other firmwares a travel has the
 /// acceleration of the path before it, unless travel_acceleration is set. Klipper has one
@@ -30,8 +30,8 @@ struct Accelerations {
   /// for travels to outer walls that are too short for a retraction; 0: as other travels
   double short_travel = 0;
   double retract = 0;  ///< for moves in which only the filament moves; 0: the acceleration set last
-  bool told = false;   ///< true if the G-code sets accelerations
-  bool told_travel = false;
+  bool written = false;  ///< true if the G-code sets accelerations
+  bool travel_written = false;
   bool one = false;  ///< true if travels and prints share one value in the machine
   bool wipe_travels = false;
   /// acceleration of short moves, which do not cruise, relative to `print`; 0: not set (Klipper)

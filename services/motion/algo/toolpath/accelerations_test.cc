@@ -20,7 +20,7 @@ TEST(Accelerations, LeftToTheFirmware) {
   MotionOptions options = Options();
   options.acceleration_mm_s2[0] = 500;  // no effect without default_acceleration
   const Accelerations a = AccelerationsFor(options, Ground::kLayers);
-  EXPECT_FALSE(a.told);
+  EXPECT_FALSE(a.written);
   EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 1500);
   EXPECT_EQ(a.travel, 3000);
   EXPECT_EQ(a.retract, 1200);
@@ -31,8 +31,8 @@ TEST(Accelerations, FeaturesThenDefault) {
   options.default_acceleration_mm_s2 = 1000;
   options.acceleration_mm_s2[static_cast<size_t>(Feature::kExternalPerimeter)] = 500;
   const Accelerations a = AccelerationsFor(options, Ground::kLayers);
-  EXPECT_TRUE(a.told);
-  EXPECT_FALSE(a.told_travel);
+  EXPECT_TRUE(a.written);
+  EXPECT_FALSE(a.travel_written);
   EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 500);
   EXPECT_EQ(a.Print(Feature::kInternalInfill), 1000);
 }
@@ -64,7 +64,7 @@ TEST(Accelerations, TravelApartOnlyInMarlin2) {
     EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Travel(700), 700) << "as the path before";
     options.travel_acceleration_mm_s2 = 2000;
     EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Travel(700), 2000);
-    EXPECT_TRUE(AccelerationsFor(options, Ground::kLayers).told_travel);
+    EXPECT_TRUE(AccelerationsFor(options, Ground::kLayers).travel_written);
   }
 }
 

@@ -144,7 +144,7 @@ namespace {
 /// Slows a layer's beads down.
 class Slowing {
  public:
-  Slowing(const CoolingOptions& cooling, std::span<const Stretch> program, LayerTiming& timing,
+  Slowing(const CoolingOptions& cooling, std::span<const MoveSpan> program, LayerTiming& timing,
           std::span<Toolpath> paths)
       : program_(program),
         timing_(timing),
@@ -186,7 +186,7 @@ class Slowing {
     return slope > 0 ? slope / (wanted_s_ - full_s + slope) : share / 2;
   }
 
-  const std::span<const Stretch> program_;
+  const std::span<const MoveSpan> program_;
   LayerTiming& timing_;
   const std::span<Toolpath> paths_;
   const Layer full_;
@@ -196,7 +196,7 @@ class Slowing {
 
 }  // namespace
 
-std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
+std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const MoveSpan> program,
                                  LayerTiming& timing, std::span<Toolpath> paths) {
   std::span<const double> times = timing.Times(program);
   const double full_time = Sum(times);

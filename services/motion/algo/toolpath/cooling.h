@@ -25,7 +25,7 @@ using OverhangFans = std::array<double, kOverhangDegrees>;
 /// `paths`: all toolpaths of `program`. Returns the new time in s of each move, valid until the
 /// next call of LayerTiming::Times. Cost: O(moves) if the layer is slow enough, otherwise about ten
 /// times as much.
-std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
+std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const MoveSpan> program,
                                  LayerTiming& timing, std::span<Toolpath> paths);
 
 /// Returns the fan speed in percent for a layer that takes `layer_time_s`. The speed is between

@@ -35,14 +35,14 @@ double Sum(std::span<const double> times) {
 
 double Time(const Toolpath& path) {
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  const MoveSpan whole = {&path, 0, path.moves.size(), {}};
   return Sum(timing.Times({&whole, 1}));
 }
 
 /// Slows `path` down and returns its new time.
 double Slowed(const CoolingOptions& cooling, Toolpath& path) {
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  const MoveSpan whole = {&path, 0, path.moves.size(), {}};
   return Sum(SlowDown(cooling, {&whole, 1}, timing, {&path, 1}));
 }
 
@@ -166,7 +166,7 @@ TEST(SlowDown, CopiesAndTravelBetweenThemCount) {
   cooling.slowdown_below_layer_time_s = 30;
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   Toolpath paths[] = {Squares(1), Squares(2)};
-  std::vector<Stretch> program;
+  std::vector<MoveSpan> program;
   for (const size_t path : {0, 0, 0, 1})
     program.push_back({&paths[path], 0, paths[path].moves.size(), {30'000, 0}});
   EXPECT_NEAR(Sum(SlowDown(cooling, program, timing, paths)), 30, 0.003 * 30);

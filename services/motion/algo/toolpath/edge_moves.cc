@@ -10,12 +10,12 @@ namespace slicefarm::motion {
 namespace {
 
 /// Returns the start position of the program, then its moves.
-std::vector<EdgeMove> AllMoves(std::span<const Stretch> stretches, MoveWalk& walk) {
+std::vector<EdgeMove> AllMoves(std::span<const MoveSpan> spans, MoveWalk& walk) {
   std::vector<EdgeMove> moves = {walk.at()};
-  for (const Stretch& stretch : stretches)
-    for (size_t i = stretch.first; i < stretch.last; ++i) {
-      moves.push_back(walk.Go(stretch.path->moves[i], stretch.shift));
-      moves.back().copy = i < stretch.FirstOwn() ? stretch.travel_copy : stretch.copy;
+  for (const MoveSpan& span : spans)
+    for (size_t i = span.first; i < span.last; ++i) {
+      moves.push_back(walk.Go(span.path->moves[i], span.shift));
+      moves.back().copy = i < span.FirstOwn() ? span.travel_copy : span.copy;
     }
   return moves;
 }
@@ -59,13 +59,13 @@ bool Prints(const EdgeMove& before, const EdgeMove& move) {
   return move.filament > 0 && (move.x_um != before.x_um || move.y_um != before.y_um);
 }
 
-LayerEdges EdgesOf(std::span<const Stretch> stretches) {
+LayerEdges EdgesOf(std::span<const MoveSpan> spans) {
   LayerEdges edges;
-  if (stretches.empty()) return edges;
-  MoveWalk walk({.z_um = stretches.front().path->start_z_um}, 0);
-  const std::vector<EdgeMove> moves = AllMoves(stretches, walk);
+  if (spans.empty()) return edges;
+  MoveWalk walk({.z_um = spans.front().path->start_z_um}, 0);
+  const std::vector<EdgeMove> moves = AllMoves(spans, walk);
   const auto at = [&](size_t i) { return moves.begin() + static_cast<std::ptrdiff_t>(i); };
-  const size_t entry = stretches.front().path->approach + 1;  // first move after the start point
+  const size_t entry = spans.front().path->approach + 1;  // first move after the start point
   edges.approach = static_cast<int32_t>(entry);
   edges.head.assign(at(0), at(std::min(moves.size(), entry + 1 + kEdgeMoves)));
   const size_t last = moves.size() - 1;

@@ -41,8 +41,8 @@ std::optional<KinematicMove> ToKinematic(const EdgeMove& before, const EdgeMove&
 /// Returns true if the move is a bead.
 bool Prints(const EdgeMove& before, const EdgeMove& move);
 
-/// Returns the first and last moves of a program, kEdgeMoves each. REQUIRES: the first stretch
+/// Returns the first and last moves of a program, kEdgeMoves each. REQUIRES: the first span
 /// starts with the first move of its toolpath.
-LayerEdges EdgesOf(std::span<const Stretch> stretches);
+LayerEdges EdgesOf(std::span<const MoveSpan> spans);
 
 }  // namespace slicefarm::motion

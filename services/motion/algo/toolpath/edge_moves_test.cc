@@ -29,7 +29,7 @@ Toolpath Built(const std::vector<Path>& paths) {
 }
 
 LayerEdges Edges(const Toolpath& path, ShiftUm shift = {}) {
-  const Stretch whole = {&path, 0, path.moves.size(), shift};
+  const MoveSpan whole = {&path, 0, path.moves.size(), shift};
   return EdgesOf({&whole, 1});
 }
 

@@ -15,16 +15,15 @@ struct BeadEnd {
   Coord width_nm = 0;
 };
 
-std::vector<BeadEnd> EndsOf(std::span<const Stretch> program) {
+std::vector<BeadEnd> EndsOf(std::span<const MoveSpan> program) {
   std::vector<BeadEnd> ends;
-  for (const Stretch& stretch : program) {
-    const std::vector<Move>& moves = stretch.path->moves;
-    for (size_t i = std::max<size_t>(stretch.first, 1); i < stretch.last; ++i) {
+  for (const MoveSpan& span : program) {
+    const std::vector<Move>& moves = span.path->moves;
+    for (size_t i = std::max<size_t>(span.first, 1); i < span.last; ++i) {
       if (moves[i].kind != MoveKind::kPrint) continue;
       for (const Move* move : {&moves[i - 1], &moves[i]})
-        ends.push_back(
-            {{FromUm(move->x_um + stretch.shift.x), FromUm(move->y_um + stretch.shift.y)},
-             FromUm(moves[i].width_um)});
+        ends.push_back({{FromUm(move->x_um + span.shift.x), FromUm(move->y_um + span.shift.y)},
+                        FromUm(moves[i].width_um)});
     }
   }
   return ends;
@@ -32,7 +31,7 @@ std::vector<BeadEnd> EndsOf(std::span<const Stretch> program) {
 
 }  // namespace
 
-Polygon FootprintOf(std::span<const Stretch> program) {
+Polygon FootprintOf(std::span<const MoveSpan> program) {
   const std::vector<BeadEnd> ends = EndsOf(program);
   Polygon middles;
   middles.reserve(ends.size());

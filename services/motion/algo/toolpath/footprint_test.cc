@@ -31,16 +31,16 @@ Box BoxMm(double x0, double y0, double x1, double y1) {
 
 TEST(FootprintOf, BeadsWithTheirEdgesInTheirPlaces) {
   const Toolpath path = Bead(400);
-  const std::vector<Stretch> once = {{&path, 0, 3, {}}};
+  const std::vector<MoveSpan> once = {{&path, 0, 3, {}}};
   EXPECT_EQ(Bounds(FootprintOf(once)), BoxMm(9.8, 9.8, 20.2, 10.2));
-  const std::vector<Stretch> twice = {{&path, 0, 3, {}}, {&path, 0, 3, {5'000, 50'000}}};
+  const std::vector<MoveSpan> twice = {{&path, 0, 3, {}}, {&path, 0, 3, {5'000, 50'000}}};
   EXPECT_EQ(Bounds(FootprintOf(twice)), BoxMm(9.8, 9.8, 25.2, 60.2));
 }
 
 TEST(FootprintOf, NothingIsPrinted) {
   Toolpath path = Bead(400);
   path.moves[1].kind = MoveKind::kTravel;
-  const std::vector<Stretch> program = {{&path, 0, 3, {}}};
+  const std::vector<MoveSpan> program = {{&path, 0, 3, {}}};
   EXPECT_TRUE(FootprintOf(program).empty());
 }
 

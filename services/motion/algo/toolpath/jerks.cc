@@ -25,7 +25,7 @@ Jerks JerksFor(const MotionOptions& options, Ground ground) {
   const JerkOptions& jerk = options.jerk;
   Jerks result;
   if (jerk.default_mm_s <= 0) return result;
-  result.told = true;
+  result.written = true;
   const bool first = ground == Ground::kBed;
   const double of_layer = first ? jerk.first_layer_mm_s : 0;
   for (size_t i = 0; i < result.print.size(); ++i)

@@ -11,7 +11,7 @@ struct MotionOptions;
 
 namespace slicefarm::motion {
 
-/// Jerk in x and y of each kind of move, in mm/s. `told` decides if the G-code sets them.
+/// Jerk in x and y of each kind of move, in mm/s. `written` decides if the G-code sets them.
 ///
 /// As in OrcaSlicer, default_jerk = 0 leaves the jerk to the firmware, even if features have
 /// settings. All values are limited by the machine's jerk of x and of y.
@@ -20,7 +20,7 @@ struct Jerks {
   double travel = 0;  ///< 0: the jerk set last
   double z = 0;       ///< the machine's jerk in z
   double e = 0;       ///< the machine's jerk of the filament
-  bool told = false;
+  bool written = false;
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
   /// Returns the jerk of a travel. `before`: jerk that was set last.

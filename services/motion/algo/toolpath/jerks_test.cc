@@ -16,7 +16,7 @@ MotionOptions Options() {
 
 TEST(Jerks, WithoutADefaultTheFirmwareDecides) {
   const Jerks jerks = JerksFor(Options(), Ground::kLayers);
-  EXPECT_FALSE(jerks.told);
+  EXPECT_FALSE(jerks.written);
   EXPECT_EQ(jerks.Print(Feature::kExternalPerimeter), 0);
 }
 
@@ -24,7 +24,7 @@ TEST(Jerks, FeaturesThenDefault) {
   MotionOptions options = Options();
   options.jerk.default_mm_s = 9;
   const Jerks jerks = JerksFor(options, Ground::kLayers);
-  EXPECT_TRUE(jerks.told);
+  EXPECT_TRUE(jerks.written);
   EXPECT_EQ(jerks.Print(Feature::kExternalPerimeter), 7);
   EXPECT_EQ(jerks.Print(Feature::kInternalInfill), 9);
   EXPECT_EQ(jerks.Travel(9), 9) << "the jerk set last";

@@ -12,11 +12,11 @@
 namespace slicefarm::motion {
 namespace {
 
-double FirstBeadsAcceleration(std::span<const Stretch> stretches) {
-  for (const Stretch& stretch : stretches)
-    for (size_t i = stretch.first; i < stretch.last; ++i)
-      if (stretch.path->moves[i].kind == MoveKind::kPrint)
-        return stretch.path->moves[i].acceleration_mm_s2;
+double FirstBeadsAcceleration(std::span<const MoveSpan> spans) {
+  for (const MoveSpan& span : spans)
+    for (size_t i = span.first; i < span.last; ++i)
+      if (span.path->moves[i].kind == MoveKind::kPrint)
+        return span.path->moves[i].acceleration_mm_s2;
   return 0;
 }
 
@@ -30,26 +30,26 @@ MoveArc Shifted(MoveArc arc, ShiftUm shift) {
 
 }  // namespace
 
-std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
+std::span<const double> LayerTiming::Times(std::span<const MoveSpan> spans) {
   times_.clear();
-  if (stretches.empty()) return times_;
-  const Toolpath& first = *stretches.front().path;
-  MoveWalk walk({.z_um = first.start_z_um}, FirstBeadsAcceleration(stretches));
-  for (const Stretch& stretch : stretches) {
-    const Toolpath& path = *stretch.path;
-    auto arc = std::ranges::lower_bound(path.arcs, stretch.first, {}, &MoveArc::first);
-    for (size_t i = stretch.first; i < stretch.last;) {
+  if (spans.empty()) return times_;
+  const Toolpath& first = *spans.front().path;
+  MoveWalk walk({.z_um = first.start_z_um}, FirstBeadsAcceleration(spans));
+  for (const MoveSpan& span : spans) {
+    const Toolpath& path = *span.path;
+    auto arc = std::ranges::lower_bound(path.arcs, span.first, {}, &MoveArc::first);
+    for (size_t i = span.first; i < span.last;) {
       const EdgeMove before = walk.at();
       const bool is_arc = arc != path.arcs.end() && arc->first == i;
       int64_t filament = 0;
       for (const size_t end = is_arc ? arc->last : i + 1; i < end; ++i) {
         filament += path.moves[i].filament;
-        walk.Go(path.moves[i], stretch.shift);
+        walk.Go(path.moves[i], span.shift);
         times_.push_back(0);
       }
       if (is_arc) {
-        QueueArc(before, walk.at(), Shifted(*arc++, stretch.shift), filament);
-      } else if (&stretch == &stretches.front() && i - 1 == first.approach) {
+        QueueArc(before, walk.at(), Shifted(*arc++, span.shift), filament);
+      } else if (&span == &spans.front() && i - 1 == first.approach) {
         PlanRun();
       } else if (const auto kinematic = ToKinematic(before, walk.at(), 0)) {
         Queue(*kinematic, walk.at().jerk_mm_s, times_.size() - 1);
@@ -99,12 +99,11 @@ void LayerTiming::PlanRun() {
   run_.clear();
 }
 
-void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
-              ProgramStats& stats) {
+void AddTimes(std::span<const MoveSpan> spans, std::span<const double> times, ProgramStats& stats) {
   auto time = times.begin();
-  for (const Stretch& stretch : stretches) {
-    for (size_t i = stretch.first; i < stretch.last; ++i, ++time) {
-      const Move& move = stretch.path->moves[i];
+  for (const MoveSpan& span : spans) {
+    for (size_t i = span.first; i < span.last; ++i, ++time) {
+      const Move& move = span.path->moves[i];
       if (move.kind == MoveKind::kPrint) {
         stats.features[static_cast<size_t>(move.feature)].time_s += *time;
         continue;
@@ -122,17 +121,17 @@ void AddUse(int32_t copy, const FeatureUse& use, std::vector<CopyUse>& copies) {
   found->use.Add(use);
 }
 
-void AddCopyTimes(std::span<const Stretch> stretches, std::span<const double> times,
+void AddCopyTimes(std::span<const MoveSpan> spans, std::span<const double> times,
                   std::vector<CopyUse>& copies) {
   const auto add = [&](int32_t copy, std::span<const double> of_moves) {
     if (copy == kNoCopy || of_moves.empty()) return;
     AddUse(copy, {.time_s = std::accumulate(of_moves.begin(), of_moves.end(), 0.0)}, copies);
   };
-  for (const Stretch& stretch : stretches) {
-    const size_t own = stretch.FirstOwn() - stretch.first;
-    const size_t count = stretch.last - stretch.first;
-    add(stretch.travel_copy, times.first(own));
-    add(stretch.copy, times.subspan(own, count - own));
+  for (const MoveSpan& span : spans) {
+    const size_t own = span.FirstOwn() - span.first;
+    const size_t count = span.last - span.first;
+    add(span.travel_copy, times.first(own));
+    add(span.copy, times.subspan(own, count - own));
     times = times.subspan(count);
   }
 }

@@ -20,11 +20,11 @@ class LayerTiming {
   LayerTiming(const Firmware& firmware, const MachineLimits& limits)
       : firmware_(firmware), planner_(firmware.MakePlanner(limits)) {}
 
-  /// Returns the time in s of each move of the stretches, in their order. The travel to the first
+  /// Returns the time in s of each move of the spans, in their order. The travel to the first
   /// entry and moves without a distance have 0. The last move of an arc has the time of the whole
   /// arc, which is computed from the firmware's chords; the arc's other moves have 0. Valid until
   /// the next call. Cost: O(moves and chords).
-  std::span<const double> Times(std::span<const Stretch> stretches);
+  std::span<const double> Times(std::span<const MoveSpan> spans);
 
  private:
   void Queue(const KinematicMove& move, double jerk_mm_s, size_t place);
@@ -37,16 +37,15 @@ class LayerTiming {
   std::vector<double> times_;
 };
 
-/// Adds the times of the stretches' moves to the totals: beads per feature, all other moves as
+/// Adds the times of the spans' moves to the totals: beads per feature, all other moves as
 /// travel.
-void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
-              ProgramStats& stats);
+void AddTimes(std::span<const MoveSpan> spans, std::span<const double> times, ProgramStats& stats);
 
 /// Adds to the totals of a copy, which are sorted by copy. Inserts the copy if it is new.
 void AddUse(int32_t copy, const FeatureUse& use, std::vector<CopyUse>& copies);
 
-/// Adds the times of the stretches' moves to the copies to which the moves belong.
-void AddCopyTimes(std::span<const Stretch> stretches, std::span<const double> times,
+/// Adds the times of the spans' moves to the copies to which the moves belong.
+void AddCopyTimes(std::span<const MoveSpan> spans, std::span<const double> times,
                   std::vector<CopyUse>& copies);
 
 }  // namespace slicefarm::motion

@@ -46,7 +46,7 @@ TEST(LayerTiming, MovesFromRestToRest) {
   limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
   LayerTiming timing(FirmwareOf(GcodeFlavor::kKlipper), limits);
   const Toolpath path = Sample();
-  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  const MoveSpan whole = {&path, 0, path.moves.size(), {}};
   const auto times = timing.Times({&whole, 1});
   ASSERT_EQ(times.size(), 5);
   EXPECT_NEAR(times[0], RestToRest(0.2, 10, 500), 1e-9);
@@ -66,7 +66,7 @@ TEST(LayerTiming, KnowsTheWayToOtherCopies) {
   limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
   LayerTiming timing(FirmwareOf(GcodeFlavor::kKlipper), limits);
   const Toolpath path = Sample();
-  const Stretch program[] = {{&path, 0, 5, {}}, {&path, path.approach, 5, {0, 30'000}}};
+  const MoveSpan program[] = {{&path, 0, 5, {}}, {&path, path.approach, 5, {0, 30'000}}};
   const auto times = timing.Times(program);
   ASSERT_EQ(times.size(), 9);
   EXPECT_NEAR(times[5], RestToRest(std::hypot(100, 30), 100, 3000), 1e-9);
@@ -83,7 +83,7 @@ TEST(LayerTiming, MovesWithoutTheirOwnAccelerationHaveTheOneBefore) {
   path.moves[0].acceleration_mm_s2 = path.moves[1].acceleration_mm_s2 = 0;
   Toolpath other = path;
   other.moves[3].acceleration_mm_s2 = 500;
-  const Stretch program[] = {{&path, 0, 5, {}}, {&other, 0, 5, {0, 30'000}}, {&path, 1, 5, {}}};
+  const MoveSpan program[] = {{&path, 0, 5, {}}, {&other, 0, 5, {0, 30'000}}, {&path, 1, 5, {}}};
   const auto times = timing.Times(program);
   EXPECT_NEAR(times[0], RestToRest(0.2, 10, 3000), 1e-9) << "as the first bead";
   EXPECT_EQ(times[5], 0) << "is at that height";
@@ -109,7 +109,7 @@ TEST(LayerTiming, ArcsAreTheFirmwaresChords) {
     MachineLimits limits;
     limits.junction_deviation_mm = deviation_mm;
     LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), limits);
-    const Stretch whole = {&path, 0, path.moves.size(), {}};
+    const MoveSpan whole = {&path, 0, path.moves.size(), {}};
     const auto times = timing.Times({&whole, 1});
     EXPECT_EQ(times.size(), path.moves.size());
     return std::accumulate(times.begin() + 3, times.end(), 0.0);
@@ -123,7 +123,7 @@ TEST(LayerTiming, ArcsAreTheFirmwaresChords) {
 TEST(AddTimes, ByFeatureAndTravel) {
   const Toolpath path = Sample();
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  const MoveSpan whole = {&path, 0, path.moves.size(), {}};
   const auto times = timing.Times({&whole, 1});
   ProgramStats stats;
   AddTimes({&whole, 1}, times, stats);
@@ -161,7 +161,7 @@ TEST(LayerTiming, JerkOfMovesReplacesTheMachines) {
       limits.square_corner_velocity_mm_s = limit_mm_s;
       LayerTiming timing(FirmwareOf(flavor), limits);
       const Toolpath path = Square(jerk_mm_s);
-      const Stretch whole = {&path, 0, path.moves.size(), {}};
+      const MoveSpan whole = {&path, 0, path.moves.size(), {}};
       const auto times = timing.Times({&whole, 1});
       return std::accumulate(times.begin(), times.end(), 0.0);
     };

@@ -50,8 +50,8 @@ Point ToolpathBuilder::InsideOf(const Path& path, bool reversed) const {
 
 /// Moves without filament at the speed of a bead.
 void ToolpathBuilder::GlideTo(Point to, double speed_mm_s) {
-  const PlaceUm place{ToUm(to.x), ToUm(to.y)};
-  if (place == PlaceUm{at_.x_um, at_.y_um}) return;
+  const PointUm place{ToUm(to.x), ToUm(to.y)};
+  if (place == PointUm{at_.x_um, at_.y_um}) return;
   stats_.travel_mm += MovesMm({&place, 1});
   at_.x_um = place.x;
   at_.y_um = place.y;

@@ -17,7 +17,7 @@ bool SameBead(const Move& a, const Move& b) {
 
 /// Adds the arcs of the moves [first, last), which have the same bead.
 void AddArcs(size_t first, size_t last, Toolpath& path) {
-  std::vector<PlaceUm> points;
+  std::vector<PointUm> points;
   points.reserve(last - first + 1);
   for (size_t i = first - 1; i < last; ++i)
     points.push_back({path.moves[i].x_um, path.moves[i].y_um});

@@ -76,9 +76,10 @@ void ToolpathBuilder::PrintAbove(const Path& path, const PathSegment& piece, uin
 /// Prints a piece of a wall over air: as a thread, except over supports, where a thread would weld.
 void ToolpathBuilder::PrintBridges(const Path& path, Point from, Point to, Coord width_nm,
                                    double speed_mm_s) {
-  if (carried_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
+  if (above_supports_ == nullptr) return PrintBridge(path, from, to, width_nm, speed_mm_s, true);
   const PathSegment whole = {from, to, width_nm};
-  for (const RestingPiece& piece : PiecesOver(*carried_, RestSteps::kAirAlone, {&whole, 1})) {
+  for (const RestingPiece& piece :
+       PiecesOver(*above_supports_, RestSteps::kAirAlone, {&whole, 1})) {
     PrintBridge(path, from, piece.to, width_nm, speed_mm_s, piece.rest == 0);
     from = piece.to;
   }

@@ -240,11 +240,11 @@ std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
   return pieces;
 }
 
-double ByRest(const std::array<double, kOverhangDegrees>& told, double full, uint8_t rest) {
+double ByRest(const std::array<double, kOverhangDegrees>& written, double full, uint8_t rest) {
   const double place = static_cast<double>(rest) / kFullRest * kOverhangDegrees;
-  const auto degree = std::min(static_cast<size_t>(place), told.size() - 1);
-  const double next = degree + 1 < told.size() ? told[degree + 1] : full;
-  return told[degree] + (place - static_cast<double>(degree)) * (next - told[degree]);
+  const auto degree = std::min(static_cast<size_t>(place), written.size() - 1);
+  const double next = degree + 1 < written.size() ? written[degree + 1] : full;
+  return written[degree] + (place - static_cast<double>(degree)) * (next - written[degree]);
 }
 
 }  // namespace slicefarm::motion

@@ -59,8 +59,8 @@ double PrintSpeeds::InFirstLayers(Feature feature, double speed) const {
 }
 
 double PrintSpeeds::OnGround(Ground ground, Feature feature, double speed) const {
-  const auto either = [speed](double told, double ratio) {
-    return told > 0 ? told : speed * ratio;
+  const auto either = [speed](double written, double ratio) {
+    return written > 0 ? written : speed * ratio;
   };
   switch (ground) {
     case Ground::kBed:
@@ -78,10 +78,10 @@ double PrintSpeeds::OnGround(Ground ground, Feature feature, double speed) const
 double PrintSpeeds::OverAir(const Path& path, double speed_mm_s, uint8_t rest) const {
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   if (!region.dynamic_overhangs || rest == kFullRest) return speed_mm_s;
-  std::array<double, kOverhangDegrees> told = region.overhang_speed_mm_s;
-  for (double& speed : told)
+  std::array<double, kOverhangDegrees> written = region.overhang_speed_mm_s;
+  for (double& speed : written)
     if (speed <= 0) speed = speed_mm_s;
-  return std::min(speed_mm_s, ByRest(told, speed_mm_s, rest));
+  return std::min(speed_mm_s, ByRest(written, speed_mm_s, rest));
 }
 
 double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {

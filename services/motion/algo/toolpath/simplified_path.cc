@@ -124,8 +124,8 @@ class Cone {
   /// Removes the directions that miss the disc around `centre`. `centre` is relative to the point,
   /// which is outside the disc.
   void Narrow(Vector2 centre, double radius) {
-    if (!told_) axis_ = centre;
-    told_ = true;
+    if (!written_) axis_ = centre;
+    written_ = true;
     // Tangents, not normalized.
     const double c = std::sqrt(Dot(centre, centre) - radius * radius);
     const Vector2 right = {centre.x() * c + centre.y() * radius,
@@ -137,10 +137,10 @@ class Cone {
     if (most < most_) most_ = most;
   }
 
-  bool Empty() const { return told_ && !(least_ < most_); }
+  bool Empty() const { return written_ && !(least_ < most_); }
 
   bool Holds(Vector2 direction) const {
-    if (!told_) return true;
+    if (!written_) return true;
     const Slope slope = {Cross(axis_, direction), Dot(axis_, direction)};
     return slope.ahead > 0 && !(slope < least_) && !(most_ < slope);
   }
@@ -164,7 +164,7 @@ class Cone {
     return {aside > 0 ? 1.0 : -1.0, 0};
   }
 
-  bool told_ = false;
+  bool written_ = false;
   Vector2 axis_ = Vector2::Zero();  ///< direction of the first disc; angles are measured from it
   Slope least_ = {-1, 0};
   Slope most_ = {1, 0};
@@ -256,7 +256,7 @@ class Reach {
 };
 
 /// End of a bead: at a node, or at the node's `outside`.
-struct Stop {
+struct BeadStop {
   size_t node = 0;
   bool outside = false;
   bool on_arc = false;  ///< true if the bead is a piece of an arc
@@ -265,12 +265,12 @@ struct Stop {
 Vector2 EndAt(const Node& node, bool outside) { return outside ? node.outside : node.place; }
 
 /// Best known sequence of beads that ends at a stop.
-struct Way {
+struct BeadChain {
   size_t beads = std::numeric_limits<size_t>::max();
   double deviation = 0;  ///< sum of squared deviations of all nodes
-  Stop before;
+  BeadStop before;
 
-  friend bool operator<(const Way& a, const Way& b) {
+  friend bool operator<(const BeadChain& a, const BeadChain& b) {
     return std::pair(a.beads, a.deviation) < std::pair(b.beads, b.deviation);
   }
 };
@@ -295,17 +295,18 @@ class FewestBeads {
   }
 
   /// Returns the ends of the beads, from the first on.
-  std::vector<Stop> Stops() const {
-    std::vector<Stop> stops;
-    for (Stop at = {nodes_.size() - 1}; at.node != 0; at = TravelTo(at).before) stops.push_back(at);
+  std::vector<BeadStop> Stops() const {
+    std::vector<BeadStop> stops;
+    for (BeadStop at = {nodes_.size() - 1}; at.node != 0; at = TravelTo(at).before)
+      stops.push_back(at);
     std::ranges::reverse(stops);
     return stops;
   }
 
  private:
-  const Way& TravelTo(Stop stop) const { return travels_[stop.node][stop.outside]; }
+  const BeadChain& TravelTo(BeadStop stop) const { return travels_[stop.node][stop.outside]; }
 
-  void GoOnFrom(Stop from) {
+  void GoOnFrom(BeadStop from) {
     Reach reach(nodes_[from.node], EndAt(nodes_[from.node], from.outside), tolerance_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
     const size_t beads = TravelTo(from).beads + 1;
@@ -320,13 +321,14 @@ class FewestBeads {
     }
   }
 
-  void Improve(Stop stop, Stop from, std::optional<double> deviation) {
+  void Improve(BeadStop stop, BeadStop from, std::optional<double> deviation) {
     if (!deviation) return;
     const Node& node = nodes_[stop.node];
     const Vector2 away = EndAt(node, stop.outside) - node.place;
-    const Way& before = TravelTo(from);
-    const Way travel = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
-    Way& best = travels_[stop.node][stop.outside];
+    const BeadChain& before = TravelTo(from);
+    const BeadChain travel = {before.beads + 1, before.deviation + *deviation + Dot(away, away),
+                              from};
+    BeadChain& best = travels_[stop.node][stop.outside];
     if (travel < best) best = travel;
     farthest_[travel.beads] = std::max(farthest_[travel.beads], stop.node);
   }
@@ -334,7 +336,7 @@ class FewestBeads {
   const std::span<const Node> nodes_;
   const Tolerance tolerance_;
   /// Best sequence to each node, and to the node's `outside`.
-  std::vector<std::array<Way, 2>> travels_;
+  std::vector<std::array<BeadChain, 2>> travels_;
   std::vector<size_t> farthest_;  ///< farthest node that is reached, indexed by number of beads
 };
 
@@ -348,7 +350,7 @@ struct NodeArc {
 std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   std::vector<NodeArc> arcs;
   for (size_t first = 0; first + 1 < nodes.size();) {
-    std::vector<PlaceUm> places;
+    std::vector<PointUm> places;
     const auto add = [&](const Node& node) {
       places.push_back(
           {static_cast<int32_t>(node.place.x()), static_cast<int32_t>(node.place.y())});
@@ -368,14 +370,14 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
 }
 
 /// Returns the ends of the beads: pieces of the arcs, and as few beads as possible between arcs.
-std::vector<Stop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
-                          const Tolerance& tolerance) {
-  std::vector<Stop> stops;
+std::vector<BeadStop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
+                              const Tolerance& tolerance) {
+  std::vector<BeadStop> stops;
   size_t at = 0;
   arcs.push_back({nodes.size() - 1, nodes.size() - 1});
   for (const NodeArc& arc : arcs) {
     if (at < arc.first) {
-      for (Stop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance).Stops())
+      for (BeadStop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance).Stops())
         stops.push_back({at + stop.node, stop.outside});
     }
     for (size_t i = arc.first + 1; i <= arc.last; ++i) stops.push_back({i, false, true});
@@ -400,9 +402,10 @@ double Plastic(const Path& path, Coord bead_height_nm) {
 
 /// Appends the points and widths of beads from stop to stop. The first bead begins at the first
 /// node.
-void PutBeads(std::span<const Node> nodes, std::span<const Stop> stops, SimplifiedPath& simple) {
+void PutBeads(std::span<const Node> nodes, std::span<const BeadStop> stops,
+              SimplifiedPath& simple) {
   Path& path = simple.path;
-  const auto put = [&](Stop stop, Coord width_nm) {
+  const auto put = [&](BeadStop stop, Coord width_nm) {
     const Node& node = nodes[stop.node];
     path.points.push_back(stop.outside ? Point{std::llround(node.outside.x() * kNmPerUm),
                                                std::llround(node.outside.y() * kNmPerUm)}
@@ -410,8 +413,8 @@ void PutBeads(std::span<const Node> nodes, std::span<const Stop> stops, Simplifi
     path.widths_nm.push_back(width_nm);
     simple.on_arc.push_back(stop.on_arc);
   };
-  Stop last;
-  for (const Stop stop : stops) {
+  BeadStop last;
+  for (const BeadStop stop : stops) {
     const Node &start = nodes[last.node], &end = nodes[stop.node];
     const Coord width_nm = std::llround((end.area - start.area) / (end.along - start.along));
     if (path.points.empty() || width_nm != path.widths_nm.back()) put(last, width_nm);
@@ -444,7 +447,7 @@ SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options) {
   if (nodes.size() < 3 || tolerance.place_um <= 0) return Whole(path, options.keep_arcs);
   FindStays(tolerance.place_um, nodes);
   FindOutsides(tolerance.place_um, nodes);
-  const std::vector<Stop> stops =
+  const std::vector<BeadStop> stops =
       StopsOf(nodes, options.keep_arcs ? ArcsOf(nodes) : std::vector<NodeArc>{}, tolerance);
   if (path.closed && stops.size() < 3) return Whole(path, options.keep_arcs);
   SimplifiedPath simple;

@@ -6,7 +6,7 @@
 
 #include "common/geometry/between.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/rings/loop_place.h"
+#include "common/geometry/rings/loop_point.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -59,7 +59,7 @@ std::vector<TurnPiece> TurnOf(const Path& path, const SpiralTurn& turn, const Mu
       turn.blends && turn.from ? SpiralLoop(below, width_nm) : std::nullopt;
   const auto placed = [&](Point point, double share) {
     if (!turn_below) return point;
-    const Point under = NearestPlace(*turn_below, point).at;
+    const Point under = NearestLoopPoint(*turn_below, point).at;
     const bool near = Distance(point, under) <= reach_nm;
     return near ? PointBetween(under, point, share) : point;
   };

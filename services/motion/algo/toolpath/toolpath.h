@@ -75,7 +75,7 @@ struct Move {
 struct MoveArc {
   size_t first = 0;
   size_t last = 0;
-  PlaceUm centre;
+  PointUm centre;
   bool clockwise = false;
 
   friend bool operator==(const MoveArc&, const MoveArc&) = default;
@@ -100,8 +100,8 @@ struct ShiftUm {
   int32_t y = 0;
 };
 
-/// Part of a program: moves [first, last) of a toolpath, shifted. A program is a list of stretches.
-struct Stretch {
+/// Part of a program: moves [first, last) of a toolpath, shifted. A program is a list of spans.
+struct MoveSpan {
   const Toolpath* path = nullptr;
   size_t first = 0;
   size_t last = 0;

@@ -42,7 +42,7 @@ int32_t Units(double filament_mm) {
 
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
                                  Coord bead_height_nm, Ground ground, const LayerBelow* below,
-                                 const LayerBelow* carried, const LayerBelow* curled)
+                                 const LayerBelow* above_supports, const LayerBelow* curled)
     : options_(options),
       first_layer_(frame.index == 0),
       layer_(frame.index),
@@ -52,7 +52,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
                          options.tool().filament_diameter_mm),
       bead_height_nm_(bead_height_nm),
       below_(below),
-      carried_(carried),
+      above_supports_(above_supports),
       curled_(curled),
       wipe_(WipeOf(options)) {
   const RetractionOptions& retraction = options.tool().retraction;
@@ -170,9 +170,9 @@ Toolpath ToolpathBuilder::Finish() {
   return std::move(path_);
 }
 
-Toolpath ToolpathBuilder::FinishAt(const std::optional<Leave>& leave) {
-  if (leave && !path_.moves.empty()) {
-    GoTo(leave->to, leave->way);
+Toolpath ToolpathBuilder::FinishAt(const std::optional<ExitTravel>& exit_travel) {
+  if (exit_travel && !path_.moves.empty()) {
+    GoTo(exit_travel->to, exit_travel->travel);
     MoveZ(z_um_);
   } else {
     Restart();
@@ -322,55 +322,55 @@ void ToolpathBuilder::Approach(Point to, const Travel& travel) {
 }
 
 void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
-  std::vector<PlaceUm> way;
+  std::vector<PointUm> points;
   const auto add = [&](Point place) {
-    const PlaceUm next{ToUm(place.x), ToUm(place.y)};
-    const PlaceUm last = way.empty() ? PlaceUm{at_.x_um, at_.y_um} : way.back();
-    if (next != last) way.push_back(next);
+    const PointUm next{ToUm(place.x), ToUm(place.y)};
+    const PointUm last = points.empty() ? PointUm{at_.x_um, at_.y_um} : points.back();
+    if (next != last) points.push_back(next);
   };
   for (const Point corner : travel.corners) add(corner);
   add(to);
-  if (way.empty()) return;
+  if (points.empty()) return;
   short_travel_ = at_.feature == Feature::kExternalPerimeter &&
-                  MovesMm(way) < options_.tool().retraction.min_travel_mm;
+                  MovesMm(points) < options_.tool().retraction.min_travel_mm;
   const bool goes_back =
-      travel.over_wall || MovesMm(way) >= options_.tool().retraction.min_travel_mm;
+      travel.over_wall || MovesMm(points) >= options_.tool().retraction.min_travel_mm;
   if ((!travel.hidden || moved_on_) && goes_back) {
     Retract();
     const bool rises = RisesAfter(options_.tool().retraction.lift_after, first_layer_, after_top_);
     const int32_t lift_um = rises ? lift_um_ : 0;
-    if (lift_um != 0 && RisesAlongTheWay(options_.tool().retraction)) {
-      Rise(way);
+    if (lift_um != 0 && RisesAlongTravel(options_.tool().retraction)) {
+      Rise(points);
       return;
     }
     if (lift_um != 0) MoveZ(z_um_ + lift_um);
   }
-  stats_.travel_mm += MovesMm(way);
+  stats_.travel_mm += MovesMm(points);
   ++stats_.travels;
-  for (const PlaceUm place : way) MoveTo(place.x, place.y);
+  for (const PointUm place : points) MoveTo(place.x, place.y);
 }
 
-/// Returns the points of a travel on which the nozzle rises. A circle that would leave the room of
+/// Returns the points of a travel on which the nozzle rises. A circle that would leave the area of
 /// travels becomes a straight rise.
-std::vector<RampPlace> ToolpathBuilder::RiseOf(std::span<const PlaceUm> way) const {
+std::vector<RampPoint> ToolpathBuilder::RiseOf(std::span<const PointUm> points) const {
   const RetractionOptions& retraction = options_.tool().retraction;
-  const PlaceUm from{at_.x_um, at_.y_um};
-  if (!retraction.spiral) return RampedTravel(from, way, retraction, below_);
-  std::vector<RampPlace> places = SpiralledTravel(from, way, retraction);
-  const auto is_outside = [&](const RampPlace& point) {
-    return !Covers(options_.room, {FromUm(point.place.x), FromUm(point.place.y)});
+  const PointUm from{at_.x_um, at_.y_um};
+  if (!retraction.spiral) return RampedTravel(from, points, retraction, below_);
+  std::vector<RampPoint> rise = SpiralledTravel(from, points, retraction);
+  const auto is_outside = [&](const RampPoint& point) {
+    return !Covers(options_.travel_area, {FromUm(point.point.x), FromUm(point.point.y)});
   };
-  const auto circle = std::span(places).first(places.size() - way.size());
-  if (!options_.room.empty() && std::ranges::any_of(circle, is_outside))
-    places.erase(places.begin(), places.begin() + std::ssize(circle) - 1);
-  return places;
+  const auto circle = std::span(rise).first(rise.size() - points.size());
+  if (!options_.travel_area.empty() && std::ranges::any_of(circle, is_outside))
+    rise.erase(rise.begin(), rise.begin() + std::ssize(circle) - 1);
+  return rise;
 }
 
-void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
-  stats_.travel_mm += MovesMm(way);
+void ToolpathBuilder::Rise(std::span<const PointUm> points) {
+  stats_.travel_mm += MovesMm(points);
   ++stats_.travels;
-  for (const auto [place, up_um] : RiseOf(way)) {
-    if (place == PlaceUm{at_.x_um, at_.y_um}) {
+  for (const auto [place, up_um] : RiseOf(points)) {
+    if (place == PointUm{at_.x_um, at_.y_um}) {
       MoveZ(z_um_ + up_um);
       continue;
     }
@@ -380,10 +380,10 @@ void ToolpathBuilder::Rise(std::span<const PlaceUm> way) {
 }
 
 /// Returns the length in mm of a travel that begins at the nozzle's position.
-double ToolpathBuilder::MovesMm(std::span<const PlaceUm> way) const {
+double ToolpathBuilder::MovesMm(std::span<const PointUm> points) const {
   double move_mm = 0;
-  PlaceUm last{at_.x_um, at_.y_um};
-  for (const PlaceUm next : way) {
+  PointUm last{at_.x_um, at_.y_um};
+  for (const PointUm next : points) {
     move_mm += Hypot(next.x - last.x, next.y - last.y) / kUmPerMm;
     last = next;
   }

@@ -39,14 +39,14 @@ namespace slicefarm::motion {
 /// retraction or restart is needed only in one of these two cases, and is marked (Move::if_needed).
 class ToolpathBuilder {
  public:
-  /// `options`, `below` and `carried` must outlive the builder. `below`: layer below, which slows
-  /// walls down over air; null: walls are not slowed down, or the layer is not known. `carried`:
-  /// areas directly above supports, where walls are not printed as bridges; null: none. `curled`:
-  /// areas where the layer below has curled up, and walls are slower; null: none. `bead_height_nm`:
-  /// bead height of the paths.
+  /// `options`, `below` and `above_supports` must outlive the builder. `below`: layer below, which
+  /// slows walls down over air; null: walls are not slowed down, or the layer is not known.
+  /// `above_supports`: areas directly above supports, where walls are not printed as bridges; null:
+  /// none. `curled`: areas where the layer below has curled up, and walls are slower; null: none.
+  /// `bead_height_nm`: bead height of the paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr,
-                  const LayerBelow* carried = nullptr, const LayerBelow* curled = nullptr);
+                  const LayerBelow* above_supports = nullptr, const LayerBelow* curled = nullptr);
 
   /// Starts with a filament that the layer below has retracted by another length, in mm. Call
   /// before anything is added.
@@ -75,10 +75,10 @@ class ToolpathBuilder {
   /// Returns the added moves, after a retraction. Call once.
   Toolpath Finish();
 
-  /// Returns the added moves of a layer that the layer above continues without a break. `leave`:
-  /// travel to the layer above. The filament ends retracted if this travel requires it. Without a
-  /// travel it ends ready to print. Call once.
-  Toolpath FinishAt(const std::optional<Leave>& leave);
+  /// Returns the added moves of a layer that the layer above continues without a break.
+  /// `exit_travel`: travel to the layer above. The filament ends retracted if this travel requires
+  /// it. Without a travel it ends ready to print. Call once.
+  Toolpath FinishAt(const std::optional<ExitTravel>& exit_travel);
 
   bool retracted() const { return retracted_; }
 
@@ -101,11 +101,11 @@ class ToolpathBuilder {
   Point InsideOf(const Path& path, bool reversed) const;
   bool OverhangsAtStart(const Path& path, const ScarfOptions& scarf) const;
   double WipeShiftOf(const Path& path) const;
-  std::vector<RampPlace> RiseOf(std::span<const PlaceUm> route) const;
+  std::vector<RampPoint> RiseOf(std::span<const PointUm> route) const;
   void GlideTo(Point to, double speed_mm_s);
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
-  void Rise(std::span<const PlaceUm> route);
+  void Rise(std::span<const PointUm> route);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void BeginPath(const Path& path, const SimplifiedPath& simple);
   void EndPath(const Path& path, bool moved_on, int64_t filament_before);
@@ -125,7 +125,7 @@ class ToolpathBuilder {
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
-  double MovesMm(std::span<const PlaceUm> route) const;
+  double MovesMm(std::span<const PointUm> route) const;
   void Retract();
   void PullBack(int32_t units);
   int32_t UnitsBeforeWipe() const;
@@ -146,7 +146,7 @@ class ToolpathBuilder {
   Coord bead_height_nm_;
   int32_t bottom_um_;  ///< z of the bottom of the beads, z_offset included
   const LayerBelow* below_;
-  const LayerBelow* carried_;
+  const LayerBelow* above_supports_;
   const LayerBelow* curled_;
   int32_t z_um_;
   int32_t lift_um_;           ///< height by which travels rise; 0 if they do not
@@ -155,7 +155,7 @@ class ToolpathBuilder {
   bool reversed_ = false;     ///< true if the current path is reversed (reversal.h)
   bool after_inner_ = false;  ///< true if the last path was an inner wall
   Wipe wipe_;
-  std::vector<PlaceUm> wipe_path_;  ///< points of the wipe from the end of the path before
+  std::vector<PointUm> wipe_path_;  ///< points of the wipe from the end of the path before
   int32_t retract_units_;           ///< length of a retraction, in 1e-5 mm
   int32_t extra_units_;   ///< filament that a restart feeds beyond the retraction, in 1e-5 mm
   int32_t pulled_units_;  ///< length of the last retraction, in 1e-5 mm

@@ -96,13 +96,14 @@ TEST(ToolpathBuilder, TheFirstRestartFeedsWhatTheLayerBelowRetracted) {
   }
 }
 
-std::vector<MoveKind> KindsAsLeft(const Travel& way_in, const std::optional<Leave>& leave) {
+std::vector<MoveKind> KindsAsLeft(const Travel& entry,
+                                  const std::optional<ExitTravel>& exit_travel) {
   MotionOptions options;
   options.tool().retraction.lift_mm = 0.3;
   ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
   builder.BeginAsLeft();
-  builder.Add(Line("(10 10, 20 10)"), way_in);
-  return Kinds(builder.FinishAt(leave));
+  builder.Add(Line("(10 10, 20 10)"), entry);
+  return Kinds(builder.FinishAt(exit_travel));
 }
 
 TEST(ToolpathBuilder, WhereLayersMeetTheFilamentGoesBackForWaysInSightAlone) {
@@ -112,9 +113,9 @@ TEST(ToolpathBuilder, WhereLayersMeetTheFilamentGoesBackForWaysInSightAlone) {
   EXPECT_THAT(KindsAsLeft(hidden, {}), ElementsAre(kLift, kTravel, kRestart, kPrint));
   EXPECT_THAT(KindsAsLeft(in_sight, {}),
               ElementsAre(kRetract, kLift, kTravel, kLift, kRestart, kPrint));
-  EXPECT_THAT(KindsAsLeft(hidden, Leave{far, hidden}),
+  EXPECT_THAT(KindsAsLeft(hidden, ExitTravel{far, hidden}),
               ElementsAre(kLift, kTravel, kRestart, kPrint, kTravel));
-  EXPECT_THAT(KindsAsLeft(hidden, Leave{far, in_sight}),
+  EXPECT_THAT(KindsAsLeft(hidden, ExitTravel{far, in_sight}),
               ElementsAre(kLift, kTravel, kRestart, kPrint, kRetract, kLift, kTravel, kLift));
 }
 
@@ -272,8 +273,9 @@ TEST(ToolpathBuilder, WallsOverSupportsAreNoThreads) {
                          {FromMm(from_mm), FromMm(5)}},
                         {}}});
   };
-  const LayerBelow below = square(0, 10), carried = square(10, 20);
-  ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below, &carried);
+  const LayerBelow below = square(0, 10), above_supports = square(10, 20);
+  ToolpathBuilder builder(options, kFrame, kFrame.height_nm, Ground::kLayers, &below,
+                          &above_supports);
   Path wall = Line("(1 0, 30 0)");
   wall.feature = Feature::kPerimeter;
   builder.Add(wall);
@@ -699,9 +701,9 @@ TEST(ToolpathBuilder, ThreadsOfBridgesAreToldAsRoundAsTheyAre) {
   const double disc_mm2 = std::numbers::pi / 4 * 0.4 * 0.4;
   const Coord width_nm = WidthForSpacing(FromMm(disc_mm2 / 0.2), 200'000);
   Path bridge = Line("(0 0, 10 0)", {width_nm});
-  Path carried = Line("(0 1, 10 1)");
-  bridge.feature = carried.feature = Feature::kBridgeInfill;
-  const Toolpath path = Build({bridge, carried}, options).path;
+  Path above_supports = Line("(0 1, 10 1)");
+  bridge.feature = above_supports.feature = Feature::kBridgeInfill;
+  const Toolpath path = Build({bridge, above_supports}, options).path;
   std::vector<Move> beads;
   for (const Move& move : path.moves)
     if (move.kind == MoveKind::kPrint) beads.push_back(move);

@@ -11,11 +11,11 @@
 namespace slicefarm::motion {
 
 /// Point of a travel, and the height of the nozzle above the layer at this point.
-struct RampPlace {
-  PlaceUm place;
+struct RampPoint {
+  PointUm point;
   int32_t up_um = 0;
 
-  friend bool operator==(const RampPlace&, const RampPlace&) = default;
+  friend bool operator==(const RampPoint&, const RampPoint&) = default;
 };
 
 /// Returns the largest rise of the nozzle over a travel, in mm: travel_max_lift if
@@ -23,12 +23,12 @@ struct RampPlace {
 double LiftOf(const RetractionOptions& retraction);
 
 /// Returns true if the nozzle rises along the travel and not straight up.
-bool RisesAlongTheWay(const RetractionOptions& retraction);
+bool RisesAlongTravel(const RetractionOptions& retraction);
 
 /// Returns the points of a travel from `from`. The nozzle first rises to travel_max_lift, on a
 /// circle with the slope travel_slope. The circle begins and ends in the direction of the travel.
-/// REQUIRES: RisesAlongTheWay; `travel` is not empty.
-std::vector<RampPlace> SpiralledTravel(PlaceUm from, std::span<const PlaceUm> travel,
+/// REQUIRES: RisesAlongTravel; `travel` is not empty.
+std::vector<RampPoint> SpiralledTravel(PointUm from, std::span<const PointUm> travel,
                                        const RetractionOptions& retraction);
 
 /// Returns the points of a travel from `from`, along which the nozzle rises with the angle
@@ -37,9 +37,9 @@ std::vector<RampPlace> SpiralledTravel(PlaceUm from, std::span<const PlaceUm> tr
 /// With travel_lift_before_obstacle the nozzle is at full height before the travel crosses an
 /// outline of `below`, the layer below (null: none). As in PrusaSlicer, the crossing by which the
 /// travel leaves the island below `from` does not count. The last point is the end of the travel.
-/// REQUIRES: RisesAlongTheWay; `travel` is not empty. Source: measured, PrusaSlicer 2.9.
+/// REQUIRES: RisesAlongTravel; `travel` is not empty. Source: measured, PrusaSlicer 2.9.
 /// PrusaSlicer also rounds the end of the ramp for Marlin.
-std::vector<RampPlace> RampedTravel(PlaceUm from, std::span<const PlaceUm> travel,
+std::vector<RampPoint> RampedTravel(PointUm from, std::span<const PointUm> travel,
                                     const RetractionOptions& retraction, const LayerBelow* below);
 
 }  // namespace slicefarm::motion

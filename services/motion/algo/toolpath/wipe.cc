@@ -24,7 +24,7 @@ constexpr double kWholeWipe = 0.9;
 constexpr double kLeastWipeMmS = 10;
 
 /// Returns the points after the end of the path.
-std::vector<Point> WayOn(const Path& path) {
+std::vector<Point> PathOn(const Path& path) {
   std::vector<Point> travel = path.points;
   if (path.closed) {
     travel.push_back(travel.front());
@@ -58,8 +58,8 @@ Wipe WipeOf(const MotionOptions& options) {
   return {speed_mm_s, pulled_mm / retraction.speed_mm_s * speed_mm_s};
 }
 
-std::vector<PlaceUm> WipePath(const Path& path, double length_mm, double shift_nm) {
-  const std::vector<Point> travel = WayOn(path);
+std::vector<PointUm> WipePath(const Path& path, double length_mm, double shift_nm) {
+  const std::vector<Point> travel = PathOn(path);
   std::vector<Point> kept = {travel.front()};
   double left_nm = length_mm * static_cast<double>(kNmPerMm);
   Point last = travel.front();
@@ -70,11 +70,11 @@ std::vector<PlaceUm> WipePath(const Path& path, double length_mm, double shift_n
     left_nm -= step_nm;
     kept.push_back(last);
   }
-  std::vector<PlaceUm> places;
+  std::vector<PointUm> places;
   for (const Point place :
        shift_nm == 0 ? std::vector(kept.begin() + 1, kept.end()) : ShiftedLeft(kept, shift_nm))
     places.push_back({ToUm(place.x), ToUm(place.y)});
-  return kept.size() > 1 ? places : std::vector<PlaceUm>();
+  return kept.size() > 1 ? places : std::vector<PointUm>();
 }
 
 /// Returns the distance in nm to the left by which the wipe of a path is shifted; negative: to the
@@ -140,7 +140,7 @@ int32_t ToolpathBuilder::WipeBack(int32_t units) {
   const int32_t feed_rate = FeedRate(WipeSpeed());
   int32_t pulled = 0;
   double gone_mm = 0;
-  for (const PlaceUm place : wipe_path_) {
+  for (const PointUm place : wipe_path_) {
     gone_mm += MovesMm({&place, 1});
     const auto until = static_cast<int32_t>(std::lround(gone_mm / whole_mm * units));
     at_.x_um = place.x;

@@ -27,6 +27,6 @@ Wipe WipeOf(const MotionOptions& options);
 /// shorter edges are skipped, and a shorter last step is left out. `shift_nm`: distance by which
 /// the wipe is shifted to the left of its direction; 0: none. A shifted wipe also goes beside the
 /// end of the path first.
-std::vector<PlaceUm> WipePath(const Path& path, double length_mm, double shift_nm = 0);
+std::vector<PointUm> WipePath(const Path& path, double length_mm, double shift_nm = 0);
 
 }  // namespace slicefarm::motion

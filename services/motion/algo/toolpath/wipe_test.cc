@@ -61,7 +61,7 @@ struct TravelCase {
   std::string name;
   Path path;
   double length_mm;
-  std::vector<PlaceUm> way;
+  std::vector<PointUm> expected;
 };
 
 TEST(WipePath, Cases) {
@@ -79,14 +79,14 @@ TEST(WipePath, Cases) {
   };
   for (const TravelCase& c : cases) {
     SCOPED_TRACE(c.name);
-    EXPECT_EQ(WipePath(c.path, c.length_mm), c.way);
+    EXPECT_EQ(WipePath(c.path, c.length_mm), c.expected);
   }
 }
 
 TEST(WipePath, IsShiftedToTheLeft) {
   const Path loop = Loop("(0 0, 10 0, 10 10, 0 10)");
-  EXPECT_THAT(WipePath(loop, 2, 200'000), ElementsAre(PlaceUm{0, 200}, PlaceUm{2'000, 200}));
-  EXPECT_THAT(WipePath(loop, 2, -200'000), ElementsAre(PlaceUm{0, -200}, PlaceUm{2'000, -200}));
+  EXPECT_THAT(WipePath(loop, 2, 200'000), ElementsAre(PointUm{0, 200}, PointUm{2'000, 200}));
+  EXPECT_THAT(WipePath(loop, 2, -200'000), ElementsAre(PointUm{0, -200}, PointUm{2'000, -200}));
   EXPECT_THAT(WipePath(MakePathOrDie("(0 0, 0.1 0)"), 2, 200'000), IsEmpty());
 }
 

@@ -7,7 +7,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Adds corners to the path `from`, `corners`, `to`, so that it stays within the room after a move
+/// Adds corners to the path `from`, `corners`, `to`, so that it stays within the area after a move
 /// by `shift`.
 void Lead(const PathsWithin& routes, Point from, Point to, Point shift,
           std::vector<Point>& corners) {
@@ -25,7 +25,7 @@ void Lead(const PathsWithin& routes, Point from, Point to, Point shift,
   corners = std::move(led);
 }
 
-/// Keeps the travels between the paths of a block within the room. `shift`: shift of the copy.
+/// Keeps the travels between the paths of a block within the area. `shift`: shift of the copy.
 void LeadBlock(const PathsWithin& routes, Point shift, PathBlock& block) {
   if (block.spiral) return;
   for (size_t i = 1; i < block.paths.size(); ++i) {
@@ -42,9 +42,9 @@ void LeadBlock(const PathsWithin& routes, Point shift, PathBlock& block) {
 
 }  // namespace
 
-void KeepInRoom(const MultiPolygon& room, OrderedLayer& layer) {
-  if (room.empty()) return;
-  const PathsWithin routes(room);
+void KeepInTravelArea(const MultiPolygon& travel_area, OrderedLayer& layer) {
+  if (travel_area.empty()) return;
+  const PathsWithin routes(travel_area);
   const auto block_of = [&](const BlockVisit& visit) -> PathBlock& {
     return layer.blocks[static_cast<size_t>(visit.block)];
   };

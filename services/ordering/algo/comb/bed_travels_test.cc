@@ -38,9 +38,9 @@ OrderedLayer LayerOf(const std::vector<Point>& shifts) {
 /// Returns true if the straight line from a to b is free.
 bool IsFree(Point a, Point b) { return PathsWithin(kRoom).Between(a, b).empty(); }
 
-TEST(KeepInRoom, LeadsRoundAnAreaWithinABlock) {
+TEST(KeepInTravelArea, LeadsRoundAnAreaWithinABlock) {
   OrderedLayer layer = LayerOf({{}});
-  KeepInRoom(kRoom, layer);
+  KeepInTravelArea(kRoom, layer);
   const std::vector<Travel>& travels = layer.blocks[0].travels;
   ASSERT_EQ(travels.size(), 2u);
   EXPECT_THAT(travels[0].corners, testing::IsEmpty());
@@ -49,23 +49,23 @@ TEST(KeepInRoom, LeadsRoundAnAreaWithinABlock) {
   EXPECT_TRUE(IsFree(travels[1].corners[0], Mm(2, 29)));
 }
 
-TEST(KeepInRoom, LooksAtEachCopyWhereItStands) {
+TEST(KeepInTravelArea, LooksAtEachCopyWhereItStands) {
   OrderedLayer far = LayerOf({Mm(100, 100)});
   const OrderedLayer before = far;
-  KeepInRoom(kRoom, far);
+  KeepInTravelArea(kRoom, far);
   EXPECT_EQ(far, before);
   OrderedLayer both = LayerOf({Mm(100, 100), {}});
-  KeepInRoom(kRoom, both);
+  KeepInTravelArea(kRoom, both);
   EXPECT_EQ(both.blocks[0].travels.size(), 2u);
 }
 
-TEST(KeepInRoom, LeadsRoundAnAreaBetweenCopies) {
+TEST(KeepInTravelArea, LeadsRoundAnAreaBetweenCopies) {
   OrderedLayer layer;
   layer.blocks.emplace_back().paths = {Line(Mm(0, 0), Mm(1, 0))};
   layer.visits = {{.block = 0, .copy = 0, .shift = Mm(20, 1)},
                   {.block = 0, .copy = 1, .shift = Mm(3, 31)},
                   {.block = 0, .copy = 2, .shift = Mm(200, 31)}};
-  KeepInRoom(kRoom, layer);
+  KeepInTravelArea(kRoom, layer);
   EXPECT_THAT(layer.visits[0].corners, testing::IsEmpty());
   ASSERT_EQ(layer.visits[1].corners.size(), 1u);
   EXPECT_TRUE(IsFree(Mm(21, 1), layer.visits[1].corners[0]));
@@ -73,16 +73,16 @@ TEST(KeepInRoom, LeadsRoundAnAreaBetweenCopies) {
   EXPECT_THAT(layer.visits[2].corners, testing::IsEmpty());
 }
 
-TEST(KeepInRoom, LeavesWaysBetweenPassesAndBedsWithoutAreasAlone) {
+TEST(KeepInTravelArea, LeavesWaysBetweenPassesAndBedsWithoutAreasAlone) {
   OrderedLayer layer = LayerOf({{}});
   const OrderedLayer before = layer;
-  KeepInRoom({}, layer);
+  KeepInTravelArea({}, layer);
   EXPECT_EQ(layer, before);
   OrderedLayer passes;
   passes.blocks.emplace_back().paths = {Line(Mm(0, 0), Mm(1, 0))};
   passes.visits = {{.block = 0, .copy = 0, .pass = 0, .shift = Mm(20, 1)},
                    {.block = 0, .copy = 1, .pass = 1, .shift = Mm(3, 31)}};
-  KeepInRoom(kRoom, passes);
+  KeepInTravelArea(kRoom, passes);
   EXPECT_THAT(passes.visits[1].corners, testing::IsEmpty());
 }
 

@@ -13,7 +13,7 @@ namespace slicefarm::ordering {
 namespace {
 
 /// Distance in nm by which a detour may extend beyond the bounding box of its two ends.
-constexpr Coord kRoomNm = 20 * kNmPerMm;
+constexpr Coord kMarginNm = 20 * kNmPerMm;
 
 struct Obstacle {
   PolygonWithHoles area;  ///< curled area, in plate coordinates
@@ -44,16 +44,16 @@ std::vector<Obstacle> ObstaclesOf(const LayerPlan& plan, const OrderedLayer& lay
 }
 
 /// Returns the bounding box of the beads of the pass. The bed is at least as large.
-Box RoomOf(const OrderedLayer& layer, int32_t pass) {
-  Box room;
+Box BoundsOf(const OrderedLayer& layer, int32_t pass) {
+  Box bounds;
   for (const BlockVisit& visit : layer.visits) {
     if (visit.pass != pass) continue;
     for (const Path& path : BlockOf(visit, layer).paths) {
       const Box box = Bounds(path.points);
-      room.Add(Box{box.min + visit.shift, box.max + visit.shift});
+      bounds.Add(Box{box.min + visit.shift, box.max + visit.shift});
     }
   }
-  return room;
+  return bounds;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void KeepOffCurled(const LayerPlan& plan, WorkBudget& sights, OrderedLayer& laye
     BlockVisit& visit = layer.visits[i];
     const bool begins = i == 0 || layer.visits[i - 1].pass != visit.pass;
     if (begins) {
-      beads = RoomOf(layer, visit.pass);
+      beads = BoundsOf(layer, visit.pass);
       continue;
     }
     const BlockVisit& last = layer.visits[i - 1];
@@ -75,12 +75,12 @@ void KeepOffCurled(const LayerPlan& plan, WorkBudget& sights, OrderedLayer& laye
     Box ends;
     ends.Add(from);
     ends.Add(to);
-    const Box room = Common(ends.Grown(kRoomNm), beads);
+    const Box bounds = Common(ends.Grown(kMarginNm), beads);
     MultiPolygon near;
     for (const Obstacle& obstacle : obstacles)
-      if (obstacle.pass == visit.pass && obstacle.box.Intersects(room))
+      if (obstacle.pass == visit.pass && obstacle.box.Intersects(bounds))
         near.push_back(obstacle.area);
-    CurlAvoidance routes(Union(near, {}), room);
+    CurlAvoidance routes(Union(near, {}), bounds);
     routes.KeepOff(from, to, sights, visit.corners);
   }
 }

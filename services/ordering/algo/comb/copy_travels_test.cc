@@ -41,12 +41,12 @@ TEST(KeepOffCurled, TheWayToTheNextCopyGoesRound) {
   const OrderedLayer layer = Led(Copies({{0, 0, 0, {}}, {0, 1, 0, Mm(30, 5)}}), CurledOnTheRight());
   EXPECT_TRUE(layer.visits[0].corners.empty());
   ASSERT_FALSE(layer.visits[1].corners.empty());
-  const Box room{{0, 0}, Mm(40, 15)};
-  const CurlAvoidance routes(CurledOnTheRight().sections.front().curled, room);
+  const Box bounds{{0, 0}, Mm(40, 15)};
+  const CurlAvoidance routes(CurledOnTheRight().sections.front().curled, bounds);
   EXPECT_TRUE(routes.Meets(Mm(5, 5), {}, Mm(30, 5)));
   EXPECT_FALSE(routes.Meets(Mm(5, 5), layer.visits[1].corners, Mm(30, 5)));
   for (const Point corner : layer.visits[1].corners)
-    EXPECT_TRUE(room.Intersects({corner, corner})) << "no bed is smaller than what is printed";
+    EXPECT_TRUE(bounds.Intersects({corner, corner})) << "no bed is smaller than what is printed";
 }
 
 // The travel to the third copy crosses the second copy's curled edge.

@@ -30,8 +30,8 @@ void CutBeginning(double length_nm, std::vector<Point>& path) {
 
 }  // namespace
 
-CurlAvoidance::CurlAvoidance(MultiPolygon curled, const Box& room)
-    : curled_(std::move(curled)), room_(room) {
+CurlAvoidance::CurlAvoidance(MultiPolygon curled, const Box& bounds)
+    : curled_(std::move(curled)), bounds_(bounds) {
   ForEachRing(curled_, [&](const Polygon& ring) { edges_.AddRing(ring); });
   edges_.Build();
 }
@@ -69,7 +69,7 @@ void CurlAvoidance::KeepOff(Point from, Point to, WorkBudget& budget, std::vecto
 }
 
 std::optional<std::vector<Point>> CurlAvoidance::Around(Point from, Point to, WorkBudget& budget) {
-  if (!paths_) paths_.emplace(PathsThrough(RegionOf(room_)));
+  if (!paths_) paths_.emplace(PathsThrough(RegionOf(bounds_)));
   return Within(*paths_, from, to, std::numeric_limits<double>::infinity(), budget);
 }
 

@@ -14,12 +14,12 @@ namespace slicefarm::ordering {
 /// Search for travel paths that avoid curled edges, so that the nozzle does not hit them.
 ///
 /// The first and the last 1.5 mm of a travel may cross a curled area, because beads can begin and
-/// end there. The class does not know the bed's size. Therefore its travel paths stay in `room`, a
-/// box within the bounding box of all beads.
+/// end there. The class does not know the bed's size. Therefore its travel paths stay in `bounds`,
+/// a box within the bounding box of all beads.
 class CurlAvoidance {
  public:
-  /// Stores the curled areas, and the box `room` that contains all travel paths.
-  CurlAvoidance(MultiPolygon curled, const Box& room);
+  /// Stores the curled areas, and the box `bounds` that contains all travel paths.
+  CurlAvoidance(MultiPolygon curled, const Box& bounds);
 
   /// Returns true if the path `from`, `corners`, `to` crosses a curled area. Ignores the first and
   /// the last 1.5 mm.
@@ -43,7 +43,7 @@ class CurlAvoidance {
 
  private:
   const MultiPolygon curled_;
-  const Box room_;
+  const Box bounds_;
   EdgeStrips edges_;
   std::optional<TravelPaths> paths_;  ///< built on first use
 };

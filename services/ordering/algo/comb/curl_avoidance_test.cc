@@ -35,7 +35,7 @@ TEST_P(CurlAvoidanceTest, Meets) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Ways, CurlAvoidanceTest,
+    Routes, CurlAvoidanceTest,
     testing::Values(Case{"Across", Mm(10, 20), Mm(30, 20), {}, true},
                     Case{"Beside", Mm(10, 5), Mm(30, 5), {}},
                     Case{"Round", Mm(10, 20), Mm(30, 20), {Mm(20, 5)}},

@@ -21,7 +21,7 @@ Coord OuterWallRadius(std::span<const Path> paths) {
   return count == 0 ? 0 : sum / (2 * count);
 }
 
-std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to) {
+std::vector<Point> PointsOf(Point from, std::span<const Point> corners, Point to) {
   std::vector<Point> places = {from};
   places.insert(places.end(), corners.begin(), corners.end());
   places.push_back(to);

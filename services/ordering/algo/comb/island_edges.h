@@ -14,7 +14,7 @@ namespace slicefarm::ordering {
 bool IsOuterWall(const Path& path);
 
 /// Returns the points of a travel, including its ends.
-std::vector<Point> PlacesOf(Point from, std::span<const Point> corners, Point to);
+std::vector<Point> PointsOf(Point from, std::span<const Point> corners, Point to);
 
 /// Returns half the mean width of the closed outer walls: the distance from the outline to their
 /// centre line. Returns 0 if there is no closed outer wall.

@@ -23,7 +23,7 @@ FilledIsland Plate() {
   return island;
 }
 
-struct Way {
+struct Route {
   const char* what;
   Point from, to;
   bool parted;
@@ -32,14 +32,14 @@ struct Way {
 TEST(IslandEdges, PartWhatLeavesOrCrossesAnOuterWall) {
   const IslandEdges edges(Plate());
   for (const auto& [what, from, to, parted] : {
-           Way{"inside", Mm(3, 3), Mm(17, 3), false},
-           Way{"over an inner wall", Mm(1, 3), Mm(4, 3), false},
-           Way{"over the hole", Mm(3, 10), Mm(17, 10), true},
-           Way{"over the hole's wall alone", Mm(5.8, 10), Mm(3, 10), true},
-           Way{"from the hole's wall inwards", Mm(5.5, 10), Mm(3, 10), false},
-           Way{"from the hole's wall outwards", Mm(5.5, 10), Mm(10, 10), true},
-           Way{"from wall to wall", Mm(0.5, 10), Mm(5.5, 10), false},
-           Way{"out of the plate", Mm(3, 3), Mm(-3, 3), true},
+           Route{"inside", Mm(3, 3), Mm(17, 3), false},
+           Route{"over an inner wall", Mm(1, 3), Mm(4, 3), false},
+           Route{"over the hole", Mm(3, 10), Mm(17, 10), true},
+           Route{"over the hole's wall alone", Mm(5.8, 10), Mm(3, 10), true},
+           Route{"from the hole's wall inwards", Mm(5.5, 10), Mm(3, 10), false},
+           Route{"from the hole's wall outwards", Mm(5.5, 10), Mm(10, 10), true},
+           Route{"from wall to wall", Mm(0.5, 10), Mm(5.5, 10), false},
+           Route{"out of the plate", Mm(3, 3), Mm(-3, 3), true},
        }) {
     EXPECT_EQ(edges.Parts(from, to), parted) << what;
     EXPECT_EQ(edges.Parts(to, from), parted) << what;
@@ -76,11 +76,11 @@ TEST(IslandEdges, OfAnOpenOuterWall) {
 TEST(IslandEdges, GrazesWhatPassesAnOuterWallTooNear) {
   const IslandEdges edges(Plate());
   for (const auto& [what, from, to, near] : {
-           Way{"past a corner of the hole's wall", Mm(2, 8.9), Mm(8.9, 2), false},
-           Way{"a hair beside the corner", Mm(2, 8.98), Mm(9, 1.98), true},
-           Way{"from a wall to a wall", Mm(0.5, 10), Mm(5.5, 10), false},
-           Way{"far inside", Mm(3, 3), Mm(17, 3), false},
-           Way{"too short to tell", Mm(5.48, 5.4), Mm(5.48, 5.9), false},
+           Route{"past a corner of the hole's wall", Mm(2, 8.9), Mm(8.9, 2), false},
+           Route{"a hair beside the corner", Mm(2, 8.98), Mm(9, 1.98), true},
+           Route{"from a wall to a wall", Mm(0.5, 10), Mm(5.5, 10), false},
+           Route{"far inside", Mm(3, 3), Mm(17, 3), false},
+           Route{"too short to tell", Mm(5.48, 5.4), Mm(5.48, 5.9), false},
        }) {
     EXPECT_FALSE(near && edges.Parts(from, to)) << what;
     EXPECT_EQ(edges.Grazes(from, to), near) << what;

@@ -77,27 +77,27 @@ class IslandTravels {
   }
 
   /// Returns the travel from the last path to the point where the layer above continues.
-  Leave To(Point seam, WorkBudget& budget) {
+  ExitTravel To(Point seam, WorkBudget& budget) {
     const Point from = EndOf(paths_.back());
     const std::optional<Point> inner = InnerStartAt(seam);
     if (!inner && IsAt(seam, from)) return {from, {}};
     const std::optional<Point> to = inner ? inner : BesideWall(seam);
     if (!to) return {seam, {}};
-    Leave leave{*to, {}};
-    if (from == *to) return leave;
-    leave.way.corners = PathBetween(from, *to, budget);
-    leave.way.over_wall = Distance(from, *to) > kSurelyWithinNm;
-    return leave;
+    ExitTravel exit_travel{*to, {}};
+    if (from == *to) return exit_travel;
+    exit_travel.travel.corners = PathBetween(from, *to, budget);
+    exit_travel.travel.over_wall = Distance(from, *to) > kSurelyWithinNm;
+    return exit_travel;
   }
 
  private:
   /// Returns the travel to the next path after the first `printed` paths.
   Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
     Travel travel{false, PathBetween(from, to, budget)};
-    const std::vector<Point> way = PlacesOf(from, travel.corners, to);
+    const std::vector<Point> points = PointsOf(from, travel.corners, to);
     const double longest_nm = IsSeen(paths_[printed].feature) ? kLongestToSeenNm : LongestHidden();
-    travel.hidden = options_.hide && IsHidden(way, printed, longest_nm);
-    travel.over_wall = !travel.hidden && edges_.Grazes(way, 0);
+    travel.hidden = options_.hide && IsHidden(points, printed, longest_nm);
+    travel.over_wall = !travel.hidden && edges_.Grazes(points, 0);
     return travel;
   }
 
@@ -111,7 +111,7 @@ class IslandTravels {
   }
 
   bool IsToGoRound(Point from, Point to) {
-    return options_.avoid_crossing ? !Ways().IsClear(from, to)
+    return options_.avoid_crossing ? !Routes().IsClear(from, to)
                                    : edges_.Parts(from, to) || edges_.Grazes(from, to);
   }
 
@@ -125,7 +125,7 @@ class IslandTravels {
                                           : std::numeric_limits<double>::infinity();
   }
 
-  TravelPaths& Ways() {
+  TravelPaths& Routes() {
     if (!routes_) routes_.emplace(MultiPolygon{outline_}, clearance_);
     return *routes_;
   }
@@ -143,11 +143,11 @@ class IslandTravels {
   }
 
   std::optional<Point> BesideWall(Point seam) {
-    return clearance_ > 0 ? Ways().FromEdge(seam) : std::nullopt;
+    return clearance_ > 0 ? Routes().FromEdge(seam) : std::nullopt;
   }
 
   std::vector<Point> Around(Point from, Point to, double longest_nm, WorkBudget& budget) {
-    return Ways().Find(from, to, longest_nm, budget).value_or(std::vector<Point>{});
+    return Routes().Find(from, to, longest_nm, budget).value_or(std::vector<Point>{});
   }
 
   std::optional<std::vector<Point>> AroundCurled(Point from, Point to, WorkBudget& budget) {
@@ -157,16 +157,16 @@ class IslandTravels {
   }
 
   /// Returns true if a travel after the first `printed` paths is hidden.
-  bool IsHidden(std::span<const Point> way, size_t printed, double longest_nm) const {
+  bool IsHidden(std::span<const Point> points, size_t printed, double longest_nm) const {
     double length = 0;
-    for (size_t i = 1; i < way.size(); ++i) {
-      if (edges_.Parts(way[i - 1], way[i])) return false;
-      if (tops_.Crosses(way[i - 1], way[i], static_cast<uint32_t>(printed))) return false;
-      length += Distance(way[i - 1], way[i]);
+    for (size_t i = 1; i < points.size(); ++i) {
+      if (edges_.Parts(points[i - 1], points[i])) return false;
+      if (tops_.Crosses(points[i - 1], points[i], static_cast<uint32_t>(printed))) return false;
+      length += Distance(points[i - 1], points[i]);
     }
-    if (length > longest_nm || edges_.Grazes(way)) return false;
+    if (length > longest_nm || edges_.Grazes(points)) return false;
     // The travel crosses no edge: if one of its points is inside, all points are.
-    return edges_.Surrounds(way.back());
+    return edges_.Surrounds(points.back());
   }
 
   const PolygonWithHoles& outline_;
@@ -186,13 +186,13 @@ IslandPaths PathsInIsland(const PolygonWithHoles& outline, const IslandEdges& ed
                           std::span<const Path> paths, const Meetings& meetings,
                           const TravelOptions& options, WorkBudget& budget, CurlAvoidance* curled) {
   IslandPaths routes{std::vector<Travel>(paths.size()), {}};
-  if (meetings.above) routes.leave = Leave{*meetings.above, {}};
+  if (meetings.above) routes.exit_travel = ExitTravel{*meetings.above, {}};
   if (edges.empty() || paths.empty()) return routes;
   if (!options.hide && !options.avoid_crossing && curled == nullptr) return routes;
   IslandTravels island(outline, edges, paths, options, curled);
   if (meetings.below) routes.travels[0] = island.From(*meetings.below, budget);
   for (size_t i = 1; i < paths.size(); ++i) routes.travels[i] = island.To(i, budget);
-  if (meetings.above) routes.leave = island.To(*meetings.above, budget);
+  if (meetings.above) routes.exit_travel = island.To(*meetings.above, budget);
   return routes;
 }
 

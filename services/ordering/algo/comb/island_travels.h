@@ -24,7 +24,7 @@ struct Meetings {
 /// unless the nozzle comes from the layer below.
 struct IslandPaths {
   std::vector<Travel> travels;
-  std::optional<Leave> leave;  ///< travel to the layer above
+  std::optional<ExitTravel> exit_travel;  ///< travel to the layer above
 };
 
 /// Returns the travels between the paths of one island, which are printed in the given order.

@@ -35,9 +35,9 @@ Path OuterWall() {
 /// Returns an inner wall that starts nearest to the corner at the origin.
 Path InnerWall() { return PathOf(Feature::kPerimeter, "(0.675 0.675, 5 0.675, 5 5)", true); }
 
-IslandPaths Ways(const std::vector<Path>& paths, const Meetings& meetings,
-                 const TravelOptions& options = {}, int64_t sights = 100'000,
-                 const char* outline = kFork) {
+IslandPaths Routes(const std::vector<Path>& paths, const Meetings& meetings,
+                   const TravelOptions& options = {}, int64_t sights = 100'000,
+                   const char* outline = kFork) {
   WorkBudget budget{sights};
   FilledIsland island;
   island.outline = MakePolygonsOrDie(outline).front();
@@ -83,7 +83,7 @@ TEST(PathsInIsland, LeaveTheIslandForWhatHasCurledUp) {
 
 std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions& options = {},
                             int64_t sights = 100'000) {
-  return Ways(paths, {}, options, sights).travels;
+  return Routes(paths, {}, options, sights).travels;
 }
 
 struct Case {
@@ -165,7 +165,7 @@ TEST(IslandTravels, RoundALongSlotIsInSight) {
                            " 14.225 9.775, 9.775 9.775, 9.775 29.775, 0.225 29.775)",
                            true);
   const auto hidden = [&](const char* left, const char* right) {
-    return Ways({wall, Sparse(left), Sparse(right)}, {}, {}, 100'000, long_fork)
+    return Routes({wall, Sparse(left), Sparse(right)}, {}, {}, 100'000, long_fork)
         .travels.back()
         .hidden;
   };
@@ -196,7 +196,7 @@ TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   const IslandPaths routes =
       PathsInIsland({}, IslandEdges({}), paths, {Point{}, Point{}}, {}, budget);
   EXPECT_EQ(routes.travels, std::vector<Travel>(2));
-  EXPECT_EQ(routes.leave, Leave{});
+  EXPECT_EQ(routes.exit_travel, ExitTravel{});
 }
 
 /// Returns options that hide travels of up to 100 mm.
@@ -209,7 +209,7 @@ TravelOptions Far() {
 // The layers of this part meet at the seam in the corner at the origin.
 TEST(IslandTravels, GoesOnFromTheLayerBelow) {
   const auto from = [](const std::vector<Path>& paths, Point seam) {
-    return Ways(paths, {seam, {}}, Far()).travels.front().hidden;
+    return Routes(paths, {seam, {}}, Far()).travels.front().hidden;
   };
   EXPECT_TRUE(from({Sparse("(1 1, 5 2)"), OuterWall()}, {0, 0})) << "beside the seam";
   EXPECT_TRUE(from({OuterWall()}, {0, 0})) << "a wall that starts at its seam";
@@ -220,7 +220,7 @@ TEST(IslandTravels, GoesOnFromTheLayerBelow) {
 
 TEST(IslandTravels, TheWayFromTheLayerBelowLeadsOverTheSeam) {
   const auto corners = [](const std::vector<Path>& paths, Point seam) {
-    return Ways(paths, {seam, {}}).travels.front().corners;
+    return Routes(paths, {seam, {}}).travels.front().corners;
   };
   const std::vector<Point> inner = {StartOf(InnerWall())};
   EXPECT_TRUE(corners({InnerWall(), OuterWall()}, {0, 0}).empty()) << "it is there";
@@ -236,35 +236,37 @@ TEST(IslandTravels, TheWayOverAChangeOfLayerKeepsInside) {
   const Point seam{FromMm(10), FromMm(10)};
   const Path in_arm = PathOf(Feature::kPerimeter, "(9.3 12, 9.3 18, 5 18)", true);
   const Path at_foot = PathOf(Feature::kPerimeter, "(12 9.2, 12 5, 9 5)", true);
-  const Leave leave = *Ways({in_arm, OuterWall()}, {{}, seam}).leave;
-  const Travel arrival = Ways({at_foot, OuterWall()}, {seam, {}}).travels.front();
-  const Point from = leave.way.corners.empty() ? leave.to : leave.way.corners.back();
+  const ExitTravel exit_travel = *Routes({in_arm, OuterWall()}, {{}, seam}).exit_travel;
+  const Travel arrival = Routes({at_foot, OuterWall()}, {seam, {}}).travels.front();
+  const Point from =
+      exit_travel.travel.corners.empty() ? exit_travel.to : exit_travel.travel.corners.back();
   FilledIsland island;
   island.outline = MakePolygonsOrDie(kFork).front();
   island.walls = {OuterWall()};
   const IslandEdges edges(island);
-  ASSERT_FALSE(edges.Parts(from, leave.to));
+  ASSERT_FALSE(edges.Parts(from, exit_travel.to));
   ASSERT_FALSE(arrival.corners.empty());
-  EXPECT_FALSE(edges.Parts(leave.to, arrival.corners.front()));
+  EXPECT_FALSE(edges.Parts(exit_travel.to, arrival.corners.front()));
   EXPECT_FALSE(edges.Parts(arrival.corners.back(), StartOf(at_foot)));
 }
 
 TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {
   const Point seam{0, 0};
-  const auto leave = [&](const std::vector<Path>& paths, const TravelOptions& options = Far()) {
-    return *Ways(paths, {{}, seam}, options).leave;
+  const auto exit_travel = [&](const std::vector<Path>& paths,
+                               const TravelOptions& options = Far()) {
+    return *Routes(paths, {{}, seam}, options).exit_travel;
   };
-  EXPECT_EQ(leave({OuterWall()}).to, EndOf(OuterWall())) << "is there already";
-  const Leave inside = leave({InnerWall(), OuterWall(), Sparse("(5 2, 20 2)")});
-  EXPECT_FALSE(inside.way.hidden) << "the walls above may lie further in";
-  EXPECT_TRUE(inside.way.over_wall);
-  EXPECT_TRUE(inside.way.corners.empty());
+  EXPECT_EQ(exit_travel({OuterWall()}).to, EndOf(OuterWall())) << "is there already";
+  const ExitTravel inside = exit_travel({InnerWall(), OuterWall(), Sparse("(5 2, 20 2)")});
+  EXPECT_FALSE(inside.travel.hidden) << "the walls above may lie further in";
+  EXPECT_TRUE(inside.travel.over_wall);
+  EXPECT_TRUE(inside.travel.corners.empty());
   EXPECT_EQ(inside.to, StartOf(InnerWall())) << "where the layer above begins, too";
-  const Leave around = leave({OuterWall(), Sparse("(19 12, 19 18)")});
-  EXPECT_FALSE(around.way.corners.empty());
-  const Leave near = leave({InnerWall(), OuterWall(), Sparse("(5 2, 1 1)")});
-  EXPECT_FALSE(near.way.over_wall) << "too short for that";
-  EXPECT_EQ(leave({Sparse("(5 2, 20 2)")}).to, seam) << "no wall to keep off";
+  const ExitTravel around = exit_travel({OuterWall(), Sparse("(19 12, 19 18)")});
+  EXPECT_FALSE(around.travel.corners.empty());
+  const ExitTravel near = exit_travel({InnerWall(), OuterWall(), Sparse("(5 2, 1 1)")});
+  EXPECT_FALSE(near.travel.over_wall) << "too short for that";
+  EXPECT_EQ(exit_travel({Sparse("(5 2, 20 2)")}).to, seam) << "no wall to keep off";
 }
 
 }  // namespace

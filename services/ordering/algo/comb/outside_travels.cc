@@ -37,11 +37,11 @@ Travel OutsideTravels::Between(const Path& last, const Path& next, WorkBudget& b
   if (wall_radius_nm_ == 0 || !IsOuterWall(last) || !IsOuterWall(next)) return {};
   const Point from = EndOf(last), to = StartOf(next);
   if (!walls_.Crosses(from, to)) return {};
-  auto corners = Ways().Find(from, to, LongestDetour(from, to, options_), budget);
+  auto corners = Routes().Find(from, to, LongestDetour(from, to, options_), budget);
   return {false, std::move(corners).value_or(std::vector<Point>{})};
 }
 
-TravelPaths& OutsideTravels::Ways() {
+TravelPaths& OutsideTravels::Routes() {
   if (paths_) return *paths_;
   MultiPolygon islands;
   for (const FilledIsland& island : section_.islands)

@@ -27,7 +27,7 @@ class OutsideTravels {
   Travel Between(const Path& last, const Path& next, WorkBudget& budget);
 
  private:
-  TravelPaths& Ways();
+  TravelPaths& Routes();
 
   const FilledSection& section_;
   const TravelOptions& options_;

@@ -156,7 +156,7 @@ class TravelPaths::Search {
       steps_.pop();
       if (came_[step.to] != kOpen || !IsOpen(step)) continue;
       came_[step.to] = step.from;
-      if (step.to == goal_) return Way();
+      if (step.to == goal_) return PathToGoal();
       Expand(step);
     }
     return std::nullopt;
@@ -201,7 +201,7 @@ class TravelPaths::Search {
       if (came_[link.to] == kOpen) Push(step.to, link.to, step.length);
   }
 
-  std::vector<Point> Way() const {
+  std::vector<Point> PathToGoal() const {
     std::vector<Point> corners;
     for (uint32_t at = came_[goal_]; at != kStartPlace; at = came_[at]) corners.push_back(At(at));
     std::ranges::reverse(corners);

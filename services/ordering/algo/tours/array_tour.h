@@ -10,7 +10,7 @@ namespace slicefarm::ordering {
 
 /// Range of tour positions that is reversed in memory, from `from` to `to` inclusive. It continues
 /// at position 0 if `to` is less than `from`.
-struct Turn {
+struct Reversal {
   int32_t from;
   int32_t to;
 };
@@ -41,12 +41,12 @@ class ArrayTour {
 
   /// Reverses the section from node a forward to node b, or all other nodes if they are fewer. Both
   /// give the same closed tour. Returns the reversed positions.
-  Turn TurnRound(int32_t a, int32_t b);
+  Reversal ReversalOf(int32_t a, int32_t b);
   /// Reverses the section at the positions of `turn`. A second call restores the tour.
-  void TurnRound(Turn turn);
+  void ReversalOf(Reversal turn);
 
   /// Returns the number of positions that `turn` reverses in a tour of `size` nodes.
-  static int32_t Length(Turn turn, int32_t size) {
+  static int32_t Length(Reversal turn, int32_t size) {
     const int32_t steps = turn.to - turn.from;
     return (steps < 0 ? steps + size : steps) + 1;
   }

@@ -11,9 +11,9 @@ namespace {
 using ::testing::ElementsAre;
 
 Costs OnALine(const std::vector<double>& xs) {
-  std::vector<Vector2> places;
-  for (const double x : xs) places.push_back({x, 0});
-  return Costs::OfPlaces(places, Metric::kNearest);
+  std::vector<Vector2> points;
+  for (const double x : xs) points.push_back({x, 0});
+  return Costs::OfPoints(points, Metric::kNearest);
 }
 
 Tour Greedy(const Costs& costs, std::span<const NodePair> fixed = {}, size_t neighbours = 5) {

@@ -4,9 +4,9 @@
 
 namespace slicefarm::ordering {
 
-Costs Costs::OfPlaces(std::vector<Vector2> places, Metric metric) {
-  Costs costs(static_cast<int32_t>(places.size()), metric);
-  costs.places_ = std::move(places);
+Costs Costs::OfPoints(std::vector<Vector2> points, Metric metric) {
+  Costs costs(static_cast<int32_t>(points.size()), metric);
+  costs.points_ = std::move(points);
   return costs;
 }
 
@@ -18,7 +18,7 @@ Costs Costs::OfTable(int32_t size, std::vector<int32_t> lengths) {
 
 int32_t Costs::AddNowhere() {
   nowhere_ = size_++;
-  if (has_places()) places_.emplace_back();
+  if (has_points()) points_.emplace_back();
   return nowhere_;
 }
 

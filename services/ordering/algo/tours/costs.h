@@ -17,8 +17,8 @@ enum class Metric : uint8_t { kNearest, kUp, kAtt, kTable };
 /// lengths are therefore exact.
 class Costs {
  public:
-  /// Returns the costs for points in the plane (`places`). REQUIRES: metric is not kTable.
-  static Costs OfPlaces(std::vector<Vector2> places, Metric metric);
+  /// Returns the costs for points in the plane (`points`). REQUIRES: metric is not kTable.
+  static Costs OfPoints(std::vector<Vector2> points, Metric metric);
   /// Returns the costs given by a table. `lengths`: size * size values, row by row, symmetric.
   static Costs OfTable(int32_t size, std::vector<int32_t> lengths);
 
@@ -27,16 +27,16 @@ class Costs {
   int32_t AddNowhere();
 
   int32_t size() const { return size_; }
-  bool has_places() const { return metric_ != Metric::kTable; }
+  bool has_points() const { return metric_ != Metric::kTable; }
   bool IsNowhere(int32_t node) const { return node == nowhere_; }
-  const std::vector<Vector2>& places() const { return places_; }
+  const std::vector<Vector2>& points() const { return points_; }
 
   /// Returns the length between nodes a and b.
   int64_t operator()(int32_t a, int32_t b) const {
     if (metric_ == Metric::kTable) return Looked(a, b);
     if (a == nowhere_ || b == nowhere_) return 0;
-    const Vector2& p = places_[static_cast<size_t>(a)];
-    const Vector2& q = places_[static_cast<size_t>(b)];
+    const Vector2& p = points_[static_cast<size_t>(a)];
+    const Vector2& q = points_[static_cast<size_t>(b)];
     const double square = (p.x() - q.x()) * (p.x() - q.x()) + (p.y() - q.y()) * (p.y() - q.y());
     if (metric_ == Metric::kNearest) return static_cast<int64_t>(std::sqrt(square) + 0.5);
     return RoundedUp(square);
@@ -51,7 +51,7 @@ class Costs {
   int32_t size_;
   Metric metric_;
   int32_t nowhere_ = -1;
-  std::vector<Vector2> places_;
+  std::vector<Vector2> points_;
   std::vector<int32_t> table_;
 };
 

@@ -15,7 +15,7 @@ struct RoundingCase {
 class RoundingTest : public testing::TestWithParam<RoundingCase> {};
 
 TEST_P(RoundingTest, FromTheOrigin) {
-  const Costs costs = Costs::OfPlaces({{0, 0}, GetParam().to}, GetParam().metric);
+  const Costs costs = Costs::OfPoints({{0, 0}, GetParam().to}, GetParam().metric);
   EXPECT_EQ(costs(0, 1), GetParam().length);
   EXPECT_EQ(costs(1, 0), GetParam().length);
   EXPECT_EQ(costs(1, 1), 0);
@@ -38,12 +38,12 @@ TEST(Costs, OfATable) {
   const Costs costs = Costs::OfTable(3, {0, 1, 2, 1, 0, 3, 2, 3, 0});
   EXPECT_EQ(costs(0, 2), 2);
   EXPECT_EQ(costs(2, 1), 3);
-  EXPECT_FALSE(costs.has_places());
+  EXPECT_FALSE(costs.has_points());
 }
 
 TEST(Costs, NowhereIsAtNoDistance) {
   for (Costs costs :
-       {Costs::OfPlaces({{0, 0}, {9, 0}}, Metric::kNearest), Costs::OfTable(2, {0, 9, 9, 0})}) {
+       {Costs::OfPoints({{0, 0}, {9, 0}}, Metric::kNearest), Costs::OfTable(2, {0, 9, 9, 0})}) {
     const int32_t nowhere = costs.AddNowhere();
     EXPECT_EQ(nowhere, 2);
     EXPECT_EQ(costs.size(), 3);
@@ -55,7 +55,7 @@ TEST(Costs, NowhereIsAtNoDistance) {
 }
 
 TEST(Costs, TourLengthGoesBackToTheFirst) {
-  const Costs costs = Costs::OfPlaces({{0, 0}, {3, 0}, {3, 4}}, Metric::kNearest);
+  const Costs costs = Costs::OfPoints({{0, 0}, {3, 0}, {3, 4}}, Metric::kNearest);
   EXPECT_EQ(TourLength(costs, {0, 1, 2}), 12);
   EXPECT_EQ(TourLength(costs, {1}), 0);
 }

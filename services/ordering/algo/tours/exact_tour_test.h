@@ -52,16 +52,16 @@ inline int64_t ShortestTour(const Costs& costs) {
 
 inline std::vector<Vector2> RandomPlaces(size_t count, uint32_t seed, int range = 1000) {
   std::mt19937 random(seed);
-  std::vector<Vector2> places(count);
-  for (Vector2& place : places) {
+  std::vector<Vector2> points(count);
+  for (Vector2& place : points) {
     place.x() = static_cast<double>(random() % static_cast<uint32_t>(range));
     place.y() = static_cast<double>(random() % static_cast<uint32_t>(range));
   }
-  return places;
+  return points;
 }
 
 inline Costs RandomCosts(size_t count, uint32_t seed, int range = 1000) {
-  return Costs::OfPlaces(RandomPlaces(count, seed, range), Metric::kNearest);
+  return Costs::OfPoints(RandomPlaces(count, seed, range), Metric::kNearest);
 }
 
 /// Reads an instance from tests/corpus.

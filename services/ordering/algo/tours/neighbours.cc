@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "services/ordering/algo/tours/place_tree.h"
+#include "services/ordering/algo/tours/point_tree.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -26,10 +26,11 @@ std::vector<Neighbour> NearestOfTable(const Costs& costs, int32_t node, size_t c
   return others;
 }
 
-/// Search for the nearest places, in all directions together and per quadrant.
-class PlaceFinder {
+/// Search for the nearest points, in all directions together and per quadrant.
+class NeighbourFinder {
  public:
-  PlaceFinder(const Costs& costs, std::span<const Vector2> places) : costs_(costs), tree_(places) {}
+  NeighbourFinder(const Costs& costs, std::span<const Vector2> points)
+      : costs_(costs), tree_(points) {}
 
   std::vector<Neighbour> NearestOf(int32_t node, size_t count, size_t per_quadrant) {
     std::vector<Neighbour> found;
@@ -37,16 +38,16 @@ class PlaceFinder {
     if (per_quadrant == 0) return found;
     for (const bool right : {false, true}) {
       for (const bool above : {false, true})
-        Add(node, per_quadrant, PlaceTree::Quadrant{right, above}, found);
+        Add(node, per_quadrant, PointTree::Quadrant{right, above}, found);
     }
     return found;
   }
 
  private:
-  void Add(int32_t node, size_t count, std::optional<PlaceTree::Quadrant> quadrant,
+  void Add(int32_t node, size_t count, std::optional<PointTree::Quadrant> quadrant,
            std::vector<Neighbour>& found) {
     const auto self = static_cast<uint32_t>(node);
-    tree_.NearestFew(costs_.places()[self], self, count, near_, quadrant);
+    tree_.NearestFew(costs_.points()[self], self, count, near_, quadrant);
     for (const uint32_t other : near_) {
       const auto same = [other](const Neighbour& known) {
         return known.node == static_cast<int32_t>(other);
@@ -57,7 +58,7 @@ class PlaceFinder {
   }
 
   const Costs& costs_;
-  PlaceTree tree_;
+  PointTree tree_;
   std::vector<uint32_t> near_;
 };
 
@@ -66,9 +67,9 @@ class PlaceFinder {
 Neighbours::Neighbours(const Costs& costs, size_t count, size_t per_quadrant) {
   const auto size = static_cast<size_t>(costs.size());
   const bool nowhere = size > 0 && costs.IsNowhere(costs.size() - 1);
-  std::optional<PlaceFinder> finder;
-  if (costs.has_places())
-    finder.emplace(costs, std::span(costs.places()).first(nowhere ? size - 1 : size));
+  std::optional<NeighbourFinder> finder;
+  if (costs.has_points())
+    finder.emplace(costs, std::span(costs.points()).first(nowhere ? size - 1 : size));
   begin_.reserve(size + 1);
   all_.reserve(size * (count + 1));
   for (int32_t node = 0; node < costs.size(); ++node) {

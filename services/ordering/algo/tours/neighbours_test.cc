@@ -34,8 +34,8 @@ Costs TableOf(const Costs& costs) {
 }
 
 TEST(Neighbours, AreTheNearestOfPlacesAndTables) {
-  const Costs places = RandomCosts(60, 1, 40);  // a small range, so that some places are equal
-  for (const Costs& costs : {places, TableOf(places)}) {
+  const Costs points = RandomCosts(60, 1, 40);  // a small range, so that some points are equal
+  for (const Costs& costs : {points, TableOf(points)}) {
     const Neighbours neighbours(costs, 7, 0);
     for (int32_t node = 0; node < costs.size(); ++node) {
       EXPECT_EQ(LengthsOf(neighbours.Of(node)), NearestLengths(costs, node, 7));
@@ -62,18 +62,18 @@ TEST(Neighbours, NowhereIsEverybodysFirst) {
 
 // Two clusters: without the quadrants, no node would have a neighbour in the other cluster.
 TEST(Neighbours, OfEachQuadrant) {
-  std::vector<Vector2> places = RandomPlaces(20, 3, 10);
+  std::vector<Vector2> points = RandomPlaces(20, 3, 10);
   for (const Vector2& place : RandomPlaces(20, 4, 10))
-    places.push_back({place.x() + 1e6, place.y()});
-  const Costs costs = Costs::OfPlaces(places, Metric::kNearest);
+    points.push_back({place.x() + 1e6, place.y()});
+  const Costs costs = Costs::OfPoints(points, Metric::kNearest);
   const auto far_ones = [&](const Neighbours& neighbours) {
     return std::ranges::count_if(neighbours.Of(0),
                                  [](const Neighbour& near) { return near.node >= 20; });
   };
   EXPECT_EQ(far_ones(Neighbours(costs, 8, 0)), 0);
-  Vector2& first = places[0];
+  Vector2& first = points[0];
   first = {20, 5};  // to the right of its cluster
-  const Neighbours neighbours(Costs::OfPlaces(places, Metric::kNearest), 8, 1);
+  const Neighbours neighbours(Costs::OfPoints(points, Metric::kNearest), 8, 1);
   EXPECT_GE(far_ones(neighbours), 1);
   const std::vector<int64_t> lengths = LengthsOf(neighbours.Of(0));
   EXPECT_TRUE(std::ranges::is_sorted(lengths));

@@ -82,7 +82,7 @@ int64_t TourSearch::ImproveFrom(int32_t node, WorkBudget& budget) {
   return 0;
 }
 
-int64_t TourSearch::ImproveAlong(Way path, WorkBudget& budget) {
+int64_t TourSearch::ImproveAlong(TourPath path, WorkBudget& budget) {
   const size_t turns = turns_.size();
   const int32_t last = At(path, tour_.size() - 1);
   const int links = depth_ == SearchDepth::kChains ? kLongestChain : 1;
@@ -107,7 +107,7 @@ int64_t TourSearch::ImproveAlong(Way path, WorkBudget& budget) {
   return 0;
 }
 
-TourSearch::Found TourSearch::Search(const Way& path, int64_t gain, WorkBudget& budget) const {
+TourSearch::Found TourSearch::Search(const TourPath& path, int64_t gain, WorkBudget& budget) const {
   Found found;
   for (const Neighbour& near : neighbours_.Of(path.first)) {
     if (near.length >= gain) break;
@@ -124,7 +124,7 @@ TourSearch::Found TourSearch::Search(const Way& path, int64_t gain, WorkBudget& 
 
 // Searches moves that reverse the section up to `cut`, so that the path begins with the section's
 // last node.
-void TourSearch::SearchTurned(const Way& path, int32_t cut, int64_t gain, Found& found,
+void TourSearch::SearchTurned(const TourPath& path, int32_t cut, int64_t gain, Found& found,
                               WorkBudget& budget) const {
   const int32_t head = At(path, cut);
   const int32_t beyond = At(path, cut + 1);
@@ -152,7 +152,7 @@ void TourSearch::SearchTurned(const Way& path, int32_t cut, int64_t gain, Found&
 
 // Searches moves that join the ends of the section up to `cut` into a ring. They open the ring next
 // to a node that is near the remaining path, and insert it there.
-void TourSearch::SearchSplit(const Way& path, int32_t cut, int64_t gain, Found& found,
+void TourSearch::SearchSplit(const TourPath& path, int32_t cut, int64_t gain, Found& found,
                              WorkBudget& budget) const {
   const int32_t end = At(path, cut);
   const int32_t rest = At(path, cut + 1);
@@ -187,7 +187,7 @@ bool TourSearch::ShortEnough(const Move& move) const {
   return std::min({one, two, three}) <= kLongestShift;
 }
 
-void TourSearch::Judge(const Way& path, const Move& move, Found& found) const {
+void TourSearch::Judge(const TourPath& path, const Move& move, Found& found) const {
   const bool gains = move.gain > found.gaining.gain;
   const bool opens = depth_ == SearchDepth::kChains && move.open_gain > found.opening.open_gain;
   if (!(gains || opens) || !ShortEnough(move) || !Allowed(path, move)) return;
@@ -195,7 +195,7 @@ void TourSearch::Judge(const Way& path, const Move& move, Found& found) const {
   if (opens) found.opening = move;
 }
 
-bool TourSearch::Allowed(const Way& path, const Move& move) const {
+bool TourSearch::Allowed(const TourPath& path, const Move& move) const {
   if (rules_.before.empty()) return true;
   const int32_t size = tour_.size();
   const int32_t one = move.cut1 + 1;
@@ -231,21 +231,22 @@ bool TourSearch::Allowed(const Way& path, const Move& move) const {
   });
 }
 
-TourSearch::Way TourSearch::Turned(const Way& path, int32_t from, int32_t to, WorkBudget& budget) {
+TourSearch::TourPath TourSearch::Turned(const TourPath& path, int32_t from, int32_t to,
+                                        WorkBudget& budget) {
   if (from >= to) return path;
   const int32_t last = At(path, tour_.size() - 1);
   const int32_t a = At(path, from);
   const int32_t b = At(path, to);
-  const Turn turn = path.forward ? tour_.TurnRound(a, b) : tour_.TurnRound(b, a);
+  const Reversal turn = path.forward ? tour_.ReversalOf(a, b) : tour_.ReversalOf(b, a);
   turns_.push_back(turn);
   budget.moves -= ArrayTour::Length(turn, tour_.size()) / kNodesPerMove;
-  // TurnRound may have reversed all other nodes; the path's direction in memory is then the
+  // ReversalOf may have reversed all other nodes; the path's direction in memory is then the
   // opposite.
   const int32_t first = from == 0 ? b : path.first;
   return PathFrom(first, tour_.Next(last) == first);
 }
 
-TourSearch::Way TourSearch::Make(const Way& path, const Move& move, WorkBudget& budget) {
+TourSearch::TourPath TourSearch::Make(const TourPath& path, const Move& move, WorkBudget& budget) {
   const int32_t one = move.cut1 + 1;
   const int32_t end = move.cut2;
   const int32_t two = end + 1 - one;
@@ -266,7 +267,7 @@ TourSearch::Way TourSearch::Make(const Way& path, const Move& move, WorkBudget& 
 
 void TourSearch::Undo(size_t turns) {
   while (turns_.size() > turns) {
-    tour_.TurnRound(turns_.back());
+    tour_.ReversalOf(turns_.back());
     turns_.pop_back();
   }
 }
@@ -280,11 +281,11 @@ bool TourSearch::Exchange(WorkBudget& budget, int64_t* gain) {
   const int32_t size = tour_.size();
   const int32_t longest = std::min(kLongestExchange, size / 2 - 1);
   int32_t start = Below(size);
-  const auto is_fixed = [&](const Way& path, int32_t index) {
+  const auto is_fixed = [&](const TourPath& path, int32_t index) {
     return fixed_.Has(At(path, index), At(path, index + 1));
   };
   if (is_fixed(PathFrom(tour_.At(start), true), -1)) start = start + 1 < size ? start + 1 : 0;
-  const Way path = PathFrom(tour_.At(start), true);
+  const TourPath path = PathFrom(tour_.At(start), true);
   int32_t one = 1 + Below(longest);
   if (is_fixed(path, one - 1)) ++one;
   int32_t both = one + 1 + Below(longest);

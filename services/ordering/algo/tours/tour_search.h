@@ -86,7 +86,7 @@ class TourSearch {
     Join join = Join::kTurnFirst;
   };
   /// The tour as a path from the node `first` to the node before it.
-  struct Way {
+  struct TourPath {
     int32_t first;
     bool forward;
     int32_t start;  ///< position of `first`
@@ -103,15 +103,15 @@ class TourSearch {
     return surcharge_ == nullptr ? b.length : b.length + surcharge_->Of(a, b.node);
   }
 
-  Way PathFrom(int32_t first, bool forward) const {
+  TourPath PathFrom(int32_t first, bool forward) const {
     return {first, forward, tour_.PositionOf(first)};
   }
-  int32_t IndexOf(const Way& path, int32_t node) const {
+  int32_t IndexOf(const TourPath& path, int32_t node) const {
     const int32_t steps =
         path.forward ? tour_.PositionOf(node) - path.start : path.start - tour_.PositionOf(node);
     return steps < 0 ? steps + tour_.size() : steps;
   }
-  int32_t At(const Way& path, int32_t index) const {
+  int32_t At(const TourPath& path, int32_t index) const {
     int32_t position = path.forward ? path.start + index : path.start - index;
     if (position >= tour_.size()) position -= tour_.size();
     if (position < 0) position += tour_.size();
@@ -119,22 +119,22 @@ class TourSearch {
   }
 
   int64_t ImproveFrom(int32_t node, WorkBudget& budget);
-  int64_t ImproveAlong(Way path, WorkBudget& budget);
-  Found Search(const Way& path, int64_t gain, WorkBudget& budget) const;
-  void SearchTurned(const Way& path, int32_t cut, int64_t gain, Found& found,
+  int64_t ImproveAlong(TourPath path, WorkBudget& budget);
+  Found Search(const TourPath& path, int64_t gain, WorkBudget& budget) const;
+  void SearchTurned(const TourPath& path, int32_t cut, int64_t gain, Found& found,
                     WorkBudget& budget) const;
-  void SearchSplit(const Way& path, int32_t cut, int64_t gain, Found& found,
+  void SearchSplit(const TourPath& path, int32_t cut, int64_t gain, Found& found,
                    WorkBudget& budget) const;
-  void Judge(const Way& path, const Move& move, Found& found) const;
+  void Judge(const TourPath& path, const Move& move, Found& found) const;
   bool ShortEnough(const Move& move) const;
 
-  bool Allowed(const Way& path, const Move& move) const;
+  bool Allowed(const TourPath& path, const Move& move) const;
   /// Makes the move. Returns the new path, on which the next move of a chain is searched: it begins
   /// at the node before `path.first`.
-  Way Make(const Way& path, const Move& move, WorkBudget& budget);
+  TourPath Make(const TourPath& path, const Move& move, WorkBudget& budget);
   /// Reverses the nodes from index `from` to index `to` of `path`. Returns the new path. Does
   /// nothing if from >= to.
-  Way Turned(const Way& path, int32_t from, int32_t to, WorkBudget& budget);
+  TourPath Turned(const TourPath& path, int32_t from, int32_t to, WorkBudget& budget);
   void Undo(size_t turns);
 
   /// Exchanges two adjacent sections and writes the gain, which may be negative. Returns false if
@@ -151,8 +151,8 @@ class TourSearch {
   ArrayTour tour_;
   int64_t gained_ = 0;
   std::mt19937 random_;
-  std::vector<Turn> turns_;     ///< reversals since the last exchange
-  std::vector<int32_t> queue_;  ///< awake nodes, in a ring buffer
+  std::vector<Reversal> turns_;  ///< reversals since the last exchange
+  std::vector<int32_t> queue_;   ///< awake nodes, in a ring buffer
   size_t queue_head_ = 0;
   size_t queue_size_ = 0;
   std::vector<uint8_t> queued_;  ///< 1 if a node is in the queue, indexed by node

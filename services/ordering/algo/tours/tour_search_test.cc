@@ -119,12 +119,12 @@ TEST(TourSearch, FindsTheSameHoweverThePlacesLie) {
                                              }};
   std::mt19937 random(2);
   for (size_t i = 0; i < transforms.size(); ++i) {
-    std::vector<Vector2> places;
+    std::vector<Vector2> points;
     for (int x = 0; x < 6; ++x)
-      for (int y = 0; y < 5; ++y) places.push_back(transforms[i]({10.0 * x, 10.0 * y}));
-    for (size_t k = places.size() - 1; k > 0; --k) std::swap(places[k], places[random() % (k + 1)]);
+      for (int y = 0; y < 5; ++y) points.push_back(transforms[i]({10.0 * x, 10.0 * y}));
+    for (size_t k = points.size() - 1; k > 0; --k) std::swap(points[k], points[random() % (k + 1)]);
     const int64_t unit = i == 4 ? 10'000 : 10;
-    EXPECT_EQ(ImprovedLength(Costs::OfPlaces(places, Metric::kNearest), {.exchanges = 2000}),
+    EXPECT_EQ(ImprovedLength(Costs::OfPoints(points, Metric::kNearest), {.exchanges = 2000}),
               30 * unit)
         << "transform " << i;
   }
@@ -132,7 +132,7 @@ TEST(TourSearch, FindsTheSameHoweverThePlacesLie) {
 
 TEST(TourSearch, ShallowMovesFindWhatTheyAreNamedFor) {
   // A section in the wrong direction.
-  const Costs turned = Costs::OfPlaces({{0, 0}, {20, 0}, {10, 0}, {30, 0}, {15, 30}}, Metric::kUp);
+  const Costs turned = Costs::OfPoints({{0, 0}, {20, 0}, {10, 0}, {30, 0}, {15, 30}}, Metric::kUp);
   EXPECT_EQ(ImprovedLength(turned, {.depth = SearchDepth::kTwoOptAndOrOpt, .exchanges = 0}),
             ShortestTour(turned));
   // Without moves the tour does not change.

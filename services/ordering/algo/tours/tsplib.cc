@@ -140,7 +140,7 @@ absl::StatusOr<std::vector<Vector2>> PlacesOf(const Specification& specification
                      Text("NODE_COORD_SECTION has ", words.size(), " numbers, for ", size,
                           " nodes it needs ", 3 * int64_t{size}));
   }
-  std::vector<std::optional<Vector2>> places(static_cast<size_t>(size));
+  std::vector<std::optional<Vector2>> points(static_cast<size_t>(size));
   for (size_t i = 0; i < words.size(); i += 3) {
     const absl::StatusOr<int32_t> node = NodeOf(words[i], size);
     const absl::StatusOr<double> x = NumberOf(words[i + 1]);
@@ -150,13 +150,13 @@ absl::StatusOr<std::vector<Vector2>> PlacesOf(const Specification& specification
     }
     if (std::abs(*x) > kGreatestWeight || std::abs(*y) > kGreatestWeight)
       return Malformed(words[i].line, "a coordinate beyond 1e9");
-    std::optional<Vector2>& place = places[static_cast<size_t>(*node)];
+    std::optional<Vector2>& place = points[static_cast<size_t>(*node)];
     if (place) return Malformed(words[i].line, Text("node ", *node + 1, " comes twice"));
     place = Vector2{*x, *y};
   }
   std::vector<Vector2> all;
-  all.reserve(places.size());
-  for (const std::optional<Vector2>& place : places) all.push_back(*place);
+  all.reserve(points.size());
+  for (const std::optional<Vector2>& place : points) all.push_back(*place);
   return all;
 }
 
@@ -167,14 +167,14 @@ double Radians(double degrees_minutes) {
 }
 
 /// Returns TSPLIB's distances on the globe, in km.
-Costs OnTheGlobe(const std::vector<Vector2>& places) {
-  const size_t size = places.size();
+Costs OnTheGlobe(const std::vector<Vector2>& points) {
+  const size_t size = points.size();
   std::vector<int32_t> table(size * size, 0);
   for (size_t a = 0; a < size; ++a) {
     for (size_t b = 0; b < a; ++b) {
-      const double q1 = Cos(Radians(places[a].y()) - Radians(places[b].y()));
-      const double q2 = Cos(Radians(places[a].x()) - Radians(places[b].x()));
-      const double q3 = Cos(Radians(places[a].x()) + Radians(places[b].x()));
+      const double q1 = Cos(Radians(points[a].y()) - Radians(points[b].y()));
+      const double q2 = Cos(Radians(points[a].x()) - Radians(points[b].x()));
+      const double q3 = Cos(Radians(points[a].x()) + Radians(points[b].x()));
       const double cosine = 0.5 * ((1.0 + q1) * q2 - (1.0 - q1) * q3);
       const auto km = static_cast<int32_t>(6378.388 * Acos(std::clamp(cosine, -1.0, 1.0)) + 1.0);
       table[a * size + b] = table[b * size + a] = km;
@@ -186,13 +186,13 @@ Costs OnTheGlobe(const std::vector<Vector2>& places) {
 absl::StatusOr<Costs> GeographicCosts(const Specification& specification) {
   const absl::StatusOr<int32_t> size = SizeOf(specification, kMostTableNodes);
   if (!size.ok()) return size.status();
-  const auto places = PlacesOf(specification, *size);
-  if (!places.ok()) return places.status();
-  for (const Vector2& place : *places) {
+  const auto points = PlacesOf(specification, *size);
+  if (!points.ok()) return points.status();
+  for (const Vector2& place : *points) {
     if (std::abs(place.x()) > 360 || std::abs(place.y()) > 360)
       return Malformed(specification.lines, "a coordinate beyond 360 degrees");
   }
-  return OnTheGlobe(*places);
+  return OnTheGlobe(*points);
 }
 
 /// Column ranges of each row of a weight table, in one of TSPLIB's formats.
@@ -268,11 +268,11 @@ absl::StatusOr<Costs> ExplicitCosts(const Specification& specification) {
 }
 
 absl::StatusOr<Costs> PlaneCosts(const Specification& specification, Metric metric) {
-  const absl::StatusOr<int32_t> size = SizeOf(specification, kMostPlaces);
+  const absl::StatusOr<int32_t> size = SizeOf(specification, kMaxPoints);
   if (!size.ok()) return size.status();
-  auto places = PlacesOf(specification, *size);
-  if (!places.ok()) return places.status();
-  return Costs::OfPlaces(*std::move(places), metric);
+  auto points = PlacesOf(specification, *size);
+  if (!points.ok()) return points.status();
+  return Costs::OfPoints(*std::move(points), metric);
 }
 
 absl::StatusOr<Costs> CostsOf(const Specification& specification) {

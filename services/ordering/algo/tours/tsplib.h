@@ -18,7 +18,7 @@ struct TspInstance {
   std::vector<NodePair> fixed;  ///< open chains, or one ring of all nodes
 };
 
-inline constexpr int32_t kMostPlaces = 20'000;
+inline constexpr int32_t kMaxPoints = 20'000;
 inline constexpr int32_t kMostTableNodes = 5'000;  ///< a table has n * n numbers
 /// largest absolute weight and coordinate, so that sums are exact
 inline constexpr double kGreatestWeight = 1e9;
@@ -28,7 +28,7 @@ inline constexpr double kGreatestWeight = 1e9;
 /// EDGE_WEIGHT_TYPE: EUC_2D, CEIL_2D, ATT, GEO, or EXPLICIT as FULL_MATRIX, UPPER_ROW, LOWER_ROW,
 /// UPPER_DIAG_ROW or LOWER_DIAG_ROW; with or without FIXED_EDGES_SECTION. Errors: REQUEST_MALFORMED
 /// with the line number, including for unsupported TSPLIB features; REQUEST_TOO_LARGE above
-/// kMostPlaces or kMostTableNodes. Source: G. Reinelt, "TSPLIB 95", Heidelberg 1995.
+/// kMaxPoints or kMostTableNodes. Source: G. Reinelt, "TSPLIB 95", Heidelberg 1995.
 absl::StatusOr<TspInstance> ReadTsplib(std::string_view text);
 
 /// Returns the text of a TSPLIB file of TYPE TOUR.

@@ -17,7 +17,7 @@
 #include "services/planning/algo/adhesion/alone.h"
 #include "services/planning/algo/adhesion/automatic_brim.h"
 #include "services/planning/algo/adhesion/brim.h"
-#include "services/planning/algo/adhesion/room.h"
+#include "services/planning/algo/adhesion/printable_area.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -40,7 +40,7 @@ MultiPolygon WholeOf(const std::vector<Region>& regions) {
 AdhesionPlanner::AdhesionPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies)
     : options_(options),
       copies_(copies),
-      bed_(RoomOf(options.bed)),
+      bed_(PrintableArea(options.bed)),
       wanted_(options.skirt.loops > 0 ||
               std::ranges::any_of(copies,
                                   [this](const PlacedCopy& copy) { return HasBrim(copy.object); })),
@@ -107,7 +107,7 @@ std::set<int32_t> AdhesionPlanner::Alone() const {
   const bool shields =
       options_.skirt.loops > 0 && options_.skirt.draft_shield != DraftShield::kDisabled;
   if (options_.sequence.complete_objects || shields) return {};
-  std::vector<TakenRoom> rooms;
+  std::vector<CopyFootprint> footprints;
   const auto add = [&](int32_t object, Point shift) {
     const auto found = seen_.find(object);
     if (found == seen_.end()) return;
@@ -120,12 +120,12 @@ std::set<int32_t> AdhesionPlanner::Alone() const {
     Box box = Bounds(seen.on_bed);
     box.Add(Bounds(seen.raft));
     if (box.Empty()) return;
-    const Box room = box.Grown(reach_nm + kGlueNm);
-    rooms.push_back({object, {room.min + shift, room.max + shift}});
+    const Box footprint = box.Grown(reach_nm + kGlueNm);
+    footprints.push_back({object, {footprint.min + shift, footprint.max + shift}});
   };
   for (const PlacedCopy& copy : copies_) add(copy.object, copy.shift);
   add(kPlateObject, {});
-  std::set<int32_t> alone = ObjectsAlone(rooms, bed_);
+  std::set<int32_t> alone = ObjectsAlone(footprints, bed_);
   std::erase_if(alone,
                 [this](int32_t object) { return object == kPlateObject || !HasBrim(object); });
   return alone;
@@ -135,7 +135,7 @@ absl::StatusOr<MultiPolygon> AdhesionPlanner::OwnBrim(int32_t object,
                                                       const CancelToken& cancel) const {
   const Seen& seen = seen_.at(object);
   const BrimObject one = {seen.on_bed, BrimOf(object, seen)};
-  auto brims = BrimRegions({&one, 1}, RoomOf({}), cancel);
+  auto brims = BrimRegions({&one, 1}, PrintableArea({}), cancel);
   if (!brims.ok()) return brims.status();
   return brims->front().empty() ? MultiPolygon{} : Joined(brims->front());
 }

@@ -12,10 +12,10 @@ bool LeavesBed(const Box& box, const MultiPolygon& bed) {
 
 }  // namespace
 
-std::set<int32_t> ObjectsAlone(std::span<const TakenRoom> copies, const MultiPolygon& bed) {
+std::set<int32_t> ObjectsAlone(std::span<const CopyFootprint> copies, const MultiPolygon& bed) {
   std::set<int32_t> alone, not_alone;
   for (size_t i = 0; i < copies.size(); ++i) {
-    const TakenRoom& copy = copies[i];
+    const CopyFootprint& copy = copies[i];
     if (copy.box.Empty() || not_alone.contains(copy.object)) continue;
     alone.insert(copy.object);
     bool meets = LeavesBed(copy.box, bed);

@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TakenRoom Room(int32_t object, Coord x) { return {object, {{x, 10}, {x + 10, 20}}}; }
+CopyFootprint Room(int32_t object, Coord x) { return {object, {{x, 10}, {x + 10, 20}}}; }
 
 const MultiPolygon kBed = {{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {}}};
 
@@ -29,7 +29,7 @@ TEST(ObjectsAlone, NotWhereTheBedEnds) {
 }
 
 TEST(ObjectsAlone, NothingTakesNoRoom) {
-  EXPECT_THAT(ObjectsAlone(std::vector{TakenRoom{0, {}}, Room(1, 30)}, kBed), ElementsAre(1));
+  EXPECT_THAT(ObjectsAlone(std::vector{CopyFootprint{0, {}}, Room(1, 30)}, kBed), ElementsAre(1));
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ MultiPolygon Grown(const MultiPolygon& region, Coord by_nm) {
 
 }  // namespace
 
-std::vector<RaftLayer> RaftUnder(const MultiPolygon& carried, const RaftOptions& options) {
+std::vector<RaftLayer> RaftUnder(const MultiPolygon& above, const RaftOptions& options) {
   const RaftHeights& heights = options.heights;
   std::vector<RaftLayer> raft;
-  if (heights.layers <= 0 || carried.empty()) return raft;
-  const MultiPolygon top = Grown(carried, options.expansion_nm);
+  if (heights.layers <= 0 || above.empty()) return raft;
+  const MultiPolygon top = Grown(above, options.expansion_nm);
   const MultiPolygon middle = heights.layers > 2 ? Grown(top, kRaftStepNm) : MultiPolygon{};
   for (int32_t i = 0; i < heights.layers; ++i) {
     RaftLayer layer;

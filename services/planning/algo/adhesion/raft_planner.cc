@@ -6,7 +6,7 @@
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/offset.h"
 #include "services/planning/algo/adhesion/alone.h"
-#include "services/planning/algo/adhesion/room.h"
+#include "services/planning/algo/adhesion/printable_area.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -73,16 +73,16 @@ RaftPlanner::SeenObjects RaftPlanner::LookAt(std::span<const SlicedLayer> parts,
   return objects;
 }
 
-MultiPolygon RaftPlanner::Carried(const SeenObjects& seen, const ObjectPlanOptions& group) const {
-  MultiPolygon carried;
+MultiPolygon RaftPlanner::AboveRaft(const SeenObjects& seen, const ObjectPlanOptions& group) const {
+  MultiPolygon above;
   for (const PlacedCopy& copy : copies_)
     if (const auto found = seen.find(copy.object);
         found != seen.end() && SharesRaft(OptionsOf(copy.object), group))
-      Append(Moved(found->second.lowest, copy.shift), carried);
-  return United(carried);
+      Append(Moved(found->second.lowest, copy.shift), above);
+  return United(above);
 }
 
-MultiPolygon RaftPlanner::NotCarried(const SeenObjects& seen,
+MultiPolygon RaftPlanner::BesideRaft(const SeenObjects& seen,
                                      const ObjectPlanOptions& group) const {
   MultiPolygon others;
   for (const PlacedCopy& copy : copies_)
@@ -95,10 +95,10 @@ MultiPolygon RaftPlanner::NotCarried(const SeenObjects& seen,
 std::vector<RaftLayer> RaftPlanner::LayersOf(const SeenObjects& seen,
                                              const ObjectPlanOptions& group,
                                              const RegionPlan& plan) const {
-  const MultiPolygon others = NotCarried(seen, group);
-  std::vector<RaftLayer> layers = RaftUnder(Carried(seen, group), group.raft);
+  const MultiPolygon others = BesideRaft(seen, group);
+  std::vector<RaftLayer> layers = RaftUnder(AboveRaft(seen, group), group.raft);
   for (RaftLayer& layer : layers) {
-    layer.region = Without(Intersection(layer.region, RoomOf(options_.bed)), others);
+    layer.region = Without(Intersection(layer.region, PrintableArea(options_.bed)), others);
     for (const AddedStack& before : plan.stacks) {
       if (before.stack.kind != StackKind::kRaft || before.stack.object != kPlateObject) continue;
       for (const ObjectSection& section : before.sections)
@@ -128,7 +128,7 @@ void RaftPlanner::Lift(RegionPlan& plan) const {
 
 std::set<int32_t> RaftPlanner::Alone(const SeenObjects& seen) const {
   if (options_.sequence.complete_objects) return {};
-  std::vector<TakenRoom> rooms;
+  std::vector<CopyFootprint> footprints;
   for (const PlacedCopy& copy : copies_) {
     const auto found = seen.find(copy.object);
     if (found == seen.end()) continue;
@@ -138,10 +138,10 @@ std::set<int32_t> RaftPlanner::Alone(const SeenObjects& seen) const {
         has_raft ? raft.expansion_nm + std::max(kRaftStepNm, raft.first_layer_expansion_nm) : 0;
     const Box box = Bounds(has_raft ? found->second.lowest : found->second.low);
     if (box.Empty()) continue;
-    const Box room = box.Grown(reach_nm + kClearanceNm / 2);
-    rooms.push_back({copy.object, {room.min + copy.shift, room.max + copy.shift}});
+    const Box footprint = box.Grown(reach_nm + kClearanceNm / 2);
+    footprints.push_back({copy.object, {footprint.min + copy.shift, footprint.max + copy.shift}});
   }
-  return ObjectsAlone(rooms, RoomOf(options_.bed));
+  return ObjectsAlone(footprints, PrintableArea(options_.bed));
 }
 
 void RaftPlanner::AddRaft(int32_t object, const ObjectPlanOptions& options,

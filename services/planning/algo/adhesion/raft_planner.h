@@ -52,8 +52,8 @@ class RaftPlanner : public RegionPlanner {
   /// Returns the objects that get a raft of their own.
   std::set<int32_t> Alone(const SeenObjects& seen) const;
   SeenObjects LookAt(std::span<const SlicedLayer> parts, const RegionPlan& plan) const;
-  MultiPolygon Carried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
-  MultiPolygon NotCarried(const SeenObjects& seen, const ObjectPlanOptions& group) const;
+  MultiPolygon AboveRaft(const SeenObjects& seen, const ObjectPlanOptions& group) const;
+  MultiPolygon BesideRaft(const SeenObjects& seen, const ObjectPlanOptions& group) const;
   /// Returns the raft layers for all objects with the options `group`, without the areas of other
   /// objects and rafts.
   std::vector<RaftLayer> LayersOf(const SeenObjects& seen, const ObjectPlanOptions& group,

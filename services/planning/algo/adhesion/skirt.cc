@@ -163,14 +163,14 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
 std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed) {
   std::vector<Path> lines;
   for (Path& loop : loops) {
-    const MultiPolygon room = Offset(bed, -loop.widths_nm.front() / 2);
+    const MultiPolygon inside = Offset(bed, -loop.widths_nm.front() / 2);
     const Polygon ring = std::move(loop.points);
-    if (Difference({{ring, {}}}, room).empty()) {
+    if (Difference({{ring, {}}}, inside).empty()) {
       loop.points = ring;
       lines.push_back(std::move(loop));
       continue;
     }
-    LineClipper clipper(room);
+    LineClipper clipper(inside);
     for (size_t i = 0; i < ring.size(); ++i) clipper.Add(ring[i], ring[(i + 1) % ring.size()]);
     loop.closed = false;
     for (Polyline& piece : clipper.TakePieces()) {

@@ -13,7 +13,8 @@ void CurlPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
     const Coord width_nm = options_.objects[object].support.wall_width_nm;
     CurledEdges& edges = objects_.try_emplace(section.stack.object, width_nm).first->second;
     SectionPlan& section_plan = PlanOf(section.stack.id, plan);
-    section_plan.curled = edges.Next(OutlineOf(section), section_plan.carried, section.height_nm);
+    section_plan.curled =
+        edges.Next(OutlineOf(section), section_plan.above_supports, section.height_nm);
   }
 }
 

@@ -58,7 +58,7 @@ TEST(CurlPlanner, WhatSupportsCarryLiesStill) {
   ASSERT_EQ(layers.size(), 2u);
   for (const SlicedLayer& layer : layers) {
     LayerPlan plan;
-    PlanOf(0, plan).carried = MakePolygonsOrDie("(-9 -9, 9 -9, 9 9, -9 9)");
+    PlanOf(0, plan).above_supports = MakePolygonsOrDie("(-9 -9, 9 -9, 9 9, -9 9)");
     planner.Look(layer, plan);
     EXPECT_TRUE(plan.sections.front().curled.empty());
   }

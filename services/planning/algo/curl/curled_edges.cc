@@ -80,8 +80,9 @@ double CurledEdges::RiseAt(Point place, double radius_nm) const {
   return squared > 0 ? std::sqrt(squared) : 0;
 }
 
-void CurledEdges::AddRing(const Polygon& ring, const Places& below, const MultiPolygon& carried,
-                          Coord height_nm, std::vector<Risen>& risen) const {
+void CurledEdges::AddRing(const Polygon& ring, const Places& below,
+                          const MultiPolygon& above_supports, Coord height_nm,
+                          std::vector<Risen>& risen) const {
   const RingShape shape(ring, kArmNm);
   const auto count = static_cast<size_t>(std::max(3.0, std::ceil(shape.length_nm() / kStepNm)));
   std::vector<double> along(count);
@@ -95,7 +96,8 @@ void CurledEdges::AddRing(const Polygon& ring, const Places& below, const MultiP
     const double turn_rad = bends[i].TurnRad();
     const double own = turn_rad > 0 ? RiseAt(at, shape.arm_nm() / turn_rad) : 0;
     const double rise = std::min(pressed + own, kMostLayers * height);
-    if (rise > 0 && !Covers(carried, at)) risen.push_back({at, bends[(i + 1) % count].at, rise});
+    if (rise > 0 && !Covers(above_supports, at))
+      risen.push_back({at, bends[(i + 1) % count].at, rise});
   }
 }
 
@@ -126,14 +128,15 @@ MultiPolygon CurledEdges::AreaOf(const std::vector<Risen>& risen) const {
   return Simplify(OffsetLines(lines, width_nm_, Cap::kSquare, coarse), kToleranceNm);
 }
 
-MultiPolygon CurledEdges::Next(const MultiPolygon& outline, const MultiPolygon& carried,
+MultiPolygon CurledEdges::Next(const MultiPolygon& outline, const MultiPolygon& above_supports,
                                Coord height_nm) {
   RegionEdges edges(outline);
   std::vector<Risen> risen;
   if (below_) {
     const Places places(risen_, std::llround(kBeside * static_cast<double>(width_nm_)));
-    ForEachRing(outline,
-                [&](const Polygon& ring) { AddRing(ring, places, carried, height_nm, risen); });
+    ForEachRing(outline, [&](const Polygon& ring) {
+      AddRing(ring, places, above_supports, height_nm, risen);
+    });
     KeepUncovered(edges, height_nm, risen);
   }
   below_.emplace(outline, std::move(edges));

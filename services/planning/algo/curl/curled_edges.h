@@ -25,9 +25,10 @@ class CurledEdges {
   explicit CurledEdges(Coord width_nm) : width_nm_(width_nm) {}
 
   /// Adds the next layer and returns the area that rises more than 0.1 mm above the top of this
-  /// layer, with a margin of one width. `carried`: part of the outline that is directly above
-  /// supports. Cost: O(length / 0.5 mm), plus the cost of RegionEdges for the outline.
-  MultiPolygon Next(const MultiPolygon& outline, const MultiPolygon& carried, Coord height_nm);
+  /// layer, with a margin of one width. `above_supports`: part of the outline that is directly
+  /// above supports. Cost: O(length / 0.5 mm), plus the cost of RegionEdges for the outline.
+  MultiPolygon Next(const MultiPolygon& outline, const MultiPolygon& above_supports,
+                    Coord height_nm);
 
  private:
   struct Below {
@@ -41,7 +42,7 @@ class CurledEdges {
   };
   class Places;
 
-  void AddRing(const Polygon& ring, const Places& below, const MultiPolygon& carried,
+  void AddRing(const Polygon& ring, const Places& below, const MultiPolygon& above_supports,
                Coord height_nm, std::vector<Risen>& risen) const;
   double RiseAt(Point place, double radius_nm) const;
   void KeepUncovered(const RegionEdges& edges, Coord height_nm, std::vector<Risen>& risen) const;

@@ -46,11 +46,11 @@ MultiPolygon Holed(double radius) {
 
 /// Returns the curled areas of each layer.
 std::vector<MultiPolygon> Curled(const std::vector<MultiPolygon>& outlines,
-                                 const MultiPolygon& carried = {}) {
+                                 const MultiPolygon& above_supports = {}) {
   CurledEdges edges(kWidthNm);
   std::vector<MultiPolygon> areas;
   for (const MultiPolygon& outline : outlines)
-    areas.push_back(edges.Next(outline, carried, kHeightNm));
+    areas.push_back(edges.Next(outline, above_supports, kHeightNm));
   return areas;
 }
 

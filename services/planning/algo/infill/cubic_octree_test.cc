@@ -60,10 +60,10 @@ CubicOctree FullTree(double angle_rad) {
 /// Builds the tree as planning does: from roofs alone, or from all surfaces.
 CubicOctree TreeOf(const ObjectStack& stack, bool roofs_alone, double angle_rad = 0.2) {
   CubicOctree tree(kPitch, angle_rad, kReach);
-  const auto each = roofs_alone ? ForEachRoofPlace : ForEachSurfacePlace;
+  const auto each = roofs_alone ? ForEachRoofPoint : ForEachSurfacePoint;
   each(stack, {kSkins, kSkins}, static_cast<Coord>(tree.StepNm()),
        [&](Point p, Coord z, double around) { tree.Add(p, z, around); });
-  ForEachInnerPlace(stack, static_cast<Coord>(tree.BodyStepNm()),
+  ForEachInnerPoint(stack, static_cast<Coord>(tree.BodyStepNm()),
                     [&](Point p, Coord z) { tree.AddBody(p, z); });
   tree.Grow();
   return tree;

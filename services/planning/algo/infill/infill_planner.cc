@@ -62,11 +62,11 @@ LinesByLayer OctreeLines(FillPattern pattern, const InfillOptions& options,
     tree.Add(place, z_nm, around_nm);
   };
   if (pattern == FillPattern::kSupportCubic) {
-    ForEachRoofPlace(stack, skins, step, add);
+    ForEachRoofPoint(stack, skins, step, add);
   } else {
-    ForEachSurfacePlace(stack, skins, step, add);
+    ForEachSurfacePoint(stack, skins, step, add);
   }
-  ForEachInnerPlace(stack, static_cast<Coord>(tree.BodyStepNm()),
+  ForEachInnerPoint(stack, static_cast<Coord>(tree.BodyStepNm()),
                     [&](Point place, Coord z_nm) { tree.AddBody(place, z_nm); });
   tree.Grow();
   LinesByLayer lines;
@@ -78,28 +78,29 @@ LinesByLayer OctreeLines(FillPattern pattern, const InfillOptions& options,
 }
 
 /// Areas of sparse infill, computed once for all settings that need them.
-struct SparsePlaces {
+struct SparseInfillAreas {
   std::vector<MultiPolygon> inner;
   std::vector<MultiPolygon> areas;
   std::vector<MultiPolygon> roofs;
 };
 
-SparsePlaces PlacesOf(const InfillOptions& options, const ObjectStack& stack) {
-  SparsePlaces places;
-  places.inner = InnerAreas(stack, options.walls_nm);
-  places.areas = SparseAreas(stack, places.inner,
-                             {options.top_solid_layers, options.bottom_solid_layers,
-                              options.top_spare, options.bottom_spare, options.interface_shells});
-  places.roofs = RoofsOf(places.areas);
-  return places;
+SparseInfillAreas SparseInfillAreasOf(const InfillOptions& options, const ObjectStack& stack) {
+  SparseInfillAreas infill_areas;
+  infill_areas.inner = InnerAreas(stack, options.walls_nm);
+  infill_areas.areas =
+      SparseAreas(stack, infill_areas.inner,
+                  {options.top_solid_layers, options.bottom_solid_layers, options.top_spare,
+                   options.bottom_spare, options.interface_shells});
+  infill_areas.roofs = RoofsOf(infill_areas.areas);
+  return infill_areas;
 }
 
 LinesByLayer LinesOf(FillPattern pattern, const InfillOptions& options, const ObjectStack& stack,
-                     const SparsePlaces& places) {
+                     const SparseInfillAreas& infill_areas) {
   if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
   if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
   const double radius = PitchOf(options, stack);
-  const auto hollow = HollowAreas(places.inner, places.areas, std::llround(radius));
+  const auto hollow = HollowAreas(infill_areas.inner, infill_areas.areas, std::llround(radius));
   return LightningLines(
       stack, hollow, RoofsOf(hollow),
       {.radius_nm = radius, .beyond_nm = static_cast<double>(options.sparse_width_nm)});
@@ -150,23 +151,24 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
                     InfoOf(pattern).name, NameOf(key.first, object_names_), 100 * options.density,
                     shape.height_mm, shape.width_mm, choice.reason));
   }
-  const bool looks_at_places =
+  const bool looks_at_areas =
       pattern == FillPattern::kLightning || options.only_where_needed || options.every_layers > 1;
-  const SparsePlaces sparse = looks_at_places ? PlacesOf(options, stack) : SparsePlaces{};
+  const SparseInfillAreas sparse =
+      looks_at_areas ? SparseInfillAreasOf(options, stack) : SparseInfillAreas{};
   LinesByLayer lines = LinesOf(pattern, options, stack, sparse);
-  std::vector<InfillPlaces> places(stack.size());
+  std::vector<InfillAreas> infill_areas(stack.size());
   if (options.only_where_needed)
     LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.sparse_width_nm,
-                     options.walls_nm + options.sparse_width_nm, places);
+                     options.walls_nm + options.sparse_width_nm, infill_areas);
   if (options.every_layers > 1)
     CombineLayers(stack, sparse.areas, options.every_layers,
-                  kNarrowWidths * options.sparse_width_nm, places);
+                  kNarrowWidths * options.sparse_width_nm, infill_areas);
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;
     layers.At(stack[i].job_layer)
         .infill.push_back({key.first, key.second, pattern, std::move(lines[i]),
-                           std::move(places[i].left_out), std::move(places[i].combined),
-                           places[i].combined_height_nm});
+                           std::move(infill_areas[i].left_out), std::move(infill_areas[i].combined),
+                           infill_areas[i].combined_height_nm});
   }
 }
 

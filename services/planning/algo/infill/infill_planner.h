@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "services/planning/algo/infill/infill_places.h"
+#include "services/planning/algo/infill/infill_areas.h"
 #include "services/planning/algo/infill/object_stack.h"
 #include "services/planning/algo/planner/planner.h"
 
@@ -20,7 +20,7 @@ namespace slicefarm::planning {
 ///   fill_pattern = auto: the pattern (choose_pattern.h).
 ///   fill_pattern = adaptivecubic, supportcubic: lines of an octree (cubic_octree.h).
 ///   fill_pattern = lightning: lines that grow down from tops (lightning.h).
-///   infill_only_where_needed, infill_every_layers: areas (infill_places.h).
+///   infill_only_where_needed, infill_every_layers: areas (infill_areas.h).
 /// Each layer's plan gets the result, in the object's own coordinates.
 ///
 /// Memory: the outlines of all layers of these objects.

@@ -31,8 +31,8 @@ std::vector<Burden> BurdensOf(const MultiPolygon& roof, const RegionEdges& area,
   return burdens;
 }
 
-void Carry(std::vector<Burden> burdens, const RegionEdges& area, double radius_nm,
-           LightningTrees& branches) {
+void Support(std::vector<Burden> burdens, const RegionEdges& area, double radius_nm,
+             LightningTrees& branches) {
   while (!burdens.empty()) {
     const Burden farthest = *std::ranges::max_element(burdens, {}, &Burden::distance_nm);
     if (farthest.distance_nm <= radius_nm) return;
@@ -55,7 +55,7 @@ std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
     if (i + 1 < stack.size()) branches.Descend(static_cast<double>(stack[i + 1].height_nm));
     const RegionEdges area(areas[i]);
     branches.Refit(area);
-    Carry(BurdensOf(roofs[i], area, branches, rules.radius_nm), area, rules.radius_nm, branches);
+    Support(BurdensOf(roofs[i], area, branches, rules.radius_nm), area, rules.radius_nm, branches);
     lines[i] = branches.Lines(rules.beyond_nm);
   }
   return lines;

@@ -213,12 +213,12 @@ TEST(LightningLines, CarrySkinsOfSlopesByARastersMeasure) {
     int looked_at = 0;
     for (size_t i = 14; i + 5 < stack.size(); ++i) {
       const Raster room = inner(i), wide = solid(i).Opened(kRadius), above = solid(i + 1);
-      const Raster carries = room.Where([&](int k) { return !room[k] || wide[k]; });
+      const Raster supports = room.Where([&](int k) { return !room[k] || wide[k]; });
       for (int k = 0; k < Raster::kSide * Raster::kSide; ++k) {
-        if (!above[k] || carries[k]) continue;
+        if (!above[k] || supports[k]) continue;
         ++looked_at;
         const double most = 1.75 * kRadius;
-        if (carries.Away(k, most) < most) continue;
+        if (supports.Away(k, most) < most) continue;
         EXPECT_LE(NearestLine(Raster::MiddleOf(k), sample.lines[i]), most + Raster::kPixel) << i;
       }
     }

@@ -21,14 +21,14 @@ Point Towards(Point a, Point b, double path) {
 }
 
 /// Piece of a line, given by the distances of its ends from the line's first point.
-struct Stretch {
+struct LineSpan {
   double from_nm = 0;
   double to_nm = 0;
 };
 
 /// Returns the pieces of the line from a to b that are inside the region. A crossing with the
 /// boundary near a or b counts as a or b.
-std::vector<Stretch> InsideStretches(const RegionEdges& region, Point a, Point b) {
+std::vector<LineSpan> InsideSpans(const RegionEdges& region, Point a, Point b) {
   const double length = Distance(a, b);
   std::vector<double> cuts = {0, length};
   for (const RegionEdges::Edge& edge : region.Near(a, b)) {
@@ -41,7 +41,7 @@ std::vector<Stretch> InsideStretches(const RegionEdges& region, Point a, Point b
       cuts.push_back(along);
   }
   std::ranges::sort(cuts);
-  std::vector<Stretch> inside;
+  std::vector<LineSpan> inside;
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
     if (cuts[i + 1] - cuts[i] <= kOnEdgeNm) continue;
     if (!region.IsInside(Towards(a, b, (cuts[i] + cuts[i + 1]) / 2))) continue;
@@ -188,7 +188,7 @@ void LightningTrees::Refit(const RegionEdges& region) {
     const Point inner = old[parent].at, outer = old[i].at;
     const double length = Distance(inner, outer);
     nodes_[i].parent = -1;
-    for (const Stretch& stretch : InsideStretches(region, inner, outer)) {
+    for (const LineSpan& stretch : InsideSpans(region, inner, outer)) {
       const bool from_inner = stretch.from_nm <= 0, to_outer = stretch.to_nm >= length;
       auto base = static_cast<int32_t>(parent);
       if (from_inner) {

@@ -54,7 +54,7 @@ MultiPolygon Open(const ObjectStack& stack, size_t layer, int step, Coord nearer
 /// it ends. The radius of the points is 1.21 grid steps: each point of the roof is within 0.71
 /// steps of a grid point, or near the boundary within half a step of a visited boundary point.
 void RoofUnder(const ObjectStack& stack, const SkinLayers& skins, size_t layer,
-               const MultiPolygon& open, Coord step_nm, const TakePlace& take) {
+               const MultiPolygon& open, Coord step_nm, const PointVisitor& take) {
   const auto top = static_cast<size_t>(skins.top);
   if (layer < top) return;
   const Coord fine_nm = std::max<Coord>(1, step_nm / kRoofSteps);
@@ -65,8 +65,8 @@ void RoofUnder(const ObjectStack& stack, const SkinLayers& skins, size_t layer,
 
 }  // namespace
 
-void ForEachSurfacePlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
-                         const TakePlace& take) {
+void ForEachSurfacePoint(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
+                         const PointVisitor& take) {
   const auto bottom = static_cast<size_t>(skins.bottom);
   for (size_t i = 0; i < stack.size(); ++i) {
     const auto at = [&](Coord z_nm) { return [&take, z_nm](Point p) { take(p, z_nm, 0); }; };
@@ -77,13 +77,13 @@ void ForEachSurfacePlace(const ObjectStack& stack, const SkinLayers& skins, Coor
   }
 }
 
-void ForEachRoofPlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
-                      const TakePlace& take) {
+void ForEachRoofPoint(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
+                      const PointVisitor& take) {
   for (size_t i = 0; i < stack.size(); ++i)
     RoofUnder(stack, skins, i, Open(stack, i, 1, stack[i].height_nm), step_nm, take);
 }
 
-void ForEachInnerPlace(const ObjectStack& stack, Coord step_nm,
+void ForEachInnerPoint(const ObjectStack& stack, Coord step_nm,
                        const std::function<void(Point place, Coord z_nm)>& take) {
   Coord next = 0;
   for (const StackLayer& layer : stack) {

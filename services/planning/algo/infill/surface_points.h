@@ -8,7 +8,7 @@ namespace slicefarm::planning {
 
 /// Function that gets one point: its position in the plane, its height above the object's bottom,
 /// and the radius of the area in the plane that it represents.
-using TakePlace = std::function<void(Point place, Coord z_nm, double around_nm)>;
+using PointVisitor = std::function<void(Point place, Coord z_nm, double around_nm)>;
 
 /// Numbers of solid layers next to open surfaces (surfaces that no other layer covers).
 struct SkinLayers {
@@ -23,16 +23,16 @@ struct SkinLayers {
 ///
 /// The radius of the points on roofs is so large that together they cover all of the roof. Points
 /// on floors and sides are at most `step_nm` apart in both directions, and their radius is 0.
-void ForEachSurfacePlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
-                         const TakePlace& take);
+void ForEachSurfacePoint(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
+                         const PointVisitor& take);
 
 /// Visits only points on roofs, and only below surfaces that are inclined by less than 45 degrees
 /// from the horizontal.
-void ForEachRoofPlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
-                      const TakePlace& take);
+void ForEachRoofPoint(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
+                      const PointVisitor& take);
 
 /// Visits points everywhere inside of a stack's region, about `step_nm` apart in all directions.
-void ForEachInnerPlace(const ObjectStack& stack, Coord step_nm,
+void ForEachInnerPoint(const ObjectStack& stack, Coord step_nm,
                        const std::function<void(Point place, Coord z_nm)>& take);
 
 }  // namespace slicefarm::planning

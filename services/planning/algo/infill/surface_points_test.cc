@@ -13,14 +13,14 @@ namespace {
 
 constexpr SkinLayers kSkins{1, 1};
 
-struct Told {
+struct Reported {
   int count = 0;
   double around_nm = 0;
 };
 
-std::map<Coord, Told> Counts(const ObjectStack& stack, decltype(ForEachRoofPlace)& each,
-                             const SkinLayers& skins = kSkins) {
-  std::map<Coord, Told> counts;
+std::map<Coord, Reported> Counts(const ObjectStack& stack, decltype(ForEachRoofPoint)& each,
+                                 const SkinLayers& skins = kSkins) {
+  std::map<Coord, Reported> counts;
   each(stack, skins, kNmPerMm, [&](Point, Coord z, double around) {
     ++counts[z].count;
     counts[z].around_nm = std::max(counts[z].around_nm, around);
@@ -35,7 +35,7 @@ ObjectStack Step() {
 }
 
 TEST(SurfacePlaces, LieOnSidesAndUnderAndOverSkins) {
-  const auto counts = Counts(Step(), ForEachSurfacePlace);
+  const auto counts = Counts(Step(), ForEachSurfacePoint);
   // The grid is four times as fine, and the radius equals its step: roofs of the step and of the
   // top.
   EXPECT_GE(counts.at(100'000).count, 60 + 160 + 39 * 39);
@@ -49,13 +49,13 @@ TEST(SurfacePlaces, LieOnSidesAndUnderAndOverSkins) {
 }
 
 TEST(SurfacePlaces, OfThinPlatesAreTheSidesAlone) {
-  const std::map<Coord, Told> counts = Counts(Step(), ForEachSurfacePlace, {4, 4});
+  const std::map<Coord, Reported> counts = Counts(Step(), ForEachSurfacePoint, {4, 4});
   ASSERT_FALSE(counts.empty());
-  for (const auto& [z, told] : counts) EXPECT_LE(told.count, 60) << z;
+  for (const auto& [z, reported] : counts) EXPECT_LE(reported.count, 60) << z;
 }
 
 TEST(RoofPlaces, AreNoneUnderWhatIsSteep) {
-  const auto counts = Counts(Step(), ForEachRoofPlace);
+  const auto counts = Counts(Step(), ForEachRoofPoint);
   EXPECT_EQ(counts.size(), 2u);
   EXPECT_TRUE(counts.contains(100'000));
   EXPECT_TRUE(counts.contains(500'000));
@@ -64,14 +64,14 @@ TEST(RoofPlaces, AreNoneUnderWhatIsSteep) {
       const Coord half = FromMm(10) - i * (steep ? 150'000 : 250'000);
       return MultiPolygon{{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}}};
     });
-    EXPECT_EQ(Counts(cone, ForEachRoofPlace).size(), steep ? 1u : 9u);
+    EXPECT_EQ(Counts(cone, ForEachRoofPoint).size(), steep ? 1u : 9u);
   }
 }
 
 TEST(InnerPlaces, AreEven) {
   std::map<Coord, int> counts;
   const ObjectStack stack = Prism(100, "(0 0, 20 0, 20 10, 0 10)");
-  ForEachInnerPlace(stack, 2 * kNmPerMm, [&](Point p, Coord z) {
+  ForEachInnerPoint(stack, 2 * kNmPerMm, [&](Point p, Coord z) {
     EXPECT_TRUE(Inside(p, stack[0].whole) || p.x == 0 || p.y == 0);
     ++counts[z];
   });

@@ -20,8 +20,8 @@ struct RegionPlan {
   std::vector<AddedStack> stacks;     ///< added stacks, sorted by id
   std::vector<std::string> warnings;  ///< texts for the job's report
   /// Areas directly above supports; the key is the object and the layer of the object's part.
-  using Carried = std::map<std::pair<int32_t, int32_t>, MultiPolygon>;
-  Carried carried;
+  using AreasAboveSupports = std::map<std::pair<int32_t, int32_t>, MultiPolygon>;
+  AreasAboveSupports above_supports;
 
   /// Adds a stack without layers.
   AddedStack& Add(int32_t object, StackKind kind) {

@@ -46,16 +46,16 @@ constexpr double kOffMiddle = 1;
 constexpr double kMostOffMiddle = 2;
 
 /// Returns the cost of the shape; 0 at a sharp inner corner.
-double Shape(const SeamPlace& place) {
-  const double sharpness = std::min(std::abs(place.turn_rad) / kSharpRad, 1.0);
-  const double corner = place.turn_rad < 0 ? 0 : kOuterCorner;
+double Shape(const SeamCandidate& candidate) {
+  const double sharpness = std::min(std::abs(candidate.turn_rad) / kSharpRad, 1.0);
+  const double corner = candidate.turn_rad < 0 ? 0 : kOuterCorner;
   return kStraight + (corner - kStraight) * sharpness;
 }
 
-double Overhang(const SeamPlace& place) {
+double Overhang(const SeamCandidate& candidate) {
   double cost = 0, per_height = 0;
   for (const OverhangRange& range : kOverhangs) {
-    cost += (range.per_height - per_height) * std::max(place.overhang - range.from, 0.0);
+    cost += (range.per_height - per_height) * std::max(candidate.overhang - range.from, 0.0);
     per_height = range.per_height;
   }
   return cost;
@@ -71,49 +71,50 @@ uint64_t Mixed(uint64_t bits) {
 }
 
 /// Returns a pseudo-random number in [0, 1).
-double Random(RingNumber number, size_t place) {
+double Random(RingNumber number, size_t candidate) {
   uint64_t bits = Mixed(static_cast<uint64_t>(number.object));
   bits = Mixed(bits ^ static_cast<uint64_t>(number.layer));
   bits = Mixed(bits ^ static_cast<uint64_t>(number.ring));
-  bits = Mixed(bits ^ place);
+  bits = Mixed(bits ^ candidate);
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-Point RearMost(const std::vector<SeamPlace>& places) {
-  const auto place = std::ranges::min_element(
-      places, {}, [](const SeamPlace& p) { return std::pair(-p.at.y, p.at.x); });
-  return place->at;
+Point RearMost(const std::vector<SeamCandidate>& candidates) {
+  const auto candidate = std::ranges::min_element(
+      candidates, {}, [](const SeamCandidate& p) { return std::pair(-p.at.y, p.at.x); });
+  return candidate->at;
 }
 
 }  // namespace
 
-std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
-                              SeamPosition position, RingNumber number) {
-  const Point rear = RearMost(places);
-  const bool enforced = std::ranges::any_of(places, &SeamPlace::enforced);
+std::vector<double> SeamCosts(const std::vector<SeamCandidate>& candidates,
+                              const std::vector<double>& seen, SeamPosition position,
+                              RingNumber number) {
+  const Point rear = RearMost(candidates);
+  const bool enforced = std::ranges::any_of(candidates, &SeamCandidate::enforced);
   std::vector<double> costs;
-  for (size_t i = 0; i < places.size(); ++i) {
-    const SeamPlace& place = places[i];
-    const double from_rear_mm = ToMm(static_cast<double>(rear.y - place.at.y));
-    double cost = Overhang(place) + kRearOfEqual * from_rear_mm +
-                  kLeftOfEqual * ToMm(static_cast<double>(place.at.x));
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const SeamCandidate& candidate = candidates[i];
+    const double from_rear_mm = ToMm(static_cast<double>(rear.y - candidate.at.y));
+    double cost = Overhang(candidate) + kRearOfEqual * from_rear_mm +
+                  kLeftOfEqual * ToMm(static_cast<double>(candidate.at.x));
     switch (position) {
       case SeamPosition::kRear:
-        cost += kFromRear * from_rear_mm + kLittle * Shape(place);
+        cost += kFromRear * from_rear_mm + kLittle * Shape(candidate);
         break;
       case SeamPosition::kHidden:
-        cost += kSeen * seen[i] + kLittle * Shape(place);
+        cost += kSeen * seen[i] + kLittle * Shape(candidate);
         break;
       case SeamPosition::kRandom:
-        cost = Overhang(place) + Random(number, i);
+        cost = Overhang(candidate) + Random(number, i);
         break;
       default:
-        cost += Shape(place) * (kHidden + (1 - kHidden) * seen[i]);
+        cost += Shape(candidate) * (kHidden + (1 - kHidden) * seen[i]);
     }
-    if (place.enforced && position != SeamPosition::kRandom)
-      cost += std::min(kOffMiddle * place.off_middle_mm, kMostOffMiddle);
-    if (place.blocked) cost += kBlocked;
-    if (enforced && !place.enforced) cost += kNotEnforced;
+    if (candidate.enforced && position != SeamPosition::kRandom)
+      cost += std::min(kOffMiddle * candidate.off_middle_mm, kMostOffMiddle);
+    if (candidate.blocked) cost += kBlocked;
+    if (enforced && !candidate.enforced) cost += kNotEnforced;
     costs.push_back(cost);
   }
   return costs;
@@ -124,6 +125,6 @@ StepCost StepCostOf(SeamPosition position) {
   return {};
 }
 
-bool Overhangs(const SeamPlace& place) { return place.overhang > kSteep; }
+bool Overhangs(const SeamCandidate& candidate) { return candidate.overhang > kSteep; }
 
 }  // namespace slicefarm::planning

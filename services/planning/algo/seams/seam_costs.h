@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "common/model/options/seam_position.h"
+#include "services/planning/algo/seams/seam_candidates.h"
 #include "services/planning/algo/seams/seam_forest.h"
-#include "services/planning/algo/seams/seam_places.h"
 
 namespace slicefarm::planning {
 
@@ -15,7 +15,7 @@ struct RingNumber {
   int32_t ring = 0;
 };
 
-/// Returns the cost of a seam at each point in `places`.
+/// Returns the cost of a seam at each point in `candidates`.
 /// - Shape: 0 at a sharp inner corner, 0.5 at a sharp outer corner, 3.5 on a straight wall. These
 ///   values are for points in plain view; hidden points cost up to a fifth less.
 /// - Overhang, the distance beyond the layer below in layer heights: 4 per height from 0.6 heights
@@ -33,8 +33,9 @@ struct RingNumber {
 /// section of the ring (except with `random`), and still cheaper at corners. The costs of steps
 /// from layer to layer are not included, see StepCostOf. Shapes: one cost per point. `seen`:
 /// visibility of each point, in [0, 1]. REQUIRES: the position is not `nearest`.
-std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
-                              SeamPosition position, RingNumber number);
+std::vector<double> SeamCosts(const std::vector<SeamCandidate>& candidates,
+                              const std::vector<double>& seen, SeamPosition position,
+                              RingNumber number);
 
 /// Returns the costs of steps between the seams of consecutive layers. They are zero for `random`,
 /// where seams need not form a line.
@@ -42,6 +43,6 @@ StepCost StepCostOf(SeamPosition position);
 
 /// Returns true if the wall at this point overhangs the layer below by more than 55 degrees from
 /// the vertical.
-bool Overhangs(const SeamPlace& place);
+bool Overhangs(const SeamCandidate& candidate);
 
 }  // namespace slicefarm::planning

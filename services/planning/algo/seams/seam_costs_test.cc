@@ -13,85 +13,88 @@ namespace {
 
 constexpr float kRightAngle = std::numbers::pi / 2;
 
-SeamPlace PlaceAt(double x, double y, float turn = 0) {
-  SeamPlace place;
-  place.at = Mm(x, y);
-  place.turn_rad = turn;
-  return place;
+SeamCandidate CandidateAt(double x, double y, float turn = 0) {
+  SeamCandidate candidate;
+  candidate.at = Mm(x, y);
+  candidate.turn_rad = turn;
+  return candidate;
 }
 
-size_t Cheapest(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
+size_t Cheapest(const std::vector<SeamCandidate>& candidates, const std::vector<double>& seen,
                 SeamPosition position) {
-  const std::vector<double> costs = SeamCosts(places, seen, position, {});
+  const std::vector<double> costs = SeamCosts(candidates, seen, position, {});
   return static_cast<size_t>(std::ranges::min_element(costs) - costs.begin());
 }
 
 TEST(SeamCosts, PrefersInnerCornersToOuterOnesToWalls) {
-  const std::vector<SeamPlace> places = {PlaceAt(0, 0, kRightAngle), PlaceAt(5, 9),
-                                         PlaceAt(3, 3, -kRightAngle)};
-  const auto costs = SeamCosts(places, {1, 1, 1}, SeamPosition::kAligned, {});
+  const std::vector<SeamCandidate> candidates = {CandidateAt(0, 0, kRightAngle), CandidateAt(5, 9),
+                                                 CandidateAt(3, 3, -kRightAngle)};
+  const auto costs = SeamCosts(candidates, {1, 1, 1}, SeamPosition::kAligned, {});
   EXPECT_NEAR(costs[0], 0.5, 0.02);
   EXPECT_NEAR(costs[1], 3.5, 0.02);
   EXPECT_NEAR(costs[2], 0, 0.02);
 }
 
 TEST(SeamCosts, OfEqualsTheRearMostAndThenTheLeftMost) {
-  const std::vector<SeamPlace> square = {PlaceAt(0, 0, kRightAngle), PlaceAt(10, 0, kRightAngle),
-                                         PlaceAt(10, 10, kRightAngle), PlaceAt(0, 10, kRightAngle)};
+  const std::vector<SeamCandidate> square = {
+      CandidateAt(0, 0, kRightAngle), CandidateAt(10, 0, kRightAngle),
+      CandidateAt(10, 10, kRightAngle), CandidateAt(0, 10, kRightAngle)};
   for (const SeamPosition position :
        {SeamPosition::kAligned, SeamPosition::kRear, SeamPosition::kHidden})
     EXPECT_EQ(Cheapest(square, {1, 1, 1, 1}, position), 3u);
 }
 
 TEST(SeamCosts, HiddenPlacesWinTheMoreTheMoreTheModeAsksForIt) {
-  const std::vector<SeamPlace> places = {PlaceAt(0, 0, kRightAngle), PlaceAt(0, 0)};
+  const std::vector<SeamCandidate> candidates = {CandidateAt(0, 0, kRightAngle), CandidateAt(0, 0)};
   const std::vector<double> seen = {1, 0.1};
-  EXPECT_EQ(Cheapest(places, seen, SeamPosition::kAligned), 0u);
-  EXPECT_EQ(Cheapest(places, seen, SeamPosition::kHidden), 1u);
+  EXPECT_EQ(Cheapest(candidates, seen, SeamPosition::kAligned), 0u);
+  EXPECT_EQ(Cheapest(candidates, seen, SeamPosition::kHidden), 1u);
 }
 
 TEST(SeamCosts, RearIsRear) {
-  const std::vector<SeamPlace> places = {PlaceAt(0, 9, -kRightAngle), PlaceAt(5, 10)};
-  EXPECT_EQ(Cheapest(places, {0, 1}, SeamPosition::kRear), 1u);
+  const std::vector<SeamCandidate> candidates = {CandidateAt(0, 9, -kRightAngle),
+                                                 CandidateAt(5, 10)};
+  EXPECT_EQ(Cheapest(candidates, {0, 1}, SeamPosition::kRear), 1u);
 }
 
 TEST(SeamCosts, NoModeLikesOverhangs) {
   for (const SeamPosition position : {SeamPosition::kAligned, SeamPosition::kHidden,
                                       SeamPosition::kRear, SeamPosition::kRandom}) {
-    std::vector<SeamPlace> places = {PlaceAt(0, 0), PlaceAt(0, 0)};
-    places[0].overhang = 2;
-    EXPECT_EQ(Cheapest(places, {1, 1}, position), 1u);
-    std::swap(places[0], places[1]);
-    EXPECT_EQ(Cheapest(places, {1, 1}, position), 0u);
+    std::vector<SeamCandidate> candidates = {CandidateAt(0, 0), CandidateAt(0, 0)};
+    candidates[0].overhang = 2;
+    EXPECT_EQ(Cheapest(candidates, {1, 1}, position), 1u);
+    std::swap(candidates[0], candidates[1]);
+    EXPECT_EQ(Cheapest(candidates, {1, 1}, position), 0u);
   }
 }
 
 TEST(SeamCosts, PaintGoesBeforeAll) {
-  std::vector<SeamPlace> places = {PlaceAt(0, 0, -kRightAngle), PlaceAt(0, 0), PlaceAt(0, 0)};
-  places[0].blocked = true;
-  places[1].overhang = 9;
-  places[2].overhang = 9;
-  places[2].enforced = true;
-  EXPECT_EQ(Cheapest(places, {1, 1, 1}, SeamPosition::kAligned), 2u);
-  places[2].blocked = true;
-  EXPECT_EQ(Cheapest(places, {1, 1, 1}, SeamPosition::kAligned), 1u);
+  std::vector<SeamCandidate> candidates = {CandidateAt(0, 0, -kRightAngle), CandidateAt(0, 0),
+                                           CandidateAt(0, 0)};
+  candidates[0].blocked = true;
+  candidates[1].overhang = 9;
+  candidates[2].overhang = 9;
+  candidates[2].enforced = true;
+  EXPECT_EQ(Cheapest(candidates, {1, 1, 1}, SeamPosition::kAligned), 2u);
+  candidates[2].blocked = true;
+  EXPECT_EQ(Cheapest(candidates, {1, 1, 1}, SeamPosition::kAligned), 1u);
 }
 
 TEST(SeamCosts, OfPaintTheMiddleIsBestButForCorners) {
-  std::vector<SeamPlace> places = {PlaceAt(0, 0), PlaceAt(1, 9), PlaceAt(2, 0)};
-  for (SeamPlace& place : places) place.enforced = true;
-  places[0].off_middle_mm = 8;
-  places[1].off_middle_mm = 1;
-  EXPECT_EQ(Cheapest(places, {0, 0, 1}, SeamPosition::kAligned), 2u);
-  places[0].turn_rad = kRightAngle;
-  EXPECT_EQ(Cheapest(places, {1, 1, 1}, SeamPosition::kAligned), 0u);
+  std::vector<SeamCandidate> candidates = {CandidateAt(0, 0), CandidateAt(1, 9), CandidateAt(2, 0)};
+  for (SeamCandidate& candidate : candidates) candidate.enforced = true;
+  candidates[0].off_middle_mm = 8;
+  candidates[1].off_middle_mm = 1;
+  EXPECT_EQ(Cheapest(candidates, {0, 0, 1}, SeamPosition::kAligned), 2u);
+  candidates[0].turn_rad = kRightAngle;
+  EXPECT_EQ(Cheapest(candidates, {1, 1, 1}, SeamPosition::kAligned), 0u);
 }
 
 TEST(SeamCosts, RandomIsTheSameForTheSameRingAndElseAnything) {
-  const std::vector<SeamPlace> places(50, PlaceAt(0, 0));
+  const std::vector<SeamCandidate> candidates(50, CandidateAt(0, 0));
   const std::vector<double> seen(50, 1);
   const auto of = [&](RingNumber number) {
-    return SeamCosts(places, seen, SeamPosition::kRandom, number);
+    return SeamCosts(candidates, seen, SeamPosition::kRandom, number);
   };
   EXPECT_EQ(of({1, 2, 3}), of({1, 2, 3}));
   std::set<size_t> taken;
@@ -105,29 +108,29 @@ TEST(SeamCosts, RandomIsTheSameForTheSameRingAndElseAnything) {
 }
 
 TEST(SeamCosts, WhereAllHangsOverTheLeastIsBest) {
-  std::vector<SeamPlace> places = {PlaceAt(0, 0, -kRightAngle), PlaceAt(0, 0)};
-  places[0].overhang = 5;
-  places[1].overhang = 4;
-  EXPECT_EQ(Cheapest(places, {1, 1}, SeamPosition::kAligned), 1u);
+  std::vector<SeamCandidate> candidates = {CandidateAt(0, 0, -kRightAngle), CandidateAt(0, 0)};
+  candidates[0].overhang = 5;
+  candidates[1].overhang = 4;
+  EXPECT_EQ(Cheapest(candidates, {1, 1}, SeamPosition::kAligned), 1u);
 }
 
 // Models a screw: none of its layers is steep, and the seam stays in line.
 TEST(SeamCosts, TenLayersThatLeanCostLessThanAJump) {
-  std::vector<SeamPlace> places = {PlaceAt(0, 0), PlaceAt(0, 0), PlaceAt(0, 0)};
-  places[1].overhang = 1;
-  places[2].overhang = 2.43F;
-  const auto costs = SeamCosts(places, {1, 1, 1}, SeamPosition::kAligned, {});
+  std::vector<SeamCandidate> candidates = {CandidateAt(0, 0), CandidateAt(0, 0), CandidateAt(0, 0)};
+  candidates[1].overhang = 1;
+  candidates[2].overhang = 2.43F;
+  const auto costs = SeamCosts(candidates, {1, 1, 1}, SeamPosition::kAligned, {});
   const double jump = StepCostOf(SeamPosition::kAligned).jump;
   EXPECT_LT(10 * (costs[1] - costs[0]), jump);
   EXPECT_GT(2 * (costs[2] - costs[0]), jump) << "but not two that are steep";
 }
 
 TEST(SeamCosts, TellsOverhangs) {
-  SeamPlace place;
-  place.overhang = 1.4F;
-  EXPECT_FALSE(Overhangs(place));
-  place.overhang = 1.5F;
-  EXPECT_TRUE(Overhangs(place));
+  SeamCandidate candidate;
+  candidate.overhang = 1.4F;
+  EXPECT_FALSE(Overhangs(candidate));
+  candidate.overhang = 1.5F;
+  EXPECT_TRUE(Overhangs(candidate));
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ struct Message {
 
 /// Returns the indices of the points, sorted from left to right. Points with equal x keep their
 /// order.
-std::vector<int32_t> ByX(const std::vector<Point>& places) {
-  std::vector<int32_t> order(places.size());
+std::vector<int32_t> ByX(const std::vector<Point>& candidates) {
+  std::vector<int32_t> order(candidates.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](int32_t p) { return places[static_cast<size_t>(p)].x; });
+  std::ranges::stable_sort(order, {},
+                           [&](int32_t p) { return candidates[static_cast<size_t>(p)].x; });
   return order;
 }
 
@@ -37,26 +38,26 @@ std::vector<int32_t> ByX(const std::vector<Point>& places) {
 /// the cheapest point of all.
 Message Below(const SeamNode& node, const std::vector<double>& costs, const SeamNode& parent,
               const StepCost& step) {
-  const auto x_of = [&](int32_t p) { return node.places[static_cast<size_t>(p)].x; };
-  const std::vector<int32_t> by_x = ByX(node.places);
+  const auto x_of = [&](int32_t p) { return node.candidates[static_cast<size_t>(p)].x; };
+  const std::vector<int32_t> by_x = ByX(node.candidates);
   const auto cheapest = static_cast<int32_t>(FirstLeast(costs));
   const auto away_of = [&](size_t p) { return node.away_mm.empty() ? 0 : node.away_mm[p]; };
   const double most_away = node.away_mm.empty() ? 0 : std::ranges::max(node.away_mm);
   const Coord reach = FromMm(step.longest_mm + most_away);
-  const size_t count = parent.places.size();
+  const size_t count = parent.candidates.size();
   Message message{std::vector<double>(count, costs[static_cast<size_t>(cheapest)] + step.jump),
                   std::vector<int32_t>(count, cheapest)};
   for (size_t q = 0; q < count; ++q) {
-    const Point from = parent.places[q];
+    const Point from = parent.candidates[q];
     double& best = message.costs[q];
-    int32_t& place = message.best[q];
+    int32_t& candidate = message.best[q];
     for (auto p = std::ranges::lower_bound(by_x, from.x - reach, {}, x_of);
          p != by_x.end() && x_of(*p) <= from.x + reach; ++p) {
       const auto at = static_cast<size_t>(*p);
-      const double cost = costs[at] + step.Of(from, node.places[at], away_of(at));
-      if (cost > best || (cost == best && *p > place)) continue;
+      const double cost = costs[at] + step.Of(from, node.candidates[at], away_of(at));
+      if (cost > best || (cost == best && *p > candidate)) continue;
       best = cost;
-      place = *p;
+      candidate = *p;
     }
   }
   return message;

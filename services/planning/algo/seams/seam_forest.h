@@ -13,8 +13,8 @@ struct SeamNode {
   /// Index in the list of nodes of the ring in the layer below that this ring continues. It is
   /// smaller than the ring's own index; -1: none.
   int32_t parent = -1;
-  std::vector<Point> places;  ///< possible points of the seam; at least one
-  std::vector<double> costs;  ///< cost of a seam at each point
+  std::vector<Point> candidates;  ///< possible points of the seam; at least one
+  std::vector<double> costs;      ///< cost of a seam at each point
   /// Distance of each point from the whole ring below, in mm; empty: 0. A step from the seam below
   /// to the point is at least this long.
   std::vector<double> away_mm;
@@ -37,7 +37,7 @@ struct StepCost {
 };
 
 /// Chooses one point per ring so that the total cost is smallest: the costs of the points, and of
-/// the steps from each ring to its parent. Returns the chosen index in `places` for each node.
+/// the steps from each ring to its parent. Returns the chosen index in `candidates` for each node.
 ///
 /// Where an island splits, each piece follows the ring below. Where islands merge, the ring follows
 /// one of them. So the rings form trees, with the roots in the lowest layers. The result is exact,

@@ -17,13 +17,13 @@ using testing::ElementsAre;
 double CostOf(const std::vector<SeamNode>& nodes, const std::vector<int32_t>& chosen,
               const StepCost& step) {
   double cost = 0;
-  const auto place = [&](size_t node) {
-    return nodes[node].places[static_cast<size_t>(chosen[node])];
+  const auto candidate = [&](size_t node) {
+    return nodes[node].candidates[static_cast<size_t>(chosen[node])];
   };
   for (size_t i = 0; i < nodes.size(); ++i) {
     cost += nodes[i].costs[static_cast<size_t>(chosen[i])];
     if (nodes[i].parent >= 0)
-      cost += step.Of(place(static_cast<size_t>(nodes[i].parent)), place(i),
+      cost += step.Of(candidate(static_cast<size_t>(nodes[i].parent)), candidate(i),
                       nodes[i].away_mm[static_cast<size_t>(chosen[i])]);
   }
   return cost;
@@ -36,7 +36,7 @@ double LeastCost(const std::vector<SeamNode>& nodes, const StepCost& step) {
   for (;;) {
     least = std::min(least, CostOf(nodes, chosen, step));
     size_t i = 0;
-    while (i < nodes.size() && ++chosen[i] == std::ssize(nodes[i].places)) chosen[i++] = 0;
+    while (i < nodes.size() && ++chosen[i] == std::ssize(nodes[i].candidates)) chosen[i++] = 0;
     if (i == nodes.size()) return least;
   }
 }
@@ -50,7 +50,7 @@ TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
       // The parent is any earlier ring, so there are chains, splits and several roots.
       nodes[i].parent = i == 0 ? -1 : up_to(static_cast<int>(i) + 1) - 1;
       for (int p = up_to(4); p >= 0; --p) {
-        nodes[i].places.push_back(Mm(0.25 * up_to(20), 0.25 * up_to(4)));
+        nodes[i].candidates.push_back(Mm(0.25 * up_to(20), 0.25 * up_to(4)));
         nodes[i].costs.push_back(0.5 * up_to(8));
         nodes[i].away_mm.push_back(0.25 * up_to(4));
       }

@@ -17,15 +17,15 @@ constexpr float kMoreOverhang = 0.1F;
 
 /// Returns the range within which a seam may move. Seams at corners are fixed, and no seam moves
 /// into or out of a painted area.
-SeamChoice ChoiceOf(const std::vector<SeamPlace>& places, int32_t chosen) {
-  const auto count = static_cast<int32_t>(places.size());
-  const SeamPlace& seam = places[static_cast<size_t>(chosen)];
+SeamChoice ChoiceOf(const std::vector<SeamCandidate>& candidates, int32_t chosen) {
+  const auto count = static_cast<int32_t>(candidates.size());
+  const SeamCandidate& seam = candidates[static_cast<size_t>(chosen)];
   const auto end_towards = [&](int32_t neighbour) {
-    const SeamPlace& place = places[static_cast<size_t>((neighbour + count) % count)];
-    const bool suits = !IsCorner(seam) && place.enforced == seam.enforced &&
-                       place.blocked == seam.blocked &&
-                       place.overhang <= seam.overhang + kMoreOverhang;
-    return suits ? place.at : seam.at;
+    const SeamCandidate& candidate = candidates[static_cast<size_t>((neighbour + count) % count)];
+    const bool suits = !IsCorner(seam) && candidate.enforced == seam.enforced &&
+                       candidate.blocked == seam.blocked &&
+                       candidate.overhang <= seam.overhang + kMoreOverhang;
+    return suits ? candidate.at : seam.at;
   };
   return {-1, seam.at, end_towards(chosen - 1), end_towards(chosen + 1)};
 }
@@ -52,13 +52,13 @@ void SeamPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
     seams.occupancy.Add(OutlineOf(section), section.z_nm);
     const auto first = static_cast<int32_t>(seams.rings.size());
     int32_t number = 0;
-    for (RingPlaces& ring : seams.finder.Next(section)) {
-      places_ += ring.places.size();
+    for (RingCandidates& ring : seams.finder.Next(section)) {
+      candidates_ += ring.candidates.size();
       seams.rings.push_back({.layer = layers_,
                              .number = {section.stack.object, section.layer, number++},
                              .z_nm = section.z_nm,
                              .parent = ring.below < 0 ? -1 : seams.first_below + ring.below,
-                             .places = std::move(ring.places)});
+                             .candidates = std::move(ring.candidates)});
     }
     seams.first_below = first;
   }
@@ -72,12 +72,12 @@ std::vector<SeamNode> SeamPlanner::NodesOf(ObjectSeams& seams, SeamPosition posi
     SeamNode& node = nodes.emplace_back();
     node.parent = ring.parent;
     std::vector<double> seen;
-    for (const SeamPlace& place : ring.places) {
-      node.places.push_back(place.at);
-      node.away_mm.push_back(place.away_mm);
-      seen.push_back(seams.occupancy.Visibility(place.at, ring.z_nm, place.outward));
+    for (const SeamCandidate& candidate : ring.candidates) {
+      node.candidates.push_back(candidate.at);
+      node.away_mm.push_back(candidate.away_mm);
+      seen.push_back(seams.occupancy.Visibility(candidate.at, ring.z_nm, candidate.outward));
     }
-    node.costs = SeamCosts(ring.places, seen, position, ring.number);
+    node.costs = SeamCosts(ring.candidates, seen, position, ring.number);
   }
   return nodes;
 }
@@ -89,8 +89,8 @@ void SeamPlanner::Choose(ObjectSeams& seams, SeamPosition position) {
   choices.reserve(seams.rings.size());
   for (size_t i = 0; i < seams.rings.size(); ++i) {
     Ring& ring = seams.rings[i];
-    ring.seam = ring.places[static_cast<size_t>(chosen[i])];
-    SeamChoice& choice = choices.emplace_back(ChoiceOf(ring.places, chosen[i]));
+    ring.seam = ring.candidates[static_cast<size_t>(chosen[i])];
+    SeamChoice& choice = choices.emplace_back(ChoiceOf(ring.candidates, chosen[i]));
     if (ring.parent < 0) continue;
     const Ring& below = seams.rings[static_cast<size_t>(ring.parent)];
     if (step.Reaches(below.seam.at, ring.seam.at, ring.seam.away_mm)) choice.parent = ring.parent;
@@ -102,7 +102,7 @@ void SeamPlanner::Choose(ObjectSeams& seams, SeamPosition position) {
 void SeamPlanner::Count(const std::vector<Ring>& rings, const Ring& ring) {
   ++quality_.loops;
   if (Overhangs(ring.seam)) ++quality_.overhanging;
-  if (std::ranges::any_of(ring.places, IsCorner)) {
+  if (std::ranges::any_of(ring.candidates, IsCorner)) {
     ++quality_.with_corner;
     if (IsCorner(ring.seam)) ++quality_.on_corner;
   }
@@ -117,15 +117,15 @@ void SeamPlanner::Count(const std::vector<Ring>& rings, const Ring& ring) {
   }
 }
 
-void SeamPlanner::SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers) {
+void SeamPlanner::FinishBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers) {
   seams.occupancy.Build();
   Choose(seams, PositionOf(object));
-  size_t i = seams.settled;
+  size_t i = seams.finished;
   for (; i < seams.rings.size() && seams.rings[i].layer < end; ++i) {
     const Ring& ring = seams.rings[i];
     PlanOf(object, layers.At(ring.layer)).seams.push_back(ring.seam.at);
     Count(seams.rings, ring);
-    places_ -= ring.places.size();
+    candidates_ -= ring.candidates.size();
   }
   Forget(i, seams);
 }
@@ -138,36 +138,36 @@ void SeamPlanner::Forget(size_t rings, ObjectSeams& seams) {
   while (first > 0 && seams.rings[first - 1].layer == seams.rings[rings - 1].layer) --first;
   for (size_t i = first; i < rings; ++i) {
     Ring& ring = seams.rings[i];
-    ring.places = {ring.seam};
+    ring.candidates = {ring.seam};
     ring.parent = -1;
   }
   seams.rings.erase(seams.rings.begin(), seams.rings.begin() + static_cast<ptrdiff_t>(first));
-  seams.settled = rings - first;
+  seams.finished = rings - first;
   seams.first_below -= static_cast<int32_t>(first);
-  for (size_t i = seams.settled; i < seams.rings.size(); ++i)
+  for (size_t i = seams.finished; i < seams.rings.size(); ++i)
     if (seams.rings[i].parent >= 0) seams.rings[i].parent -= static_cast<int32_t>(first);
 }
 
 int32_t SeamPlanner::Revise(OpenLayers& layers) {
-  int32_t settled = layers.end();
-  const bool too_many = places_ > most_places_;
+  int32_t finished = layers.end();
+  const bool too_many = candidates_ > max_candidates_;
   for (auto& [object, seams] : objects_) {
-    if (seams.settled == seams.rings.size()) continue;
-    const int32_t first = seams.rings[seams.settled].layer;
+    if (seams.finished == seams.rings.size()) continue;
+    const int32_t first = seams.rings[seams.finished].layer;
     if (too_many) {
-      const int32_t middle = seams.rings[(seams.settled + seams.rings.size()) / 2].layer;
-      SettleBelow(std::max(middle, first + 1), object, seams, layers);
+      const int32_t middle = seams.rings[(seams.finished + seams.rings.size()) / 2].layer;
+      FinishBelow(std::max(middle, first + 1), object, seams, layers);
     }
-    if (seams.settled < seams.rings.size())
-      settled = std::min(settled, seams.rings[seams.settled].layer);
+    if (seams.finished < seams.rings.size())
+      finished = std::min(finished, seams.rings[seams.finished].layer);
   }
-  return settled;
+  return finished;
 }
 
 absl::Status SeamPlanner::Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
   for (auto& [object, seams] : objects_) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
-    SettleBelow(layers.end(), object, seams, layers);
+    FinishBelow(layers.end(), object, seams, layers);
   }
   plan.seams = quality_;
   return absl::OkStatus();

@@ -15,20 +15,21 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Plans the seams of layers. Writes the number of layers settled before the end to `settled`.
+/// Plans the seams of layers. Writes the number of layers finished before the end to `finished`.
 JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPosition> seams,
-                     size_t most_places = SeamPlanner::kMostPlaces, size_t* settled = nullptr) {
+                     size_t max_candidates = SeamPlanner::kMaxCandidates,
+                     size_t* finished = nullptr) {
   PlanningOptions options;
   options.objects.clear();
   for (const SeamPosition seam : seams) options.objects.push_back({seam});
-  SeamPlanner planner(options, most_places);
+  SeamPlanner planner(options, max_candidates);
   OpenLayers open;
   JobPlan plan;
   for (const SlicedLayer& layer : layers) {
     planner.Look(layer, open.Add());
     std::ranges::move(open.TakeBelow(planner.Revise(open)), std::back_inserter(plan.layers));
   }
-  if (settled != nullptr) *settled = plan.layers.size();
+  if (finished != nullptr) *finished = plan.layers.size();
   EXPECT_TRUE(planner.Finish({}, open, plan).ok());
   std::ranges::move(open.TakeBelow(open.end()), std::back_inserter(plan.layers));
   return plan;
@@ -120,12 +121,12 @@ TEST(SeamPlanner, SettlesLowerLayersWhenThereIsTooMuchToKeep) {
   std::vector<Polygon> rings;
   for (int i = 0; i < 200; ++i) rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
   for (const SeamPosition position : {SeamPosition::kAligned, SeamPosition::kRear}) {
-    size_t settled = 0;
+    size_t finished = 0;
     const JobPlan whole =
-        PlanOfLayers(LayersOf(rings), {position}, SeamPlanner::kMostPlaces, &settled);
-    EXPECT_EQ(settled, 0u);
-    const JobPlan banded = PlanOfLayers(LayersOf(rings), {position}, 2'000, &settled);
-    EXPECT_GT(settled, 150u);
+        PlanOfLayers(LayersOf(rings), {position}, SeamPlanner::kMaxCandidates, &finished);
+    EXPECT_EQ(finished, 0u);
+    const JobPlan banded = PlanOfLayers(LayersOf(rings), {position}, 2'000, &finished);
+    EXPECT_GT(finished, 150u);
     ASSERT_EQ(banded.layers.size(), rings.size());
     EXPECT_EQ(banded.seams.loops, 200);
     EXPECT_EQ(banded.seams.followers, 199);
@@ -135,10 +136,10 @@ TEST(SeamPlanner, SettlesLowerLayersWhenThereIsTooMuchToKeep) {
 }
 
 TEST(SeamPlanner, SettlesALayerThatIsTooMuchByItself) {
-  size_t settled = 0;
+  size_t finished = 0;
   const JobPlan plan = PlanOfLayers(LayersOrDie({kTwoTowers, kTwoTowers, kTwoTowers}),
-                                    {SeamPosition::kAligned}, 1, &settled);
-  EXPECT_EQ(settled, 3u);
+                                    {SeamPosition::kAligned}, 1, &finished);
+  EXPECT_EQ(finished, 3u);
   EXPECT_EQ(plan.seams.jumps, 0);
   for (const LayerPlan& layer : plan.layers) EXPECT_EQ(layer.sections[0].seams.size(), 2u);
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/geometry/rings/loop_place.h"
+#include "common/geometry/rings/loop_point.h"
 #include "common/model/spiral.h"
 
 namespace slicefarm::planning {
@@ -72,7 +72,7 @@ void SpiralPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   }
   const Stack& stack = OnlySection(layer)->stack;
   SectionPlan& section = PlanOf(stack.id, plan);
-  const Point start = NearestPlace(*loop, left_at_.value_or(section.entry)).at;
+  const Point start = NearestLoopPoint(*loop, left_at_.value_or(section.entry)).at;
   section.spiral = {.start = start,
                     .from = left_at_,
                     .last = true,

@@ -26,10 +26,10 @@ bool GoThrough(const MultiPolygon& holes, const MultiPolygon& outlines) {
   return Area(Intersection(holes, outlines)) <= kDraft * Area(holes);
 }
 
-void CutOut(const MultiPolygon& room, ObjectSection& section) {
-  for (Region& region : section.regions) region.outlines = Difference(region.outlines, room);
+void CutOut(const MultiPolygon& area, ObjectSection& section) {
+  for (Region& region : section.regions) region.outlines = Difference(region.outlines, area);
   std::erase_if(section.regions, [](const Region& region) { return region.outlines.empty(); });
-  section.whole = section.regions.size() > 1 ? Difference(section.whole, room) : MultiPolygon{};
+  section.whole = section.regions.size() > 1 ? Difference(section.whole, area) : MultiPolygon{};
 }
 
 /// Fills each hole. It is added to the region that touches the largest part of the hole's boundary.
@@ -76,10 +76,10 @@ void BridgeCounterbores(CounterboreBridging how, std::span<ObjectSection* const>
         filled = Union(filled, counterbore.holes);
         continue;
       }
-      for (size_t i = 0; i < counterbore.rooms.size() && layer + i < sections.size(); ++i) {
+      for (size_t i = 0; i < counterbore.open_areas.size() && layer + i < sections.size(); ++i) {
         if (!GoThrough(counterbore.holes, OutlineOf(*sections[layer + i]))) break;
         MultiPolygon& cut = edits[layer + i].cut;
-        cut = Union(cut, counterbore.rooms[i]);
+        cut = Union(cut, counterbore.open_areas[i]);
       }
     }
   for (size_t layer = 0; layer < sections.size() && !cancel.Cancelled(); ++layer) {

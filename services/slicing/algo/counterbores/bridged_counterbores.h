@@ -11,9 +11,9 @@ namespace slicefarm::slicing {
 /// Changes the sections of one object where holes begin over a wider recess, so that no wall begins
 /// in the air. `sections`: one per layer, bottom up.
 ///
-/// kPartial leaves only the areas Counterbore::rooms open, in as many layers as `rooms` has areas.
-/// kSacrificial closes the holes for one layer. Holes that are only one layer high do not change,
-/// nor do hollow sections.
+/// kPartial leaves only the areas Counterbore::open_areas open, in as many layers as `open_areas`
+/// has areas. kSacrificial closes the holes for one layer. Holes that are only one layer high do
+/// not change, nor do hollow sections.
 ///
 /// If `cancel` is set, none or only some of the sections are changed. Cost: see CounterboresOver,
 /// on `threads` threads.

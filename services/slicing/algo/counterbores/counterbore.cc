@@ -68,16 +68,16 @@ class Recess {
 
   std::optional<Counterbore> Bridged() const {
     if (holes_.empty()) return std::nullopt;
-    const std::optional<Vector2> along = BestWay();
+    const std::optional<Vector2> along = BestDirection();
     if (!along) return std::nullopt;
     const Vector2 across = TurnedLeft(*along);
     const double half = std::numbers::sqrt2 / 2;
     Counterbore bridged;
     for (const Polygon& hole : holes_) bridged.holes.push_back({hole, {}});
-    bridged.rooms.push_back(Crossed({air_}, {*along}));
-    bridged.rooms.push_back(Crossed({air_}, {*along, across}));
-    if (!Difference(bridged.rooms.back(), FastOffset(bridged.holes, kRimNm)).empty())
-      bridged.rooms.push_back(
+    bridged.open_areas.push_back(Crossed({air_}, {*along}));
+    bridged.open_areas.push_back(Crossed({air_}, {*along, across}));
+    if (!Difference(bridged.open_areas.back(), FastOffset(bridged.holes, kRimNm)).empty())
+      bridged.open_areas.push_back(
           Crossed({air_}, {*along, across, half * (*along + across), half * (*along - across)}));
     return bridged;
   }
@@ -102,7 +102,7 @@ class Recess {
   /// Returns the bridging direction for which the crossed stripes are closest around the holes. So
   /// the layers above have the least left to bridge. Among directions within 1 %, the one with the
   /// shortest bridges wins.
-  std::optional<Vector2> BestWay() const {
+  std::optional<Vector2> BestDirection() const {
     constexpr double kAlike = 1.01;
     std::optional<Vector2> best;
     double closest = 0, shortest = 0;

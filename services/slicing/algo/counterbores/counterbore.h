@@ -16,7 +16,7 @@ struct Counterbore {
   /// angles. If corners wider than a bead would remain, a third area is also crossed by the two
   /// diagonal slots. Each area is within the previous one and contains the holes. There are at
   /// least two areas.
-  std::vector<MultiPolygon> rooms;
+  std::vector<MultiPolygon> open_areas;
 };
 
 /// Returns the counterbores in the outlines `here` of a layer, above the outlines `below`. A hole

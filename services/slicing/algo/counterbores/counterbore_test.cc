@@ -25,11 +25,11 @@ MultiPolygon Plate(std::vector<Polygon> holes) {
 /// Checks that all printed material is supported: the part that a layer adds over air must span
 /// between two edges of the layer below, along one direction.
 void ExpectEachRoomCrossesTheLast(const Counterbore& counterbore) {
-  ASSERT_GE(counterbore.rooms.size(), 2U);
-  for (size_t i = 0; i < counterbore.rooms.size(); ++i) {
-    EXPECT_LT(Mm2(Difference(counterbore.holes, counterbore.rooms[i])), 1e-4);
+  ASSERT_GE(counterbore.open_areas.size(), 2U);
+  for (size_t i = 0; i < counterbore.open_areas.size(); ++i) {
+    EXPECT_LT(Mm2(Difference(counterbore.holes, counterbore.open_areas[i])), 1e-4);
     if (i > 0) {
-      EXPECT_LT(Mm2(Difference(counterbore.rooms[i], counterbore.rooms[i - 1])), 1e-4);
+      EXPECT_LT(Mm2(Difference(counterbore.open_areas[i], counterbore.open_areas[i - 1])), 1e-4);
     }
   }
 }
@@ -38,14 +38,14 @@ TEST(CounterboresOver, ARoundHoleOverARoundRecess) {
   const auto found = CounterboresOver(Plate({Disc(0, 0, 3)}), Plate({Disc(0, 0, 1.7)}));
   ASSERT_EQ(found.size(), 1U);
   ExpectEachRoomCrossesTheLast(found[0]);
-  ASSERT_EQ(found[0].rooms.size(), 3U);
+  ASSERT_EQ(found[0].open_areas.size(), 3U);
   // The first area is a slot (a stripe as wide as the hole across a disc), then follow a square and
   // an octagon.
   const double half = std::asin(1.7 / 3);
-  EXPECT_NEAR(Mm2(found[0].rooms[0]), 3 * 3 * (2 * half + std::sin(2 * half)), 0.1);
-  EXPECT_NEAR(Mm2(found[0].rooms[1]), 3.4 * 3.4, 0.05);
-  EXPECT_NEAR(Mm2(found[0].rooms[2]), 3.4 * 3.4 * 2 * (std::numbers::sqrt2 - 1), 0.05);
-  EXPECT_TRUE(Difference(found[0].rooms[2], Offset(found[0].holes, FromMm(0.2))).empty())
+  EXPECT_NEAR(Mm2(found[0].open_areas[0]), 3 * 3 * (2 * half + std::sin(2 * half)), 0.1);
+  EXPECT_NEAR(Mm2(found[0].open_areas[1]), 3.4 * 3.4, 0.05);
+  EXPECT_NEAR(Mm2(found[0].open_areas[2]), 3.4 * 3.4 * 2 * (std::numbers::sqrt2 - 1), 0.05);
+  EXPECT_TRUE(Difference(found[0].open_areas[2], Offset(found[0].holes, FromMm(0.2))).empty())
       << "what then lies over air is less than half a bead";
 }
 
@@ -57,8 +57,9 @@ TEST(CounterboresOver, ANutTrapIsCrossedWhereBridgesAreShortest) {
     ASSERT_EQ(found.size(), 1U) << turn_rad;
     ExpectEachRoomCrossesTheLast(found[0]);
     // The bridge beside the hole is shorter from corner to corner than from flat to flat.
-    EXPECT_NEAR(Mm2(found[0].rooms[0]), 3.2 * (2 * corner_mm - 1.6 / std::numbers::sqrt3), 0.05);
-    EXPECT_NEAR(Mm2(found[0].rooms[1]), 3.2 * 3.2, 0.05);
+    EXPECT_NEAR(Mm2(found[0].open_areas[0]), 3.2 * (2 * corner_mm - 1.6 / std::numbers::sqrt3),
+                0.05);
+    EXPECT_NEAR(Mm2(found[0].open_areas[1]), 3.2 * 3.2, 0.05);
   }
 }
 
@@ -97,7 +98,7 @@ TEST(CounterboresOver, ARecessOpenAtASideIsCrossedBetweenItsWalls) {
   const auto found = CounterboresOver(below, Plate({Disc(0, 0, 1.7)}));
   ASSERT_EQ(found.size(), 1U);
   ExpectEachRoomCrossesTheLast(found[0]);
-  EXPECT_NEAR(Mm2(found[0].rooms[0]), 6 * 3.4, 0.05);
+  EXPECT_NEAR(Mm2(found[0].open_areas[0]), 6 * 3.4, 0.05);
 }
 
 TEST(CounterboresOver, HolesThatShareARecessAreCrossedAlike) {
@@ -106,16 +107,16 @@ TEST(CounterboresOver, HolesThatShareARecessAreCrossedAlike) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].holes.size(), 2U);
   ExpectEachRoomCrossesTheLast(found[0]);
-  EXPECT_NEAR(Mm2(found[0].rooms[0]), 2 * 3 * 8, 0.05) << "two slots, the short way";
-  EXPECT_NEAR(Mm2(found[0].rooms[1]), 2 * 3 * 3, 0.05);
+  EXPECT_NEAR(Mm2(found[0].open_areas[0]), 2 * 3 * 8, 0.05) << "two slots, the short way";
+  EXPECT_NEAR(Mm2(found[0].open_areas[1]), 2 * 3 * 3, 0.05);
 }
 
 TEST(CounterboresOver, ASquareHoleIsDoneInTwoLayers) {
   const auto found = CounterboresOver(Plate({Box(-6, -6, 12, 12)}), Plate({Box(-3, -3, 6, 6)}));
   ASSERT_EQ(found.size(), 1U);
-  ASSERT_EQ(found[0].rooms.size(), 2U);
-  EXPECT_NEAR(Mm2(found[0].rooms[0]), 6 * 12, 1e-3);
-  EXPECT_NEAR(Mm2(found[0].rooms[1]), 6 * 6, 1e-3);
+  ASSERT_EQ(found[0].open_areas.size(), 2U);
+  EXPECT_NEAR(Mm2(found[0].open_areas[0]), 6 * 12, 1e-3);
+  EXPECT_NEAR(Mm2(found[0].open_areas[1]), 6 * 6, 1e-3);
 }
 
 TEST(CounterboresOver, MovesWithItsPart) {
@@ -125,9 +126,9 @@ TEST(CounterboresOver, MovesWithItsPart) {
   const auto moved = CounterboresOver(Moved(below, by), Moved(here, by));
   ASSERT_EQ(found.size(), 1U);
   ASSERT_EQ(moved.size(), 1U);
-  ASSERT_EQ(found[0].rooms.size(), moved[0].rooms.size());
-  for (size_t i = 0; i < found[0].rooms.size(); ++i)
-    EXPECT_NEAR(Mm2(found[0].rooms[i]), Mm2(moved[0].rooms[i]), 1e-4);
+  ASSERT_EQ(found[0].open_areas.size(), moved[0].open_areas.size());
+  for (size_t i = 0; i < found[0].open_areas.size(); ++i)
+    EXPECT_NEAR(Mm2(found[0].open_areas[i]), Mm2(moved[0].open_areas[i]), 1e-4);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "services/slicing/algo/placement/arranging/arrange.h"
-#include "services/slicing/algo/placement/copy_places.h"
+#include "services/slicing/algo/placement/copy_positions.h"
 #include "services/slicing/algo/placement/placed_object.h"
 
 namespace slicefarm::slicing {
@@ -79,18 +79,18 @@ class LocalArranging : public ArrangingStage {
  public:
   explicit LocalArranging(std::unique_ptr<const MeshSource> source) : source_(std::move(source)) {}
 
-  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(
+  absl::StatusOr<std::vector<PlatePosition>> PutOnPlates(
       const StageCall& call, SliceInput input, const SlicingOptions& options) const override {
     const auto shapes = ShapesOf(input, *source_, call.cancel);
     if (!shapes.ok()) return shapes.status();
-    std::vector<PlatePlace> places;
+    std::vector<PlatePosition> places;
     std::vector<ArrangeItem> items;
     std::vector<FixedFootprint> fixed;
     std::vector<size_t> object_of, place_of;  // indices per item
     for (size_t object = 0; object < shapes->size(); ++object) {
       const PlacedObject& shape = (*shapes)[object];
       for (const CopyInput& copy : input.objects[object].copies) {
-        PlatePlace& place = places.emplace_back();
+        PlatePosition& place = places.emplace_back();
         if (copy.place == CopyInput::Place::kAnywhere) {
           items.push_back({shape.footprint});
           object_of.push_back(object);

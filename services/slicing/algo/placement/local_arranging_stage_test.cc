@@ -33,7 +33,7 @@ SceneObject Copies(const std::string& name, int32_t file, int count) {
 absl::StatusOr<std::vector<std::vector<SceneObject>>> Put(const std::vector<double>& sides,
                                                           const std::vector<SceneObject>& objects) {
   const auto places =
-      MakeLocalArranging()->PutOnPlates({}, {Boxes(sides), ObjectsToPlace(objects)}, SmallBed());
+      MakeLocalArranging()->PutOnPlates({}, {Boxes(sides), ObjectsToArrange(objects)}, SmallBed());
   if (!places.ok()) return places.status();
   return OnPlates(objects, *places);
 }
@@ -75,7 +75,7 @@ TEST(LocalArranging, TurnsCopiesWhereThatSavesAPlate) {
   const auto plates_of = [&](int copies) {
     const std::vector<SceneObject> objects = {Copies("bar", 0, copies)};
     const auto places =
-        MakeLocalArranging()->PutOnPlates({}, {files, ObjectsToPlace(objects)}, options);
+        MakeLocalArranging()->PutOnPlates({}, {files, ObjectsToArrange(objects)}, options);
     EXPECT_TRUE(places.ok()) << places.status();
     return OnPlates(objects, *places);
   };
@@ -108,10 +108,10 @@ TEST(LocalArranging, IsCancelled) {
   StageCall call;
   call.cancel = CancelToken([] { return true; });
   const std::vector<SceneObject> objects = {Copies("a", 0, 7)};
-  EXPECT_TRUE(
-      absl::IsCancelled(MakeLocalArranging()
-                            ->PutOnPlates(call, {Boxes({40}), ObjectsToPlace(objects)}, SmallBed())
-                            .status()));
+  EXPECT_TRUE(absl::IsCancelled(
+      MakeLocalArranging()
+          ->PutOnPlates(call, {Boxes({40}), ObjectsToArrange(objects)}, SmallBed())
+          .status()));
 }
 
 TEST(LocalArranging, ErrorsOfFilesArePassedOn) {

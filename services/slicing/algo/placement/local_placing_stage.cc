@@ -28,8 +28,8 @@ class LocalPlacing : public PlacingStage {
     if (!objects.ok()) return objects.status();
     PlacedScene scene;
     for (PreparedObject& object : *objects) scene.objects.push_back(Placed(std::move(object)));
-    const absl::Status room = HoldMemory(call, JobMemory::Kind::kMeshes, MemoryOf(scene));
-    if (!room.ok()) return room;
+    const absl::Status held = HoldMemory(call, JobMemory::Kind::kMeshes, MemoryOf(scene));
+    if (!held.ok()) return held;
     return scene;
   }
 

@@ -10,7 +10,7 @@
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/placement/build_volume.h"
-#include "services/slicing/algo/placement/copy_places.h"
+#include "services/slicing/algo/placement/copy_positions.h"
 #include "services/slicing/algo/placement/placed_object.h"
 
 namespace slicefarm::slicing {

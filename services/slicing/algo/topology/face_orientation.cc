@@ -9,9 +9,11 @@
 namespace slicefarm::slicing {
 namespace {
 
-enum class Turn : uint8_t { kUnknown, kAsFirst, kAgainstFirst };
+enum class Orientation : uint8_t { kUnknown, kAsFirst, kAgainstFirst };
 
-Turn Opposite(Turn turn) { return turn == Turn::kAsFirst ? Turn::kAgainstFirst : Turn::kAsFirst; }
+Orientation Opposite(Orientation turn) {
+  return turn == Orientation::kAsFirst ? Orientation::kAgainstFirst : Orientation::kAsFirst;
+}
 
 bool RunAlike(std::span<const Triangle> triangles, uint32_t a, uint32_t b) {
   return OriginOf(triangles, a) == OriginOf(triangles, b);
@@ -21,15 +23,15 @@ bool RunAlike(std::span<const Triangle> triangles, uint32_t a, uint32_t b) {
 class Orienter {
  public:
   Orienter(const IndexedMesh& mesh, const EdgeTable& table)
-      : mesh_(mesh), twins_(table.twins), turns_(mesh.triangles.size(), Turn::kUnknown) {}
+      : mesh_(mesh), twins_(table.twins), turns_(mesh.triangles.size(), Orientation::kUnknown) {}
 
   /// Returns true for each face to be flipped, indexed by face.
   std::vector<bool> FacesToTurn() {
     std::vector<bool> turn(mesh_.triangles.size(), false);
     for (uint32_t face = 0; face < turns_.size(); ++face) {
-      if (turns_[face] != Turn::kUnknown) continue;
+      if (turns_[face] != Orientation::kUnknown) continue;
       Collect(face);
-      const Turn wrong = Minority();
+      const Orientation wrong = Minority();
       for (const uint32_t member : body_) turn[member] = turns_[member] == wrong;
     }
     return turn;
@@ -40,12 +42,12 @@ class Orienter {
   /// against `first`.
   void Collect(uint32_t first) {
     body_ = {first};
-    turns_[first] = Turn::kAsFirst;
+    turns_[first] = Orientation::kAsFirst;
     for (size_t next = 0; next < body_.size(); ++next) {
       const uint32_t face = body_[next];
       for (uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
         const uint32_t twin = twins_[h];
-        if (twin == kNoTwin || turns_[FaceOf(twin)] != Turn::kUnknown) continue;
+        if (twin == kNoTwin || turns_[FaceOf(twin)] != Orientation::kUnknown) continue;
         const bool alike = RunAlike(mesh_.triangles, h, twin);
         turns_[FaceOf(twin)] = alike ? Opposite(turns_[face]) : turns_[face];
         body_.push_back(FaceOf(twin));
@@ -53,23 +55,23 @@ class Orienter {
     }
   }
 
-  Turn Minority() const {
+  Orientation Minority() const {
     const int64_t against = std::count_if(body_.begin(), body_.end(), [&](uint32_t face) {
-      return turns_[face] == Turn::kAgainstFirst;
+      return turns_[face] == Orientation::kAgainstFirst;
     });
     const int64_t with = static_cast<int64_t>(body_.size()) - against;
-    if (against != with) return against < with ? Turn::kAgainstFirst : Turn::kAsFirst;
+    if (against != with) return against < with ? Orientation::kAgainstFirst : Orientation::kAsFirst;
     __int128 volume = 0;
     for (const uint32_t face : body_) {
       const __int128 part = SixVolumes(mesh_, mesh_.triangles[face]);
-      volume += turns_[face] == Turn::kAsFirst ? part : -part;
+      volume += turns_[face] == Orientation::kAsFirst ? part : -part;
     }
-    return volume >= 0 ? Turn::kAgainstFirst : Turn::kAsFirst;
+    return volume >= 0 ? Orientation::kAgainstFirst : Orientation::kAsFirst;
   }
 
   const IndexedMesh& mesh_;
   const std::vector<uint32_t>& twins_;
-  std::vector<Turn> turns_;
+  std::vector<Orientation> turns_;
   std::vector<uint32_t> body_;
 };
 

@@ -11,7 +11,7 @@
 namespace slicefarm::slicing::face_orientation_test {
 namespace {
 
-void Turn(RawMesh& mesh, size_t face) {
+void Orientation(RawMesh& mesh, size_t face) {
   std::swap(mesh.triangles[face][0], mesh.triangles[face][1]);
 }
 
@@ -37,7 +37,7 @@ void ExpectConsistent(const Oriented& oriented) {
 TEST(OrientFaces, TurnsTheMinority) {
   RawMesh torus = TorusMesh({.around = 16, .sides = 8});
   const double volume = VolumeMm3(*PlaceMesh(torus));
-  for (const size_t face : {0, 17, 18, 100, 255}) Turn(torus, face);
+  for (const size_t face : {0, 17, 18, 100, 255}) Orientation(torus, face);
   const Oriented oriented = Orient(torus);
   EXPECT_EQ(oriented.turned, 5);
   EXPECT_DOUBLE_EQ(VolumeMm3(oriented.mesh), volume);
@@ -47,8 +47,8 @@ TEST(OrientFaces, TurnsTheMinority) {
 TEST(OrientFaces, EachBodyHasItsOwnMajority) {
   RawMesh boxes =
       Joined(BoxMesh({0, 0, 0}, {1, 1, 1}), TurnedInsideOut(BoxMesh({5, 0, 0}, {6, 1, 1})));
-  Turn(boxes, 3);
-  Turn(boxes, 20);
+  Orientation(boxes, 3);
+  Orientation(boxes, 20);
   const Oriented oriented = Orient(boxes);
   EXPECT_EQ(oriented.turned, 2);
   EXPECT_NEAR(VolumeMm3(oriented.mesh), 0, 1e-12);
@@ -58,8 +58,8 @@ TEST(OrientFaces, EachBodyHasItsOwnMajority) {
 TEST(OrientFaces, OfEqualHalvesTheOneWithVolumeStays) {
   for (const size_t offset : {0, 2}) {
     RawMesh tetrahedron = TetrahedronMesh(6);
-    Turn(tetrahedron, offset);
-    Turn(tetrahedron, offset + 1);
+    Orientation(tetrahedron, offset);
+    Orientation(tetrahedron, offset + 1);
     const Oriented oriented = Orient(tetrahedron);
     EXPECT_EQ(oriented.turned, 2);
     EXPECT_NEAR(VolumeMm3(oriented.mesh), 36, 1e-9);

@@ -37,7 +37,7 @@ void MoveTo(const MapPoints& from, const MapPoints& direction, double step, MapP
 /// Moves the points along a descent direction. Doubles the step as long as the energy decreases,
 /// because a Hessian without its negative eigenvalues gives short steps. Returns false if no step
 /// decreases the energy.
-bool Descend(const FlatProblem& problem, const NewtonDirection::Way& path, MapPoints* points) {
+bool Descend(const FlatProblem& problem, const NewtonDirection::Descent& path, MapPoints* points) {
   const MapPoints from = *points;
   const double start = problem.TotalEnergy(from);
   const double bound = problem.StepBound(from, path.direction);

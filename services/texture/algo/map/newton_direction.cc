@@ -9,17 +9,17 @@ namespace {
 constexpr double kHold = 1e-9;  // share of the mean diagonal; fixes the map's position
 
 /// Returns the pairs of points that occur together in a term of the energy.
-std::vector<SparseCholesky::Place> PlacesOf(const FlatProblem& problem) {
-  std::vector<SparseCholesky::Place> places;
-  places.reserve(3 * problem.triangles().size());
+std::vector<SparseCholesky::BlockIndex> PlacesOf(const FlatProblem& problem) {
+  std::vector<SparseCholesky::BlockIndex> indices;
+  indices.reserve(3 * problem.triangles().size());
   for (const Corners& t : problem.triangles())
-    for (int k = 0; k < 3; ++k) places.emplace_back(t[k], t[(k + 1) % 3]);
+    for (int k = 0; k < 3; ++k) indices.emplace_back(t[k], t[(k + 1) % 3]);
   for (const int32_t a : problem.frame()) {
     for (const int32_t b : problem.frame()) {
-      if (a < b) places.emplace_back(a, b);
+      if (a < b) indices.emplace_back(a, b);
     }
   }
-  return places;
+  return indices;
 }
 
 /// Returns the row of the i-th coordinate of three corners' 6 x 6 block.
@@ -91,12 +91,12 @@ Eigen::VectorXd NewtonDirection::Conjugate(const Eigen::VectorXd& newton, Model 
   return path;
 }
 
-absl::StatusOr<NewtonDirection::Way> NewtonDirection::At(const FlatProblem& problem,
-                                                         const MapPoints& points, Model model) {
+absl::StatusOr<NewtonDirection::Descent> NewtonDirection::At(const FlatProblem& problem,
+                                                             const MapPoints& points, Model model) {
   Assemble(problem, points, model);
   if (absl::Status status = system_.Factor(); !status.ok()) return status;
   const Eigen::VectorXd solved = Conjugate(system_.Solve(-gradient_), model);
-  Way path{.direction = MapPoints(points.size()), .slope = gradient_.dot(solved)};
+  Descent path{.direction = MapPoints(points.size()), .slope = gradient_.dot(solved)};
   for (size_t i = 0; i < points.size(); ++i)
     path.direction[i] = solved.segment<2>(2 * static_cast<Eigen::Index>(i));
   return path;

@@ -26,13 +26,13 @@ class NewtonDirection {
   explicit NewtonDirection(const FlatProblem& problem);
 
   /// Descent direction.
-  struct Way {
+  struct Descent {
     MapPoints direction;
     double slope = 0;  ///< derivative of the energy along the direction; below 0
   };
 
   /// Returns a descent direction at `points`. Errors: INTERNAL. Cost: a sparse factorization.
-  absl::StatusOr<Way> At(const FlatProblem& problem, const MapPoints& points, Model model);
+  absl::StatusOr<Descent> At(const FlatProblem& problem, const MapPoints& points, Model model);
 
  private:
   void Assemble(const FlatProblem& problem, const MapPoints& points, Model model);

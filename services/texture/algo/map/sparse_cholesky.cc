@@ -10,7 +10,7 @@
 namespace slicefarm::texture {
 namespace {
 
-using Place = SparseCholesky::Place;
+using BlockIndex = SparseCholesky::BlockIndex;
 
 /// Lower triangle of a sparsity pattern, in CHOLMOD's format.
 struct Pattern {
@@ -18,10 +18,10 @@ struct Pattern {
   std::vector<int32_t> rows;     ///< ascending in each column
 };
 
-Pattern BlocksAt(int32_t count, std::span<const Place> places) {
-  std::vector<Place> lower;  // column and row
-  lower.reserve(places.size() + static_cast<size_t>(count));
-  for (const auto& [row, column] : places)
+Pattern BlocksAt(int32_t count, std::span<const BlockIndex> indices) {
+  std::vector<BlockIndex> lower;  // column and row
+  lower.reserve(indices.size() + static_cast<size_t>(count));
+  for (const auto& [row, column] : indices)
     lower.emplace_back(std::min(row, column), std::max(row, column));
   for (int32_t i = 0; i < count; ++i) lower.emplace_back(i, i);
   std::sort(lower.begin(), lower.end());
@@ -117,8 +117,8 @@ class Cholmod {
 
 }  // namespace
 
-SparseCholesky::SparseCholesky(int32_t count, std::span<const Place> places, int32_t block) {
-  const Pattern blocks = BlocksAt(count, places);
+SparseCholesky::SparseCholesky(int32_t count, std::span<const BlockIndex> indices, int32_t block) {
+  const Pattern blocks = BlocksAt(count, indices);
   Pattern pattern = Expanded(blocks, block);
   Cholmod cholmod;
   for (const int32_t at : cholmod.OrderOf(blocks))
@@ -135,7 +135,7 @@ SparseCholesky::SparseCholesky(int32_t count, std::span<const Place> places, int
   for (size_t column = 0; column + 1 < columns_.size(); ++column) {
     for (int32_t at = columns_[column]; at < columns_[column + 1]; ++at) {
       const auto [low, high] = std::minmax(row_of[column], row_of[rows_[at]]);
-      places_.push_back(factor_->PlaceOf(high, low));
+      places_.push_back(factor_->IndexOf(high, low));
     }
   }
 }

@@ -21,14 +21,14 @@ namespace slicefarm::texture {
 class SparseCholesky {
  public:
   /// Row and column of a block.
-  using Place = std::pair<int32_t, int32_t>;
+  using BlockIndex = std::pair<int32_t, int32_t>;
 
-  /// Builds a system of `count` x `count` blocks; a block has `block` rows and columns. `places`:
+  /// Builds a system of `count` x `count` blocks; a block has `block` rows and columns. `indices`:
   /// rows and columns of all blocks that may ever contain a number other than 0, of either
   /// triangle, in any order; repetitions are allowed. Diagonal blocks are added.
-  SparseCholesky(int32_t count, std::span<const Place> places, int32_t block = 1);
+  SparseCholesky(int32_t count, std::span<const BlockIndex> indices, int32_t block = 1);
 
-  /// Returns the index of an entry in values(). REQUIRES: the entry's block is in `places` of the
+  /// Returns the index of an entry in values(). REQUIRES: the entry's block is in `indices` of the
   /// constructor. Cost: O(log n) for n entries of the column.
   int32_t IndexOf(int32_t row, int32_t column) const;
 

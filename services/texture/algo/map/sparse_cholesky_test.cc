@@ -15,11 +15,11 @@ namespace {
 TEST(SparseCholesky, SolvesAsADenseSolverDoes) {
   std::mt19937 random(1);
   constexpr int kSize = 60;
-  std::vector<SparseCholesky::Place> places;
+  std::vector<SparseCholesky::BlockIndex> indices;
   for (int i = 0; i < 200; ++i)
-    places.emplace_back(static_cast<int32_t>(random() % kSize),
-                        static_cast<int32_t>(random() % kSize));
-  SparseCholesky system(kSize, places);
+    indices.emplace_back(static_cast<int32_t>(random() % kSize),
+                         static_cast<int32_t>(random() % kSize));
+  SparseCholesky system(kSize, indices);
   for (int round = 0; round < 3; ++round) {
     std::fill(system.values().begin(), system.values().end(), 0);
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(kSize, kSize);
@@ -28,7 +28,7 @@ TEST(SparseCholesky, SolvesAsADenseSolverDoes) {
       dense(row, column) += value;
       if (row != column) dense(column, row) += value;
     };
-    for (const auto& [row, column] : places)
+    for (const auto& [row, column] : indices)
       add(row, column, std::uniform_real_distribution(-1.0, 1.0)(random));
     for (int32_t i = 0; i < kSize; ++i) add(i, i, 30);
     const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(kSize, -1, 3);
@@ -38,8 +38,8 @@ TEST(SparseCholesky, SolvesAsADenseSolverDoes) {
 }
 
 TEST(SparseCholesky, SaysWhatIsNotPositiveDefiniteAndGoesOn) {
-  const std::vector<SparseCholesky::Place> places = {{0, 1}};
-  SparseCholesky system(2, places);
+  const std::vector<SparseCholesky::BlockIndex> indices = {{0, 1}};
+  SparseCholesky system(2, indices);
   const auto set = [&](double diagonal) {
     system.values()[system.IndexOf(0, 0)] = system.values()[system.IndexOf(1, 1)] = diagonal;
     system.values()[system.IndexOf(1, 0)] = 2;

@@ -52,7 +52,7 @@ SupernodalFactor::SupernodalFactor(SupernodalShape shape) : shape_(std::move(sha
   place_of_.resize(columns);
 }
 
-int64_t SupernodalFactor::PlaceOf(int32_t row, int32_t column) const {
+int64_t SupernodalFactor::IndexOf(int32_t row, int32_t column) const {
   const int32_t node = node_of_[column];
   const auto rows = RowsOf(node);
   const auto at = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();

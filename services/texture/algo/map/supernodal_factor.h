@@ -33,11 +33,11 @@ class SupernodalFactor {
 
   /// Returns the index in `numbers` (the argument of Factor) of an entry. REQUIRES: row >= column,
   /// and the shape contains the entry. Cost: O(log n) for n rows of the supernode.
-  int64_t PlaceOf(int32_t row, int32_t column) const;
+  int64_t IndexOf(int32_t row, int32_t column) const;
   /// Returns the number of entries of the factor.
   int64_t place_count() const { return first_number_.back(); }
 
-  /// Computes the factor of a matrix. `numbers`: its entries, at the indices of PlaceOf; 0
+  /// Computes the factor of a matrix. `numbers`: its entries, at the indices of IndexOf; 0
   /// elsewhere. Returns false if the matrix is not positive definite; then there is no factor.
   bool Factor(std::vector<double> numbers);
   /// Returns the memory of the previous factor's numbers, for reuse.

@@ -41,7 +41,7 @@ std::vector<double> NumbersOf(const Eigen::MatrixXd& matrix, const SupernodalFac
     for (int32_t column = shape.first_column[node]; column < shape.first_column[node + 1]; ++column)
       for (int32_t at = shape.first_row[node]; at < shape.first_row[node + 1]; ++at)
         if (shape.rows[at] >= column)
-          numbers[factor.PlaceOf(shape.rows[at], column)] = matrix(shape.rows[at], column);
+          numbers[factor.IndexOf(shape.rows[at], column)] = matrix(shape.rows[at], column);
   return numbers;
 }
 

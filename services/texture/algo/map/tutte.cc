@@ -73,12 +73,12 @@ class SpringNet {
     for (int32_t& row : row_) {
       if (row == 0) row = rows_++;
     }
-    std::vector<SparseCholesky::Place> places;
+    std::vector<SparseCholesky::BlockIndex> indices;
     for (const Spring& spring : springs_) {
       if (row_[spring.a] >= 0 && row_[spring.b] >= 0)
-        places.emplace_back(row_[spring.a], row_[spring.b]);
+        indices.emplace_back(row_[spring.a], row_[spring.b]);
     }
-    system_ = std::make_unique<SparseCholesky>(rows_, places);
+    system_ = std::make_unique<SparseCholesky>(rows_, indices);
   }
 
   /// Weakens a spring if its edge in the map is shorter than its length on the surface requires,

@@ -27,11 +27,11 @@ double VolumeOf(const SurfaceMesh& mesh) {
 /// Returns the number of sides without a matching side in the other direction between the same
 /// positions.
 int64_t OpenSides(const SurfaceMesh& mesh) {
-  using Place = std::array<double, 3>;
-  std::map<std::pair<Place, Place>, int> sides;
+  using Position = std::array<double, 3>;
+  std::map<std::pair<Position, Position>, int> sides;
   const auto place = [&](int32_t v) {
     const Eigen::Vector3d& p = mesh.points_mm[v];
-    return Place{p.x(), p.y(), p.z()};
+    return Position{p.x(), p.y(), p.z()};
   };
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) ++sides[{place(t[k]), place(t[(k + 1) % 3])}];

@@ -59,7 +59,7 @@ std::string EngraveProgram::End() {
   return text + "M2\n";
 }
 
-absl::StatusOr<EngraveProgram::Stop> EngraveProgram::StopAt(const ToolPoint& point) const {
+absl::StatusOr<EngraveProgram::AxisPose> EngraveProgram::PoseAt(const ToolPoint& point) const {
   const Eigen::Vector3d& n = point.normal;
   if (options_.axes.layout == AxisLayout::kNone) {
     const double steep = Atan2(Hypot(n.x(), n.y()), n.z()) * 180 / std::numbers::pi;
@@ -76,7 +76,7 @@ absl::StatusOr<EngraveProgram::Stop> EngraveProgram::StopAt(const ToolPoint& poi
                                   "the {:g} degrees that {} and {} may turn (tilt)",
                                   n.x(), n.y(), n.z(), options_.axes.tilt_deg, axes_.Letters()[0],
                                   axes_.Letters()[1]));
-  return Stop{point.place_mm, {axes_.XyzFor(point.place_mm, *angles), *angles}};
+  return AxisPose{point.place_mm, {axes_.XyzFor(point.place_mm, *angles), *angles}};
 }
 
 void EngraveProgram::Switch(bool on, std::string* text) {
@@ -86,48 +86,49 @@ void EngraveProgram::Switch(bool on, std::string* text) {
 }
 
 /// Moves from the safe height to a stop: first the axes turn, then the tool comes down.
-void EngraveProgram::Approach(const Stop& stop, std::string* text) {
-  const Eigen::Vector3d& p = stop.axes.xyz_mm;
+void EngraveProgram::Approach(const AxisPose& pose, std::string* text) {
+  const Eigen::Vector3d& p = pose.axes.xyz_mm;
   const auto out = std::back_inserter(*text);
   fmt::format_to(out, "G0 X{:.5f} Y{:.5f}", p.x(), p.y());
   for (const int i : {0, 1})
     if (options_.axes.layout != AxisLayout::kNone)
-      fmt::format_to(out, " {}{:.6f}", axes_.Letters()[i], stop.axes.angles_deg[i]);
+      fmt::format_to(out, " {}{:.6f}", axes_.Letters()[i], pose.axes.angles_deg[i]);
   fmt::format_to(out, "\nG0 Z{:.5f}\n", p.z());
   *text += options_.axes.layout == AxisLayout::kNone ? "G94\n" : "G93\n";
-  at_ = stop;
+  at_ = pose;
 }
 
-void EngraveProgram::MoveTo(const Stop& stop, bool on, double spacing_mm, int depth,
+void EngraveProgram::MoveTo(const AxisPose& pose, bool on, double spacing_mm, int depth,
                             std::string* text) {
-  const Stop from = at_;
-  const Eigen::Vector3d middle = (from.place_mm + stop.place_mm) / 2;
-  const AxisPlace half{(from.axes.xyz_mm + stop.axes.xyz_mm) / 2,
-                       (from.axes.angles_deg + stop.axes.angles_deg) / 2};
+  const AxisPose from = at_;
+  const Eigen::Vector3d middle = (from.place_mm + pose.place_mm) / 2;
+  const AxisValues half{(from.axes.xyz_mm + pose.axes.xyz_mm) / 2,
+                        (from.axes.angles_deg + pose.axes.angles_deg) / 2};
   if (depth < kMostHalvings && (axes_.TipAt(half) - middle).norm() > options_.tolerance_mm) {
     MoveTo({middle, {axes_.XyzFor(middle, half.angles_deg), half.angles_deg}}, on, spacing_mm,
            depth + 1, text);
-    MoveTo(stop, on, spacing_mm, depth + 1, text);
+    MoveTo(pose, on, spacing_mm, depth + 1, text);
     return;
   }
-  WriteMove(stop, on, spacing_mm, text);
+  WriteMove(pose, on, spacing_mm, text);
 }
 
-void EngraveProgram::WriteMove(const Stop& stop, bool on, double spacing_mm, std::string* text) {
+void EngraveProgram::WriteMove(const AxisPose& pose, bool on, double spacing_mm,
+                               std::string* text) {
   const auto out = std::back_inserter(*text);
-  const double length = (stop.place_mm - at_.place_mm).norm();
-  const Eigen::Vector2d turn = (stop.axes.angles_deg - at_.axes.angles_deg).cwiseAbs();
+  const double length = (pose.place_mm - at_.place_mm).norm();
+  const Eigen::Vector2d turn = (pose.axes.angles_deg - at_.axes.angles_deg).cwiseAbs();
   const double feed = on ? options_.feed_mm_min : options_.link_mm_min;
   const double minutes =
       std::max({length / feed, turn.maxCoeff() / options_.turn_deg_min, kShortestSeconds / 60});
   const size_t start = text->size();
   *text += "G1";
   for (const int axis : {0, 1, 2})
-    if (Rounded(stop.axes.xyz_mm[axis], 1e5) != Rounded(at_.axes.xyz_mm[axis], 1e5))
-      fmt::format_to(out, " {}{:.5f}", "XYZ"[axis], stop.axes.xyz_mm[axis] + 0.0);
+    if (Rounded(pose.axes.xyz_mm[axis], 1e5) != Rounded(at_.axes.xyz_mm[axis], 1e5))
+      fmt::format_to(out, " {}{:.5f}", "XYZ"[axis], pose.axes.xyz_mm[axis] + 0.0);
   for (const int i : {0, 1})
-    if (Rounded(stop.axes.angles_deg[i], 1e6) != Rounded(at_.axes.angles_deg[i], 1e6))
-      fmt::format_to(out, " {}{:.6f}", axes_.Letters()[i], stop.axes.angles_deg[i] + 0.0);
+    if (Rounded(pose.axes.angles_deg[i], 1e6) != Rounded(at_.axes.angles_deg[i], 1e6))
+      fmt::format_to(out, " {}{:.6f}", axes_.Letters()[i], pose.axes.angles_deg[i] + 0.0);
   if (text->size() == start + 2) {  // the next move adds the unwritten difference
     text->resize(start);
     return;
@@ -146,9 +147,9 @@ void EngraveProgram::WriteMove(const Stop& stop, bool on, double spacing_mm, std
     fmt::format_to(out, " F{:.4f}\n", 1 / minutes);
   facts_.seconds += 60 * minutes;
   ++facts_.moves;
-  facts_.least_deg = facts_.least_deg.cwiseMin(stop.axes.angles_deg);
-  facts_.most_deg = facts_.most_deg.cwiseMax(stop.axes.angles_deg);
-  at_ = stop;
+  facts_.least_deg = facts_.least_deg.cwiseMin(pose.axes.angles_deg);
+  facts_.most_deg = facts_.most_deg.cwiseMax(pose.axes.angles_deg);
+  at_ = pose;
 }
 
 absl::StatusOr<std::string> EngraveProgram::Layer(const LayerPath& path) {
@@ -157,14 +158,14 @@ absl::StatusOr<std::string> EngraveProgram::Layer(const LayerPath& path) {
   std::string text = fmt::format("(layer {}, {:.4f} mm)\n", path.layer, path.offset_mm);
   for (size_t i = 0; i < path.points.size(); ++i) {
     const ToolPoint& point = path.points[i];
-    const auto stop = StopAt(point);
-    if (!stop.ok()) return stop.status();
+    const auto pose = PoseAt(point);
+    if (!pose.ok()) return pose.status();
     if (i == 0) {
-      Approach(*stop, &text);
+      Approach(*pose, &text);
       continue;
     }
     Switch(point.on, &text);
-    MoveTo(*stop, point.on, path.spacing_mm, 0, &text);
+    MoveTo(*pose, point.on, path.spacing_mm, 0, &text);
   }
   Switch(false, &text);
   if (!path.points.empty()) text += fmt::format("G94\nG0 Z{:.3f}\n", safe_z_mm_);

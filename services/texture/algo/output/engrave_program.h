@@ -59,21 +59,21 @@ class EngraveProgram {
   const ProgramFacts& facts() const { return facts_; }
 
  private:
-  struct Stop {
+  struct AxisPose {
     Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();  ///< position of the tip on the part
-    AxisPlace axes = {};
+    AxisValues axes = {};
   };
 
-  absl::StatusOr<Stop> StopAt(const ToolPoint& point) const;
-  void Approach(const Stop& stop, std::string* text);
+  absl::StatusOr<AxisPose> PoseAt(const ToolPoint& point) const;
+  void Approach(const AxisPose& pose, std::string* text);
   void Switch(bool on, std::string* text);
-  void MoveTo(const Stop& stop, bool on, double spacing_mm, int depth, std::string* text);
-  void WriteMove(const Stop& stop, bool on, double spacing_mm, std::string* text);
+  void MoveTo(const AxisPose& pose, bool on, double spacing_mm, int depth, std::string* text);
+  void WriteMove(const AxisPose& pose, bool on, double spacing_mm, std::string* text);
 
   ProgramOptions options_;
   RotaryAxes axes_;
   ProgramFacts facts_;
-  Stop at_;
+  AxisPose at_;
   double safe_z_mm_;
   double filament_rest_mm_ = 0;
   bool on_ = false;

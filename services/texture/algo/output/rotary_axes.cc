@@ -104,7 +104,7 @@ Eigen::Vector3d RotaryAxes::XyzFor(const Eigen::Vector3d& place_mm,
   return place_mm + options_.pivot_mm * (turn * up - up);
 }
 
-Eigen::Vector3d RotaryAxes::TipAt(const AxisPlace& at) const {
+Eigen::Vector3d RotaryAxes::TipAt(const AxisValues& at) const {
   const Eigen::Matrix3d turn = TurnOf(options_.layout, at.angles_deg);
   if (IsTable(options_.layout))
     return turn.transpose() * (at.xyz_mm - options_.centre_mm) + options_.centre_mm;

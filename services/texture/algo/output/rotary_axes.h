@@ -23,7 +23,7 @@ struct AxisOptions {
 };
 
 /// Axis values of the machine: X, Y, Z and two angles (A and B, or B and C).
-struct AxisPlace {
+struct AxisValues {
   Eigen::Vector3d xyz_mm = Eigen::Vector3d::Zero();
   Eigen::Vector2d angles_deg = Eigen::Vector2d::Zero();
 };
@@ -48,7 +48,7 @@ class RotaryAxes {
   /// the angles `angles_deg`.
   Eigen::Vector3d XyzFor(const Eigen::Vector3d& place_mm, const Eigen::Vector2d& angles_deg) const;
   /// Returns the position of the tip in the part's coordinates.
-  Eigen::Vector3d TipAt(const AxisPlace& at) const;
+  Eigen::Vector3d TipAt(const AxisValues& at) const;
 
  private:
   AxisOptions options_;

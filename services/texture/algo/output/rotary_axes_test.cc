@@ -45,7 +45,7 @@ TEST(RotaryAxes, PointTheToolAgainstTheNormal) {
       ASSERT_TRUE(angles.has_value());
       EXPECT_LT((ToolIn(layout, *angles) - normal).norm(), 1e-12);
       const Eigen::Vector3d place(12, 7, -30);
-      const AxisPlace at{axes.XyzFor(place, *angles), *angles};
+      const AxisValues at{axes.XyzFor(place, *angles), *angles};
       EXPECT_LT((axes.TipAt(at) - place).norm(), 1e-10);
     }
   }

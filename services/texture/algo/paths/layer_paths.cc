@@ -58,7 +58,7 @@ absl::StatusOr<std::vector<LevelSet>> LinesOf(const EngravePlan& plan, const Lin
   auto sets = LevelLines(plan.map, *field, CentredLevels(low, high, style.spacing_mm), cancel);
   if (!sets.ok()) return sets.status();
   const auto start = [&](const LevelLine& line) {
-    return along.dot(plan.map.MapPlace(PointOf(plan.map, line.places[0], line.triangles[0])));
+    return along.dot(plan.map.MapPosition(PointOf(plan.map, line.places[0], line.triangles[0])));
   };
   for (LevelSet& set : *sets)
     std::stable_sort(set.lines.begin(), set.lines.end(),
@@ -109,7 +109,7 @@ class PathMaker {
   }
 
   bool IsShort(const SurfacePoint& from, const SurfacePoint& to) const {
-    return (plan_.map.MapPlace(to) - plan_.map.MapPlace(from)).norm() <=
+    return (plan_.map.MapPosition(to) - plan_.map.MapPosition(from)).norm() <=
            kConnectSpacings * path_->spacing_mm;
   }
 
@@ -117,9 +117,9 @@ class PathMaker {
   /// outline may be on either side of it by rounding.
   bool IsInArea(const SurfacePoint& from, const std::vector<SurfacePoint>& between,
                 const SurfacePoint& to) const {
-    Eigen::Vector2d last = plan_.map.MapPlace(from);
+    Eigen::Vector2d last = plan_.map.MapPosition(from);
     for (size_t i = 0; i <= between.size(); ++i) {
-      const Eigen::Vector2d next = plan_.map.MapPlace(i < between.size() ? between[i] : to);
+      const Eigen::Vector2d next = plan_.map.MapPosition(i < between.size() ? between[i] : to);
       if (!area_.ContainsAll(last, next)) return false;
       last = next;
     }
@@ -131,7 +131,7 @@ class PathMaker {
   }
 
   void Append(const SurfacePoint& point, bool on, double height) {
-    const Eigen::Vector3d base = plan_.map.Place(point);
+    const Eigen::Vector3d base = plan_.map.Position(point);
     const Eigen::Vector3d normal = plan_.map.Normal(point, plan_.options.normals);
     const Eigen::Vector3d place = base + height * normal;
     if (last_) {

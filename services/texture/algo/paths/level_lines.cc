@@ -17,7 +17,7 @@ class LevelWalk {
   int SideOut(int32_t triangle) const { return SideWhere(triangle, true); }
   int SideIn(int32_t triangle) const { return SideWhere(triangle, false); }
 
-  EdgePlace PlaceOn(int32_t triangle, int corner) const {
+  EdgePoint PlaceOn(int32_t triangle, int corner) const {
     const auto& corners = map_.mesh().triangles[triangle];
     const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
     const double share = (level_ - field_[low]) / (field_[high] - field_[low]);
@@ -96,7 +96,7 @@ absl::StatusOr<std::vector<LevelSet>> LevelLines(const SurfaceMap& map,
   return sets;
 }
 
-SurfacePoint PointOf(const SurfaceMap& map, const EdgePlace& place, int32_t triangle) {
+SurfacePoint PointOf(const SurfaceMap& map, const EdgePoint& place, int32_t triangle) {
   SurfacePoint point{triangle, Eigen::Vector3d::Zero()};
   const auto& corners = map.mesh().triangles[triangle];
   for (int k = 0; k < 3; ++k) {

@@ -13,7 +13,7 @@ namespace slicefarm::texture {
 
 /// Point on an edge between two vertices of the opened mesh (cut_open.h). `low` is the vertex with
 /// the lower index.
-struct EdgePlace {
+struct EdgePoint {
   int32_t low = 0;
   int32_t high = 0;
   double share = 0;  ///< relative position of the point, from 0 at `low` to 1 at `high`
@@ -23,7 +23,7 @@ struct EdgePlace {
 /// next at one of `places`. places.size() == triangles.size() + 1. A closed line ends at its first
 /// point.
 struct LevelLine {
-  std::vector<EdgePlace> places;
+  std::vector<EdgePoint> places;
   std::vector<int32_t> triangles;
 
   /// Returns true if the line is closed.
@@ -48,6 +48,6 @@ absl::StatusOr<std::vector<LevelSet>> LevelLines(const SurfaceMap& map,
                                                  const CancelToken& cancel = {});
 
 /// Returns a point on an edge in the coordinates of a triangle. REQUIRES: `triangle` has this edge.
-SurfacePoint PointOf(const SurfaceMap& map, const EdgePlace& place, int32_t triangle);
+SurfacePoint PointOf(const SurfaceMap& map, const EdgePoint& place, int32_t triangle);
 
 }  // namespace slicefarm::texture

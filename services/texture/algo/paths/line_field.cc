@@ -93,10 +93,10 @@ class GradientFit {
 
  private:
   static SparseCholesky SystemOf(const SurfaceMesh& mesh) {
-    std::vector<SparseCholesky::Place> places;
+    std::vector<SparseCholesky::BlockIndex> indices;
     for (const auto& corners : mesh.triangles)
-      for (int k = 0; k < 3; ++k) places.emplace_back(corners[k], corners[(k + 1) % 3]);
-    return {static_cast<int32_t>(mesh.points_mm.size()), places};
+      for (int k = 0; k < 3; ++k) indices.emplace_back(corners[k], corners[(k + 1) % 3]);
+    return {static_cast<int32_t>(mesh.points_mm.size()), indices};
   }
 
   const SurfaceMesh& mesh_;

@@ -8,21 +8,21 @@ namespace slicefarm::texture {
 namespace {
 
 /// Position on a line: the index of a step from edge to edge, and the share of this step.
-struct LinePlace {
+struct LinePosition {
   size_t step = 0;
   double share = 0;
 };
 
 struct LinePart {
-  LinePlace from;
-  LinePlace to;
+  LinePosition from;
+  LinePosition to;
 };
 
 /// Line with its positions in the map.
 class MappedLine {
  public:
   MappedLine(const SurfaceMap& map, const LevelLine& line) : map_(map), line_(line) {
-    for (const EdgePlace& place : line.places) {
+    for (const EdgePoint& place : line.places) {
       const Eigen::Vector2d &low = map.map_mm()[place.low], &high = map.map_mm()[place.high];
       places_.push_back(low + place.share * (high - low));
     }
@@ -30,7 +30,7 @@ class MappedLine {
 
   size_t steps() const { return line_.triangles.size(); }
 
-  Eigen::Vector2d At(const LinePlace& place) const {
+  Eigen::Vector2d At(const LinePosition& place) const {
     return places_[place.step] + place.share * (places_[place.step + 1] - places_[place.step]);
   }
 
@@ -76,7 +76,7 @@ class MappedLine {
   }
 
  private:
-  SurfacePoint PointAt(const LinePlace& place) const {
+  SurfacePoint PointAt(const LinePosition& place) const {
     const int32_t triangle = line_.triangles[place.step];
     const SurfacePoint from = PointOf(map_, line_.places[place.step], triangle);
     if (place.share == 0) return from;

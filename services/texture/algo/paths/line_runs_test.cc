@@ -22,9 +22,9 @@ TEST(RunsOf, ALineCrossesRidges) {
   const auto runs = RunsOf(map, (*sets)[0].lines[0], area, 0);
   ASSERT_EQ(runs.size(), 5u);
   for (size_t i = 0; i < runs.size(); ++i) {
-    EXPECT_NEAR(map.Place(runs[i].front()).x(), 4.0 * i + 1, 1e-9);
-    EXPECT_NEAR(map.Place(runs[i].back()).x(), 4.0 * i + 3, 1e-9);
-    for (const SurfacePoint& p : runs[i]) EXPECT_NEAR(map.Place(p).y(), 4.3, 1e-12);
+    EXPECT_NEAR(map.Position(runs[i].front()).x(), 4.0 * i + 1, 1e-9);
+    EXPECT_NEAR(map.Position(runs[i].back()).x(), 4.0 * i + 3, 1e-9);
+    for (const SurfacePoint& p : runs[i]) EXPECT_NEAR(map.Position(p).y(), 4.3, 1e-12);
   }
   EXPECT_TRUE(RunsOf(map, (*sets)[0].lines[0], area, 2.1).empty()) << "all are shorter";
 }
@@ -40,7 +40,7 @@ TEST(RunsOf, ALineAlongARidgeIsWhole) {
   ASSERT_TRUE(sets.ok());
   const auto runs = RunsOf(map, (*sets)[0].lines[0], area, 0);
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_NEAR((map.Place(runs[0].back()) - map.Place(runs[0].front())).norm(), 20, 1e-9);
+  EXPECT_NEAR((map.Position(runs[0].back()) - map.Position(runs[0].front())).norm(), 20, 1e-9);
 }
 
 }  // namespace

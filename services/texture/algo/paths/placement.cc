@@ -37,12 +37,12 @@ Placement PlacementOn(const SurfaceMap& map, const PlacementOptions& options,
   SurfacePoint anchor;
   if (options.anchor_mm) {
     anchor = map.NearestTo(*options.anchor_mm);
-    placement.anchor_mm = map.MapPlace(anchor);
+    placement.anchor_mm = map.MapPosition(anchor);
   } else if (options.direction) {
     double least = -1;
     for (size_t t = 0; t < map.mesh().triangles.size(); ++t) {
       const SurfacePoint middle{static_cast<int32_t>(t), Eigen::Vector3d::Constant(1.0 / 3)};
-      const double distance = (map.MapPlace(middle) - placement.anchor_mm).squaredNorm();
+      const double distance = (map.MapPosition(middle) - placement.anchor_mm).squaredNorm();
       if (least >= 0 && distance >= least) continue;
       least = distance;
       anchor = middle;

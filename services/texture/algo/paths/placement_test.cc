@@ -42,7 +42,7 @@ TEST(Placement, FollowsTheSurface) {
   const Placement placement =
       PlacementOn(map, {.anchor_mm = top, .direction = Eigen::Vector3d(1, 0, 0)}, {1, 1});
   const auto texture = [&](const Eigen::Vector3d& p) {
-    return placement.ToTexture(map.MapPlace(map.NearestTo(p)));
+    return placement.ToTexture(map.MapPosition(map.NearestTo(p)));
   };
   EXPECT_LT(texture(top).norm(), 1e-9);
   EXPECT_NEAR(texture({0, 8, 5}).y(), 2, 1e-3);

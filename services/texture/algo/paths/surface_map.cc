@@ -160,13 +160,13 @@ SurfaceMap::SurfaceMap(OpenedSurface opened, std::vector<Eigen::Vector2d> points
       in_loop_[loops_[l][i]] = {static_cast<int32_t>(l), static_cast<int32_t>(i)};
 }
 
-Eigen::Vector2d SurfaceMap::MapPlace(const SurfacePoint& point) const {
+Eigen::Vector2d SurfaceMap::MapPosition(const SurfacePoint& point) const {
   const auto& [a, b, c] = mesh_.triangles[point.triangle];
   return point.weights[0] * map_mm_[a] + point.weights[1] * map_mm_[b] +
          point.weights[2] * map_mm_[c];
 }
 
-Eigen::Vector3d SurfaceMap::Place(const SurfacePoint& point) const {
+Eigen::Vector3d SurfaceMap::Position(const SurfacePoint& point) const {
   const auto& [a, b, c] = mesh_.triangles[point.triangle];
   return point.weights[0] * mesh_.points_mm[a] + point.weights[1] * mesh_.points_mm[b] +
          point.weights[2] * mesh_.points_mm[c];
@@ -197,7 +197,7 @@ SurfacePoint SurfaceMap::NearestTo(const Eigen::Vector3d& place_mm) const {
     SurfacePoint point{
         static_cast<int32_t>(t),
         NearestWeights(place_mm, mesh_.points_mm[a], mesh_.points_mm[b], mesh_.points_mm[c])};
-    const double distance = (Place(point) - place_mm).squaredNorm();
+    const double distance = (Position(point) - place_mm).squaredNorm();
     if (distance < least) {
       least = distance;
       nearest = point;

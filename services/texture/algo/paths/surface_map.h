@@ -46,18 +46,18 @@ class SurfaceMap {
   /// Returns the boundary side that begins at a vertex.
   BoundarySide SideFrom(int32_t vertex) const { return side_from_[vertex]; }
   /// Position of a boundary vertex in its loop.
-  struct LoopPlace {
+  struct LoopPosition {
     int32_t loop = -1;
     int32_t index = 0;
   };
   /// Returns the position of a vertex in its loop. `loop` is -1 if the vertex is not on the
   /// boundary.
-  LoopPlace InLoop(int32_t vertex) const { return in_loop_[vertex]; }
+  LoopPosition InLoop(int32_t vertex) const { return in_loop_[vertex]; }
 
   /// Returns a point's position in the map.
-  Eigen::Vector2d MapPlace(const SurfacePoint& point) const;
+  Eigen::Vector2d MapPosition(const SurfacePoint& point) const;
   /// Returns a point's position in space.
-  Eigen::Vector3d Place(const SurfacePoint& point) const;
+  Eigen::Vector3d Position(const SurfacePoint& point) const;
   /// Returns the normal at a point.
   Eigen::Vector3d Normal(const SurfacePoint& point, NormalKind kind) const;
   /// Returns the normal of a triangle.
@@ -78,7 +78,7 @@ class SurfaceMap {
   std::vector<std::array<int32_t, 3>> neighbours_;
   std::vector<std::vector<int32_t>> loops_;
   std::vector<BoundarySide> side_from_;  ///< boundary side that begins at each vertex
-  std::vector<LoopPlace> in_loop_;       ///< position of each vertex in its loop
+  std::vector<LoopPosition> in_loop_;    ///< position of each vertex in its loop
   std::vector<Eigen::Vector3d> face_normals_;
   std::vector<Eigen::Vector3d> vertex_normals_;  ///< normals of the opened mesh's vertices
   /// normals of each triangle's three sides; side k begins at corner k

@@ -44,20 +44,20 @@ TEST(SurfaceMap, NormalsAreOfFacesEdgesAndVertices) {
   for (size_t t = 0; t < roof.triangles.size(); ++t) {
     const auto triangle = static_cast<int32_t>(t);
     const SurfacePoint middle{triangle, {0.25, 0.5, 0.25}};
-    const double side = map.Place(middle).x() < 1 ? -half : half;
+    const double side = map.Position(middle).x() < 1 ? -half : half;
     EXPECT_LT((map.Normal(middle, NormalKind::kFaces) - Eigen::Vector3d(side, 0, half)).norm(),
               1e-12);
     for (int k = 0; k < 3; ++k) {
       SurfacePoint on_edge{triangle, Eigen::Vector3d::Zero()};
       on_edge.weights[k] = 0.3;
       on_edge.weights[(k + 1) % 3] = 0.7;
-      const Eigen::Vector3d place = map.Place(on_edge);
+      const Eigen::Vector3d place = map.Position(on_edge);
       const double x = map.Normal(on_edge, NormalKind::kFaces).x();
       const bool ridge = std::abs(place.x() - 1) < 1e-12;
       EXPECT_NEAR(x, ridge ? 0 : side, 1e-12) << place.transpose();
       SurfacePoint corner{triangle, Eigen::Vector3d::Zero()};
       corner.weights[k] = 1;
-      if (std::abs(map.Place(corner).x() - 1) < 1e-12 && map.Place(corner).y() == 1) {
+      if (std::abs(map.Position(corner).x() - 1) < 1e-12 && map.Position(corner).y() == 1) {
         EXPECT_NEAR(map.Normal(corner, NormalKind::kFaces).x(), 0, 1e-12);
       }
     }
@@ -71,7 +71,7 @@ TEST(SurfaceMap, NormalsDoNotBreakAtASeam) {
       SurfacePoint on_edge{static_cast<int32_t>(t), Eigen::Vector3d::Zero()};
       on_edge.weights[k] = on_edge.weights[(k + 1) % 3] = 0.5;
       // The mean of two faces of a sphere points to the edge's middle; one face's normal does not.
-      const Eigen::Vector3d outwards = map.Place(on_edge).normalized();
+      const Eigen::Vector3d outwards = map.Position(on_edge).normalized();
       EXPECT_GT(map.Normal(on_edge, NormalKind::kFaces).dot(outwards), 1 - 2e-3);
     }
   }
@@ -79,7 +79,7 @@ TEST(SurfaceMap, NormalsDoNotBreakAtASeam) {
 
 TEST(SurfaceMap, FindsTheNearestPoint) {
   const SurfaceMap map = MapFromAbove(FlatSquare(4, 8));
-  const auto near = [&](const Eigen::Vector3d& p) { return map.Place(map.NearestTo(p)); };
+  const auto near = [&](const Eigen::Vector3d& p) { return map.Position(map.NearestTo(p)); };
   EXPECT_LT((near({3.3, 4.1, 7}) - Eigen::Vector3d(3.3, 4.1, 0)).norm(), 1e-12);
   EXPECT_LT((near({-3, 4.1, 1}) - Eigen::Vector3d(0, 4.1, 0)).norm(), 1e-12);
   EXPECT_LT((near({9, 12, 0}) - Eigen::Vector3d(8, 8, 0)).norm(), 1e-12);

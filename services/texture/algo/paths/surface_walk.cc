@@ -36,7 +36,7 @@ class Course {
 
   /// Returns the relative position of a point on the line.
   double ShareAt(const SurfacePoint& point) const {
-    return (map_.MapPlace(point) - from_).dot(path_) / path_.squaredNorm();
+    return (map_.MapPosition(point) - from_).dot(path_) / path_.squaredNorm();
   }
 
   /// Returns true if the line enters across the boundary side between two vertices.
@@ -111,8 +111,8 @@ int32_t GoAround(const SurfaceMap& map, const Course& course, const SurfacePoint
 
 Eigen::Vector2d Inwards(const SurfaceMap& map, const SurfacePoint& point) {
   const SurfacePoint middle{point.triangle, Eigen::Vector3d::Constant(1.0 / 3)};
-  const Eigen::Vector2d place = map.MapPlace(point);
-  return place + kInwards * (map.MapPlace(middle) - place);
+  const Eigen::Vector2d place = map.MapPosition(point);
+  return place + kInwards * (map.MapPosition(middle) - place);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ double LengthOf(const SurfaceMap& map, const SurfacePoint& from, const SurfaceWa
   double length = 0;
   for (size_t i = 0; i + 1 < points.size(); ++i) {
     EXPECT_TRUE(ShareATriangle(map, points[i], points[i + 1])) << "step " << i;
-    length += (map.MapPlace(points[i + 1]) - map.MapPlace(points[i])).norm();
+    length += (map.MapPosition(points[i + 1]) - map.MapPosition(points[i])).norm();
   }
   return length;
 }
@@ -43,8 +43,8 @@ TEST(WalkBetween, IsStraight) {
     const auto walk = WalkBetween(map, from, to);
     ASSERT_TRUE(walk.has_value());
     EXPECT_TRUE(walk->straight);
-    EXPECT_NEAR(LengthOf(map, from, *walk, to), (map.MapPlace(to) - map.MapPlace(from)).norm(),
-                1e-5);
+    EXPECT_NEAR(LengthOf(map, from, *walk, to),
+                (map.MapPosition(to) - map.MapPosition(from)).norm(), 1e-5);
   }
 }
 
@@ -60,7 +60,7 @@ TEST(WalkBetween, BeginsAndEndsOnEdgesAndVertices) {
           const auto walk = WalkBetween(map, from, to);
           ASSERT_TRUE(walk.has_value());
           EXPECT_NEAR(LengthOf(map, from, *walk, to),
-                      (map.MapPlace(to) - map.MapPlace(from)).norm(), 1e-5);
+                      (map.MapPosition(to) - map.MapPosition(from)).norm(), 1e-5);
         }
       }
     }

@@ -21,7 +21,7 @@ struct HeightGrid {
     return heights_mm[static_cast<size_t>(wrap(row, rows)) * columns + wrap(column, columns)];
   }
   /// Returns the position of a node.
-  Eigen::Vector2d NodePlace(int32_t column, int32_t row) const {
+  Eigen::Vector2d NodePosition(int32_t column, int32_t row) const {
     return {size_mm.x() * column / columns, size_mm.y() * row / rows};
   }
   /// Returns true if the diagonal of the cell at the upper right of a node begins at this node;

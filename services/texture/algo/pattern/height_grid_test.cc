@@ -11,7 +11,7 @@ TEST(HeightGrid, HasItsNodesHeights) {
   const HeightGrid grid = Sample();
   for (int row = -2; row < 4; ++row)
     for (int column = -3; column < 6; ++column)
-      EXPECT_DOUBLE_EQ(grid.At(grid.NodePlace(column, row)), grid.NodeMm(column, row))
+      EXPECT_DOUBLE_EQ(grid.At(grid.NodePosition(column, row)), grid.NodeMm(column, row))
           << column << " " << row;
 }
 

@@ -41,7 +41,7 @@ void AddUpperFaces(const HeightGrid& heights, SurfaceMesh* solid) {
   const int32_t across = heights.columns + 1;
   for (int32_t row = 0; row <= heights.rows; ++row) {
     for (int32_t column = 0; column <= heights.columns; ++column) {
-      const Eigen::Vector2d p = heights.NodePlace(column, row);
+      const Eigen::Vector2d p = heights.NodePosition(column, row);
       solid->points_mm.push_back({p.x(), p.y(), heights.NodeMm(column, row)});
     }
   }

@@ -55,19 +55,19 @@ class FakeStream final : public grpc::ServerWriteReactor<Message> {
  public:
   explicit FakeStream(std::vector<Message> messages) : messages_(std::move(messages)) { Advance(); }
   void OnWriteDone(bool ok) override {
-    if (!ok) told_ = messages_.size();
+    if (!ok) reported_ = messages_.size();
     Advance();
   }
   void OnDone() override { delete this; }
 
  private:
   void Advance() {
-    if (told_ == messages_.size()) return this->Finish(grpc::Status::OK);
-    this->StartWrite(&messages_[told_++]);
+    if (reported_ == messages_.size()) return this->Finish(grpc::Status::OK);
+    this->StartWrite(&messages_[reported_++]);
   }
 
   const std::vector<Message> messages_;
-  size_t told_ = 0;
+  size_t reported_ = 0;
 };
 
 /// Fake coordinator for tests, as clients see it. It can stall and refuse calls.

@@ -29,7 +29,7 @@ constexpr double kShareOfAngle = 0.75;
 /// Distance that a support may extend beyond the support below it.
 constexpr Coord kBeyondNm = 850'000;
 /// Free radius that a branch needs while it moves towards another branch, as a share of its radius.
-constexpr double kRoomOnTheWay = 0.45;
+constexpr double kClearanceShare = 0.45;
 
 /// Branch that grows down from one tip, or from several tips that have met.
 struct Branch {
@@ -43,7 +43,7 @@ struct Branch {
 
 /// Returns the free radius that a branch needs at a height on its path to the bed. It makes the
 /// branch move away from the part early enough to have a foot.
-Coord RoomForFoot(Coord z_nm) {
+Coord FootClearance(Coord z_nm) {
   constexpr double kSlope = 0.8;
   return kFootRadiusNm - std::llround(z_nm * kSlope);
 }
@@ -294,14 +294,14 @@ class Grower {
     if (!at) return std::nullopt;
     one.at = *at;
     one.found = true;
-    one.radius_nm = Room(slab, one.at, one.radius_nm, anywhere);
+    one.radius_nm = ClearRadius(slab, one.at, one.radius_nm, anywhere);
     one.node = AddNode(one.at, z_nm, one.radius_nm);
     result_.nodes[static_cast<size_t>(a.node)].below = one.node;
     result_.nodes[static_cast<size_t>(b.node)].below = one.node;
     return one;
   }
 
-  Coord Room(size_t slab, Point at, Coord radius_nm, bool anywhere) const {
+  Coord ClearRadius(size_t slab, Point at, Coord radius_nm, bool anywhere) const {
     return std::max(TipRadius(), std::min(radius_nm, Reach(slab, at, anywhere)));
   }
 
@@ -334,15 +334,15 @@ class Grower {
     const Coord radius = RadiusAt(moved.length_nm);
     const bool goes = branch.found && goal != branch.at;
     const Point wish = goes ? Towards(goal, branch, z_nm) : branch.at;
-    const Coord wanted = goes ? std::max<Coord>(TipRadius(), std::llround(radius * kRoomOnTheWay))
-                              : std::max(radius, RoomForFoot(z_nm));
+    const Coord wanted = goes ? std::max<Coord>(TipRadius(), std::llround(radius * kClearanceShare))
+                              : std::max(radius, FootClearance(z_nm));
     const Point from[] = {branch.at};
     for (const bool anywhere : {false, true}) {
       const std::optional<Point> at = Nearest(slab, from, wish, wanted, anywhere);
       if (!at) continue;
       moved.at = *at;
       moved.found = true;
-      moved.radius_nm = Room(slab, *at, radius, anywhere);
+      moved.radius_nm = ClearRadius(slab, *at, radius, anywhere);
       return Joined(branch, moved);
     }
     if (EndsOver(slab, branch)) return std::nullopt;
@@ -400,7 +400,7 @@ class Grower {
   const SupportOptions& options_;
   const double slow_;
   const double fast_;
-  TipPlaces tips_;
+  TipFinder tips_;
   std::vector<Branch> live_;
   std::vector<int32_t> lost_;  ///< indices of nodes
   Branches result_;

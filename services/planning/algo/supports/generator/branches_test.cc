@@ -96,17 +96,17 @@ TEST(GrowBranches, NoneLeansMoreThanTheAngle) {
     SupportOptions options;
     options.tree.angle_rad = degrees * std::numbers::pi / 180;
     const ShrinkageCompensation growth(kNothing.Problem(), options, 10);
-    int carried = 0;
+    int above_supports = 0;
     for (const BranchNode& node : growth.branches().nodes) {
       if (node.below < 0) continue;
-      ++carried;
+      ++above_supports;
       const BranchNode& below = growth.branches().nodes[static_cast<size_t>(node.below)];
       // Places are pixels, so each step may be longer by one pixel's diagonal.
       EXPECT_LE(Distance(node.at, below.at),
                 std::tan(options.tree.angle_rad) * (node.z_nm - below.z_nm) + 600'000);
       EXPECT_LT(below.z_nm, node.z_nm);
     }
-    EXPECT_GT(carried, 0) << degrees;
+    EXPECT_GT(above_supports, 0) << degrees;
   }
 }
 

@@ -104,14 +104,14 @@ MultiPolygon LyingOn(const std::vector<const MultiPolygon*>& part, const MultiPo
   return lying;
 }
 
-bool Carries(const PolygonWithHoles& column, const MultiPolygon& above) {
+bool Supports(const PolygonWithHoles& column, const MultiPolygon& above) {
   return !above.empty() && Area(Intersection({column}, above)) >= support::kLeastRegionNm2;
 }
 
 /// Removes islands of the base that are left beside sheets and support no column above the sheets.
 void DropSpent(const MultiPolygon& columns_above, MultiPolygon& base) {
   std::erase_if(base,
-                [&](const PolygonWithHoles& island) { return !Carries(island, columns_above); });
+                [&](const PolygonWithHoles& island) { return !Supports(island, columns_above); });
 }
 
 /// Returns the end of the range of layers with contacts that belong to the sheet of `layer`: this
@@ -193,8 +193,8 @@ void DropUseless(const Contacts& contacts, Coord narrow_nm, std::vector<MultiPol
     std::erase_if(columns[i], [&](const PolygonWithHoles& column) {
       const Box box = Bounds(column.outer);
       const Coord width_nm = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
-      return width_nm < narrow_nm && !Carries(column, contacts[i]) &&
-             !(i + 1 < columns.size() && Carries(column, columns[i + 1]));
+      return width_nm < narrow_nm && !Supports(column, contacts[i]) &&
+             !(i + 1 < columns.size() && Supports(column, columns[i + 1]));
     });
   }
 }

@@ -109,14 +109,14 @@ TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
 
 // The part has cut these columns off from the contacts above them.
 TEST(DropUseless, TakesNarrowColumnsThatCarryNothing) {
-  const PolygonWithHoles carries = BoxOf(0, 0, 1, 4).front(), cut = BoxOf(5, 0, 6, 4).front(),
+  const PolygonWithHoles supports = BoxOf(0, 0, 1, 4).front(), cut = BoxOf(5, 0, 6, 4).front(),
                          wide = BoxOf(10, 0, 20, 10).front();
-  std::vector<MultiPolygon> columns = {{carries, cut, wide}, {carries, cut}, {carries}};
+  std::vector<MultiPolygon> columns = {{supports, cut, wide}, {supports, cut}, {supports}};
   const Contacts contacts = {{}, {}, BoxOf(0, 0, 1, 4)};
   DropUseless(contacts, 3'000'000, columns);
-  EXPECT_EQ(columns[2], MultiPolygon{carries});
-  EXPECT_EQ(columns[1], MultiPolygon{carries});
-  EXPECT_EQ(columns[0], (MultiPolygon{carries, wide})) << "wide ones are not looked at";
+  EXPECT_EQ(columns[2], MultiPolygon{supports});
+  EXPECT_EQ(columns[1], MultiPolygon{supports});
+  EXPECT_EQ(columns[0], (MultiPolygon{supports, wide})) << "wide ones are not looked at";
 }
 
 // The lines of a base may miss a narrow island, and the interface would have nothing below it.

@@ -32,7 +32,7 @@ bool IsHollow(const SupportLayer& layer, const SupportRegion& region) {
 }
 
 /// Pixels near the support of a layer.
-struct Carried {
+struct SupportedPixels {
   PixelGrid grid;
   std::vector<PixelDistance> near;
 
@@ -42,7 +42,7 @@ struct Carried {
 };
 
 /// Returns true if every unsupported section of the ring is short enough to be a bridge.
-bool LiesOn(const Polygon& ring, const Carried& carried) {
+bool LiesOn(const Polygon& ring, const SupportedPixels& supported) {
   constexpr double kMost = kBridgedNm - 2 * kNearNm;
   double first = -1, run = 0, longest = 0;  // `first`: length of the run at the start of the ring
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -50,7 +50,7 @@ bool LiesOn(const Polygon& ring, const Carried& carried) {
     const double length = Distance(a, a + by);
     const auto steps = static_cast<Coord>(length / kStepNm) + 1;
     for (Coord k = 0; k < steps; ++k) {
-      if (!carried.At({a.x + by.x * k / steps, a.y + by.y * k / steps})) {
+      if (!supported.At({a.x + by.x * k / steps, a.y + by.y * k / steps})) {
         run += length / static_cast<double>(steps);
         longest = std::max(longest, run);
         continue;
@@ -78,12 +78,12 @@ class Keeper {
 
   /// Marks the layer if some of its loops have no support from the layer below in its current
   /// state.
-  void Look(size_t index) { doubtful_[index] = !NotCarried(index, true).empty(); }
+  void Look(size_t index) { doubtful_[index] = !Unsupported(index, true).empty(); }
 
   /// Cuts holes into the layer below for unsupported loops. REQUIRES: called from the top down.
   void Keep(size_t index) {
     if (!doubtful_[index] || index == 0) return;
-    const MultiPolygon holes = NotCarried(index, false);
+    const MultiPolygon holes = Unsupported(index, false);
     SupportLayer& below = layers_[index - 1];
     bool changed = false;
     for (SupportRegion& region : below.regions)
@@ -93,30 +93,30 @@ class Keeper {
 
  private:
   /// Returns the areas inside unsupported loops; with `one`, only the first of them.
-  MultiPolygon NotCarried(size_t index, bool one) const {
+  MultiPolygon Unsupported(size_t index, bool one) const {
     const SupportLayer& layer = layers_[index];
     Box box;
     for (const SupportRegion& region : layer.regions)
       if (IsHollow(layer, region)) box.Add(Bounds(region.outlines));
     if (box.Empty()) return {};
-    const Carried carried = CarriedOn(index, box.Grown(2 * kNearNm));
+    const SupportedPixels supported = SupportedOn(index, box.Grown(2 * kNearNm));
     std::vector<Polygon> areas;
     for (const SupportRegion& region : layer.regions) {
       if (!IsHollow(layer, region)) continue;
       const Coord wall = Loops(region.role) * options_.width_nm;
       for (const PolygonWithHoles& island : region.outlines) {
         if (one && !areas.empty()) return {{std::move(areas.front()), {}}};
-        if (!LiesOn(island.outer, carried))
+        if (!LiesOn(island.outer, supported))
           for (PolygonWithHoles& inside : Inside(island.outer, wall))
             areas.push_back(std::move(inside.outer));
         for (const Polygon& hole : island.holes)
-          if (!LiesOn(hole, carried)) areas.push_back({hole.rbegin(), hole.rend()});
+          if (!LiesOn(hole, supported)) areas.push_back({hole.rbegin(), hole.rend()});
       }
     }
     return Union(areas, FillRule::kNonZero);
   }
 
-  Carried CarriedOn(size_t index, const Box& box) const {
+  SupportedPixels SupportedOn(size_t index, const Box& box) const {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
     Coord pixel = kRingPixelNm;
     while (static_cast<double>(GridOver(box, pixel).size()) > kMostRingPixels) pixel *= 2;

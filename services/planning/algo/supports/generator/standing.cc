@@ -46,7 +46,7 @@ class Standing {
     Coord pixel = kPixelNm;
     while (static_cast<double>(GridOver(box, pixel).size()) > kMostPixels) pixel *= 2;
     Bitmap rest(GridOver(box, pixel));
-    ForEachCarrier(index, [&](const MultiPolygon& outlines) { rest.Fill(outlines); });
+    ForEachSupporter(index, [&](const MultiPolygon& outlines) { rest.Fill(outlines); });
     const std::vector<PixelDistance> near = Near(rest);
     for (const SupportRegion& region : layer.regions)
       for (const PolygonWithHoles& island : region.outlines)
@@ -59,8 +59,8 @@ class Standing {
     SupportLayer& layer = layers_[index];
     const Box box = BoundsOf(layer).Grown(2 * kReachNm);
     std::vector<Polygon> rings;
-    ForEachCarrier(index,
-                   [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, rings); });
+    ForEachSupporter(index,
+                     [&](const MultiPolygon& outlines) { AppendRingsNear(outlines, box, rings); });
     const MultiPolygon rest = Union(rings, FillRule::kNonZero);
     const MultiPolygon around =
         Spans() ? FastOffset(FastOffset(rest, kHalfSpanNm), kReachNm - kHalfSpanNm)
@@ -79,7 +79,7 @@ class Standing {
  private:
   /// Calls visit(outlines) with all outlines that may support the layer: support and part below it.
   template <typename Visit>
-  void ForEachCarrier(size_t index, Visit visit) const {
+  void ForEachSupporter(size_t index, Visit visit) const {
     const Coord bottom = layers_[index].top_nm - layers_[index].height_nm;
     if (index > 0 && layers_[index - 1].top_nm >= bottom - support::kSameHeightNm)
       for (const SupportRegion& region : layers_[index - 1].regions) visit(region.outlines);

@@ -39,15 +39,15 @@ struct SupportLayer {
 /// Warning about an overhang, for the user.
 struct SupportFinding {
   enum class Kind : uint8_t {
-    kNotCarried,   ///< overhang that no support can reach
+    kUnsupported,  ///< overhang that no support can reach
     kStartsInAir,  ///< island that does not touch the part's layer below
   };
-  Kind kind = Kind::kNotCarried;
+  Kind kind = Kind::kUnsupported;
   int32_t layer = 0;    ///< index of the part's layer with the overhang
   Coord bottom_nm = 0;  ///< bottom of this layer, above the bed
   Point place;          ///< centroid of the overhang's outer ring, in the object's coordinates
   double area_mm2 = 0;
-  bool carried = false;  ///< for kStartsInAir: true if a support is below the island
+  bool above_supports = false;  ///< for kStartsInAir: true if a support is below the island
 
   friend bool operator==(const SupportFinding&, const SupportFinding&) = default;
 };
@@ -59,7 +59,7 @@ struct SupportPlan {
   std::vector<SupportFinding> findings;
   /// Areas of the part directly above supports, with a margin of a line's width; indexed by layer
   /// of the part.
-  std::vector<MultiPolygon> carried;
+  std::vector<MultiPolygon> above_supports;
 
   friend bool operator==(const SupportPlan&, const SupportPlan&) = default;
 };

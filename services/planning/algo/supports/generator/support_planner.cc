@@ -30,10 +30,10 @@ namespace {
 constexpr Coord kAroundNm = 12'000'000;
 /// Distance from support or part within which an overhang counts as supported, with branches and
 /// with columns.
-constexpr Coord kCarriedTreeNm = 1'000'000;
-constexpr Coord kCarriedNm = 500'000;
+constexpr Coord kTreeSupportMarginNm = 1'000'000;
+constexpr Coord kSupportMarginNm = 500'000;
 /// Smallest area of an unsupported overhang that is reported.
-constexpr double kToldNm2 = 0.05e12;
+constexpr double kReportedNm2 = 0.05e12;
 
 SupportFinding FindingAt(SupportFinding::Kind kind, const SupportProblem& problem, size_t layer,
                          const PolygonWithHoles& island) {
@@ -72,7 +72,7 @@ class Planner {
       KeepStanding(problem_, standing_, threads_, cancel_, plan_.layers);
     }
     plan_.findings = Findings();
-    FindCarried();
+    FindSupported();
     if (cancel_.Cancelled()) return cancel_.Check();
     return std::move(plan_);
   }
@@ -183,8 +183,8 @@ class Planner {
 
   /// Finds the areas of contacts with a support below. The support's top may be up to one layer
   /// height below the gap, because strands sag by this distance.
-  void FindCarried() {
-    plan_.carried.resize(overhangs_.size());
+  void FindSupported() {
+    plan_.above_supports.resize(overhangs_.size());
     ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
       const MultiPolygon& contact = overhangs_[i].contact;
       if (contact.empty() || cancel_.Cancelled()) return;
@@ -198,7 +198,8 @@ class Planner {
       for (; layer != plan_.layers.end() && layer->top_nm <= bottom; ++layer)
         for (const SupportRegion& region : layer->regions)
           AppendRingsNear(region.outlines, box, rings);
-      if (!rings.empty()) plan_.carried[i] = Intersection(wide, Union(rings, FillRule::kNonZero));
+      if (!rings.empty())
+        plan_.above_supports[i] = Intersection(wide, Union(rings, FillRule::kNonZero));
     });
   }
 
@@ -207,16 +208,17 @@ class Planner {
     std::vector<std::vector<SupportFinding>> by_layer(overhangs_.size());
     ForEachIndex(threads_, overhangs_.size(), [&](size_t i, int) {
       if (overhangs_[i].steep.empty() || cancel_.Cancelled()) return;
-      for (const PolygonWithHoles& island : NotCarried(i))
-        if (Area(island) >= kToldNm2)
-          by_layer[i].push_back(FindingAt(SupportFinding::Kind::kNotCarried, problem_, i, island));
+      for (const PolygonWithHoles& island : Unsupported(i))
+        if (Area(island) >= kReportedNm2)
+          by_layer[i].push_back(FindingAt(SupportFinding::Kind::kUnsupported, problem_, i, island));
     });
     for (SupportFinding& finding : findings) {
-      const auto& not_carried = by_layer[static_cast<size_t>(finding.layer)];
-      finding.carried = std::none_of(not_carried.begin(), not_carried.end(), [&](const auto& n) {
-        return Distance(n.place, finding.place) * Distance(n.place, finding.place) <
-               finding.area_mm2 * 1e12;
-      });
+      const auto& unsupported = by_layer[static_cast<size_t>(finding.layer)];
+      finding.above_supports =
+          std::none_of(unsupported.begin(), unsupported.end(), [&](const auto& n) {
+            return Distance(n.place, finding.place) * Distance(n.place, finding.place) <
+                   finding.area_mm2 * 1e12;
+          });
     }
     for (auto& layer : by_layer)
       std::move(layer.begin(), layer.end(), std::back_inserter(findings));
@@ -229,18 +231,19 @@ class Planner {
   /// Returns the areas of an overhang that neither the part's layer below nor a support right under
   /// the overhang is near enough to support. The result is empty for overhangs too low for a
   /// support, because the bed supports them.
-  MultiPolygon NotCarried(size_t part_layer) const {
+  MultiPolygon Unsupported(size_t part_layer) const {
     const MultiPolygon& steep = overhangs_[part_layer].steep;
     const int32_t under = heights_.under[part_layer];
     if (under < 0) return {};
-    const Coord reach = options_.style == SupportStyle::kTree ? kCarriedTreeNm : kCarriedNm;
+    const Coord reach =
+        options_.style == SupportStyle::kTree ? kTreeSupportMarginNm : kSupportMarginNm;
     const Coord top = heights_.layers[static_cast<size_t>(under)].top_nm;
     // Tests supports first: their outlines are small, and usually enough.
     MultiPolygon left = steep;
-    const auto take = [&](const MultiPolygon& carrier) {
+    const auto take = [&](const MultiPolygon& supporter) {
       if (left.empty()) return;
       std::vector<Polygon> near;
-      AppendRingsNear(carrier, Bounds(left).Grown(2 * reach), near);
+      AppendRingsNear(supporter, Bounds(left).Grown(2 * reach), near);
       left = WithoutRings(left, Rings(FastOffset(Union(near, FillRule::kNonZero), reach)));
     };
     const auto layer = std::partition_point(plan_.layers.begin(), plan_.layers.end(),

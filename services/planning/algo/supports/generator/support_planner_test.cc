@@ -204,14 +204,14 @@ TEST_P(SupportsTest, BeadsLieOnBeads) {
   for (size_t i = 1; i < plan.layers.size(); ++i) {
     const SupportLayer& layer = plan.layers[i];
     const Coord bottom = layer.top_nm - layer.height_nm;
-    MultiPolygon carriers;
+    MultiPolygon supporters;
     if (plan.layers[i - 1].top_nm == bottom)
-      carriers = Covered(plan.layers[i - 1], options_.width_nm);
+      supporters = Covered(plan.layers[i - 1], options_.width_nm);
     for (const PartLayer& part : problem.part)
       if (part.top_nm <= bottom && part.top_nm > bottom - 450'000)
-        carriers = Union(carriers, *part.outlines);
+        supporters = Union(supporters, *part.outlines);
     for (const Polygon& bead : Beads(layer, options_.width_nm))
-      EXPECT_LE(LongestOff(bead, carriers), 2'500'000) << "at " << ToMm(layer.top_nm);
+      EXPECT_LE(LongestOff(bead, supporters), 2'500'000) << "at " << ToMm(layer.top_nm);
   }
 }
 
@@ -222,21 +222,21 @@ TEST_P(SupportsTest, CarryAllThatIsSteep) {
   const SupportPlan plan = Plan(problem, options_);
   for (const SupportFinding& finding : plan.findings) {
     EXPECT_EQ(finding.kind, SupportFinding::Kind::kStartsInAir);
-    EXPECT_TRUE(finding.carried);
+    EXPECT_TRUE(finding.above_supports);
   }
   const double reach = options_.style == SupportStyle::kTree ? 1e6 : 0.5e6;
   for (size_t i = 3; i < problem.part.size(); ++i) {
     const Coord top = problem.part[i].bottom_nm() - options_.top_gap_nm;
-    MultiPolygon carriers = *problem.part[i - 1].outlines;
+    MultiPolygon supporters = *problem.part[i - 1].outlines;
     const MultiPolygon support = SupportAt(plan, top);
-    carriers.insert(carriers.end(), support.begin(), support.end());
+    supporters.insert(supporters.end(), support.begin(), support.end());
     const Box box = Bounds(*problem.part[i].outlines);
     for (Coord x = box.min.x + 50'000; x < box.max.x; x += 370'000) {
       for (Coord y = box.min.y + 50'000; y < box.max.y; y += 370'000) {
         const Point p{x, y};
         if (DistanceTo(*problem.part[i].outlines, p) > 0) continue;
         if (DistanceTo(*problem.part[i - 1].outlines, p) < 300'000) continue;
-        EXPECT_LE(DistanceTo(carriers, p), reach) << ToText(p) << " at " << ToMm(top);
+        EXPECT_LE(DistanceTo(supporters, p), reach) << ToText(p) << " at " << ToMm(top);
       }
     }
   }
@@ -324,7 +324,7 @@ TEST_P(StyleTest, OnBedOnlyLeavesWhatStandsOverThePart) {
   options_.bed_only = true;
   const SupportPlan plan = Plan(stack.Problem(), options_);
   ASSERT_THAT(plan.findings, SizeIs(1));
-  EXPECT_EQ(plan.findings[0].kind, SupportFinding::Kind::kNotCarried);
+  EXPECT_EQ(plan.findings[0].kind, SupportFinding::Kind::kUnsupported);
   EXPECT_EQ(plan.findings[0].bottom_nm, 9'000'000);
   EXPECT_GT(plan.findings[0].area_mm2, 100);
 }
@@ -338,14 +338,14 @@ TEST_P(StyleTest, OnBedOnlyWhatIsMarkedMayStandOnThePart) {
   const MultiPolygon left = BoxOf(-100, -100, 5, 100);
   problem.part[45].enforcers = &left;
   const SupportPlan plan = Plan(problem, options_);
-  const double uncarried = plan.findings.empty() ? 0 : plan.findings[0].area_mm2;
+  const double unsupported = plan.findings.empty() ? 0 : plan.findings[0].area_mm2;
   const SupportPlan without = Plan(stack.Problem(), options_);
   ASSERT_THAT(without.findings, SizeIs(1));
   if (options_.style == SupportStyle::kTree) {
-    EXPECT_NEAR(uncarried, without.findings[0].area_mm2, 1);
+    EXPECT_NEAR(unsupported, without.findings[0].area_mm2, 1);
   } else {
-    EXPECT_LT(uncarried, 0.8 * without.findings[0].area_mm2);
-    EXPECT_GT(uncarried, 0) << "the rest of it is not marked";
+    EXPECT_LT(unsupported, 0.8 * without.findings[0].area_mm2);
+    EXPECT_GT(unsupported, 0) << "the rest of it is not marked";
   }
 }
 
@@ -359,7 +359,7 @@ TEST_P(StyleTest, IslandsInTheAirAreToldOf) {
   EXPECT_EQ(plan.findings[0].layer, 25);
   EXPECT_EQ(plan.findings[0].place, (Point{12'000'000, 2'000'000}));
   EXPECT_NEAR(plan.findings[0].area_mm2, 16, 1e-9);
-  EXPECT_TRUE(plan.findings[0].carried);
+  EXPECT_TRUE(plan.findings[0].above_supports);
   EXPECT_EQ(IslandsInAir(stack.Problem(), 1, CancelToken()).size(), 1u);
 }
 
@@ -454,7 +454,7 @@ TEST(SupportPlanner, ColumnsUnderFinsAreClosedCells) {
         EXPECT_FALSE(Offset({island}, -650'000).empty()) << layer.top_nm;
     }
     EXPECT_TRUE(std::ranges::none_of(
-        plan.findings, [](const SupportFinding& finding) { return !finding.carried; }));
+        plan.findings, [](const SupportFinding& finding) { return !finding.above_supports; }));
   }
 }
 

@@ -18,7 +18,7 @@ constexpr Coord kBesideSpanNm = 800'000;
 
 }  // namespace
 
-TipPlaces::TipPlaces(const PixelGrid& grid, Coord reach_nm)
+TipFinder::TipFinder(const PixelGrid& grid, Coord reach_nm)
     : grid_(grid),
       reach_nm_(reach_nm),
       reach_squared_(SquaredPixels(reach_nm, grid.pixel_nm)),
@@ -26,7 +26,7 @@ TipPlaces::TipPlaces(const PixelGrid& grid, Coord reach_nm)
       open_(grid.size(), 0) {}
 
 template <typename Visit>
-void TipPlaces::ForEachWithin(Pixel centre, int32_t squared, Visit visit) const {
+void TipFinder::ForEachWithin(Pixel centre, int32_t squared, Visit visit) const {
   const auto reach = static_cast<int32_t>(std::sqrt(squared));
   for (int32_t y = std::max(0, centre.y - reach); y <= std::min(grid_.height - 1, centre.y + reach);
        ++y)
@@ -36,27 +36,27 @@ void TipPlaces::ForEachWithin(Pixel centre, int32_t squared, Visit visit) const 
         visit(y * grid_.width + x);
 }
 
-void TipPlaces::Begin(const std::vector<int32_t>& underside) {
+void TipFinder::Begin(const std::vector<int32_t>& underside) {
   for (const int32_t i : underside_) open_[static_cast<size_t>(i)] = 0;
   underside_ = underside;
   for (const int32_t i : underside_) open_[static_cast<size_t>(i)] = 1;
-  carriers_.clear();
+  supporters_.clear();
 }
 
-void TipPlaces::Cover(Point at, Coord radius_nm) {
-  bool carries = false;
+void TipFinder::Cover(Point at, Coord radius_nm) {
+  bool supports = false;
   ForEachWithin({grid_.Column(at.x), grid_.Row(at.y)}, SquaredPixels(radius_nm, grid_.pixel_nm),
                 [&](int32_t i) {
-                  carries |= open_[static_cast<size_t>(i)] != 0;
+                  supports |= open_[static_cast<size_t>(i)] != 0;
                   open_[static_cast<size_t>(i)] = 0;
                 });
-  if (!carries) return;
-  for (const Point other : carriers_)
+  if (!supports) return;
+  for (const Point other : supporters_)
     if (Distance(at, other) <= kSpanNm) CoverSpan(at, other);
-  carriers_.push_back(at);
+  supporters_.push_back(at);
 }
 
-void TipPlaces::CoverSpan(Point a, Point b) {
+void TipFinder::CoverSpan(Point a, Point b) {
   const int32_t x0 = grid_.Column(std::min(a.x, b.x) - kBesideSpanNm);
   const int32_t x1 = grid_.Column(std::max(a.x, b.x) + kBesideSpanNm);
   for (int32_t y = grid_.Row(std::min(a.y, b.y) - kBesideSpanNm);
@@ -67,7 +67,7 @@ void TipPlaces::CoverSpan(Point a, Point b) {
         open = 0;
 }
 
-TipPlaces::Pixel TipPlaces::MiddleAround(Pixel pixel, int32_t squared) const {
+TipFinder::Pixel TipFinder::MiddleAround(Pixel pixel, int32_t squared) const {
   int64_t sum_x = 0, sum_y = 0, count = 0;
   ForEachWithin(pixel, squared, [&](int32_t i) {
     if (!open_[static_cast<size_t>(i)]) return;
@@ -87,15 +87,15 @@ TipPlaces::Pixel TipPlaces::MiddleAround(Pixel pixel, int32_t squared) const {
   return best;
 }
 
-bool TipPlaces::CoversFrom(Pixel tip, Pixel pixel) const {
+bool TipFinder::CoversFrom(Pixel tip, Pixel pixel) const {
   const Point at = grid_.Centre(tip.x, tip.y), p = grid_.Centre(pixel.x, pixel.y);
   if (Distance(at, p) <= reach_nm_) return true;
-  return std::ranges::any_of(carriers_, [&](Point other) {
+  return std::ranges::any_of(supporters_, [&](Point other) {
     return Distance(at, other) <= kSpanNm && DistanceToSegment(p, at, other) <= kBesideSpanNm;
   });
 }
 
-std::vector<Point> TipPlaces::Place() {
+std::vector<Point> TipFinder::Place() {
   std::vector<Point> tips;
   const auto put = [&](Pixel pixel) {
     tips.push_back(grid_.Centre(pixel.x, pixel.y));

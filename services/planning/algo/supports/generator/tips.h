@@ -11,10 +11,10 @@ namespace slicefarm::planning {
 ///
 /// The underside of each layer is given as pixels. Branches from above support the pixels near
 /// them. For the remaining pixels a tip is added in the middle of the area that it would support.
-class TipPlaces {
+class TipFinder {
  public:
   /// `reach_nm`: radius of the area that a tip supports. The grid is the grid of all pixels.
-  TipPlaces(const PixelGrid& grid, Coord reach_nm);
+  TipFinder(const PixelGrid& grid, Coord reach_nm);
 
   /// Begins a layer. `underside`: pixels of the layer's underside, as ascending indices into the
   /// grid.
@@ -50,7 +50,7 @@ class TipPlaces {
   int32_t far_squared_;  ///< squared distance within which a tip may support a pixel by a span
   std::vector<int32_t> underside_;
   std::vector<uint8_t> open_;  ///< not 0 for pixels of the underside without support so far
-  std::vector<Point> carriers_;
+  std::vector<Point> supporters_;
 };
 
 }  // namespace slicefarm::planning

@@ -28,18 +28,18 @@ double FromTips(Point p, const std::vector<Point>& tips) {
   for (size_t i = 0; i < tips.size(); ++i) {
     nearest = std::min(nearest, Distance(p, tips[i]));
     for (size_t k = 0; k < i; ++k)
-      if (Distance(tips[i], tips[k]) <= TipPlaces::kSpanNm &&
+      if (Distance(tips[i], tips[k]) <= TipFinder::kSpanNm &&
           DistanceToSegment(p, tips[i], tips[k]) <= 800'000)
         return 0;
   }
   return nearest;
 }
 
-TEST(TipPlaces, EverythingIsWithinReachOfATip) {
+TEST(TipFinder, EverythingIsWithinReachOfATip) {
   for (const MultiPolygon& region : {BoxOf(1, 1, 2, 2), BoxOf(1, 1, 19, 1.6), BoxOf(3, 3, 17, 17),
                                      Difference(BoxOf(1, 1, 19, 19), BoxOf(2, 2, 18, 18))}) {
     const auto underside = Pixels(kGrid, region);
-    TipPlaces places(kGrid, kReach);
+    TipFinder places(kGrid, kReach);
     places.Begin(underside);
     const std::vector<Point> tips = places.Place();
     for (const int32_t i : underside) {
@@ -50,8 +50,8 @@ TEST(TipPlaces, EverythingIsWithinReachOfATip) {
   }
 }
 
-TEST(TipPlaces, WhatIsCoveredNeedsNone) {
-  TipPlaces places(kGrid, kReach);
+TEST(TipFinder, WhatIsCoveredNeedsNone) {
+  TipFinder places(kGrid, kReach);
   places.Begin(Pixels(kGrid, BoxOf(5, 5, 6, 6)));
   places.Cover({5'500'000, 5'500'000}, 1'000'000);
   EXPECT_TRUE(places.Place().empty());

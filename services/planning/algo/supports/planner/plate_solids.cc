@@ -57,9 +57,9 @@ void PlateSolids::Add(const AddedStack& support) {
   }
 }
 
-void PlateSolids::AddAround(const Solid& object, const Solid& other, Point shift, Coord room_nm,
-                            SupportProblem& problem) {
-  if (!object.box.Grown(room_nm).Intersects(MovedBox(other.box, shift))) return;
+void PlateSolids::AddAround(const Solid& object, const Solid& other, Point shift,
+                            Coord clearance_nm, SupportProblem& problem) {
+  if (!object.box.Grown(clearance_nm).Intersects(MovedBox(other.box, shift))) return;
   for (const std::vector<SolidLayer>& stack : other.stacks) {
     std::vector<SolidLayer>& layers = problem.others.emplace_back();
     for (const SolidLayer& layer : stack) {
@@ -70,7 +70,7 @@ void PlateSolids::AddAround(const Solid& object, const Solid& other, Point shift
   }
 }
 
-SupportProblem PlateSolids::ProblemOf(int32_t object, const MultiPolygon& bed, Coord room_nm) {
+SupportProblem PlateSolids::ProblemOf(int32_t object, const MultiPolygon& bed, Coord clearance_nm) {
   const Solid& own = solids_.at(object);
   SupportProblem problem;
   problem.part = own.part;
@@ -81,11 +81,11 @@ SupportProblem PlateSolids::ProblemOf(int32_t object, const MultiPolygon& bed, C
       if (&other == &copy || solid == solids_.end()) continue;
       const Point shift = other.shift - copy.shift;
       if (other.object == object)
-        room_nm = std::min(room_nm, GapOf(own.box, MovedBox(own.box, shift)) / 2);
-      AddAround(own, solid->second, shift, room_nm, problem);
+        clearance_nm = std::min(clearance_nm, GapOf(own.box, MovedBox(own.box, shift)) / 2);
+      AddAround(own, solid->second, shift, clearance_nm, problem);
     }
   }
-  problem.bed = {{RingOf(own.box.Grown(room_nm)), {}}};
+  problem.bed = {{RingOf(own.box.Grown(clearance_nm)), {}}};
   for (const PlacedCopy& copy : copies_)
     if (copy.object == object && !bed.empty())
       problem.bed = Intersection(problem.bed, Moved(bed, Point{} - copy.shift));

@@ -25,11 +25,11 @@ class PlateSolids {
   void Add(const AddedStack& support);
 
   /// Returns the support problem of `object` in its own coordinates. It includes the solids within
-  /// `room_nm` of any copy. Supports may extend beyond the object by at most `room_nm`, and by at
-  /// most half of the gap between two copies. The bed of the problem is this area, as far as it is
-  /// on `bed` for every copy. REQUIRES: the object has copies and layers. Cost: O(copies^2) boxes,
-  /// and the points of near solids.
-  SupportProblem ProblemOf(int32_t object, const MultiPolygon& bed, Coord room_nm);
+  /// `clearance_nm` of any copy. Supports may extend beyond the object by at most `clearance_nm`,
+  /// and by at most half of the gap between two copies. The bed of the problem is this area, as far
+  /// as it is on `bed` for every copy. REQUIRES: the object has copies and layers. Cost:
+  /// O(copies^2) boxes, and the points of near solids.
+  SupportProblem ProblemOf(int32_t object, const MultiPolygon& bed, Coord clearance_nm);
 
  private:
   /// Stacks of an object and their outlines.
@@ -40,7 +40,7 @@ class PlateSolids {
     Box box;
   };
 
-  void AddAround(const Solid& object, const Solid& other, Point shift, Coord room_nm,
+  void AddAround(const Solid& object, const Solid& other, Point shift, Coord clearance_nm,
                  SupportProblem& problem);
 
   const std::span<const PlacedCopy> copies_;

@@ -18,7 +18,7 @@ namespace slicefarm::planning {
 namespace {
 
 /// Number of findings per object that are reported individually.
-constexpr size_t kToldFindings = 5;
+constexpr size_t kReportedFindings = 5;
 
 SupportRow RowOf(const SupportLayer& layer, SupportRole role) {
   switch (role) {
@@ -67,7 +67,7 @@ ObjectSection SectionOf(SupportLayer layer, const Stack& stack, const SupportRow
 std::string TextOf(const SupportFinding& finding) {
   const std::string what =
       finding.kind == SupportFinding::Kind::kStartsInAir
-          ? (finding.carried ? "starts in the air, on a support" : "starts in the air")
+          ? (finding.above_supports ? "starts in the air, on a support" : "starts in the air")
           : "cannot be supported";
   return fmt::format("{:.2f} mm2 at ({:.1f}, {:.1f}), {:.2f} mm above its bottom: {}",
                      finding.area_mm2, ToMm(finding.place.x), ToMm(finding.place.y),
@@ -75,15 +75,15 @@ std::string TextOf(const SupportFinding& finding) {
 }
 
 /// Adds warnings for the user. Places are in the object's own coordinates.
-void Tell(const std::string& name, std::vector<SupportFinding> findings,
-          std::vector<std::string>& warnings) {
-  std::erase_if(findings, [](const SupportFinding& finding) { return finding.carried; });
+void AddWarnings(const std::string& name, std::vector<SupportFinding> findings,
+                 std::vector<std::string>& warnings) {
+  std::erase_if(findings, [](const SupportFinding& finding) { return finding.above_supports; });
   std::ranges::stable_sort(findings, std::ranges::greater{}, &SupportFinding::area_mm2);
-  for (size_t i = 0; i < std::min(findings.size(), kToldFindings); ++i)
+  for (size_t i = 0; i < std::min(findings.size(), kReportedFindings); ++i)
     warnings.push_back(fmt::format("{}: {}", name, TextOf(findings[i])));
-  if (findings.size() > kToldFindings)
+  if (findings.size() > kReportedFindings)
     warnings.push_back(
-        fmt::format("{}: {} more unsupported areas", name, findings.size() - kToldFindings));
+        fmt::format("{}: {} more unsupported areas", name, findings.size() - kReportedFindings));
 }
 
 }  // namespace
@@ -105,16 +105,17 @@ absl::Status SupportsPlanner::Plan(std::span<const SlicedLayer> parts, const Can
   for (const int32_t object : objects) {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     const ObjectPlanOptions& options = options_.objects[static_cast<size_t>(object)];
-    SupportProblem problem = plate.ProblemOf(object, options_.bed, kRoomNm);
+    SupportProblem problem = plate.ProblemOf(object, options_.bed, kClearanceNm);
     // A raft has its own expansion below the supports that rest on it.
     if (options.raft.heights.layers == 0)
       problem.first_layer_expansion_nm = options.raft.first_layer_expansion_nm;
     auto planned = PlanSupports(problem, options.support, threads_, cancel);
     if (!planned.ok()) return planned.status();
-    Tell(NameOf(object, object_names_), std::move(planned->findings), plan.warnings);
-    for (size_t i = 0; i < planned->carried.size(); ++i)
-      if (!planned->carried[i].empty())
-        plan.carried[{object, static_cast<int32_t>(i)}] = std::move(planned->carried[i]);
+    AddWarnings(NameOf(object, object_names_), std::move(planned->findings), plan.warnings);
+    for (size_t i = 0; i < planned->above_supports.size(); ++i)
+      if (!planned->above_supports[i].empty())
+        plan.above_supports[{object, static_cast<int32_t>(i)}] =
+            std::move(planned->above_supports[i]);
     if (planned->layers.empty()) continue;
     AddedStack& added = done.emplace_back();
     added.stack = plan.Add(object, StackKind::kSupport).stack;

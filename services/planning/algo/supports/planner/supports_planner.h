@@ -19,8 +19,8 @@ namespace slicefarm::planning {
 ///
 /// The supports are in the object's own coordinates. All copies share them, and they are printed
 /// and cancelled with each copy. So the neighbours of any copy limit the supports of all copies.
-/// Supports of earlier objects are neighbours too. No support is more than kRoomNm away from the
-/// object's bounding box, or beyond half the distance to the object's next copy.
+/// Supports of earlier objects are neighbours too. No support is more than kClearanceNm away from
+/// the object's bounding box, or beyond half the distance to the object's next copy.
 ///
 /// Output: regions of Role::kSupport and kSupportInterface. RegionPlan::warnings lists the
 /// overhangs that no support can reach and the islands that start in the air, with position and
@@ -34,7 +34,7 @@ class SupportsPlanner : public RegionPlanner {
                   std::span<const std::string> object_names, int threads)
       : options_(options), copies_(copies), object_names_(object_names), threads_(threads) {}
 
-  static constexpr Coord kRoomNm = 15 * kNmPerMm;
+  static constexpr Coord kClearanceNm = 15 * kNmPerMm;
 
   /// Returns true if an object on the plate requests supports.
   static bool IsNeeded(const PlanningOptions& options, std::span<const PlacedCopy> copies);

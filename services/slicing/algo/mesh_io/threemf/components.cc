@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 #include "services/slicing/algo/mesh_io/threemf/transform_text.h"
 
@@ -26,9 +26,9 @@ absl::Status ComponentTree::Visit(const ObjectKey& key, int64_t depth) {
   Node& node = nodes_[key.file][key.object];
   if (node.height >= 0) return absl::OkStatus();
   const ObjectResource& object = package_->At(key);
-  const Place place = {package_->files[key.file].part, object.line};
+  const FileLocation place = {package_->files[key.file].part, object.line};
   if (node.entered)
-    return PlacedAt(place, Malformed(fmt::format("object {} contains itself", object.id)));
+    return WithLocation(place, Malformed(fmt::format("object {} contains itself", object.id)));
   node.entered = true;
   node.meshes = object.mesh >= 0 ? 1 : 0;
   int64_t height = 0;
@@ -44,8 +44,8 @@ absl::Status ComponentTree::Visit(const ObjectKey& key, int64_t depth) {
     if (At(*inner).meshes > 0) node.components.push_back({*inner, i});
   }
   if (depth + height > limits::kMaxComponentsDepth)
-    return PlacedAt(place, LimitError(Reason::kMeshMalformed, "components within each other",
-                                      limits::kMaxComponentsDepth, depth + height));
+    return WithLocation(place, LimitError(Reason::kMeshMalformed, "components within each other",
+                                          limits::kMaxComponentsDepth, depth + height));
   node.height = height;
   return absl::OkStatus();
 }
@@ -53,7 +53,7 @@ absl::Status ComponentTree::Visit(const ObjectKey& key, int64_t depth) {
 absl::StatusOr<std::vector<FlatPart>> ComponentTree::Flatten(const ObjectKey& key) const {
   const ObjectResource& object = package_->At(key);
   if (At(key).meshes > limits::kMaxParts)
-    return PlacedAt(
+    return WithLocation(
         {package_->files[key.file].part, object.line},
         LimitError(Reason::kMeshTooLarge, "parts of an object", limits::kMaxParts, At(key).meshes));
   std::vector<FlatPart> parts;
@@ -85,7 +85,7 @@ absl::Status ComponentTree::Append(const ObjectKey& key, const FlatPart& from,
     FlatPart inner = from;
     inner.to_object = Composed(from.to_object, component.transform);
     absl::Status status = CheckTransform(inner.to_object);
-    if (!status.ok()) return PlacedAt({part, component.line}, status);
+    if (!status.ok()) return WithLocation({part, component.line}, status);
     status = Append(use.object, inner, parts);
     if (!status.ok()) return status;
   }

@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/model_stream.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/names.h"
 
 namespace slicefarm::slicing::threemf {
@@ -87,8 +87,8 @@ class PackageReader {
     if (use.path.empty()) use.path = part;
     const ArchiveEntry* entry = archive_.Find(use.path);
     if (entry == nullptr)
-      return PlacedAt({part, use.line}, Malformed(fmt::format("there is no `{}` in the archive",
-                                                              CleanName(use.path))));
+      return WithLocation({part, use.line}, Malformed(fmt::format("there is no `{}` in the archive",
+                                                                  CleanName(use.path))));
     use.path = entry->name;
     if (std::find(entries_.begin(), entries_.end(), entry) == entries_.end())
       entries_.push_back(entry);
@@ -125,8 +125,8 @@ absl::StatusOr<ObjectKey> Package::Resolve(const ObjectUse& use, size_t file) co
     const auto found = files[in].by_id.find(use.object);
     if (found != files[in].by_id.end()) return ObjectKey{in, found->second};
   }
-  return PlacedAt({files[file].part, use.line},
-                  Malformed(fmt::format("there is no object {}", use.object)));
+  return WithLocation({files[file].part, use.line},
+                      Malformed(fmt::format("there is no object {}", use.object)));
 }
 
 absl::StatusOr<Package> ReadPackage(const Archive& archive, MeshReading reading,

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 
 namespace slicefarm::slicing::threemf {
@@ -28,10 +28,11 @@ absl::Status CheckRanges(const std::vector<PartSettings>& parts, int64_t triangl
   for (const PartSettings* part : sorted) {
     const int64_t first = part->first_triangle, last = part->last_triangle;
     if (first < next || last < first || last >= triangles)
-      return PlacedAt({file, part->line},
-                      Malformed(fmt::format("a volume of triangles {} to {} of {}, where {} is the "
-                                            "first that no other volume has",
-                                            first, last, triangles, next)));
+      return WithLocation(
+          {file, part->line},
+          Malformed(fmt::format("a volume of triangles {} to {} of {}, where {} is the "
+                                "first that no other volume has",
+                                first, last, triangles, next)));
     next = last + 1;
   }
   return absl::OkStatus();

@@ -9,7 +9,7 @@
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/threemf/beds.h"
 #include "services/slicing/algo/mesh_io/threemf/components.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/parts.h"
 #include "services/slicing/algo/mesh_io/threemf/plates.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/notes.h"
@@ -99,7 +99,7 @@ class ProjectBuilder {
         PartsOf({package_, tree_, metadata_.model}, key, object.name, notes_);
     if (!parts.ok()) return parts.status();
     absl::Status status = Count(*parts, object.name);
-    if (!status.ok()) return PlacedAt({package_.files.front().part, line}, status);
+    if (!status.ok()) return WithLocation({package_.files.front().part, line}, status);
     object.parts = *std::move(parts);
     if (const ObjectSettings* settings = SettingsOf(key); settings != nullptr)
       object.settings = settings->settings;
@@ -107,7 +107,7 @@ class ProjectBuilder {
     if (const auto own = metadata_.profiles.find(number); own != metadata_.profiles.end())
       if (absl::Status added = AddSetting("layer_height_profile", own->second, object.settings);
           !added.ok())
-        return PlacedAt({package_.files.front().part, line}, added);
+        return WithLocation({package_.files.front().part, line}, added);
     const auto ranges = metadata_.ranges.find(number);
     if (ranges != metadata_.ranges.end()) object.ranges = std::move(ranges->second);
     const auto painted = HasPaintedFilaments({package_, tree_, metadata_.model}, key);

@@ -19,8 +19,8 @@
 #include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/placement/arranging/convex_parts.h"
-#include "services/slicing/algo/placement/arranging/free_places.h"
-#include "services/slicing/algo/placement/arranging/grid_places.h"
+#include "services/slicing/algo/placement/arranging/free_positions.h"
+#include "services/slicing/algo/placement/arranging/grid_positions.h"
 #include "services/slicing/algo/placement/arranging/packing.h"
 
 namespace slicefarm::slicing {
@@ -195,7 +195,7 @@ Packing InGrids(const PackingTask& task, size_t variant, Coord distance_nm) {
   size_t left = task.sequence.size();
   while (left > 0 && (task.max_plates == 0 || packing.plates < task.max_plates)) {
     const std::vector<Point> places =
-        GridPlaces(task.bed, shape.hull, distance_nm, left, shape.kept_off);
+        GridPositions(task.bed, shape.hull, distance_nm, left, shape.kept_off);
     if (places.empty()) break;
     for (const Point place : places)
       packing.items.push_back(PackedItem{packing.plates, variant, place});
@@ -247,11 +247,11 @@ Point TwiceMiddle(const Polygon& bed, const ArrangeOptions& options) {
 Point TowardsMiddle(const Polygon& bed, Point twice_middle, Group group) {
   const Box box = Bounds(group.corners);
   const Point path = twice_middle - (box.min + box.max);
-  FreePlaces free(bed, ConvexHull(std::move(group.corners)), {0, 0});
+  FreePositions free(bed, ConvexHull(std::move(group.corners)), {0, 0});
   free.AddObstacles(std::move(group.kept_off));
   const auto at = [&](Coord part, Coord of) {
     const auto rounded = [&](Coord whole) {
-      return std::llround(0.5 * whole * part / of / kPlaceStep) * kPlaceStep;
+      return std::llround(0.5 * whole * part / of / kPositionStep) * kPositionStep;
     };
     return Point{rounded(path.x), rounded(path.y)};
   };
@@ -299,7 +299,7 @@ Arrangement Result(const PreparedItems& prepared, const Packing& packing) {
     }
     const auto& [plate, variant, at] = *packing.items[i];
     const double deg = task.shapes[task.sequence[i]][variant].rotation_deg;
-    result.places[prepared.item_of[i]] = ItemPlace{plate, at, deg};
+    result.places[prepared.item_of[i]] = ItemPosition{plate, at, deg};
   }
   std::sort(result.left_over.begin(), result.left_over.end());
   return result;

@@ -37,18 +37,18 @@ struct ArrangeOptions {
 };
 
 /// Position of an item on a plate.
-struct ItemPlace {
+struct ItemPosition {
   int plate = 0;
   Point translation;  ///< applied after the rotation about 0, 0; whole micrometres
   double rotation_deg = 0;
 
-  friend bool operator==(const ItemPlace&, const ItemPlace&) = default;
+  friend bool operator==(const ItemPosition&, const ItemPosition&) = default;
 };
 
 /// Result of arranging.
 struct Arrangement {
   /// Position of each item, indexed by item; nullopt for the items in `left_over`.
-  std::vector<std::optional<ItemPlace>> places;
+  std::vector<std::optional<ItemPosition>> places;
   int plates = 0;                 ///< plates 0..n-1 are in use
   std::vector<size_t> left_over;  ///< indices of the items without a position
 };
@@ -58,10 +58,10 @@ struct Arrangement {
 ///
 /// The largest item comes first. Each item goes to the best position on the first plate that has
 /// one. Candidate positions are the corners of the no-fit region, which is computed by exact
-/// Minkowski sums of convex pieces (free_places.h). Items are packed outwards from the middle. If
-/// this takes more than one plate, they are also packed from the front, and the packing with fewer
-/// plates is used. Equal items form a grid instead if the grid does not need more plates. Finally
-/// each plate without fixed parts is moved as a whole towards the position of its middle.
+/// Minkowski sums of convex pieces (free_positions.h). Items are packed outwards from the middle.
+/// If this takes more than one plate, they are also packed from the front, and the packing with
+/// fewer plates is used. Equal items form a grid instead if the grid does not need more plates.
+/// Finally each plate without fixed parts is moved as a whole towards the position of its middle.
 ///
 /// Guarantees: no two parts on a plate are closer than distance_nm. No part is closer to the bed's
 /// edge or to an excluded area than bed_margin_nm (to 1 nm), for any input. The result is

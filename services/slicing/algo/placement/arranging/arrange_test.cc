@@ -128,7 +128,7 @@ Box BoxOfAll(const std::vector<ArrangeItem>& items, const Arrangement& result) {
 TEST(Arrange, PutsOnePartInTheMiddle) {
   const Arrangement one = ArrangeOrDie(Copies(Rectangle(30, 20), 1), OnBed());
   EXPECT_EQ(one.plates, 1);
-  EXPECT_THAT(one.places, ElementsAre(ItemPlace{0, {FromMm(110), FromMm(95)}, 0}));
+  EXPECT_THAT(one.places, ElementsAre(ItemPosition{0, {FromMm(110), FromMm(95)}, 0}));
 }
 
 /// Returns the excluded areas of real printer profiles.

@@ -9,7 +9,7 @@
 #include "common/geometry/moved.h"
 #include "common/model/scene/rotation.h"
 #include "services/slicing/algo/placement/arranging/convex_parts.h"
-#include "services/slicing/algo/placement/arranging/free_places.h"
+#include "services/slicing/algo/placement/arranging/free_positions.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -55,7 +55,7 @@ constexpr double kHardlySmaller = 0.85;
 /// Parts on one plate, and the free positions on it for the current shape.
 struct Plate {
   std::vector<std::pair<const std::vector<Polygon>*, Point>> standing;
-  std::vector<FreePlaces> free;  ///< one for each variant; empty: not computed yet
+  std::vector<FreePositions> free;  ///< one for each variant; empty: not computed yet
   size_t seen = 0;  ///< number of parts of `standing` that are already obstacles in `free`
   std::vector<Size> refused;  ///< sizes of shapes that found no position
 };
@@ -111,7 +111,7 @@ class Packer {
     BringUpToDate(plate, shape);
     std::optional<PackedItem> best;
     for (size_t variant = 0; variant < shape.size(); ++variant)
-      for (const Point place : plate.free[variant].Places())
+      for (const Point place : plate.free[variant].Positions())
         if (const PackedItem item = {static_cast<int>(index), variant, place};
             !best || Cost(shape, item) < Cost(shape, *best))
           best = item;

@@ -70,7 +70,7 @@ enum class PackingOrder {
 };
 
 /// Packs greedily: each item goes to the first plate that has a free position for it. Of the free
-/// positions on that plate (FreePlaces), `order` decides. Items that fit on no plate get no
+/// positions on that plate (FreePositions), `order` decides. Items that fit on no plate get no
 /// position.
 ///
 /// Errors: CANCELLED. Cost: O(k m) per item, for the k parts with m corners each on the item's

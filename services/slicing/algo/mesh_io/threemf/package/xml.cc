@@ -8,7 +8,7 @@
 
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/point_hash.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {
@@ -119,7 +119,7 @@ int64_t XmlParser::line() const {
 
 absl::Status XmlParser::Placed(const absl::Status& error) const {
   if (!absl::IsInvalidArgument(error)) return error;
-  return PlacedAt({part_, line()}, error);
+  return WithLocation({part_, line()}, error);
 }
 
 absl::Status XmlParser::SyntaxError() const {

@@ -9,27 +9,27 @@ namespace {
 class Listener : public XmlHandler {
  public:
   absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t line) override {
-    told += "<" + std::string(name) + "@" + std::to_string(line);
+    reported += "<" + std::string(name) + "@" + std::to_string(line);
     for (const XmlAttribute& each : attributes)
-      told += " " + std::string(each.name) + "=" + std::string(each.value);
+      reported += " " + std::string(each.name) + "=" + std::string(each.value);
     return name == "bad" ? Malformed("bad") : absl::OkStatus();
   }
   absl::Status End(std::string_view name) override {
-    told += ">" + std::string(name);
+    reported += ">" + std::string(name);
     return absl::OkStatus();
   }
   absl::Status Text(std::string_view text) override {
-    told += text;
+    reported += text;
     return absl::OkStatus();
   }
 
-  std::string told;
+  std::string reported;
 };
 
 TEST(ParseXml, TellsElementsAttributesAndText) {
   Listener listener;
   ASSERT_TRUE(ParseXml("<a x='1' p:y=\"&lt;2\">\n<b/>t</a>", "part", listener).ok());
-  EXPECT_EQ(listener.told, "<a@1 x=1 p:y=<2\n<b@2>bt>a");
+  EXPECT_EQ(listener.reported, "<a@1 x=1 p:y=<2\n<b@2>bt>a");
 }
 
 absl::Status Parse(const std::string& text) {
@@ -103,7 +103,7 @@ TEST(XmlParser, CountsSkippedLines) {
   ASSERT_TRUE(parser.Feed("<a>\n", false).ok());
   parser.SkipLines(10);
   ASSERT_TRUE(parser.Feed("<b/>", false).ok());
-  EXPECT_EQ(listener.told, "<a@1\n<b@12>b");
+  EXPECT_EQ(listener.reported, "<a@1\n<b@12>b");
 }
 
 TEST(XmlAttributes, AreFoundByName) {

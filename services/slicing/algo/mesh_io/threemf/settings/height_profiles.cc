@@ -6,7 +6,7 @@
 #include "common/base/text.h"
 #include "common/model/limits.h"
 #include "common/model/options/layer_heights.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 
 namespace slicefarm::slicing::threemf {
@@ -38,7 +38,7 @@ absl::StatusOr<HeightProfiles> ReadHeightProfiles(std::string_view text, const s
     ++number;
     if (Trim(line).empty()) continue;
     if (absl::Status added = AddProfile(Trim(line), profiles); !added.ok())
-      return PlacedAt({part, number}, added);
+      return WithLocation({part, number}, added);
   }
   return profiles;
 }

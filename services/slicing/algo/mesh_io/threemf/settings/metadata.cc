@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/base/text.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/height_codes.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/setting_list.h"
 
@@ -131,7 +131,7 @@ absl::StatusOr<Metadata> ReadMetadata(const Archive& archive) {
   const auto heights = ReadIfThere<PlateHeightCodes>(archive, names.heights, ReadHeightCodes);
   if (!heights.ok()) return heights.status();
   absl::Status added = AddHeightCodes(*heights, metadata);
-  if (!added.ok()) return PlacedAt({std::string(names.heights), 1}, added);
+  if (!added.ok()) return WithLocation({std::string(names.heights), 1}, added);
   return metadata;
 }
 

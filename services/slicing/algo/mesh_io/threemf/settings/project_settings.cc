@@ -4,7 +4,7 @@
 
 #include "common/base/text.h"
 #include "common/base/utf8.h"
-#include "services/slicing/algo/mesh_io/threemf/package/place.h"
+#include "services/slicing/algo/mesh_io/threemf/package/file_location.h"
 #include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/names.h"
 #include "services/slicing/algo/mesh_io/threemf/settings/setting_list.h"
@@ -28,7 +28,7 @@ std::string TextOf(const json& value) {
 }  // namespace
 
 absl::StatusOr<ProjectSettings> ReadPrusaSettings(std::string_view text, const std::string& part) {
-  if (!IsUtf8(text)) return PlacedAt({part, 1}, Malformed("the settings are not UTF-8 text"));
+  if (!IsUtf8(text)) return WithLocation({part, 1}, Malformed("the settings are not UTF-8 text"));
   ProjectSettings project;
   int64_t line = 0;
   for (std::string_view rest : Split(text, "\n")) {
@@ -39,7 +39,7 @@ absl::StatusOr<ProjectSettings> ReadPrusaSettings(std::string_view text, const s
     if (equals == std::string_view::npos) continue;
     const std::string value = ReplaceControls(Trim(rest.substr(equals + 1)), ' ');
     absl::Status status = Add(Trim(rest.substr(0, equals)), value, project);
-    if (!status.ok()) return PlacedAt({part, line}, status);
+    if (!status.ok()) return WithLocation({part, line}, status);
   }
   return project;
 }
@@ -52,11 +52,12 @@ absl::StatusOr<ProjectSettings> ReadOrcaSettings(std::string_view text, const st
     return depth <= (begins ? 1 : 2);
   };
   const json all = json::parse(text.begin(), text.end(), is_flat, /*allow_exceptions=*/false);
-  if (!all.is_object()) return PlacedAt({part, 1}, Malformed("the settings are not a JSON object"));
+  if (!all.is_object())
+    return WithLocation({part, 1}, Malformed("the settings are not a JSON object"));
   ProjectSettings project;
   for (const auto& [key, value] : all.items()) {
     absl::Status status = Add(key, TextOf(value), project);
-    if (!status.ok()) return PlacedAt({part, 1}, status);
+    if (!status.ok()) return WithLocation({part, 1}, status);
   }
   return project;
 }
