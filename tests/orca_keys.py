@@ -16,7 +16,7 @@ import tempfile
 import zipfile
 
 KEYS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "corpus", "config", "orca_keys.txt")
-LEAST = 402
+LEAST = 443
 # Settings that are read, but have no effect.
 READ_ONLY = {"support_interface_loop_pattern": "support interfaces always have a loop"}
 TYPES = ('<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" '
