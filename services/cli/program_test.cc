@@ -324,7 +324,7 @@ INSTANTIATE_TEST_SUITE_P(
         FailureCase{"SetWithoutValue",
                     {"slice", "@cube.obj", "-o", "@out.gcode", "--set", "perimeters"},
                     ExitCode::kUsage,
-                    "key=value"},
+                    "KEY=VALUE"},
         FailureCase{"UnknownSetting",
                     {"slice", "@cube.obj", "-o", "@out.gcode", "--set", "layer_hight=0.2"},
                     ExitCode::kBadSettings,

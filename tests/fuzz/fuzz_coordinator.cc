@@ -189,7 +189,8 @@ void Farm::Create(const v1::CreateJobRequest& request) {
     const auto found = kept.labels().find(key);
     Expect(found != kept.labels().end() && found->second == value);
   }
-  if (request.spec().profiles_size() == 0) {
+  // The settings of profiles and presets are added to the job.
+  if (request.spec().profiles_size() == 0 && !request.spec().has_presets()) {
     Expect(kept.spec().SerializeAsString() == request.spec().SerializeAsString());
   }
   v1::ListJobsRequest list;

@@ -10,6 +10,7 @@
 
 #include "common/base/text.h"
 #include "common/config/presets/preset_keys.h"
+#include "common/config/table/value.h"
 
 namespace slicefarm::config::presets {
 namespace {
@@ -78,12 +79,12 @@ std::string WhyLayerHeightUnfit(std::string_view value, const PrinterChange& cha
   if (!height || *height <= 0) return "";
   if (change.max_layer_mm > 0 && *height > change.max_layer_mm)
     return fmt::format(
-        "layers of {} mm are higher than the printer's largest layer height of {} mm", *height,
-        change.max_layer_mm);
+        "layers of {} mm are higher than the printer's largest layer height of {} mm",
+        PrintNumber(*height), PrintNumber(change.max_layer_mm));
   if (*height < change.min_layer_mm)
     return fmt::format(
-        "layers of {} mm are lower than the printer's smallest layer height of {} mm", *height,
-        change.min_layer_mm);
+        "layers of {} mm are lower than the printer's smallest layer height of {} mm",
+        PrintNumber(*height), PrintNumber(change.min_layer_mm));
   return "";
 }
 

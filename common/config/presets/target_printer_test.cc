@@ -118,7 +118,7 @@ TEST(ForPrinter, KeepsTheDesignersChangesAndTakesTheRestFromThePresets) {
   EXPECT_THAT(job.notes(), Contains(HasSubstr("belongs to the printer): exclude_object, "
                                               "machine_start_gcode")));
   EXPECT_THAT(job.notes(), Contains(HasSubstr("filament): nozzle_temperature")));
-  EXPECT_THAT(job.notes(), Contains(HasSubstr("layers of 0.9 mm are above")));
+  EXPECT_THAT(job.notes(), Contains(HasSubstr("layers of 0.9 mm are higher than")));
 }
 
 TEST(ForPrinter, ConvertsAProjectOfAnotherProgram) {
@@ -154,7 +154,7 @@ TEST(ForPrinter, ChoosesTheProcessAndTheFilamentThatCorrespond) {
   project.settings.push_back({"layer_height", "0.28"});
   const Values other(project, Bundle(), {"B", "", ""});
   EXPECT_EQ(other.made().presets.process->name, "0.20mm NORMAL") << "the default";
-  EXPECT_THAT(other.notes(), Contains(HasSubstr("layers of 0.28 mm")));
+  EXPECT_THAT(other.notes(), Contains(HasSubstr("layer height of 0.28 mm")));
   const Values named(project, Bundle(), {"B", "0.30mm DRAFT", "PLA"});
   EXPECT_EQ(named.made().presets.process->name, "0.30mm DRAFT");
   EXPECT_EQ(named.made().presets.filament->name, "PLA");

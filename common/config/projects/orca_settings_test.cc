@@ -204,9 +204,9 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {},
        {"z_foo: unknown, or not supported yet", "a_bar: unknown, or not supported yet"}},
       {"WeightyFirst",
-       {{"z_foo", "1"}, {"interlocking_beam", "1"}, {"zaa_enabled", "0"}},
+       {{"z_foo", "1"}, {"zaa_enabled", "1"}, {"skirt_type", "combined"}},
        {},
-       {"interlocking_beam = 1", "z_foo: unknown, or not supported yet"}},
+       {"zaa_enabled = 1", "z_foo: unknown, or not supported yet"}},
       // On a machine with a head wider than the nozzle's radius, the head would hit copies.
       {"WidestClearance",
        {{"extruder_clearance_radius", "57"}, {"extruder_clearance_max_radius", "68"}},

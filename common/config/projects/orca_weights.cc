@@ -16,7 +16,6 @@ struct Weighty {
 constexpr Weighty kWeighty[] = {
     // Settings that change the material or sizes.
     {"zaa_enabled", "0"},
-    {"interlocking_beam", "0"},
     {"skirt_type", "combined"},
     // Settings for the machine.
     {"timelapse_type", "0"},

@@ -13,10 +13,10 @@ TEST(WeightOf, DependsOnTheValue) {
     const char* value;
     OrcaWeight weight;
   };
-  for (const Case& c : {Case{"interlocking_beam", "0", OrcaWeight::kNothing},
-                        Case{"interlocking_beam", "1", OrcaWeight::kPrint},
-                        Case{"interlocking_beam", R"(["0", "0"])", OrcaWeight::kNothing},
-                        Case{"interlocking_beam", R"(["0", "1"])", OrcaWeight::kPrint},
+  for (const Case& c : {Case{"zaa_enabled", "0", OrcaWeight::kNothing},
+                        Case{"zaa_enabled", "1", OrcaWeight::kPrint},
+                        Case{"zaa_enabled", R"(["0", "0"])", OrcaWeight::kNothing},
+                        Case{"zaa_enabled", R"(["0", "1"])", OrcaWeight::kPrint},
                         Case{"post_process", "", OrcaWeight::kNothing},
                         Case{"post_process", R"(["a.py"])", OrcaWeight::kPrint},
                         Case{"temperature_vitrification", "60", OrcaWeight::kNothing},

@@ -63,14 +63,14 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   project.dialect = SettingsDialect::kOrca;
   project.settings = {{"no_such", "1"},
                       {"brim_type", "painted"},
-                      {"zaa_enabled", "0"},
+                      {"skirt_type", "combined"},
                       {"sparse_infill_pattern", "no_such"}};
-  project.objects[1].settings = {{"interlocking_beam", "1"}, {"sparse_infill_pattern", "grid"}};
+  project.objects[1].settings = {{"zaa_enabled", "1"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
               ElementsAre("brim_type = painted", "sparse_infill_pattern = no_such",
-                          "b: interlocking_beam = 1", "no_such: unknown, or not supported yet"));
+                          "b: zaa_enabled = 1", "no_such: unknown, or not supported yet"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 

@@ -19,7 +19,7 @@ TEST(Warnings, TellOfFoldsAndOfNothing) {
   LayerNumbers layer{.layer = 4, .folds = 3, .folds_mm = 0.5, .first_fold_mm = {1, 2, 3}};
   const auto warnings = WarningsOf(map, {layer});
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_THAT(warnings[0], testing::HasSubstr("layer 4 at (1.000, 2.000, 3.000)"));
+  EXPECT_THAT(warnings[0], testing::HasSubstr("layer 4, at (1.000, 2.000, 3.000)"));
   EXPECT_THAT(warnings[1], testing::HasSubstr("no line"));
 }
 

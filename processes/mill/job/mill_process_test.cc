@@ -86,7 +86,7 @@ TEST_F(MillProcessTest, ReportsWhatItCameTo) {
   EXPECT_EQ(report.object_height_mm, 3);
   EXPECT_THAT(report.warnings,
               testing::ElementsAre("of the settings", testing::HasSubstr("wrong orientation"),
-                                   testing::HasSubstr("gouges the part at 2")));
+                                   testing::HasSubstr("cuts into the part at 2")));
   const auto json = nlohmann::json::parse(ReportJson(report, {}));
   EXPECT_EQ(json["milling"]["cutter"], "ball:4");
   EXPECT_EQ(json["milling"]["phases"]["roughing"]["steps"], 5);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/strings/str_join.h"
 #include "common/config/table/settings_table.h"
 #include "common/config/table/suggest.h"
 #include "common/model/process.h"
@@ -57,13 +58,14 @@ std::string SettingOf(std::string_view option) {
   return config::NearestSetting(key, kDefaultProcess);
 }
 
-/// Returns another command that has the option; empty if there is none.
-std::string OwnerOf(const CLI::App& app, const std::string& option) {
+/// Appends the commands that have the option, each in backquotes.
+void AddOwners(const CLI::App& app, const std::string& option, std::vector<std::string>& owners) {
   for (const CLI::App* command : app.get_subcommands({})) {
-    if (Has(LongOptions(*command), option)) return CallOf(*command);
-    if (std::string inner = OwnerOf(*command, option); !inner.empty()) return inner;
+    if (Has(LongOptions(*command), option))
+      owners.push_back("`" + CallOf(*command) + "`");
+    else
+      AddOwners(*command, option, owners);
   }
-  return "";
 }
 
 std::string UnknownOption(const CLI::App& app, const CLI::App& command, const std::string& given) {
@@ -71,14 +73,16 @@ std::string UnknownOption(const CLI::App& app, const CLI::App& command, const st
   const std::vector<std::string> options = LongOptions(command);
   std::string text = fmt::format("{} has no option {}", CallOf(command), option);
   if (option.size() < 3 || !option.starts_with("--")) return text;
-  const std::string owner = OwnerOf(app, option);
+  std::vector<std::string> owners;
+  AddOwners(app, option, owners);
   const std::string nearest = NearestOf(option, options);
   const std::string setting = Has(options, "--set") ? SettingOf(option) : "";
   const auto edits = [&](std::string_view name) { return config::EditDistance(option, name); };
   std::string as_option = "--" + setting;
   std::ranges::replace(as_option, '_', '-');
   const bool is_setting = as_option == option || "--" + setting == option;
-  if (!owner.empty() && !is_setting) return text + fmt::format("; `{}` has", owner);
+  if (!owners.empty() && !is_setting)
+    return text + "; commands with this option: " + absl::StrJoin(owners, ", ");
   if (!setting.empty() && (nearest.empty() || edits(as_option) < edits(nearest)))
     return text + fmt::format("; do you mean --set {}=VALUE?", setting);
   return nearest.empty() ? text : text + fmt::format("; do you mean {}?", nearest);

@@ -126,6 +126,9 @@ absl::StatusOr<std::vector<Piece>> PiecesInParts(const MultiPolygon& region, Fil
 
 bool IsInParts(FillPattern pattern, const LayerField& field) {
   if (field.directions != nullptr) return false;
+  // A layer of this pattern has one family of lines or two, so only all of its layers together have
+  // the mean density. Graded lines give each layer the mean density.
+  if (pattern == FillPattern::kLateralHoneycomb) return true;
   return field.density->dither != Dither::kNone ||
          LineFamiliesOf(pattern, {.pitch_nm = kNmPerMm}).empty();
 }
