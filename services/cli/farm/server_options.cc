@@ -57,7 +57,7 @@ absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
   std::map<std::string, std::string> labels;
   for (const std::string& text : texts) {
     const size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) return malformed(text, "key=value is needed");
+    if (equals == std::string::npos || equals == 0) return malformed(text, "KEY=VALUE is needed");
     if (!rpc::IsUtf8(text)) return malformed(text, "is not UTF-8 text");
     labels[text.substr(0, equals)] = text.substr(equals + 1);
   }

@@ -209,7 +209,7 @@ class PlateReader {
       const OfModel of = TakeApart(text, ':', KnownNames());
       if (of.name.empty()) {
         return Malformed(fmt::format(
-            "--object-set {}: MODEL:key=value is needed, with the name of one of the models",
+            "--object-set {}: MODEL:KEY=VALUE is needed, with the name of one of the models",
             text));
       }
       const auto setting = ParseSet("--object-set", of.what);
