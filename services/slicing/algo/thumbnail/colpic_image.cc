@@ -36,7 +36,8 @@ Palette PaletteOf(const std::vector<uint16_t>& pixels) {
   std::ranges::stable_sort(by_count,
                            [](const auto& a, const auto& b) { return a.second > b.second; });
   Palette palette;
-  for (const auto& [colour, count] : by_count) {
+  for (const auto& counted : by_count) {
+    const uint16_t colour = counted.first;
     if (palette.colours.size() < kMostColours) {
       palette.index[colour] = palette.colours.size();
       palette.colours.push_back(colour);
