@@ -139,7 +139,7 @@ MultiPolygon CurledEdges::Next(const MultiPolygon& outline, const MultiPolygon& 
     });
     KeepUncovered(edges, height_nm, risen);
   }
-  below_.emplace(outline, std::move(edges));
+  below_.emplace(Below{outline, std::move(edges)});
   risen_ = std::move(risen);
   return AreaOf(risen_);
 }
