@@ -88,7 +88,7 @@ absl::StatusOr<std::string> PathOf(JobsClient& client, const v1::Job& job,
 
 absl::StatusOr<std::string> FetchResults(JobsClient& client, const v1::Job& job,
                                          const ResultFiles& files) {
-  const auto gcode = PathOf(client, job, files.gcode);
+  auto gcode = PathOf(client, job, files.gcode);
   if (!gcode.ok()) return gcode.status();
   std::vector<OutputFile> complete;
   for (const auto& [path, artifact] :

@@ -114,7 +114,7 @@ TEST(Hilbert, NeighboursOnTheGridAreNearOnTheCurve) {
     const uint32_t side = uint32_t{1} << order;
     double sum = 0;
     int64_t worst = 0, count = 0;
-    const auto add = [&](CurveCell a, CurveCell b) {
+    const auto add = [&, order = order](CurveCell a, CurveCell b) {
       const int64_t apart = std::abs(static_cast<int64_t>(HilbertIndex(order, a)) -
                                      static_cast<int64_t>(HilbertIndex(order, b)));
       sum += static_cast<double>(apart), worst = std::max(worst, apart), ++count;
