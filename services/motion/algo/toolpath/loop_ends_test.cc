@@ -20,18 +20,18 @@ TEST(BesideStart, IsOnTheBisectorOfTheCorner) {
   EXPECT_NEAR(static_cast<double>(inside.x), 141'421, 1);
   EXPECT_NEAR(static_cast<double>(inside.y), 141'421, 1);
   const Point outside = BesideStart(square, 200'000, /*left=*/false);
-  EXPECT_EQ(outside, Point(-inside.x, -inside.y));
+  EXPECT_EQ(outside, (Point{-inside.x, -inside.y}));
 }
 
 TEST(BesideStart, IsBesideAStraightEdgeAndASpike) {
   EXPECT_EQ(BesideStart(Loop("(5 0, 10 0, 10 10, 0 10, 0 0)"), 200'000, true),
-            Point(5'000'000, 200'000));
-  EXPECT_EQ(BesideStart(Loop("(0 0, 10 0, 5 0)"), 200'000, true), Point(0, 200'000));
+            (Point{5'000'000, 200'000}));
+  EXPECT_EQ(BesideStart(Loop("(0 0, 10 0, 5 0)"), 200'000, true), (Point{0, 200'000}));
 }
 
 TEST(BesideStart, RepeatedPointsAreSkipped) {
   EXPECT_EQ(BesideStart(Loop("(5 0, 5 0, 10 0, 10 10, 0 10, 0 0)"), 200'000, true),
-            Point(5'000'000, 200'000));
+            (Point{5'000'000, 200'000}));
 }
 
 }  // namespace
