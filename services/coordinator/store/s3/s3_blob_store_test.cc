@@ -178,7 +178,7 @@ TEST_F(S3BlobStoreTest, AWaitForTheBucketEndsWhenItIsNotWantedAnyMore) {
     S3BlobStore store(std::make_shared<S3Client>(options), database_, staged_, "");
     bucket_.Fail("PUT", kind, 1);
     std::atomic<int> asked = 0;
-    const CancelScope scope(CancelToken([&] { return ++asked > looks; }));
+    const CancelScope scope(CancelToken([&, looks = looks] { return ++asked > looks; }));
     const auto put = store.Put("a small one");
     EXPECT_TRUE(absl::IsCancelled(put.status())) << put.status();
     EXPECT_EQ(DetailOf(put.status()).reason, Reason::kCancelled);
