@@ -13,7 +13,7 @@ int main(int, char** argv) {
       filter != nullptr &&
       seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(seccomp), 0) == 0 &&
       seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1,
-                       SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP)) == 0 &&
+                       SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP, 0)) == 0 &&
       seccomp_load(filter) == 0;
   if (forbidden) execv(argv[1], argv + 1);
   std::perror("without-seccomp");

@@ -44,7 +44,7 @@ TEST(FirstTours, AreAsGoodAsPublishedOnes) {
   for (const auto& [name, optimum] :
        {std::pair("kroA100", 21282), std::pair("berlin52", 7542), std::pair("eil51", 426)}) {
     const Costs costs = ordering::CorpusInstance(name).costs;
-    const auto ratio = [&](const Tour& tour) {
+    const auto ratio = [&, optimum = optimum](const Tour& tour) {
       return static_cast<double>(TourLength(costs, tour)) / optimum;
     };
     EXPECT_LE(ratio(NearestNeighbourTour(costs, 0)), 1.35) << name;
