@@ -108,7 +108,9 @@ ClosedPath StockCutter::GoDown(const ClosedPath& pass, double z_mm, MillPhase ph
   const EntryKind entry = options_.machining.entry;
   const Eigen::Vector2d at = moves_.at().head<2>();
   const double pixel = moves_.stock().pixel_mm();
-  const double top = std::clamp(moves_.stock().RestHeight(at, pixel), z_mm, moves_.at().z());
+  // After LinkTo the tip may be below the pass by less than 1 um, so this is no clamp.
+  const double rest = std::max(moves_.stock().RestHeight(at, pixel), z_mm);
+  const double top = std::min(rest, moves_.at().z());
   moves_.LineTo({at.x(), at.y(), top}, plunge);
   if (top <= z_mm) return pass;
   if (entry == EntryKind::kHelix && phase == MillPhase::kRoughing &&

@@ -167,7 +167,8 @@ TEST_F(InterfacesTest, OfBranches) {
 
 TEST_F(InterfacesTest, NearTheBedPlinthsCarryContacts) {
   const SupportProblem problem = plate_.Problem();
-  const Clearance clearance(problem, {}, 100'000'000, 1);
+  const SupportOptions options;
+  const Clearance clearance(problem, options, 100'000'000, 1);
   Contacts contacts(kLayers);
   contacts[6] = BoxOf(40, 40, 50, 50);
   contacts[15] = BoxOf(60, 40, 70, 50);
