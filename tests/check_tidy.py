@@ -42,7 +42,8 @@ def findings(root, build, names, source):
     headers = "|".join(name.replace(".", r"\.") for name in names if name.endswith(".h"))
     call = ["clang-tidy", "--quiet", f"--header-filter=({headers})$" if headers else "--header-filter=^$", source, "--", "-std=c++20",
             f"-I{root}", f"-I{build}", f"-I{build}/proto", *(f"-isystem{folder}" for folder in SYSTEM), "-DFMT_SHARED",
-            f'-DSLICEFARM_CORPUS="{root}/tests/corpus"', '-DSLICEFARM_PROGRAM=""']
+            f'-DSLICEFARM_CORPUS="{root}/tests/corpus"', f'-DSLICEFARM_SOURCE="{root}"', '-DSLICEFARM_PROGRAM=""',
+            '-DSLICEFARM_BIN=""']
     run = subprocess.run(call, cwd=root, capture_output=True, text=True, check=False)
     return run.stdout.strip() if ": error:" in run.stdout or ": warning:" in run.stdout else ""
 

@@ -77,7 +77,7 @@ bool StockCutter::LinkTo(const Eigen::Vector2d& start, double z_mm) {
 /// Moves to `start` from a pass outside of the stock: down beside the stock, then horizontally.
 /// `air`: a pass that meets no stock. Makes no move and returns false if this is impossible.
 bool StockCutter::EnterFromAir(const Eigen::Vector2d& start, const ClosedPath& air, double z_mm) {
-  const Eigen::Vector2d outside = air[NearestOf(air, start)];
+  const Eigen::Vector2d& outside = air[NearestOf(air, start)];
   if (moves_.stock().Meets({outside.x(), outside.y(), z_mm}, moves_.stock().pixel_mm()))
     return false;
   if (!InsideArea(*area_, std::array{outside, start})) return false;

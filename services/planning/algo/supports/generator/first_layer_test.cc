@@ -62,7 +62,9 @@ TEST(GrowFirstLayer, StaysOnTheBed) {
 TEST(GrowFirstLayer, LeavesInterfacesAsTheyAre) {
   SupportLayer layer = Branch();
   layer.regions.push_back({SupportRole::kTopInterface, BoxOf(2, -1, 4, 1)});
-  const Clearance clearance(kNothing.Problem(), {}, 10'000'000, 1);
+  const SupportProblem problem = kNothing.Problem();
+  const SupportOptions options;
+  const Clearance clearance(problem, options, 10'000'000, 1);
   GrowFirstLayer(FromMm(3), kWidthNm, clearance, layer);
   ASSERT_EQ(layer.regions.size(), 2u);
   EXPECT_EQ(layer.regions[1].outlines, BoxOf(2, -1, 4, 1));

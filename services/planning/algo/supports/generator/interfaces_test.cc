@@ -100,7 +100,7 @@ TEST_F(InterfacesTest, ColumnsEndWithTheirSheets) {
   const auto layers = ColumnLayers(problem, Even(), bodies_, contacts_, options, 1);
   for (size_t i = 0; i < kLayers; ++i) {
     const double sheet = i >= 18 ? 6 : (i == 9 || i == 10 ? 4 : 0);
-    const double beyond = sheet > 0 ? ToMm(options.width_nm / 2) : 0;
+    const double beyond = sheet > 0 ? ToMm(options.width_nm) / 2 : 0;
     EXPECT_NEAR(AreaOf(layers, i, SupportRole::kBase), i >= 18 ? 0 : 100 - 10 * (sheet + beyond),
                 0.1)
         << i;
