@@ -87,6 +87,7 @@ std::vector<Polygon> Turned(const MultiPolygon& region, const Vector2& direction
 /// Returns the pieces of lines in `part` with both ends on `below`.
 std::vector<Span> AnchoredSpans(const MultiPolygon& part, const MultiPolygon& below,
                                 const Vector2& direction, Coord width_nm) {
+  if (part.empty()) return {};
   const std::vector<Polygon> rings = Turned(part, direction), anchors = Turned(below, direction);
   Box box;
   for (const Polygon& ring : rings) box.Add(Bounds(ring));
