@@ -30,6 +30,14 @@ std::string LastValue(const Settings& settings, std::string_view key) {
   return value;
 }
 
+/// Appends the changes, and removes the settings that they replace.
+void Replace(std::vector<Setting>& settings, const std::vector<Setting>& changes) {
+  std::erase_if(settings, [&](const Setting& setting) {
+    return std::ranges::find(changes, setting.key, &Setting::key) != changes.end();
+  });
+  std::ranges::copy(changes, std::back_inserter(settings));
+}
+
 /// Bounding box of a bed, in mm.
 struct BedBox {
   std::array<double, 2> min = {0, 0};
@@ -171,7 +179,7 @@ class Converter {
       made_.project.settings.clear();
       for (const SourcedValue& each : values)
         made_.project.settings.push_back({each.key, each.value, Source::kProfile});
-      std::ranges::copy(made_.kept, std::back_inserter(made_.project.settings));
+      Replace(made_.project.settings, made_.kept);
       std::vector<LabelledSetting> labelled = Labelled(values);
       for (const Setting& setting : made_.kept) labelled.push_back({setting, kProject});
       made_.sources = LastSources(SourcesOf(PresetDialect::kOrca, labelled));
@@ -182,7 +190,7 @@ class Converter {
     std::vector<Setting> kept = made_.kept;
     if (orca_project) kept = ToPrusaNames();
     made_.project.settings = std::move(job->settings);
-    std::ranges::copy(kept, std::back_inserter(made_.project.settings));
+    Replace(made_.project.settings, kept);
     made_.of_print = std::move(job->of_print);
     made_.others = std::move(job->others);
     made_.sources = std::move(job->sources);

@@ -139,6 +139,9 @@ TEST(ForPrinter, ConvertsAProjectOfPrusaSlicer) {
   project.objects[0].instances.resize(1);
   const Values job(project, Acme(), {"Acme One 0.4", "", ""});
   EXPECT_EQ(job["perimeters"], "6");
+  const std::vector<Setting>& settings = job.made().project.settings;
+  EXPECT_EQ(std::ranges::count(settings, "perimeters", &Setting::key), 1)
+      << "a report would name the preset's value as overridden";
   EXPECT_NE(job["perimeter_speed"], "11");
   EXPECT_EQ(job["temperature"], "225,230");
   EXPECT_THAT(job.notes(), Contains(HasSubstr("does not list the settings")));

@@ -27,8 +27,8 @@ std::vector<Setting> DialectOf(const OrcaLookup& given) {
   const bool bambu = IsBambuMachine(given);
   const std::string flavor = given("gcode_flavor").value_or("marlin");
   if (bambu && flavor == "marlin") set("gcode_flavor", "bambu");
-  if (bambu || given("exclude_object") == "1") set("gcode_label_objects", "firmware");
-  if (bambu || given("disable_m73") == "0") set("remaining_times", "1");
+  if (given("exclude_object") == "1" || bambu) set("gcode_label_objects", "firmware");
+  if (given("disable_m73") == "0" || bambu) set("remaining_times", "1");
   // Projects of Bambu Studio and of older versions of OrcaSlicer have limits, but lack this
   // setting.
   if (IsMarlinOrRepRap(flavor) && given("machine_max_speed_x"))
