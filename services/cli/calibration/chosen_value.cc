@@ -3,23 +3,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/text.h"
 #include "services/cli/calibration/calibration_kind.h"
 #include "services/cli/job/job_options.h"
 
 namespace slicefarm::cli {
 namespace {
-
-/// Reads a label: a number that may have a sign.
-bool ReadNumber(std::string_view text, double& number) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 absl::Status Refuse(const std::string& message) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported, message);
@@ -30,17 +25,17 @@ absl::Status Refuse(const std::string& message) {
 absl::StatusOr<double> ValueAt(const CalibrationTable& table, std::string_view text) {
   std::vector<std::pair<double, double>> values;  // label, value
   for (const CalibrationRow& row : table.rows)
-    if (double label = 0; ReadNumber(row.label, label)) values.emplace_back(label, row.value);
+    if (const auto label = ToNumber(row.label)) values.emplace_back(*label, row.value);
   std::ranges::sort(values);
   if (values.empty()) return Malformed("the table of the calibration print has no values");
-  double at = 0;
-  if (!ReadNumber(text, at) || !(at >= values.front().first && at <= values.back().first))
+  const std::optional<double> at = ToNumber(text);
+  if (!at || *at < values.front().first || *at > values.back().first)
     return Malformed(fmt::format("{}: is not a value of this print, which has {:g} to {:g} {}",
                                  text, values.front().first, values.back().first, table.unit));
-  const auto above = std::ranges::lower_bound(values, at, {}, &std::pair<double, double>::first);
-  if (above->first == at) return above->second;
+  const auto above = std::ranges::lower_bound(values, *at, {}, &std::pair<double, double>::first);
+  if (above->first == *at) return above->second;
   const auto below = std::prev(above);
-  const double share = (at - below->first) / (above->first - below->first);
+  const double share = (*at - below->first) / (above->first - below->first);
   return below->second + share * (above->second - below->second);
 }
 

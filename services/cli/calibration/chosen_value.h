@@ -9,13 +9,13 @@
 
 namespace slicefarm::cli {
 
-/// Returns the value of the setting at a place of a calibration print. `text`: number in the unit
-/// of the labels, between the smallest and the largest label. Between two labels the value is
-/// interpolated. Errors: REQUEST_MALFORMED with the range of labels.
+/// Returns the value of the setting for a number in the unit of the labels, `text`. The number is
+/// between the smallest and the largest label; between two labels the value is interpolated.
+/// Errors: REQUEST_MALFORMED with the range of labels.
 absl::StatusOr<double> ValueAt(const CalibrationTable& table, std::string_view text);
 
 /// Returns the settings that get the value of ValueAt. Errors: also NOT_SUPPORTED if the firmware
-/// keeps the value, or if the table is none of a calibration print.
+/// keeps the value, or if the table is not from a calibration print.
 absl::StatusOr<std::vector<Setting>> ChosenSettings(const CalibrationTable& table,
                                                     std::string_view text);
 
