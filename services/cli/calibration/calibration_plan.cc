@@ -10,6 +10,8 @@
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "common/config/table/value.h"
+#include "common/geometry/measure.h"
 #include "common/model/options/height_code.h"
 #include "services/cli/calibration/calibration_lines.h"
 #include "services/cli/calibration/calibration_shapes.h"
@@ -24,12 +26,6 @@ Setting RequestOf(std::string_view key, std::string value) {
 }
 
 std::string NumberText(double value) { return fmt::format("{:g}", value); }
-
-double NumberAtStart(std::string_view text, double otherwise) {
-  double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ec == std::errc() ? number : otherwise;
-}
 
 /// Builder of one print.
 class CalibrationPlanner {
@@ -201,20 +197,13 @@ class CalibrationPlanner {
 
   /// Returns the middle of the smallest rectangle around the bed, in mm.
   std::array<double, 2> MiddleOfBed() const {
-    std::array<double, 2> low = {}, high = {};
-    bool first = true;
-    for (const std::string_view corner : Split(TextIn(given_, "bed_shape"), ",")) {
-      const size_t between = corner.find('x');
-      if (between == corner.npos) continue;
-      const std::string_view parts[] = {corner.substr(0, between), corner.substr(between + 1)};
-      for (size_t axis = 0; axis < 2; ++axis) {
-        const double at = NumberAtStart(parts[axis], 0);
-        low[axis] = first ? at : std::min(low[axis], at);
-        high[axis] = first ? at : std::max(high[axis], at);
-      }
-      first = false;
-    }
-    return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
+    const auto bed = config::ParseBedShape(TextIn(given_, "bed_shape"));
+    if (!bed.ok()) return {};
+    const Box box = Bounds(*bed);
+    const auto middle = [](Coord low, Coord high) {
+      return (ToMm(static_cast<double>(low)) + ToMm(static_cast<double>(high))) / 2;
+    };
+    return {middle(box.min.x, box.max.x), middle(box.min.y, box.max.y)};
   }
 
   /// Plans a kind with a speed of walls for each floor.
@@ -305,7 +294,10 @@ std::string_view TextIn(std::string_view settings_text, std::string_view key) {
 }
 
 double NumberIn(std::string_view settings_text, std::string_view key, double otherwise) {
-  return NumberAtStart(TextIn(settings_text, key), otherwise);
+  const std::string_view text = TextIn(settings_text, key);
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? number : otherwise;
 }
 
 absl::StatusOr<CalibrationPlan> PlanCalibration(CalibrationKind kind,
