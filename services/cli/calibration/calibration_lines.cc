@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "common/model/bead_section.h"
 #include "services/cli/calibration/solid_builder.h"
 
 namespace slicefarm::cli {
@@ -33,8 +34,8 @@ class LineWriter {
  public:
   LineWriter(const LineSettings& settings, double height_mm)
       : settings_(settings),
-        filament_per_mm_(height_mm * (settings.width_mm - height_mm * (1 - std::numbers::pi / 4)) *
-                         settings.flow / settings.filament_mm2) {}
+        filament_per_mm_(SectionMm2(FromMm(settings.width_mm), FromMm(height_mm)) * settings.flow /
+                         settings.filament_mm2) {}
 
   void Line(const std::string& text) { out_ += text + "\n"; }
 

@@ -12,6 +12,7 @@
 #include "common/base/text.h"
 #include "common/config/table/value.h"
 #include "common/geometry/measure.h"
+#include "common/model/bead_section.h"
 #include "common/model/options/height_code.h"
 #include "services/cli/calibration/calibration_lines.h"
 #include "services/cli/calibration/calibration_shapes.h"
@@ -20,6 +21,7 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr double kTallFloorMm = 10, kFloorMm = 5;
+constexpr double kUsualWidth = 1.125;  ///< usual width of a bead, in diameters of the nozzle
 
 Setting RequestOf(std::string_view key, std::string value) {
   return {std::string(key), std::move(value), Source::kRequest};
@@ -165,7 +167,7 @@ class CalibrationPlanner {
   }
 
   LineSettings SettingsOfLines() const {
-    constexpr double kFastMmS = 100, kUsualWidth = 1.125;
+    constexpr double kFastMmS = 100;
     LineSettings settings;
     settings.first_layer_mm = NumberIn(given_, "first_layer_height", 0.2);
     settings.layer_mm = NumberIn(given_, "layer_height", 0.2);
@@ -255,11 +257,9 @@ class CalibrationPlanner {
   double BeadMm2() const {
     const double height = NumberIn(given_, "layer_height", 0.2);
     const double nozzle = NumberIn(given_, "nozzle_diameter", 0.4);
-    constexpr double kUsualWidth = 1.125;  // of the nozzle
     double width = NumberIn(given_, "external_perimeter_extrusion_width", 0);
     if (width <= height) width = kUsualWidth * nozzle;
-    const double section = height * (width - height * (1 - std::numbers::pi / 4));
-    return section * NumberIn(given_, "extrusion_multiplier", 1);
+    return SectionMm2(FromMm(width), FromMm(height)) * NumberIn(given_, "extrusion_multiplier", 1);
   }
 
   absl::Status CheckSpeed(double speed) const {
