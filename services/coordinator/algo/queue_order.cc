@@ -126,13 +126,13 @@ std::vector<ExpectedRun> ExpectedRuns(const QueueSnapshot& queue, int64_t now_us
   const int64_t run_us = mean_us > 0 ? mean_us : kAnyRunUs;
   JobSlots slots = SlotsOf(queue, run_us, now_us);
   int64_t rank = std::ssize(slots);
-  TenantOrder turns(queue, now_us);
+  TenantOrder tenants(queue, now_us);
   std::vector<ExpectedRun> runs;
-  while (!turns.empty() && !slots.empty()) {
+  while (!tenants.empty() && !slots.empty()) {
     JobSlot slot = slots.top();
     slots.pop();
-    if (slot.taken) turns.Ended(slot.tenant);
-    const auto begun = turns.Begin(slot.for_interactive);
+    if (slot.taken) tenants.Ended(slot.tenant);
+    const auto begun = tenants.Begin(slot.for_interactive);
     if (!begun) continue;
     const int64_t start_us = slot.free_us;
     runs.push_back({begun->first.number, start_us, start_us + run_us});

@@ -55,20 +55,20 @@ class BlobSweepTest : public testing::Test {
   int64_t now_us_ = 0;
 };
 
-TEST_F(BlobSweepTest, AStoreSettlesInADayOfUseWithoutALongBreak) {
+TEST_F(BlobSweepTest, AStoreIsInUseAfterADayWithoutALongBreak) {
   constexpr int64_t kHourUs = int64_t{3600} * 1'000'000;
   struct Step {
     int64_t hour;
-    bool settled;
+    bool in_use;
   };
   // A restart within a day changes nothing. After a break of two days, the database may be an old
   // backup.
   const Step steps[] = {{0, false}, {1, false},  {23, false},  {24, true},
                         {47, true}, {96, false}, {119, false}, {120, true}};
   for (const Step& step : steps) {
-    const auto settled = HasBeenInUse(*jobs_, {}, step.hour * kHourUs);
-    ASSERT_TRUE(settled.ok()) << settled.status();
-    EXPECT_EQ(*settled, step.settled) << step.hour;
+    const auto in_use = HasBeenInUse(*jobs_, {}, step.hour * kHourUs);
+    ASSERT_TRUE(in_use.ok()) << in_use.status();
+    EXPECT_EQ(*in_use, step.in_use) << step.hour;
   }
   EXPECT_TRUE(*HasBeenInUse(*jobs_, {.min_use_s = 0}, 1000 * kHourUs));
 }

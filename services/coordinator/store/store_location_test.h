@@ -19,7 +19,7 @@ class StoreLocation {
 template <typename Store>
 struct StoreKind {
   std::string name;
-  std::function<std::unique_ptr<StoreLocation<Store>>()> place;
+  std::function<std::unique_ptr<StoreLocation<Store>>()> location;
 };
 
 }  // namespace slicefarm::coordinator

@@ -48,18 +48,18 @@ void FanOut::Remove(JobId job) {
 
 /// Returns the jobs of these processes; the job that is next in turn comes first. Cost: O(n log n).
 std::vector<FanOut::JobId> FanOut::Order(ProcessSet can) const {
-  using TenantLoad = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
-  std::map<std::string, TenantLoad> tenants;
+  using Load = std::pair<int32_t, int64_t>;  // ranges in flight; turn of the last range
+  std::map<std::string, Load> tenants;
   for (const auto& [id, job] : jobs_) {
     auto& [running, last_turn] = tenants[job.claimant.tenant];
     running += job.scheduler.Running();
     last_turn = std::max(last_turn, job.last_turn);
   }
-  std::vector<std::tuple<TenantLoad, int, TenantLoad, JobId>> keys;
+  std::vector<std::tuple<Load, int, Load, JobId>> keys;
   for (const auto& [id, job] : jobs_) {
     if (!can.Has(job.process)) continue;
     keys.emplace_back(tenants.at(job.claimant.tenant), -job.claimant.priority,
-                      TenantLoad(job.scheduler.Running(), job.last_turn), id);
+                      Load(job.scheduler.Running(), job.last_turn), id);
   }
   std::sort(keys.begin(), keys.end());
   std::vector<JobId> order;

@@ -92,8 +92,8 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission, const CancelTok
     return EarlierOr(submission, full);
   const auto job = NewJobOf(std::move(submission), cancel);
   if (!job.ok()) return job.status();
-  const auto turn = turns_.Enter(job->tenant, cancel);
-  if (!turn.ok()) return turn.status();
+  const auto slot = write_slots_.Enter(job->tenant, cancel);
+  if (!slot.ok()) return slot.status();
   if (absl::Status full = full_queues_.Check(job->tenant); !full.ok() && job->request_id.empty())
     return full;  // the queue became full meanwhile
   auto created = jobs_.Create(*job, now_us_());
@@ -112,8 +112,8 @@ absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission
     if (!job.ok()) return job.status();
     jobs.push_back(*std::move(job));
   }
-  const auto turn = turns_.Enter(jobs.empty() ? "" : jobs.front().tenant, cancel);
-  if (!turn.ok()) return turn.status();
+  const auto slot = write_slots_.Enter(jobs.empty() ? "" : jobs.front().tenant, cancel);
+  if (!slot.ok()) return slot.status();
   auto created = jobs_.CreateAll(jobs, now_us_());
   if (!jobs.empty())
     full_queues_.Note(jobs.front().tenant, created.status(), jobs.front().max_open);

@@ -101,7 +101,7 @@ class JobIntake {
   const std::function<int64_t()> now_us_;
   const ProcessSet processes_;
   /// Slots for writing to the store, so that no caller waits for all writes of another tenant.
-  TenantSlotQueue turns_{kWritesAtOnce};
+  TenantSlotQueue write_slots_{kWritesAtOnce};
 };
 
 /// Returns an unpredictable id of 32 hex digits. Aborts if there is no source of randomness.

@@ -158,7 +158,7 @@ grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
   });
 }
 
-/// Does work that takes as long as slicing, after a wait for the tenant's turn.
+/// Does work that takes as long as slicing, after a wait for a slot of the tenant.
 grpc::Status JobsService::Preflight(
     const grpc::ServerContext& context, const Caller& caller, std::string_view method,
     const std::function<absl::Status(const rpc::Call& call)>& work) {
@@ -166,8 +166,8 @@ grpc::Status JobsService::Preflight(
   if (!slot.ok()) return rpc::ToGrpc(slot.status());
   return preflights_.Run(context, method, [&](const rpc::Call& call) {
     const CancelScope scope(call.cancel);
-    const auto turn = preflight_turns_.Enter(caller.tenant, call.cancel);
-    return turn.ok() ? work(call) : turn.status();
+    const auto work_slot = preflight_slots_.Enter(caller.tenant, call.cancel);
+    return work_slot.ok() ? work(call) : work_slot.status();
   });
 }
 

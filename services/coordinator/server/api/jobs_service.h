@@ -66,7 +66,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
         downloads_(transfers),
         preflights_({.slots = kPreflightCalls, .longest = kLongestPreflight}, backend_.log),
         preflights_of_tenants_(kPreflightCalls),
-        preflight_turns_(kPreflightSlots),
+        preflight_slots_(kPreflightSlots),
         lists_of_tenants_(kLists),
         watches_of_tenants_(watches.calls),
         watches_of_all_jobs_(kTenantWatches),
@@ -170,7 +170,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   Transfers downloads_;
   rpc::CallLimiter preflights_;  ///< limits preflights, which take as long as slicing
   TenantSlots preflights_of_tenants_;
-  TenantSlotQueue preflight_turns_;
+  TenantSlotQueue preflight_slots_;
   TenantSlots lists_of_tenants_;
   DerivedFacts derived_facts_;
   TenantSlots watches_of_tenants_;

@@ -31,7 +31,7 @@ struct QueueView::Look {
   bool runs = false;   ///< true if the farm works on a job
   int64_t run_us = 0;  ///< mean time of a run; 0 if it is unknown
   std::set<std::string> held_work;
-  std::unordered_map<int64_t, QueuePosition> turns;  ///< expected turns, by the number of the job
+  std::unordered_map<int64_t, QueuePosition> positions;  ///< expected positions, by job number
 
   static std::shared_ptr<const Look> At(JobStore& jobs, int64_t now_us) {
     auto look = std::make_shared<Look>();
@@ -41,7 +41,7 @@ struct QueueView::Look {
     look->run_us = MeanRunUs(*queue);
     int32_t position = 0;
     for (const ExpectedRun& run : ExpectedRuns(*queue, now_us))
-      look->turns[run.number] = {++position, run.end_us};
+      look->positions[run.number] = {++position, run.end_us};
     look->held_work = std::move(queue->held_work);
     look->took_s = look->since.Seconds();
     return look;
@@ -73,10 +73,10 @@ void QueueView::DescribeQueued(const JobRecord& job, v1::Job& answer) {
   if (waits_for_attempt || job.cancel_requested) return;
   const auto look = Latest();
   if (!look || look->held_work.contains(job.action_digest)) return;
-  const auto turn = look->turns.find(job.number);
-  if (turn == look->turns.end()) return;
-  answer.set_queue_position(turn->second.position);
-  if (look->runs && look->run_us > 0) SetEnd(turn->second.end_us, answer);
+  const auto found = look->positions.find(job.number);
+  if (found == look->positions.end()) return;
+  answer.set_queue_position(found->second.position);
+  if (look->runs && look->run_us > 0) SetEnd(found->second.end_us, answer);
 }
 
 /// Estimates the end of a running job from its finished layers. Before the first finished layer,

@@ -5,7 +5,7 @@
 namespace slicefarm::coordinator {
 
 TenantSlotQueue::Slot::~Slot() {
-  if (turns_ != nullptr) turns_->Leave(tenant_);
+  if (queue_ != nullptr) queue_->Leave(tenant_);
 }
 
 absl::StatusOr<TenantSlotQueue::Slot> TenantSlotQueue::Enter(const std::string& tenant,
@@ -24,7 +24,7 @@ absl::StatusOr<TenantSlotQueue::Slot> TenantSlotQueue::Enter(const std::string& 
     --free_;
     ++at_work_[tenant];
   }
-  changed_.notify_all();  // it may be another call's turn
+  changed_.notify_all();  // another call may get the slot
   if (!wanted.ok()) return wanted;
   return Slot(*this, tenant);
 }

@@ -22,14 +22,14 @@ class TenantSlotQueue {
   /// Slot of one call. The destructor releases it.
   class Slot {
    public:
-    Slot(TenantSlotQueue& turns, std::string tenant) : turns_(&turns), tenant_(std::move(tenant)) {}
+    Slot(TenantSlotQueue& queue, std::string tenant) : queue_(&queue), tenant_(std::move(tenant)) {}
     Slot(Slot&& other) noexcept
-        : turns_(std::exchange(other.turns_, nullptr)), tenant_(std::move(other.tenant_)) {}
+        : queue_(std::exchange(other.queue_, nullptr)), tenant_(std::move(other.tenant_)) {}
     Slot& operator=(Slot&&) = delete;
     ~Slot();
 
    private:
-    TenantSlotQueue* turns_;
+    TenantSlotQueue* queue_;
     std::string tenant_;
   };
 

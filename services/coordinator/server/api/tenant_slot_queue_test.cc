@@ -13,17 +13,17 @@
 namespace slicefarm::coordinator::tenant_slot_queue_test {
 namespace {
 
-/// Call that waits for its turn on a thread of its own.
+/// Call that waits for its slot on a thread of its own.
 class Call {
  public:
-  Call(TenantSlotQueue& turns, const std::string& tenant)
-      : thread_([this, &turns, tenant] {
+  Call(TenantSlotQueue& queue, const std::string& tenant)
+      : thread_([this, &queue, tenant] {
           const CancelToken cancel([this] {
             polled_ = true;
             return given_up_.load();
           });
-          auto turn = turns.Enter(tenant, cancel);
-          if (turn.ok()) turn_.emplace(*std::move(turn));
+          auto slot = queue.Enter(tenant, cancel);
+          if (slot.ok()) slot_.emplace(*std::move(slot));
           done_ = true;
         }) {}
   ~Call() {
@@ -34,9 +34,9 @@ class Call {
   void AwaitWaiting() const {
     while (!polled_) std::this_thread::yield();
   }
-  bool AwaitTurn() const {
+  bool AwaitSlot() const {
     while (!done_) std::this_thread::yield();
-    return turn_.has_value();
+    return slot_.has_value();
   }
   bool working() const { return done_; }
 
@@ -44,51 +44,51 @@ class Call {
   std::atomic<bool> given_up_ = false;
   std::atomic<bool> polled_ = false;
   std::atomic<bool> done_ = false;
-  std::optional<TenantSlotQueue::Slot> turn_;
+  std::optional<TenantSlotQueue::Slot> slot_;
   std::thread thread_;
 };
 
 TEST(TenantSlotQueue, ATenantLeavesASlotForTheOthers) {
-  TenantSlotQueue turns(4);
-  Call one(turns, "a");
-  ASSERT_TRUE(one.AwaitTurn());
-  Call two(turns, "a");
-  ASSERT_TRUE(two.AwaitTurn());
-  Call three(turns, "a");
+  TenantSlotQueue queue(4);
+  Call one(queue, "a");
+  ASSERT_TRUE(one.AwaitSlot());
+  Call two(queue, "a");
+  ASSERT_TRUE(two.AwaitSlot());
+  Call three(queue, "a");
   three.AwaitWaiting();
-  EXPECT_TRUE(Call(turns, "b").AwaitTurn()) << "though a call of a came before";
+  EXPECT_TRUE(Call(queue, "b").AwaitSlot()) << "though a call of a came before";
   EXPECT_FALSE(three.working());
 }
 
 TEST(TenantSlotQueue, WhoHasTheLeastAtWorkComesFirst) {
-  TenantSlotQueue turns(2);
-  auto first = std::make_unique<Call>(turns, "a");
-  ASSERT_TRUE(first->AwaitTurn());
-  Call again(turns, "a");
+  TenantSlotQueue queue(2);
+  auto first = std::make_unique<Call>(queue, "a");
+  ASSERT_TRUE(first->AwaitSlot());
+  Call again(queue, "a");
   again.AwaitWaiting();
-  auto of_b = std::make_unique<Call>(turns, "b");
-  ASSERT_TRUE(of_b->AwaitTurn());
-  Call of_c(turns, "c");
+  auto of_b = std::make_unique<Call>(queue, "b");
+  ASSERT_TRUE(of_b->AwaitSlot());
+  Call of_c(queue, "c");
   of_c.AwaitWaiting();
   of_b.reset();
-  EXPECT_TRUE(of_c.AwaitTurn());
+  EXPECT_TRUE(of_c.AwaitSlot());
   EXPECT_FALSE(again.working());
   first.reset();
-  EXPECT_TRUE(again.AwaitTurn());
+  EXPECT_TRUE(again.AwaitSlot());
 }
 
 TEST(TenantSlotQueue, WhoGivesUpKeepsNobodyWaiting) {
-  TenantSlotQueue turns(1);
-  auto holder = std::make_unique<Call>(turns, "");
-  ASSERT_TRUE(holder->AwaitTurn());
+  TenantSlotQueue queue(1);
+  auto holder = std::make_unique<Call>(queue, "");
+  ASSERT_TRUE(holder->AwaitSlot());
   {
-    Call quitter(turns, "");
+    Call quitter(queue, "");
     quitter.AwaitWaiting();
   }
-  Call next(turns, "");
+  Call next(queue, "");
   next.AwaitWaiting();
   holder.reset();
-  EXPECT_TRUE(next.AwaitTurn());
+  EXPECT_TRUE(next.AwaitSlot());
 }
 
 }  // namespace

@@ -34,10 +34,9 @@ void Maintenance::SweepOnce(const std::stop_token& stop) {
   const auto mine = jobs_.TakeChore("sweep", now_us_(), now_us_() + turn_us);
   if (!mine.ok()) log_.Warn("sweep failed", {{"error", std::string(mine.status().message())}});
   if (!mine.ok() || !*mine) return;
-  const auto settled = HasBeenInUse(jobs_, options_.sweep, now_us_());
-  if (!settled.ok())
-    log_.Warn("sweep failed", {{"error", std::string(settled.status().message())}});
-  if (!settled.ok() || !*settled) return;
+  const auto in_use = HasBeenInUse(jobs_, options_.sweep, now_us_());
+  if (!in_use.ok()) log_.Warn("sweep failed", {{"error", std::string(in_use.status().message())}});
+  if (!in_use.ok() || !*in_use) return;
   const auto swept = Sweep(jobs_, blobs_, options_.sweep, now_us_(), cancel);
   if (!swept.ok()) {
     log_.Warn("sweep failed", {{"error", std::string(swept.status().message())}});

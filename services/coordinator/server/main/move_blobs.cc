@@ -56,15 +56,15 @@ absl::Status Move(const StoreOptions& from, const S3Flags& to) {
   S3Blobs blobs(*bucket, source->database, std::move(source->blobs));
   int64_t count = 0;
   int64_t bytes = 0;
-  const auto tell = [&] {
+  const auto report = [&] {
     fmt::print("moved {} blobs, {} bytes\n", count, bytes);
     std::fflush(stdout);
   };
   absl::Status moved_all = blobs.MoveStaged([&](const BlobEntry& blob) {
     bytes += blob.size;
-    if (++count % kBlobsPerReport == 0) tell();
+    if (++count % kBlobsPerReport == 0) report();
   });
-  tell();
+  report();
   return moved_all;
 }
 

@@ -87,8 +87,8 @@ const std::vector<StoreKind<BlobStore>> kStores = {
 
 class BlobStoreTest : public testing::TestWithParam<StoreKind<BlobStore>> {
  protected:
-  std::unique_ptr<StoreLocation<BlobStore>> place_ = GetParam().place();
-  std::unique_ptr<BlobStore> store_ = place_->Open();
+  std::unique_ptr<StoreLocation<BlobStore>> location_ = GetParam().location();
+  std::unique_ptr<BlobStore> store_ = location_->Open();
   const std::string bytes_ = std::string("some\0bytes", 10) + std::string(200'000, 'x');
   const std::string digest_ = Sha256Hex(bytes_);
 };
@@ -107,10 +107,10 @@ TEST_P(BlobStoreTest, GivesBackWhatWasPut) {
 /// Returns a text that needs several pieces in a database.
 SpooledText LongText() {
   auto spool = *SpoolFile::Make("");
-  const SpoolFile::Chunk place = *spool->Add(std::string(1'500'000, 'y'));
+  const SpoolFile::Chunk chunk = *spool->Add(std::string(1'500'000, 'y'));
   SpooledText text(std::move(spool));
   text.Add(std::string("begin"));
-  for (int i = 0; i < 3; ++i) text.Add(place);
+  for (int i = 0; i < 3; ++i) text.Add(chunk);
   text.Add(std::string("end"));
   return text;
 }
@@ -140,7 +140,7 @@ TEST_P(BlobStoreTest, SurvivesBeingOpenedAgain) {
   ASSERT_TRUE(store_->Put(bytes_).ok());
   ASSERT_TRUE(store_->Append(Sha256Hex("abc"), 0, "ab").ok());
   store_.reset();
-  store_ = place_->Open();
+  store_ = location_->Open();
   EXPECT_EQ(*store_->Get(digest_), bytes_);
   EXPECT_EQ(store_->Status(Sha256Hex("abc"))->committed_size, 2);
   EXPECT_FALSE(store_->Status(Sha256Hex("abc"))->complete);
@@ -307,7 +307,7 @@ TEST_P(BlobStoreTest, KnowsHowMuchItKeeps) {
   ASSERT_FALSE(store_->Finish(Sha256Hex("xyz"), 3).ok());
   EXPECT_EQ(*store_->KeptBytes(), blob + 3);
   store_.reset();
-  store_ = place_->Open();
+  store_ = location_->Open();
   EXPECT_EQ(*store_->KeptBytes(), blob + 3);
   ASSERT_TRUE(*store_->Delete(digest, 0));
   EXPECT_EQ(*store_->KeptBytes(), 3);

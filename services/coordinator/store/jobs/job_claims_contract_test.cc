@@ -107,7 +107,7 @@ TEST_P(JobClaimsTest, EqualWorkRacedByManyIsHeldOnce) {
     job.action_digest = absl::StrCat("action ", i % 4);
     ASSERT_TRUE(store_->Create(job, 1).ok());
   }
-  const auto other = place_->Open();
+  const auto other = location_->Open();
   std::mutex mutex;
   std::map<std::string, int> holders;  // number of held jobs by work
   const auto count = [&](const std::string& work, int more) {
@@ -162,7 +162,7 @@ TEST_P(JobClaimsTest, WhoAdoptsWorkThatSomebodyHoldsIsTold) {
 }
 
 TEST_P(JobClaimsTest, AChoreIsOneCallersAtATime) {
-  const auto other = place_->Open();
+  const auto other = location_->Open();
   EXPECT_TRUE(*store_->TakeChore("sweep", 100, 200));
   EXPECT_FALSE(*other->TakeChore("sweep", 199, 299));
   EXPECT_TRUE(*other->TakeChore("other", 199, 299));
@@ -172,7 +172,7 @@ TEST_P(JobClaimsTest, AChoreIsOneCallersAtATime) {
 
 TEST_P(JobClaimsTest, UseGoesOnOverShortBreaksAndForAllWhoShareTheStore) {
   constexpr int64_t kGap = 50;
-  const auto other = place_->Open();
+  const auto other = location_->Open();
   EXPECT_EQ(*store_->InUseSince(100, kGap), 100);
   EXPECT_EQ(*other->InUseSince(150, kGap), 100);
   EXPECT_EQ(*store_->InUseSince(200, kGap), 100);
@@ -193,7 +193,7 @@ TEST_P(JobClaimsTest, WritesComeWithoutTheSpec) {
 }
 
 TEST_P(JobClaimsTest, TwoStoresShareTheJobs) {
-  const auto other = place_->Open();
+  const auto other = location_->Open();
   constexpr int kJobs = 60;
   for (int i = 0; i < kJobs; ++i) Make(absl::StrCat("job", i));
   std::vector<std::string> claimed[2];

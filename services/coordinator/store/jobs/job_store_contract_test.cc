@@ -28,7 +28,7 @@ TEST_P(JobStoreTest, SurvivesBeingOpenedAgain) {
   Make("a");
   const auto before = store_->Get("a");
   store_.reset();
-  store_ = place_->Open();
+  store_ = location_->Open();
   EXPECT_EQ(*store_->Get("a"), *before);
 }
 

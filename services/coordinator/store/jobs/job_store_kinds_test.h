@@ -140,8 +140,8 @@ class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
     ASSERT_TRUE(Succeed(lease, result).ok());
   }
 
-  std::unique_ptr<StoreLocation<JobStore>> place_ = GetParam().place();
-  std::unique_ptr<JobStore> store_ = place_->Open();
+  std::unique_ptr<StoreLocation<JobStore>> location_ = GetParam().location();
+  std::unique_ptr<JobStore> store_ = location_->Open();
   int64_t now_ = 1'000'000;
 };
 

@@ -68,8 +68,8 @@ class ProfileStoreTest : public testing::TestWithParam<StoreKind<ProfileStore>> 
     return *std::move(put);
   }
 
-  std::unique_ptr<StoreLocation<ProfileStore>> place_ = GetParam().place();
-  std::unique_ptr<ProfileStore> store_ = place_->Open();
+  std::unique_ptr<StoreLocation<ProfileStore>> location_ = GetParam().location();
+  std::unique_ptr<ProfileStore> store_ = location_->Open();
   int64_t now_us_ = 1'000;
 };
 
@@ -85,7 +85,7 @@ TEST_P(ProfileStoreTest, RevisionsStayAsTheyWere) {
   EXPECT_EQ(*store_->Get("a", "mk4", 1), first);
   EXPECT_EQ(*store_->Get("a", "mk4", 2), second);
   EXPECT_EQ(*store_->Get("a", "mk4", 0), second);
-  store_ = place_->Open();
+  store_ = location_->Open();
   EXPECT_EQ(*store_->Get("a", "mk4", 1), first);
 }
 
@@ -165,8 +165,8 @@ TEST_P(ProfileStoreTest, RevisionsThatManyFollowedLongAgoExpire) {
 
 TEST(SqlProfileStore, StoresAsManyBytesAsTheTableAllows) {
   constexpr RevisionTable kSmall = {"presets", "bundle of presets", 3, 10};
-  SqliteLocation place(kSmall);
-  const auto store = place.Open();
+  SqliteLocation location(kSmall);
+  const auto store = location.Open();
   const auto put = [&](const std::string& name, const std::string& bytes) {
     return store->Put({"a", name, bytes, Sha256Hex(bytes)}, 1).status();
   };

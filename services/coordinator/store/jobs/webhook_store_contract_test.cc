@@ -69,8 +69,8 @@ class WebhookStoreTest : public testing::TestWithParam<StoreKind<JobsAndWebhooks
     ASSERT_TRUE(store_->jobs.RequestCancel(id, now_us).ok());
   }
 
-  std::unique_ptr<StoreLocation<JobsAndWebhooks>> place_ = GetParam().place();
-  std::unique_ptr<JobsAndWebhooks> store_ = place_->Open();
+  std::unique_ptr<StoreLocation<JobsAndWebhooks>> location_ = GetParam().location();
+  std::unique_ptr<JobsAndWebhooks> store_ = location_->Open();
 };
 
 INSTANTIATE_TEST_SUITE_P(Stores, WebhookStoreTest, testing::ValuesIn(kStores),
@@ -93,7 +93,7 @@ TEST_P(WebhookStoreTest, AClaimThatIsNotRecordedRunsOut) {
   End("j", 100);
   ASSERT_TRUE(store_->webhooks.Claim(100, 200)->has_value());
   EXPECT_FALSE(store_->webhooks.Claim(199, 300)->has_value());
-  store_ = place_->Open();
+  store_ = location_->Open();
   EXPECT_EQ((*store_->webhooks.Claim(200, 300))->attempt, 2);
 }
 

@@ -19,7 +19,7 @@ constexpr int64_t kKnownVersion = 8;
 constexpr std::string_view kLockTimeout = "SET lock_timeout = '2s'";
 constexpr int kLockTries = 100;
 constexpr std::chrono::milliseconds kLockPause{1'000};
-constexpr std::chrono::milliseconds kTurnPause{200};
+constexpr std::chrono::milliseconds kSchemaPause{200};
 
 /// Returns true if the first column of the first row is true.
 absl::StatusOr<bool> Ask(SqlConnection& db, std::string_view sql) {
@@ -47,7 +47,7 @@ class SchemaLock {
       const auto mine = Ask(db_, "SELECT pg_try_advisory_lock(5117317)");
       if (!mine.ok()) return mine.status();
       mine_ = *mine;
-      if (!mine_) std::this_thread::sleep_for(kTurnPause);
+      if (!mine_) std::this_thread::sleep_for(kSchemaPause);
     }
     return absl::OkStatus();
   }
@@ -143,8 +143,8 @@ std::span<const PostgresMigration> PostgresMigrations() { return kPostgresMigrat
 
 absl::Status MigratePostgres(SqlConnection& db, std::span<const PostgresMigration> steps,
                              const Migrated& migrated, const CancelToken& cancel) {
-  SchemaLock turn(db);
-  if (absl::Status mine = turn.Await(cancel); !mine.ok()) return mine;
+  SchemaLock schema(db);
+  if (absl::Status mine = schema.Await(cancel); !mine.ok()) return mine;
   const absl::Status ready = db.Execute(
       "CREATE TABLE IF NOT EXISTS slicefarm_schema (version BIGINT NOT NULL);"
       "INSERT INTO slicefarm_schema SELECT 0 WHERE NOT EXISTS (SELECT 1 FROM slicefarm_schema);"
