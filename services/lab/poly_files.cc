@@ -285,7 +285,7 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
   PolyFile file;
   file.decimals = static_cast<int>(std::min<int64_t>({decimals, 14 - magnitude, kMaxDecimals}));
   std::vector<Polygon> rings;
-  std::vector<std::optional<bool>> reported;  // true if the file says that the loop is a hole
+  std::vector<std::optional<bool>> given_holes;  // true: a hole; nullopt: the file does not say it
   for (const ReadRing& ring : *read) {
     Polygon points;
     for (size_t i = 0; i + 1 < ring.numbers.size(); i += 2)
@@ -297,11 +297,11 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
     else
       loops = Loops(points);
     std::move(loops.begin(), loops.end(), std::back_inserter(rings));
-    reported.resize(rings.size(), ring.hole);
+    given_holes.resize(rings.size(), ring.hole);
   }
   std::vector<bool> holes;
   for (size_t i = 0; i < rings.size(); ++i)
-    holes.push_back(reported[i].value_or(Depth(i, rings) % 2 == 1));
+    holes.push_back(given_holes[i].value_or(Depth(i, rings) % 2 == 1));
   auto islands = Nested(std::move(rings), holes);
   if (!islands.ok()) return islands.status();
   file.islands = *std::move(islands);

@@ -72,7 +72,7 @@ struct DirectedEdge {
 /// Divides edges where corners touch them, and removes pairs of opposite edges. Returns the
 /// remaining edges, sorted.
 absl::StatusOr<std::vector<DirectedEdge>> Divided(std::vector<Edge> edges) {
-  std::vector<DirectedEdge> paths;
+  std::vector<DirectedEdge> directed;
   for (Edge& edge : edges) {
     const auto from_start = [&](Point p, Point q) {
       return Distance(edge.a, p) < Distance(edge.a, q);
@@ -80,17 +80,19 @@ absl::StatusOr<std::vector<DirectedEdge>> Divided(std::vector<Edge> edges) {
     std::sort(edge.touches.begin(), edge.touches.end(), from_start);
     Point from = edge.a;
     for (const Point p : edge.touches) {
-      if (p != from) paths.push_back({from, p});
+      if (p != from) directed.push_back({from, p});
       from = p;
     }
-    paths.push_back({from, edge.b});
+    directed.push_back({from, edge.b});
   }
-  std::sort(paths.begin(), paths.end());
+  std::sort(directed.begin(), directed.end());
   std::vector<DirectedEdge> left;
-  for (size_t i = 0; i < paths.size(); ++i) {
-    if (i > 0 && !(paths[i - 1] < paths[i])) return Malformed("lie on each other", paths[i].from);
-    if (!std::binary_search(paths.begin(), paths.end(), DirectedEdge{paths[i].to, paths[i].from}))
-      left.push_back(paths[i]);
+  for (size_t i = 0; i < directed.size(); ++i) {
+    if (i > 0 && !(directed[i - 1] < directed[i]))
+      return Malformed("lie on each other", directed[i].from);
+    if (!std::binary_search(directed.begin(), directed.end(),
+                            DirectedEdge{directed[i].to, directed[i].from}))
+      left.push_back(directed[i]);
   }
   return left;
 }
@@ -108,30 +110,30 @@ bool ComesFirst(Vector2 from, Vector2 a, Vector2 b) {
 
 /// Joins the edges into rings. At each corner, the ring continues with the first edge clockwise
 /// from the edge on which it arrives, so that it crosses no other ring.
-absl::StatusOr<std::vector<Polygon>> Followed(std::vector<DirectedEdge> paths) {
+absl::StatusOr<std::vector<Polygon>> Followed(std::vector<DirectedEdge> edges) {
   const auto leaving = [&](Point p) {
     const auto first =
-        std::lower_bound(paths.begin(), paths.end(), DirectedEdge{p, {INT64_MIN, INT64_MIN}});
+        std::lower_bound(edges.begin(), edges.end(), DirectedEdge{p, {INT64_MIN, INT64_MIN}});
     auto last = first;
-    while (last != paths.end() && last->from == p) ++last;
+    while (last != edges.end() && last->from == p) ++last;
     return std::span<DirectedEdge>(first, last);
   };
   std::vector<Polygon> rings;
-  for (DirectedEdge& start : paths) {
+  for (DirectedEdge& start : edges) {
     if (start.used) continue;
     Polygon ring;
-    for (DirectedEdge* path = &start; !path->used;) {
-      path->used = true;
-      ring.push_back(path->from);
-      const Vector2 back = ToVector(path->from - path->to);
+    for (DirectedEdge* edge = &start; !edge->used;) {
+      edge->used = true;
+      ring.push_back(edge->from);
+      const Vector2 back = ToVector(edge->from - edge->to);
       DirectedEdge* next = nullptr;
-      for (DirectedEdge& other : leaving(path->to)) {
+      for (DirectedEdge& other : leaving(edge->to)) {
         if (next == nullptr ||
             ComesFirst(back, ToVector(other.to - other.from), ToVector(next->to - next->from)))
           next = &other;
       }
-      if (next == nullptr) return Malformed("are not closed", path->to);
-      path = next;
+      if (next == nullptr) return Malformed("are not closed", edge->to);
+      edge = next;
     }
     rings.push_back(std::move(ring));
   }

@@ -201,15 +201,15 @@ void BorderGrid::FindInterior() {
   // Computes each square's distance to the nearest square with boundary or outside, from the
   // distances of its neighbours. One pass forward and one pass backward over the grid are enough.
   const auto relax = [&](int32_t column, int32_t row, int32_t step) {
-    uint8_t& room = interior_[IndexOf({column, row})];
-    if (room == 0) return;
+    uint8_t& distance = interior_[IndexOf({column, row})];
+    if (distance == 0) return;
     const auto at = [&](int32_t c, int32_t r) -> int {
       return c < 0 || r < 0 || c >= columns_ || r >= rows_ ? 0 : interior_[IndexOf({c, r})];
     };
     const int least = std::min({at(column - step, row), at(column - step, row - step),
                                 at(column, row - step), at(column + step, row - step)});
-    const int most = step > 0 ? 254 : room - 1;
-    room = static_cast<uint8_t>(1 + std::min(least, most));
+    const int most = step > 0 ? 254 : distance - 1;
+    distance = static_cast<uint8_t>(1 + std::min(least, most));
   };
   for (int32_t row = 0; row < rows_; ++row)
     for (int32_t column = 0; column < columns_; ++column) relax(column, row, 1);
@@ -219,9 +219,9 @@ void BorderGrid::FindInterior() {
 
 bool BorderGrid::IsFarFromBorder(Point a, Point b) const {
   const Square middle = SquareOf({(a.x + b.x) / 2, (a.y + b.y) / 2});
-  const int32_t room = interior_[IndexOf(middle)];
+  const int32_t distance = interior_[IndexOf(middle)];
   const auto is_inside = [&](Square s) {
-    return std::abs(s.column - middle.column) < room && std::abs(s.row - middle.row) < room;
+    return std::abs(s.column - middle.column) < distance && std::abs(s.row - middle.row) < distance;
   };
   return is_inside(SquareOf(a)) && is_inside(SquareOf(b));
 }

@@ -33,7 +33,7 @@ class ConvexInsets {
   /// Edge as a directed line. The polygon is to its left.
   struct Edge {
     Vector2 at = Vector2::Zero();
-    Vector2 direction = Vector2::Zero();  ///< unit vector of the direction
+    Vector2 direction = Vector2::Zero();  ///< unit vector
   };
   std::vector<Edge> edges_;  ///< edges sorted by direction
 };

@@ -64,7 +64,7 @@ std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
 }
 
 struct Spur {
-  Vector2 direction = Vector2::Zero();  ///< unit vector of the direction
+  Vector2 direction = Vector2::Zero();  ///< unit vector
   double length = 0;
 };
 
@@ -85,7 +85,7 @@ ConvexRing Spurred(const ConvexRing& ring, const SpurFill& fill, SpurOf spur_of)
   return result;
 }
 
-/// Returns the distance from `p`, inside a convex ring, to the ring in the direction `direction`.
+/// Returns the distance from `p`, inside a convex ring, to the ring, along `direction`.
 double DistanceTo(const ConvexRing& ring, Vector2 p, Vector2 direction) {
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {

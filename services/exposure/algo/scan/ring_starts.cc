@@ -28,55 +28,55 @@ void ForEachSide(const Polyline& ring, Visit visit) {
 RingPoint PointAtShare(const Polyline& ring, double share) {
   double length = 0;
   ForEachSide(ring, [&](size_t, Point a, Point b) { length += Distance(a, b); });
-  RingPoint place{0, ring[0]};
+  RingPoint point{0, ring[0]};
   double left = share * length;
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const double side = Distance(a, b);
     if (left >= 0 && left <= side && side > 0) {
       const double t = left / side;
-      place = {edge, a + Point{std::llround(t * static_cast<double>(b.x - a.x)),
+      point = {edge, a + Point{std::llround(t * static_cast<double>(b.x - a.x)),
                                std::llround(t * static_cast<double>(b.y - a.y))}};
     }
     left -= side;
   });
-  return place;
+  return point;
 }
 
 RingPoint NearestRingPoint(const Polyline& ring, Point p) {
-  RingPoint place{0, ring[0]};
+  RingPoint point{0, ring[0]};
   double nearest = std::numeric_limits<double>::infinity();
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const Point at = NearestOnSegment(p, a, b);
     const double distance = Distance(p, at);
     if (distance >= nearest) return;
     nearest = distance;
-    place = {edge, at};
+    point = {edge, at};
   });
-  return place;
+  return point;
 }
 
 /// Returns the point where the line from `in`, inside of the ring, to `out` leaves the ring. If
 /// rounding hides this point, returns the point nearest to `out`.
 RingPoint CrossingPoint(const Polyline& ring, Point in, Point out) {
-  std::optional<RingPoint> place;
+  std::optional<RingPoint> point;
   ForEachSide(ring, [&](size_t edge, Point a, Point b) {
     const double from = Cross(out - in, a - in), to = Cross(out - in, b - in);
     if (from > 0 || to <= 0) return;  // a convex ring is left from right to left
     const double t = from / (from - to);
-    place = {edge, a + Point{std::llround(t * static_cast<double>(b.x - a.x)),
+    point = {edge, a + Point{std::llround(t * static_cast<double>(b.x - a.x)),
                              std::llround(t * static_cast<double>(b.y - a.y))}};
   });
-  return place ? *place : NearestRingPoint(ring, out);
+  return point ? *point : NearestRingPoint(ring, out);
 }
 
-void StartAt(const RingPoint& place, Polyline& ring) {
+void StartAt(const RingPoint& point, Polyline& ring) {
   ring.pop_back();
-  size_t first = place.edge;
-  if (place.at != ring[first]) {
+  size_t first = point.edge;
+  if (point.at != ring[first]) {
     first = (first + 1) % ring.size();
-    if (place.at != ring[first]) {
-      first = place.edge + 1;
-      ring.insert(ring.begin() + static_cast<ptrdiff_t>(first), place.at);
+    if (point.at != ring[first]) {
+      first = point.edge + 1;
+      ring.insert(ring.begin() + static_cast<ptrdiff_t>(first), point.at);
     }
   }
   std::rotate(ring.begin(), ring.begin() + static_cast<ptrdiff_t>(first), ring.end());

@@ -52,15 +52,15 @@ class AreaGraph {
   void Visit(AreaIndex first, std::vector<AreaIndex>& order) {
     std::vector<AreaIndex> open = {first};
     while (!open.empty()) {
-      const AreaIndex place = open.back();
+      const AreaIndex area = open.back();
       open.pop_back();
-      Node& node = nodes_[place.level][place.area];
+      Node& node = nodes_[area.level][area.area];
       if (node.done || node.waits_for > 0) continue;
       node.done = true;
-      order.push_back(place);
+      order.push_back(area);
       for (size_t i = node.below.size(); i-- > 0;) {
-        --nodes_[place.level + 1][node.below[i]].waits_for;
-        open.push_back({place.level + 1, node.below[i]});
+        --nodes_[area.level + 1][node.below[i]].waits_for;
+        open.push_back({area.level + 1, node.below[i]});
       }
     }
   }

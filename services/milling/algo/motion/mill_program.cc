@@ -13,10 +13,10 @@ absl::StatusOr<int> CutLevels(const MillingJob& job, std::span<const MilledStep>
                               MoveBuilder& moves, const CancelToken& cancel) {
   StockCutter cutter(job.options, moves, cancel);
   int cut = 0;
-  for (const AreaIndex& place : CutOrder(levels)) {
+  for (const AreaIndex& index : CutOrder(levels)) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    const MilledStep& level = levels[place.level];
-    cut += cutter.Cut(level.areas[place.area], level.step.at_mm, level.step.phase);
+    const MilledStep& level = levels[index.level];
+    cut += cutter.Cut(level.areas[index.area], level.step.at_mm, level.step.phase);
   }
   if (absl::Status status = cancel.Check(); !status.ok()) return status;
   return cut;

@@ -29,14 +29,14 @@ PointUm MicrometresOf(const Eigen::Vector2d& p) {
           static_cast<int32_t>(std::llround(p.y() * 1000))};
 }
 
-Eigen::Vector2d PlaceOfUm(PointUm p) { return {p.x / 1000.0, p.y / 1000.0}; }
+Eigen::Vector2d PointMmOf(PointUm p) { return {p.x / 1000.0, p.y / 1000.0}; }
 
-std::vector<PointUm> PlacesInUm(std::span<const Eigen::Vector2d> line_mm) {
-  std::vector<PointUm> places;
+std::vector<PointUm> PointsInUm(std::span<const Eigen::Vector2d> line_mm) {
+  std::vector<PointUm> points;
   for (const Eigen::Vector2d& p : line_mm)
-    if (const PointUm um = MicrometresOf(p); places.empty() || places.back() != um)
-      places.push_back(um);
-  return places;
+    if (const PointUm um = MicrometresOf(p); points.empty() || points.back() != um)
+      points.push_back(um);
+  return points;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void MoveBuilder::Emit(MillMove move) {
 }
 
 void MoveBuilder::RapidTo(const Eigen::Vector2d& place_mm, double z_mm) {
-  const Eigen::Vector2d place = PlaceOfUm(MicrometresOf(place_mm));
+  const Eigen::Vector2d place = PointMmOf(MicrometresOf(place_mm));
   const double clearance = job_.options.machining.clearance_mm;
   if (!placed_) {
     Emit({.to_mm = {place.x(), place.y(), safe_z_mm_}});
@@ -91,7 +91,7 @@ void MoveBuilder::ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& cen
                         bool clockwise, double feed_mm_min) {
   const MillMove arc = {.kind = clockwise ? MoveKind::kClockwise : MoveKind::kCounterClockwise,
                         .to_mm = to_mm,
-                        .centre_mm = PlaceOfUm(MicrometresOf(centre_mm)),
+                        .centre_mm = PointMmOf(MicrometresOf(centre_mm)),
                         .feed_mm_min = feed_mm_min};
   if (job_.options.machining.arcs) return Emit(arc);
   for (const Eigen::Vector3d& p : PointsOf(arc, at_, kArcShare * job_.options.tolerance_mm))
@@ -99,11 +99,11 @@ void MoveBuilder::ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& cen
 }
 
 void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double feed_mm_min) {
-  const std::vector<PointUm> places = PlacesInUm(line_mm);
-  if (places.size() < 2) return;
+  const std::vector<PointUm> points = PointsInUm(line_mm);
+  if (points.size() < 2) return;
   const double z = at_.z(), tolerance = job_.options.tolerance_mm;
   const Coord chord_nm = FromMm(kLineShare * tolerance);
-  Polyline straight = {PointOf(PlaceOfUm(places[0]))};
+  Polyline straight = {PointOf(PointMmOf(points[0]))};
   const auto lines = [&] {
     for (const Point p : SimplifyLine(straight, chord_nm)) {
       const Eigen::Vector2d place = PointMmOf(p);
@@ -111,18 +111,18 @@ void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double fee
     }
   };
   if (!job_.options.machining.arcs) {
-    for (const PointUm place : places) straight.push_back(PointOf(PlaceOfUm(place)));
+    for (const PointUm point : points) straight.push_back(PointOf(PointMmOf(point)));
     return lines();
   }
   const double arc_um = std::max(kLeastArcToleranceUm, kArcShare * 1000 * tolerance);
-  for (const CurvePiece& piece : FitArcs(places, arc_um)) {
-    const Eigen::Vector2d end = PlaceOfUm(places[piece.last]);
+  for (const CurvePiece& piece : FitArcs(points, arc_um)) {
+    const Eigen::Vector2d end = PointMmOf(points[piece.last]);
     if (!piece.is_arc) {
       straight.push_back(PointOf(end));
       continue;
     }
     if (straight.size() > 1) lines();
-    ArcTo({end.x(), end.y(), z}, PlaceOfUm(piece.centre), piece.clockwise, feed_mm_min);
+    ArcTo({end.x(), end.y(), z}, PointMmOf(piece.centre), piece.clockwise, feed_mm_min);
     straight = {PointOf(end)};
   }
   if (straight.size() > 1) lines();

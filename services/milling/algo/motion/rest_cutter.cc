@@ -27,38 +27,39 @@ struct RunPosition {
   bool in_stock = false;
 };
 
-std::vector<RunPosition> PlacesOfRun(const RestRun& run, const MillingJob& job,
-                                     const StockMap& stock) {
+std::vector<RunPosition> PositionsOfRun(const RestRun& run, const MillingJob& job,
+                                        const StockMap& stock) {
   const double step = kRunAskShare * job.options.cutter.radius_mm();
-  std::vector<RunPosition> places = {{.tip = run[0], .corner = true}};
+  std::vector<RunPosition> positions = {{.tip = run[0], .corner = true}};
   for (size_t i = 0; i + 1 < run.size(); ++i) {
     const double steps = std::max(1.0, std::ceil((run[i + 1] - run[i]).norm() / step));
     for (double k = 1; k <= steps; ++k)
-      places.push_back({.tip = run[i] + (run[i + 1] - run[i]) * (k / steps), .corner = k == steps});
+      positions.push_back(
+          {.tip = run[i] + (run[i + 1] - run[i]) * (k / steps), .corner = k == steps});
   }
   // The cutter is not widened here as in other tests: along a finished wall, every run would then
   // meet the wall.
   const Eigen::Vector3d touch(0, 0, kRunTouchMm);
-  for (RunPosition& place : places) place.in_stock = stock.Meets(place.tip + touch, 0);
-  return places;
+  for (RunPosition& position : positions) position.in_stock = stock.Meets(position.tip + touch, 0);
+  return positions;
 }
 
 /// Returns the parts of a run that meet stock, each extended by one test position at both ends.
 /// Parts closer to each other than the cutter's diameter are merged.
 std::vector<RestRun> PartsInStock(const RestRun& run, const MillingJob& job,
                                   const StockMap& stock) {
-  const std::vector<RunPosition> places = PlacesOfRun(run, job, stock);
+  const std::vector<RunPosition> positions = PositionsOfRun(run, job, stock);
   const auto gap = static_cast<size_t>(2 / kRunAskShare);
   std::vector<RestRun> parts;
-  for (size_t i = 0; i < places.size(); ++i) {
-    if (!places[i].in_stock) continue;
+  for (size_t i = 0; i < positions.size(); ++i) {
+    if (!positions[i].in_stock) continue;
     size_t last = i;
-    for (size_t k = i + 1; k < places.size() && k <= last + gap; ++k)
-      if (places[k].in_stock) last = k;
-    const size_t from = i > 0 ? i - 1 : 0, to = std::min(places.size() - 1, last + 1);
+    for (size_t k = i + 1; k < positions.size() && k <= last + gap; ++k)
+      if (positions[k].in_stock) last = k;
+    const size_t from = i > 0 ? i - 1 : 0, to = std::min(positions.size() - 1, last + 1);
     RestRun& part = parts.emplace_back();
     for (size_t k = from; k <= to; ++k)
-      if (places[k].corner || k == from || k == to) part.push_back(places[k].tip);
+      if (positions[k].corner || k == from || k == to) part.push_back(positions[k].tip);
     i = to;
   }
   return parts;

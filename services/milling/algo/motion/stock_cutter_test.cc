@@ -36,7 +36,7 @@ TEST(StockCutter, EntersFromOutsideAndStaysDown) {
   EXPECT_EQ(CountOf(made, MoveKind::kCounterClockwise), 0u);
 }
 
-TEST(StockCutter, GoesDownIntoAPocketByAHelixOrAlongItsWay) {
+TEST(StockCutter, GoesDownIntoAPocketByAHelixOrAlongItsPass) {
   for (const EntryKind entry : {EntryKind::kHelix, EntryKind::kRamp, EntryKind::kPlunge}) {
     MillingJob job = PlateJob();
     job.options.machining.entry = entry;
@@ -67,7 +67,7 @@ TEST(StockCutter, LeavesOutWhatIsCutAlready) {
   EXPECT_EQ(cutter.Cut(again, 9.0, MillPhase::kRoughing), 1);
 }
 
-TEST(StockCutter, MeetsFinishingWaysByArcs) {
+TEST(StockCutter, MeetsFinishingPassesByArcs) {
   MillingJob job = PlateJob();
   job.options.machining.lead_in_radius_mm = 0.5;
   MoveBuilder moves(job);

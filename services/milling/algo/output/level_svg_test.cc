@@ -13,7 +13,7 @@ size_t CountOf(const std::string& text, std::string_view what) {
   return count;
 }
 
-TEST(LevelSvg, DrawsStockAreasAndWays) {
+TEST(LevelSvg, DrawsStockAreasAndPasses) {
   const MillingJob job = JobOf(PocketPart().Mesh(), OptionsFor("cyl:1.5"));
   const std::vector<MilledStep> steps = AllSteps(job);
   ASSERT_FALSE(steps.empty());

@@ -12,17 +12,17 @@ namespace {
 /// Consecutive steps of one phase.
 using PhaseSteps = std::span<MilledStep>;
 
-std::vector<double> PlacesOf(PhaseSteps steps) {
-  std::vector<double> places;
-  for (const MilledStep& milled : steps) places.push_back(milled.step.at_mm);
-  return places;
+std::vector<double> PositionsOf(PhaseSteps steps) {
+  std::vector<double> positions;
+  for (const MilledStep& milled : steps) positions.push_back(milled.step.at_mm);
+  return positions;
 }
 
 absl::Status MillLevels(const MillingJob& job, PhaseSteps steps, const CancelToken& cancel,
                         int threads) {
   const bool roughing = steps[0].step.phase == MillPhase::kRoughing;
   const double allowance = roughing ? job.options.allowance_mm : 0;
-  const auto levels = FreeAreas(job, allowance, PlacesOf(steps), cancel, threads);
+  const auto levels = FreeAreas(job, allowance, PositionsOf(steps), cancel, threads);
   if (!levels.ok()) return levels.status();
   std::atomic<bool> cancelled = false;
   ForEachIndex(threads, steps.size(), [&](size_t i, int) {
@@ -38,7 +38,7 @@ absl::Status MillLevels(const MillingJob& job, PhaseSteps steps, const CancelTok
 
 absl::Status MillRows(const MillingJob& job, PhaseSteps steps, const CancelToken& cancel,
                       int threads) {
-  auto rows = RestRows(job, PlacesOf(steps), cancel, threads);
+  auto rows = RestRows(job, PositionsOf(steps), cancel, threads);
   if (!rows.ok()) return rows.status();
   for (size_t i = 0; i < steps.size(); ++i) steps[i].runs = std::move((*rows)[i]);
   return absl::OkStatus();

@@ -9,11 +9,11 @@
 namespace slicefarm::milling::milling_job_test {
 namespace {
 
-std::vector<double> PlacesOf(const MillingJob& job, MillPhase phase) {
-  std::vector<double> places;
+std::vector<double> PositionsOf(const MillingJob& job, MillPhase phase) {
+  std::vector<double> positions;
   for (const MillStep& step : job.steps)
-    if (step.phase == phase) places.push_back(step.at_mm);
-  return places;
+    if (step.phase == phase) positions.push_back(step.at_mm);
+  return positions;
 }
 
 /// The flats are at 1, 2 and 3 mm and the stock is from 0 to 4 mm. There are levels on each flat,
@@ -24,15 +24,15 @@ TEST(PrepareMilling, PutsLevelsOnFlatsAndEvenlyBetween) {
   options.allowance_mm = 0.2;
   options.finish_stepdown_mm = 0.5;
   const MillingJob job = JobOf(PocketPart().Mesh(), options);
-  const std::vector<double> roughing = PlacesOf(job, MillPhase::kRoughing);
+  const std::vector<double> roughing = PositionsOf(job, MillPhase::kRoughing);
   const std::vector<double> wanted = {3.6, 3.2, 2.7, 2.2, 1.7, 1.2, 0.8, 0.4, 0};
   ASSERT_EQ(roughing.size(), wanted.size());
   for (size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(roughing[i], wanted[i], 1e-12);
-  const std::vector<double> finishing = PlacesOf(job, MillPhase::kFinishing);
+  const std::vector<double> finishing = PositionsOf(job, MillPhase::kFinishing);
   for (const double flat : {1.0, 2.0, 0.0})
     EXPECT_NE(std::find(finishing.begin(), finishing.end(), flat), finishing.end()) << flat;
   EXPECT_LT(finishing.front(), 3);  // no part is above its top
-  EXPECT_FALSE(PlacesOf(job, MillPhase::kRest).empty());
+  EXPECT_FALSE(PositionsOf(job, MillPhase::kRest).empty());
 }
 
 TEST(PrepareMilling, LeavesFinishingOut) {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kHold = 1e-9;  // share of the mean diagonal; fixes the map's position
 
 /// Returns the pairs of points that occur together in a term of the energy.
-std::vector<SparseCholesky::BlockIndex> PlacesOf(const FlatProblem& problem) {
+std::vector<SparseCholesky::BlockIndex> BlocksOf(const FlatProblem& problem) {
   std::vector<SparseCholesky::BlockIndex> indices;
   indices.reserve(3 * problem.triangles().size());
   for (const Corners& t : problem.triangles())
@@ -38,7 +38,7 @@ std::array<int32_t, 21> EntriesOf(const SparseCholesky& system, const Corners& c
 }  // namespace
 
 NewtonDirection::NewtonDirection(const FlatProblem& problem)
-    : system_(problem.point_count(), PlacesOf(problem), 2) {
+    : system_(problem.point_count(), BlocksOf(problem), 2) {
   entries_.reserve(problem.triangles().size());
   for (const Corners& t : problem.triangles()) entries_.push_back(EntriesOf(system_, t));
   for (int32_t i = 0; i < 2 * problem.point_count(); ++i)

@@ -131,11 +131,11 @@ SparseCholesky::SparseCholesky(int32_t count, std::span<const BlockIndex> indice
   factor_.emplace(std::move(shape));
   std::vector<int32_t> row_of(order_.size());
   for (size_t i = 0; i < order_.size(); ++i) row_of[order_[i]] = static_cast<int32_t>(i);
-  places_.reserve(rows_.size());
+  factor_index_.reserve(rows_.size());
   for (size_t column = 0; column + 1 < columns_.size(); ++column) {
     for (int32_t at = columns_[column]; at < columns_[column + 1]; ++at) {
       const auto [low, high] = std::minmax(row_of[column], row_of[rows_[at]]);
-      places_.push_back(factor_->IndexOf(high, low));
+      factor_index_.push_back(factor_->IndexOf(high, low));
     }
   }
 }
@@ -151,7 +151,7 @@ absl::Status SparseCholesky::Factor() {
   if (factor_) {
     std::vector<double> numbers = factor_->TakeNumbers();
     numbers.assign(static_cast<size_t>(factor_->place_count()), 0);
-    for (size_t i = 0; i < values_.size(); ++i) numbers[places_[i]] = values_[i];
+    for (size_t i = 0; i < values_.size(); ++i) numbers[factor_index_[i]] = values_[i];
     done = factor_->Factor(std::move(numbers));
   }
   if (done) return absl::OkStatus();

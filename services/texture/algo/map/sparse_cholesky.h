@@ -45,8 +45,8 @@ class SparseCholesky {
   std::vector<int32_t> columns_;  ///< start of each column in rows_
   std::vector<int32_t> rows_;
   std::vector<double> values_;
-  std::vector<int32_t> order_;   ///< row of the system for each row of the factor
-  std::vector<int64_t> places_;  ///< index in the factor of each entry of values()
+  std::vector<int32_t> order_;         ///< row of the system for each row of the factor
+  std::vector<int64_t> factor_index_;  ///< index in the factor of each entry of values()
   std::optional<SupernodalFactor> factor_;
 };
 

@@ -85,7 +85,7 @@ void EngraveProgram::Switch(bool on, std::string* text) {
   *text += on ? fmt::format("M3 S{:g}\n", options_.power) : "M5\n";
 }
 
-/// Moves from the safe height to a stop: first the axes turn, then the tool comes down.
+/// Moves from the safe height to a pose: first the axes turn, then the tool comes down.
 void EngraveProgram::Approach(const AxisPose& pose, std::string* text) {
   const Eigen::Vector3d& p = pose.axes.xyz_mm;
   const auto out = std::back_inserter(*text);

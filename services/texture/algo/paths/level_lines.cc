@@ -17,7 +17,7 @@ class LevelWalk {
   int SideOut(int32_t triangle) const { return SideWhere(triangle, true); }
   int SideIn(int32_t triangle) const { return SideWhere(triangle, false); }
 
-  EdgePoint PlaceOn(int32_t triangle, int corner) const {
+  EdgePoint EdgePointOn(int32_t triangle, int corner) const {
     const auto& corners = map_.mesh().triangles[triangle];
     const auto [low, high] = std::minmax(corners[corner], corners[(corner + 1) % 3]);
     const double share = (level_ - field_[low]) / (field_[high] - field_[low]);
@@ -63,12 +63,12 @@ std::vector<std::vector<int32_t>> TrianglesByLevel(const SurfaceMap& map,
 LevelLine LineFrom(const SurfaceMap& map, const LevelWalk& walk, int32_t start,
                    std::vector<bool>* open) {
   LevelLine line;
-  line.places.push_back(walk.PlaceOn(start, walk.SideIn(start)));
+  line.places.push_back(walk.EdgePointOn(start, walk.SideIn(start)));
   for (int32_t at = start; at >= 0 && (*open)[at];) {
     (*open)[at] = false;
     const int out = walk.SideOut(at);
     line.triangles.push_back(at);
-    line.places.push_back(walk.PlaceOn(at, out));
+    line.places.push_back(walk.EdgePointOn(at, out));
     at = map.Neighbour(at, out);
   }
   return line;
