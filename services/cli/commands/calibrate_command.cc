@@ -53,8 +53,7 @@ absl::Status CheckCalibrateOptions(const CalibrateOptions& options) {
     return Malformed("--detach, --json, --profile, --bundle: only for a farm; add --server");
   if (!options.on_farm && UsesFarmPresets(options.job.presets))
     return Malformed("--printer: add --presets DIR|FILE, or --server for the presets of a farm");
-  if (options.detach && (!options.output.empty() || !options.job.report.empty()))
-    return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
+  if (absl::Status ok = CheckDetach(options); !ok.ok()) return ok;
   if (options.output.empty() && !options.detach)
     return Malformed("the output file is not named: use -o OUT.gcode");
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return ok;
@@ -111,14 +110,13 @@ void AddParts(std::vector<CalibrationPart> parts, GivenModels& models) {
 }
 
 void PrintTable(const CalibrateOptions& options, const CalibrationTable& table) {
-  if (options.job.quiet || options.json || options.output == "-" || options.job.report == "-")
-    return;
+  if (options.job.quiet || options.json || ResultIsOnStdout(options.job, options.output)) return;
   for (const CalibrationRow& row : table.rows) {
-    const std::string place =
+    const std::string part =
         row.to_mm > 0 ? fmt::format("{:.1f} to {:.1f} mm", row.from_mm, row.to_mm) : row.object;
     const std::string setting =
         table.setting.empty() ? "" : fmt::format("  {} = {:g}", table.setting, row.value);
-    Print(fmt::format("{:>8} {}  {}{}\n", row.label, table.unit, place, setting));
+    Print(fmt::format("{:>8} {}  {}{}\n", row.label, table.unit, part, setting));
   }
 }
 
@@ -207,9 +205,7 @@ void AddCalibrate(CLI::App& app, CommandContext& context) {
       ->add_option("--report", options->job.report,
                    "File for a report as JSON, with the table of values; -: to stdout")
       ->type_name("REPORT.json");
-  command->add_flag("--generic", options->job.generic,
-                    "Allow a print for no particular printer: bed_shape, nozzle_diameter and "
-                    "gcode_flavor may be unset");
+  AddGenericOption(*command, options->job.generic);
   command->add_flag("-q,--quiet", options->job.quiet, "Print only warnings and errors");
   AddThreadsOption(*command, options->threads);
   command->add_flag("--detach", options->detach,

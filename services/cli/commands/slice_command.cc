@@ -104,7 +104,6 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
                   const config::ResolvedPlate& resolved) {
   WarnOfRest(report.warnings, resolved.warnings);
   if (options.job.quiet) return;
-  const bool result_on_stdout = options.output == "-" || options.job.report == "-";
   Print(SummaryText({.output = options.output == "-" ? "" : options.output,
                      .words = WordsOf(options),
                      .layers = report.layer_count,
@@ -115,7 +114,7 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
                      .changing = ChangingPrint(resolved),
                      .beside_print = resolved.beside_print,
                      .report = options.job.report}),
-        result_on_stdout);
+        ResultIsOnStdout(options.job, options.output));
 }
 
 /// Checks that all features missing for the plate are allowed, and that the output's name fits the

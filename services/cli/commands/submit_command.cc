@@ -26,9 +26,7 @@ absl::Status CheckWishes(const SubmitOptions& options) {
   }
   if (options.orient && !options.check) return Malformed("--orient works only with --check");
   if (options.quote && gcode) return Malformed("--quote makes no G-code: omit -o");
-  if (options.detach && (gcode || !options.job.report.empty())) {
-    return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
-  }
+  if (absl::Status ok = CheckDetach(options); !ok.ok()) return ok;
   if (!gcode && !options.detach && !options.quote && !options.check) {
     return Malformed(
         "the output file is not named: use -o OUT.gcode, --detach, --quote or --check");

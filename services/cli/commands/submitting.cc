@@ -242,13 +242,9 @@ config::ResultWords WordsOf(const SubmitOptions& options) {
   return config::SettingsOf(options.job.process).Words();
 }
 
-bool ResultIsOnStdout(const SubmitOptions& options) {
-  return options.output == "-" || options.job.report == "-";
-}
-
 /// Prints the job as one line of JSON, without its settings, and with the file of its result.
 void PrintJson(const SubmitOptions& options, const v1::Job& job, const std::string& output) {
-  Print(JsonOfJob(job, output) + "\n", ResultIsOnStdout(options));
+  Print(JsonOfJob(job, output) + "\n", ResultIsOnStdout(options.job, options.output));
 }
 
 void PrintSummary(const SubmitOptions& options, const v1::Job& job, const std::string& output) {
@@ -266,7 +262,7 @@ void PrintSummary(const SubmitOptions& options, const v1::Job& job, const std::s
                      .cached = result.cached(),
                      .job = job.id(),
                      .report = options.job.report}),
-        ResultIsOnStdout(options));
+        ResultIsOnStdout(options.job, options.output));
 }
 
 /// Returns a hint about an object that would print better in another orientation.
@@ -356,6 +352,12 @@ ExitCode FetchAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs
 }
 
 }  // namespace
+
+absl::Status CheckDetach(const SubmitOptions& options) {
+  if (!options.detach || (options.output.empty() && options.job.report.empty()))
+    return absl::OkStatus();
+  return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
+}
 
 JobsClientOptions OptionsOfClient(const SubmitOptions& options, Interrupt& interrupt) {
   JobsClientOptions client_options = ClientOptions(options.server, &interrupt);

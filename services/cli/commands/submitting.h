@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/calibration_table.h"
 #include "services/cli/console/exit_code.h"
@@ -37,6 +38,9 @@ struct SubmitOptions {
   CalibrationTable calibration = {};  ///< values that the print compares, for the report
   std::vector<std::string> reported;  ///< warnings that were printed before the job was made
 };
+
+/// Checks that a job that is not waited for has no output files. Errors: REQUEST_MALFORMED.
+absl::Status CheckDetach(const SubmitOptions& options);
 
 /// Returns the options of the farm's client.
 JobsClientOptions OptionsOfClient(const SubmitOptions& options, Interrupt& interrupt);

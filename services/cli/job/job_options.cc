@@ -187,14 +187,22 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
-  app.add_flag("--generic", options.generic,
-               "Allow a job for no particular printer: bed_shape, nozzle_diameter and gcode_flavor "
-               "may have their default values");
+  AddGenericOption(app, options.generic);
   app.add_option("--report", options.report,
                  "File for a report of the result, as JSON; -: to stdout")
       ->type_name("REPORT.json");
   app.add_flag("-q,--quiet", options.quiet,
                "Print only warnings and errors, no progress and no summary");
+}
+
+void AddGenericOption(CLI::App& app, bool& generic) {
+  app.add_flag("--generic", generic,
+               "Allow a job for no particular printer: bed_shape, nozzle_diameter and gcode_flavor "
+               "may have their default values");
+}
+
+bool ResultIsOnStdout(const JobOptions& options, const std::string& output) {
+  return output == "-" || options.report == "-";
 }
 
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text) {

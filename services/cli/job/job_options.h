@@ -17,7 +17,7 @@ namespace slicefarm::cli {
 /// Settings as written on the command line.
 struct SettingOptions {
   std::vector<std::string> config_files;
-  std::vector<std::string> sets;  ///< settings in the form key=value
+  std::vector<std::string> sets;  ///< settings in the form KEY=VALUE
 };
 
 /// Presets of a job by name, as written on the command line.
@@ -49,7 +49,7 @@ struct JobOptions : SettingOptions {
   std::vector<std::string> models;
   Process process = kDefaultProcess;
   std::vector<std::string> copies;       ///< numbers of copies, in the form MODEL=N
-  std::vector<std::string> object_sets;  ///< settings of one model, in the form MODEL:key=value
+  std::vector<std::string> object_sets;  ///< settings of one model, in the form MODEL:KEY=VALUE
   std::string units = "mm";
   std::string scale;  ///< scale factors, in the form S, or X,Y,Z
   double rotate_z_deg = 0;
@@ -72,6 +72,9 @@ struct JobOptions : SettingOptions {
 void AddSettingOptions(CLI::App& app, SettingOptions& options);
 /// Adds all job options to a command.
 void AddJobOptions(CLI::App& app, JobOptions& options);
+
+/// Adds `--generic`, which allows a job for no particular printer.
+void AddGenericOption(CLI::App& app, bool& generic);
 
 /// Adds the options that choose presets by name.
 void AddPresetOptions(CLI::App& app, PresetOptions& options);
@@ -103,6 +106,10 @@ std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> setti
 /// and FormatSettings.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
+
+/// Returns true if the output or the report of the job goes to stdout. Then the summary goes to
+/// stderr.
+bool ResultIsOnStdout(const JobOptions& options, const std::string& output);
 
 /// Returns the error REQUEST_MALFORMED for a command line that cannot be executed.
 absl::Status Malformed(const std::string& message);
