@@ -22,7 +22,7 @@ enum class CalibrationKind {
   kInputShaping,
 };
 
-/// Print of a kind that has several.
+/// Form of the test print, if its kind has several.
 enum class CalibrationMethod {
   kTower,    ///< a value for each floor
   kLine,     ///< a line for each value, with changes of speed

@@ -14,18 +14,18 @@
 namespace slicefarm::cli {
 namespace {
 
-using Place = std::array<double, 2>;
+using PointMm = std::array<double, 2>;
 
-constexpr double kPitchMm = 5;  ///< distance of the lines of neighbouring values
-constexpr double kSlowMm = 20, kFastMm = 40;
-constexpr double kCornerMm = 21;     ///< depth of a corner; half of its width
-constexpr double kLineMarginMm = 3;  ///< gap between the lines and the frame
-constexpr double kFrameMm = 2;       ///< width of the frame
+constexpr double kPitchMm = 5;                ///< distance of the lines of neighbouring values
+constexpr double kSlowMm = 20, kFastMm = 40;  ///< lengths of the parts of a straight line
+constexpr double kCornerMm = 21;              ///< depth of a corner; half of its width
+constexpr double kLineMarginMm = 3;           ///< gap between the lines and the frame
+constexpr double kFrameMm = 2;                ///< width of the frame
 constexpr double kTextMm = 3, kTextMarginMm = 1.5;
 
 /// Part of a line, to a point, at a speed in mm/s.
 struct DrawnPart {
-  Place to;
+  PointMm to;
   double speed;
 };
 
@@ -39,14 +39,14 @@ class LineWriter {
 
   void Line(const std::string& text) { out_ += text + "\n"; }
 
-  void Draw(Place from, std::span<const DrawnPart> strokes) {
+  void Draw(PointMm from, std::span<const DrawnPart> parts) {
     Line(fmt::format("G1 X{:.3f} Y{:.3f} F{:.0f}", from[0], from[1], PerMinute(settings_.travel)));
     Filament(settings_.retract_mm, settings_.restart_speed);
-    for (const DrawnPart& stroke : strokes) {
-      const double length = std::hypot(stroke.to[0] - from[0], stroke.to[1] - from[1]);
-      from = stroke.to;
+    for (const DrawnPart& part : parts) {
+      const double length = std::hypot(part.to[0] - from[0], part.to[1] - from[1]);
+      from = part.to;
       Line(fmt::format("G1 X{:.3f} Y{:.3f} E{:.5f} F{:.0f}", from[0], from[1],
-                       length * filament_per_mm_, PerMinute(stroke.speed)));
+                       length * filament_per_mm_, PerMinute(part.speed)));
     }
     Filament(-settings_.retract_mm, settings_.retract_speed);
   }
@@ -92,14 +92,14 @@ class LineLayout {
   double Width() const {
     return 2 * kFrameMm + 2 * kLineMarginMm + LineMm() + text_mm_ + 2 * kTextMarginMm;
   }
-  /// Returns the height of the line of a value above the lower edge of the frame.
+  /// Returns the distance of a value's line from the lower edge of the frame, along y.
   double RowY(size_t i) const {
     return kFrameMm + kLineMarginMm + (shape_ == LineShape::kCorner ? kCornerMm : 0) +
            static_cast<double>(i) * kPitchMm;
   }
   double Depth() const { return RowY(lines_.size() - 1) + kLineMarginMm + kFrameMm; }
-  /// Converts to coordinates of the bed.
-  Place OnBed(double x, double y) const {
+  /// Converts coordinates of the frame to coordinates of the bed.
+  PointMm OnBed(double x, double y) const {
     return {settings_.middle[0] - Width() / 2 + x, settings_.middle[1] - Depth() / 2 + y};
   }
 
@@ -150,10 +150,10 @@ class LineLayout {
 
   void DrawStraight(double y, LineWriter& out) const {
     const double x = kFrameMm + kLineMarginMm;
-    const DrawnPart strokes[] = {{OnBed(x + kSlowMm, y), settings_.slow},
-                                 {OnBed(x + kSlowMm + kFastMm, y), settings_.fast},
-                                 {OnBed(x + LineMm(), y), settings_.slow}};
-    out.Draw(OnBed(x, y), strokes);
+    const DrawnPart parts[] = {{OnBed(x + kSlowMm, y), settings_.slow},
+                               {OnBed(x + kSlowMm + kFastMm, y), settings_.fast},
+                               {OnBed(x + LineMm(), y), settings_.slow}};
+    out.Draw(OnBed(x, y), parts);
   }
 
   /// Draws three lines beside each other. Their distance along y is that of lines at 45 degrees.
@@ -161,9 +161,9 @@ class LineLayout {
     const double x = kFrameMm + kLineMarginMm;
     for (int i = 0; i < 3; ++i) {
       const double top = y - i * settings_.width_mm * std::numbers::sqrt2;
-      const DrawnPart strokes[] = {{OnBed(x + kCornerMm, top - kCornerMm), settings_.fast},
-                                   {OnBed(x + LineMm(), top), settings_.fast}};
-      out.Draw(OnBed(x, top), strokes);
+      const DrawnPart parts[] = {{OnBed(x + kCornerMm, top - kCornerMm), settings_.fast},
+                                 {OnBed(x + LineMm(), top), settings_.fast}};
+      out.Draw(OnBed(x, top), parts);
     }
   }
 

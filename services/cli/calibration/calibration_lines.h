@@ -11,16 +11,16 @@ namespace slicefarm::cli {
 /// Shape of the line that is printed for each value.
 enum class LineShape {
   kStraight,  ///< one layer: slow, fast, slow
-  kCorner,    ///< some layers: three lines with a right angle, at one speed
+  kCorner,    ///< several layers: three lines with a right angle, at one speed
 };
 
-/// Line of a value.
+/// Value to which a line belongs.
 struct ValueLine {
   std::string label;
   std::string code;  ///< G-code that sets the value
 };
 
-/// Machine and beads. Lengths in mm, speeds in mm/s.
+/// Settings of the machine and of the beads. Lengths in mm, speeds in mm/s.
 struct LineSettings {
   double first_layer_mm = 0.2;
   double layer_mm = 0.2;

@@ -135,7 +135,7 @@ class CalibrationPlanner {
     return absl::OkStatus();
   }
 
-  /// Plans lines, each with its value. They are G-code within a frame that is sliced.
+  /// Plans lines, each with its value. The lines are G-code; the frame around them is sliced.
   absl::Status PlanLines() {
     const std::string_view flavor = TextIn(given_, "gcode_flavor");
     std::vector<ValueLine> lines;

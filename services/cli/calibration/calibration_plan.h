@@ -19,7 +19,7 @@ struct CalibrationPart {
   std::string stl;  ///< content of a binary STL file, in mm
   std::vector<HeightRange> ranges;
   std::vector<Setting> settings;
-  std::optional<Point> middle = {};  ///< place of its middle on the bed; nothing: anywhere
+  std::optional<Point> middle = {};  ///< position on the bed; empty: the part is arranged
 };
 
 /// Calibration print: objects, settings of the job, and the table of values.

@@ -102,7 +102,8 @@ absl::Status CheckFormat(const std::string& output, Process process,
                          std::string_view settings_text) {
   const std::string name = LowerCase(output);
   const std::vector<config::FileFormat> formats = config::SettingsOf(process).FileFormats();
-  // The first format with a setting that has the format's value; a mill's program has several.
+  // The settings may select several formats, such as *.ngc and *.nc of a mill. If the first one is
+  // an archive, only it is made.
   const auto is_made = [&](const config::FileFormat& format) {
     return ValueOf(settings_text, format.key) == format.value;
   };

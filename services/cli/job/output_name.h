@@ -17,7 +17,7 @@ namespace slicefarm::cli {
 /// of a model, of a document, or of another process's files.
 absl::Status CheckEnding(const std::string& output, Process process);
 
-/// Checks that the ending of the name is the one of the job's output format. `settings_text`:
+/// Checks that the ending of the name belongs to an output format of the job. `settings_text`:
 /// ResolvedSettings::effective_text. Errors: REQUEST_MALFORMED if it belongs to another format of
 /// the process.
 absl::Status CheckFormat(const std::string& output, Process process,
