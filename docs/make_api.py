@@ -77,7 +77,7 @@ def sentence(text):
     text = text.strip()
     if not text:
         return ""
-    if text[0].islower():
+    if text[0].islower() and "_" not in text.split()[0]:
         text = text[0].upper() + text[1:]
     return text if text[-1] in ".!?" else text + "."
 
