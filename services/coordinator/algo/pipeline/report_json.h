@@ -22,7 +22,7 @@ struct ReportContext {
 /// Returns the report as JSON. Keys: `meshes`, `layers`, `object_height_mm`, `print_time_s`,
 /// `print_time`, the keys of ProcessReport, `stage_times_s`, `warnings`, `notes`,
 /// `settings_without_effect`, `settings_digest`, `build_id`, `calibration` of a calibration print,
-/// and `setting_sources` of a job with presets. Replaces bytes of names that are no UTF-8.
+/// and `setting_sources` of a job with presets. Replaces bytes of names that are not UTF-8.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
 }  // namespace slicefarm::coordinator

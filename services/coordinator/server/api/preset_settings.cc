@@ -29,10 +29,10 @@ Sources AllSources(const v1::JobSpec& given, const v1::JobSpec& spec, const Pres
     all.push_back(SourceOfAll("project", SettingsFromProto(given.project_settings())));
     std::erase(all.back().keys, "creation_time");  // programs add it for templates
   }
-  const Sources reported = SourcesFromProto(spec.setting_sources());
-  std::copy_n(reported.begin(), of_client, std::back_inserter(all));
+  const Sources known = SourcesFromProto(spec.setting_sources());
+  std::copy_n(known.begin(), of_client, std::back_inserter(all));
   if (presets != nullptr) std::ranges::copy(presets->job.sources, std::back_inserter(all));
-  std::copy(reported.begin() + of_client, reported.end(), std::back_inserter(all));
+  std::copy(known.begin() + of_client, known.end(), std::back_inserter(all));
   SettingSource config = {"config", {}}, job = {"job", {}};
   for (const v1::Setting& setting : given.settings())
     (setting.from_profile() ? config : job).keys.push_back(setting.key());
@@ -53,9 +53,9 @@ void AddPresets(const LoadedPresets& loaded, const PresetJob& presets, v1::JobSp
   named.mutable_bundles()->Assign(loaded.bundles().begin(), loaded.bundles().end());
   const auto warn = [&](const std::string& line) {
     const std::string text = ReplaceControls(line, '?');
-    const bool reported = std::ranges::any_of(
+    const bool is_noted = std::ranges::any_of(
         spec.notes(), [&](const v1::ProjectNote& note) { return note.text() == text; });
-    if (!reported) spec.add_notes()->set_text(text);
+    if (!is_noted) spec.add_notes()->set_text(text);
   };
   for (const std::string& note : presets.notes) warn(note);
   for (const std::string& line : presets.job.of_print) warn(line + ": not supported yet");

@@ -36,7 +36,7 @@ namespace slicefarm::coordinator {
 ///   slicefarm_database_bytes                size of the shared database;
 ///   slicefarm_database_max_bytes            limit of this size, if there is one;
 ///   slicefarm_database_connections, slicefarm_database_max_connections   of the server;
-///   slicefarm_preset_sets_total{from}       uses of presets, by memory and store;
+///   slicefarm_preset_sets_total{from}       uses of sets of presets, from memory or store;
 ///   slicefarm_retention_overdue             1: a job exists a day after it should have gone.
 /// Coordinators that share a store all report the values of the store: use the maximum over them,
 /// not the sum.
