@@ -60,6 +60,7 @@ TEST(ReportJson, HasTheValuesOfACalibrationPrint) {
   const auto json = nlohmann::json::parse(ReportJson({}, {.calibration = table}))["calibration"];
   EXPECT_EQ(json["kind"], "flow");
   EXPECT_EQ(json["setting"], "extrusion_multiplier");
+  ASSERT_EQ(json["values"].size(), 2u);
   EXPECT_EQ(json["values"][0]["label"], "+5");
   EXPECT_EQ(json["values"][0]["value"], 1.05);
   EXPECT_FALSE(json["values"][0].contains("from_mm"));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -66,6 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
              [](auto& r) {
                FirstOf(r).ranges = {{1, 2, {{"layer_height", "0.1"}}}};
              }},
+        Case{"KindOfACalibration", [](auto& r) { r.calibration.kind = "flow"; }},
+        Case{"ValueOfACalibration", [](auto& r) { r.calibration.rows.resize(1); }},
         Case{"Copies", [](auto& r) { FirstOf(r).instances.resize(2); }},
         Case{"HeightRange",
              [](auto& r) {
@@ -154,7 +157,20 @@ TEST(CheckRequest, NamesStayOnTheirLine) {
     request = SimpleRequest();
     request.without_effect = {name};
     EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "without_effect");
+    request = SimpleRequest();
+    request.calibration.rows = {{name, 1, 0, 0, "part"}};
+    EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "calibration");
   }
+}
+
+TEST(CheckRequest, CalibrationsAreFiniteAndLimited) {
+  JobRequest request = SimpleRequest();
+  request.calibration.rows.resize(1000);
+  EXPECT_TRUE(CheckRequest(request).ok());
+  request.calibration.rows.back().to_mm = NAN;
+  EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "calibration");
+  request.calibration.rows.resize(1001);
+  EXPECT_EQ(DetailOf(CheckRequest(request)).reason, Reason::kRequestTooLarge);
 }
 
 TEST(CheckLabels, HaveBounds) {
