@@ -52,6 +52,7 @@ absl::StatusOr<std::vector<Setting>> SettingsOfProfile(const std::string& name,
   return SettingsFromProto(profile->settings());
 }
 
+/// Stores the chosen value in its profile. Returns the text to print.
 absl::StatusOr<std::string> ApplyChosen(const ApplyOptions& options, JobsClient& client) {
   const auto id = client.FullId(options.job);
   if (!id.ok()) return id.status();
@@ -103,8 +104,7 @@ void AddApply(CLI::App& calibrate, CommandContext& context) {
       ->excludes(profile);
   AddServerOptions(*command, options->server);
   command->footer(
-      "The setting is added to the profile as a new revision; its other settings stay.\nExample:\n "
-      " "
+      "The profile gets a new revision with this setting; its other settings stay.\nExample:\n  "
       "slicefarm calibrate apply 3f2a 0.035 --server farm:50050");
   command->callback([options, &context] {
     context.run = [options, &context] {

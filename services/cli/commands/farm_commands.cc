@@ -63,7 +63,7 @@ ExitCode WatchAll(const FarmOptions& options, Interrupt& interrupt) {
   if (!options.from.empty() && !TimeUtil::FromString(options.from, request.mutable_from()))
     return Fail(BadTime("--from", options.from));
   JobsClient client(ClientOptions(options.server, &interrupt));
-  int64_t reported = 0;
+  int64_t printed = 0;
   const absl::Status ended = client.WatchJobs(request, [&](const v1::WatchJobsResponse& response) {
     if (!response.has_event()) return absl::OkStatus();
     const v1::JobEvent& event = response.event();
@@ -71,8 +71,8 @@ ExitCode WatchAll(const FarmOptions& options, Interrupt& interrupt) {
               ? JsonLine(response) + "\n"
               : fmt::format("{}  {}  {:>4}  {}\n", TimeUtil::ToString(event.time()),
                             event.job().id(), event.sequence(), StateName(event.job().state())));
-    return ++reported == options.count ? absl::OutOfRangeError("as many as --count says")
-                                       : absl::OkStatus();
+    return ++printed == options.count ? absl::OutOfRangeError("as many as --count says")
+                                      : absl::OkStatus();
   });
   return absl::IsOutOfRange(ended) ? ExitCode::kOk : Fail(ended);
 }

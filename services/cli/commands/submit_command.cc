@@ -120,10 +120,8 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
       "interrupted.\nCtrl-C cancels the job (exit code 7); a job submitted with --detach does not "
       "need this program.\nExamples:\n  slicefarm submit part.stl -o part.gcode --config prusa.ini "
       "--server farm:50050\n  slicefarm submit part.stl -o part.gcode --printer \"Prusa MK4 0.4 "
-      "nozzle\" "
-      "--process \"0.20mm Standard\" --filament \"Prusa Generic PLA\"\n  job=$(slicefarm submit "
-      "part.stl "
-      "--detach) && slicefarm watch $job");
+      "nozzle\" --process \"0.20mm Standard\" --filament \"Prusa Generic PLA\"\n  job=$(slicefarm "
+      "submit part.stl --detach) && slicefarm watch $job");
   command->callback([options, &context] {
     context.run = [options, &context] { return Submit(*options, *context.interrupt); };
   });

@@ -255,11 +255,11 @@ absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& file
                                                const std::vector<Setting>& given, Process process) {
   const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects, process);
   if (!resolved.ok()) return resolved.status();
-  const auto places = slicing::MakeLocalArranging()->PutOnPlates(
+  const auto positions = slicing::MakeLocalArranging()->PutOnPlates(
       {}, {files, ObjectsToArrange(plate.objects)}, resolved->settings.slicing);
-  if (!places.ok()) return places.status();
+  if (!positions.ok()) return positions.status();
   std::vector<GivenPlate> plates;
-  for (std::vector<SceneObject>& objects : OnPlates(plate.objects, *places)) {
+  for (std::vector<SceneObject>& objects : OnPlates(plate.objects, *positions)) {
     plates.push_back(plate);
     plates.back().objects = std::move(objects);
   }

@@ -98,9 +98,9 @@ absl::StatusOr<std::vector<PlatePosition>> RemoteArranging::PutOnPlates(
   return client_.Fitting(
       AskWithFiles<std::vector<PlatePosition>>(client_, call, input, options,
                                                &v1::Slicing::Stub::PrepareAsyncPutOnPlates),
-      [&](const auto& places) {
-        return places.size() == copies ? absl::OkStatus()
-                                       : Malformed("places", "are not one for each copy");
+      [&](const auto& positions) {
+        return positions.size() == copies ? absl::OkStatus()
+                                          : Malformed("places", "are not one for each copy");
       });
 }
 

@@ -55,8 +55,8 @@ CallerMarks Callers::MarksOf(const grpc::ServerContextBase& context) const {
   return marks;
 }
 
-absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& context,
-                                           const Scopes& one_of) const {
+absl::StatusOr<AdmittedCaller> Callers::Find(const grpc::ServerContextBase& context,
+                                             const Scopes& one_of) const {
   auto caller = Known(context);
   if (!caller.ok()) return caller.status();
   if (std::ranges::none_of(one_of, [&](Scope scope) { return caller->may(scope); })) {
@@ -68,7 +68,7 @@ absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& contex
   if (!rate.ok()) return rate;
   auto slot = slots_.Enter(caller->tenant);
   if (!slot.ok()) return slot.status();
-  return PlacedCaller{*std::move(caller), *std::move(slot)};
+  return AdmittedCaller{*std::move(caller), *std::move(slot)};
 }
 
 absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) const {

@@ -24,7 +24,7 @@ struct CallLimits {
 };
 
 /// Caller with its slot among the calls in progress. The destructor releases the slot.
-struct PlacedCaller : Caller {
+struct AdmittedCaller : Caller {
   TenantSlots::Slot slot;
 };
 
@@ -50,8 +50,8 @@ class Callers {
   /// must have at least one of the scopes `one_of`. Errors: UNAUTHENTICATED; PERMISSION_DENIED,
   /// with metadata `scope` if a scope is missing; OVERLOADED if too many calls of its tenant are in
   /// progress, or, with metadata `rate`, if its tenant makes too many calls per second.
-  absl::StatusOr<PlacedCaller> Find(const grpc::ServerContextBase& context,
-                                    const Scopes& one_of) const;
+  absl::StatusOr<AdmittedCaller> Find(const grpc::ServerContextBase& context,
+                                      const Scopes& one_of) const;
 
   /// Returns the marks of any caller, also of a refused one.
   CallerMarks MarksOf(const grpc::ServerContextBase& context) const;

@@ -35,10 +35,10 @@ absl::StatusOr<std::vector<std::vector<SceneObject>>> OnBeds(const StageCall& ca
   if (!input.ok()) return input.status();
   const std::vector<SceneObject>& objects = job.request.scene.objects;
   input->objects = ObjectsToArrange(objects);
-  const auto places =
+  const auto positions =
       backend.arranging.PutOnPlates(call, *std::move(input), job.plate.settings.slicing);
-  if (!places.ok()) return places.status();
-  return OnPlates(objects, *places);
+  if (!positions.ok()) return positions.status();
+  return OnPlates(objects, *positions);
 }
 
 /// Returns the submission with these objects instead of its own. Omits data that the plate does not

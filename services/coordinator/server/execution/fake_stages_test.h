@@ -110,13 +110,13 @@ class FakeArranging : public ArrangingStage {
     for (const MeshFile& file : input.files)
       if (file.bytes.find('!') != std::string::npos)
         return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, "a bad mesh");
-    std::vector<PlatePosition> places;
+    std::vector<PlatePosition> positions;
     int32_t plates = 0;
     for (const ObjectInput& object : input.objects)
       for (const CopyInput& copy : object.copies)
-        places.push_back(
+        positions.push_back(
             {copy.place == CopyInput::Place::kAnywhere ? plates++ : 0, {FromMm(50), 0}});
-    return places;
+    return positions;
   }
   /// Returns the number of calls.
   int runs() const { return runs_; }

@@ -94,18 +94,18 @@ TEST_P(JobQueueTest, TimesOfRunsAreThoseOfTheLatestThatBegan) {
 
 // The test has several priorities, deadlines and slots, and tenants with many jobs and with few.
 TEST_P(JobQueueTest, IsServedInTheOrderThatIsExpected) {
-  for (const int places : {1, 2, 3, 5}) {
+  for (const int slots : {1, 2, 3, 5}) {
     for (int i = 0; i < 40; ++i) {
       const std::string tenant = absl::StrCat("t", i % 7 == 0 ? 1 : i % 3 == 0 ? 2 : 3);
       const Priority priority = i % 5 == 0 ? Priority::kBulk : Priority::kNormal;
       MakeFor(tenant, priority, i % 4 == 0 ? 50 * kLongUs - i : kNoDeadlineUs);
     }
-    const std::vector<Lease> held = Begin(places);
+    const std::vector<Lease> held = Begin(slots);
     std::vector<int64_t> expected;
     for (const ExpectedRun& run : ExpectedRuns(*store_->ReadQueue(now_), now_))
       expected.push_back(run.number);
-    ASSERT_THAT(expected, SizeIs(40 - places));
-    EXPECT_EQ(ServeAll(held), expected) << places << " places";
+    ASSERT_THAT(expected, SizeIs(40 - slots));
+    EXPECT_EQ(ServeAll(held), expected) << slots << " slots";
   }
 }
 

@@ -58,7 +58,7 @@ absl::StatusOr<std::vector<LevelSet>> LinesOf(const EngravePlan& plan, const Lin
   auto sets = LevelLines(plan.map, *field, CentredLevels(low, high, style.spacing_mm), cancel);
   if (!sets.ok()) return sets.status();
   const auto start = [&](const LevelLine& line) {
-    return along.dot(plan.map.MapPosition(PointOf(plan.map, line.places[0], line.triangles[0])));
+    return along.dot(plan.map.MapPosition(PointOf(plan.map, line.points[0], line.triangles[0])));
   };
   for (LevelSet& set : *sets)
     std::stable_sort(set.lines.begin(), set.lines.end(),

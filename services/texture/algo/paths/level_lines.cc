@@ -63,12 +63,12 @@ std::vector<std::vector<int32_t>> TrianglesByLevel(const SurfaceMap& map,
 LevelLine LineFrom(const SurfaceMap& map, const LevelWalk& walk, int32_t start,
                    std::vector<bool>* open) {
   LevelLine line;
-  line.places.push_back(walk.EdgePointOn(start, walk.SideIn(start)));
+  line.points.push_back(walk.EdgePointOn(start, walk.SideIn(start)));
   for (int32_t at = start; at >= 0 && (*open)[at];) {
     (*open)[at] = false;
     const int out = walk.SideOut(at);
     line.triangles.push_back(at);
-    line.places.push_back(walk.EdgePointOn(at, out));
+    line.points.push_back(walk.EdgePointOn(at, out));
     at = map.Neighbour(at, out);
   }
   return line;

@@ -20,15 +20,15 @@ struct EdgePoint {
 };
 
 /// Line over the surface. It crosses `triangles` one after the other and passes from each to the
-/// next at one of `places`. places.size() == triangles.size() + 1. A closed line ends at its first
+/// next at one of `points`. points.size() == triangles.size() + 1. A closed line ends at its first
 /// point.
 struct LevelLine {
-  std::vector<EdgePoint> places;
+  std::vector<EdgePoint> points;
   std::vector<int32_t> triangles;
 
   /// Returns true if the line is closed.
   bool closed() const {
-    return places.front().low == places.back().low && places.front().high == places.back().high;
+    return points.front().low == points.back().low && points.front().high == points.back().high;
   }
 };
 

@@ -12,8 +12,8 @@ namespace {
 double LengthOf(const SurfaceMap& map, const LevelLine& line) {
   double length = 0;
   for (size_t i = 0; i < line.triangles.size(); ++i)
-    length += (map.Position(PointOf(map, line.places[i + 1], line.triangles[i])) -
-               map.Position(PointOf(map, line.places[i], line.triangles[i])))
+    length += (map.Position(PointOf(map, line.points[i + 1], line.triangles[i])) -
+               map.Position(PointOf(map, line.points[i], line.triangles[i])))
                   .norm();
   return length;
 }
@@ -30,7 +30,7 @@ TEST(LevelLines, CrossASquareFromLeftToRight) {
     const LevelLine& line = set.lines[0];
     EXPECT_FALSE(line.closed());
     EXPECT_NEAR(LengthOf(map, line), 10, 1e-9);
-    EXPECT_NEAR(map.Position(PointOf(map, line.places[0], line.triangles[0])).x(), 0, 1e-12);
+    EXPECT_NEAR(map.Position(PointOf(map, line.points[0], line.triangles[0])).x(), 0, 1e-12);
   }
 }
 
@@ -65,11 +65,11 @@ TEST(LevelLines, StayInNeighbouringTriangles) {
   size_t steps = 0;
   for (const LevelSet& set : *sets) {
     for (const LevelLine& line : set.lines) {
-      ASSERT_EQ(line.places.size(), line.triangles.size() + 1);
+      ASSERT_EQ(line.points.size(), line.triangles.size() + 1);
       steps += line.triangles.size();
       for (size_t i = 0; i < line.triangles.size(); ++i) {
-        for (const EdgePoint& place : {line.places[i], line.places[i + 1]})
-          EXPECT_NEAR(PointOf(map, place, line.triangles[i]).weights.sum(), 1, 1e-12);
+        for (const EdgePoint& point : {line.points[i], line.points[i + 1]})
+          EXPECT_NEAR(PointOf(map, point, line.triangles[i]).weights.sum(), 1, 1e-12);
         if (i > 0) {
           EXPECT_TRUE(map.Neighbour(line.triangles[i], 0) == line.triangles[i - 1] ||
                       map.Neighbour(line.triangles[i], 1) == line.triangles[i - 1] ||

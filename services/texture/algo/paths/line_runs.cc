@@ -22,16 +22,17 @@ struct LinePart {
 class MappedLine {
  public:
   MappedLine(const SurfaceMap& map, const LevelLine& line) : map_(map), line_(line) {
-    for (const EdgePoint& place : line.places) {
-      const Eigen::Vector2d &low = map.map_mm()[place.low], &high = map.map_mm()[place.high];
-      places_.push_back(low + place.share * (high - low));
+    for (const EdgePoint& point : line.points) {
+      const Eigen::Vector2d &low = map.map_mm()[point.low], &high = map.map_mm()[point.high];
+      map_points_.push_back(low + point.share * (high - low));
     }
   }
 
   size_t steps() const { return line_.triangles.size(); }
 
   Eigen::Vector2d At(const LinePosition& place) const {
-    return places_[place.step] + place.share * (places_[place.step + 1] - places_[place.step]);
+    return map_points_[place.step] +
+           place.share * (map_points_[place.step + 1] - map_points_[place.step]);
   }
 
   /// Returns the parts of the line in the area. Each piece of a step between two cuts is tested
@@ -43,7 +44,7 @@ class MappedLine {
     bool inside = false;
     for (size_t step = 0; step < steps(); ++step) {
       shares.assign(1, 1.0);
-      area.Cuts(places_[step], places_[step + 1], &shares);
+      area.Cuts(map_points_[step], map_points_[step + 1], &shares);
       std::sort(shares.begin(), shares.end());
       double from = 0;
       for (double to : shares) {
@@ -63,14 +64,14 @@ class MappedLine {
     if (part.from.step == part.to.step) return (At(part.to) - At(part.from)).norm();
     double length = (At({part.from.step, 1}) - At(part.from)).norm();
     for (size_t step = part.from.step + 1; step < part.to.step; ++step)
-      length += (places_[step + 1] - places_[step]).norm();
+      length += (map_points_[step + 1] - map_points_[step]).norm();
     return length + (At(part.to) - At({part.to.step, 0})).norm();
   }
 
   Run RunOf(const LinePart& part) const {
     Run run = {PointAt(part.from)};
     for (size_t step = part.from.step + 1; step <= part.to.step; ++step)
-      run.push_back(PointOf(map_, line_.places[step], line_.triangles[step]));
+      run.push_back(PointOf(map_, line_.points[step], line_.triangles[step]));
     if (part.to.share > 0) run.push_back(PointAt(part.to));
     return run;
   }
@@ -78,16 +79,16 @@ class MappedLine {
  private:
   SurfacePoint PointAt(const LinePosition& place) const {
     const int32_t triangle = line_.triangles[place.step];
-    const SurfacePoint from = PointOf(map_, line_.places[place.step], triangle);
+    const SurfacePoint from = PointOf(map_, line_.points[place.step], triangle);
     if (place.share == 0) return from;
-    SurfacePoint to = PointOf(map_, line_.places[place.step + 1], triangle);
+    SurfacePoint to = PointOf(map_, line_.points[place.step + 1], triangle);
     if (place.share < 1) to.weights = (1 - place.share) * from.weights + place.share * to.weights;
     return to;
   }
 
   const SurfaceMap& map_;
   const LevelLine& line_;
-  std::vector<Eigen::Vector2d> places_;
+  std::vector<Eigen::Vector2d> map_points_;
 };
 
 }  // namespace
