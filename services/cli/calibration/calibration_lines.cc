@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "common/model/bead_section.h"
 #include "services/cli/calibration/solid_builder.h"

@@ -9,7 +9,6 @@
 #include <iterator>
 #include <utility>
 
-#include "common/base/error.h"
 #include "common/config/missing_feature.h"
 #include "common/config/presets/overlay_names.h"
 #include "common/wire/calibration_wire.h"

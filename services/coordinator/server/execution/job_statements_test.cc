@@ -1,6 +1,5 @@
 // Tests of the number of statements that a job, and a sweep, send to a shared PostgreSQL database.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
