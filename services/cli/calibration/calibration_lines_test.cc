@@ -81,6 +81,7 @@ TEST(MakeLinePrint, LinesHaveThePlasticOfTheirBeadsWithinTheFrame) {
       EXPECT_NEAR(drawn.length_mm, length, 0.1);
       const double section = 0.2 * (0.45 - 0.2 * (1 - std::numbers::pi / 4)) / 2.4;
       EXPECT_NEAR(drawn.filament_mm, length * section, 0.01);
+      EXPECT_NE(code.text.find("G1 E0.8 F2400\n"), std::string::npos) << "restarts";
       EXPECT_NEAR(drawn.retracted_mm, 0, 1e-9) << "each restart has its retraction";
       for (int i = 0; i < 2; ++i) {
         EXPECT_GT(drawn.low[i], Settings().middle[i] - high[i] / 2 + 2);
