@@ -24,7 +24,7 @@ tell_failures() {
 
 if ! ctest --preset release -j "$(nproc)" "${tests[@]}"; then
   tell_failures
-  # The second run of the failed tests, one at a time, shows which of them need other tests beside them to fail. It changes no
+  # The second run repeats the failed tests, one at a time. It shows which of them fail only beside other tests. It changes no
   # verdict: a test that passes only sometimes is a fault of the test or of the program.
   echo "Once more, one at a time, what failed:" >&2
   ctest --preset release "${tests[@]}" --rerun-failed || tell_failures
