@@ -34,7 +34,8 @@ struct ResolvedSettings {
   std::string effective_text;
   /// Given settings without effect or without full effect.
   std::vector<SettingNote> no_effect;
-  /// Number of entries of no_effect that do not influence the print.
+  /// Number of the last entries of no_effect that do not influence the print: values of other
+  /// extruders and modes.
   int64_t beside_print = 0;
   /// Entries of no_effect that change the print, and other warnings.
   std::vector<std::string> warnings;

@@ -301,7 +301,7 @@ void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
   }
 }
 
-/// Sorts the notes: changes of the print first, descriptions of profiles last.
+/// Sorts the notes: changes of the print first, values of other extruders and modes last.
 void SettingReader::SortNotes() {
   std::vector<SettingNote>& notes = no_effect_;
   const std::set<std::string> weighty(warnings_.begin(), warnings_.end());

@@ -46,7 +46,7 @@ class SettingReader {
   ReportedSettings Reported() const;
 
   /// Returns the values; call it after all settings are read. Adds the settings without effect to
-  /// `result`: changes of the print first, descriptions of profiles last.
+  /// `result`: changes of the print first, values of other extruders and modes last.
   SettingValues Finish(ResolvedSettings& result);
 
  private:
@@ -70,7 +70,7 @@ class SettingReader {
   std::vector<SettingNote> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;
-  /// notes on settings that do not change the print; Finish appends them to no_effect_
+  /// notes on values of other extruders and modes; Finish appends them to no_effect_
   std::vector<SettingNote> last_notes_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;

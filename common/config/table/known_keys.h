@@ -8,8 +8,8 @@ namespace slicefarm::config {
 struct KnownKey {
   std::string_view key;
   std::string_view why;  ///< reason, such as "not supported yet"
-  /// Value that requests nothing: a setting with this value is not reported. Only valid if
-  /// `has_neutral` is true.
+  /// Values that request nothing, separated by `|`: a setting with such a value is not reported.
+  /// Only valid if `has_neutral` is true.
   std::string_view neutral = {};
   bool has_neutral = false;
   /// True if the setting concerns the print; false for a setting about profiles, print hosts or
@@ -32,7 +32,7 @@ struct KnownKey {
 /// has an effect (settings_table.h).
 const KnownKey* FindKnownKey(std::string_view key);
 
-/// Returns true if `value` requests no change of the usual behaviour: each of its items equals the
+/// Returns true if `value` requests no change of the usual behaviour: each of its items equals a
 /// neutral value. Numbers are compared as numbers.
 bool IsNeutral(const KnownKey& key, std::string_view value);
 

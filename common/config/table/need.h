@@ -13,12 +13,14 @@ class SettingValues;
 /// Requirement of a setting: another setting must have a certain value, otherwise the setting has
 /// no effect.
 struct Need {
-  std::string_view what;  ///< requirement for messages: "wipe = 1"
+  /// requirement for messages, such as "wipe = 1"; it names the settings that can disable the
+  /// setting (setting_need.cc)
+  std::string_view what;
   bool (*met)(const JobRows&) = nullptr;
   /// Condition on settings that no row contains; used instead of `met`.
   bool (*met_by)(const SettingValues&) = nullptr;
-  /// True if the default of the setting depends on other settings. Then a number in a profile does
-  /// not count as a request.
+  /// True if a value in a profile is no request, for example because the default of the setting
+  /// depends on other settings.
   bool only_requested = false;
 };
 
