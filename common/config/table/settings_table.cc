@@ -185,7 +185,7 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
     case Kind::kAngles:
       return ParseField<std::vector<AngleStep>>(spec, text, ParseFillAngles, PrintFillAngles);
     case Kind::kSolidLayers:
-      return ParseField<SolidLayerList>(spec, text, ParseSolidLayers, PrintSolidLayers);
+      return ParseField<std::vector<LayerGroup>>(spec, text, ParseSolidLayers, PrintSolidLayers);
     case Kind::kFlowTable:
       return Canonical<FlowTable>(spec, text, ParseFlowTable(Unescape(text)), PrintFlowTable);
     case Kind::kAdvancePoints:

@@ -37,35 +37,35 @@ std::optional<LayerGroup> GroupOf(std::string_view text) {
 
 }  // namespace
 
-absl::StatusOr<SolidLayerList> ParseSolidLayers(std::string_view text) {
-  SolidLayerList list;
+absl::StatusOr<std::vector<LayerGroup>> ParseSolidLayers(std::string_view text) {
+  std::vector<LayerGroup> groups;
   for (const std::string_view item : Split(text, ",")) {
     const auto group = GroupOf(item);
     if (!group.has_value())
-      return MalformedLayers(fmt::format("'{}' is none", Trim(item).substr(0, 20)));
-    if (std::ssize(list.groups) == kMaxLayerGroups)
+      return MalformedLayers(fmt::format("'{}' is not a layer", Trim(item).substr(0, 20)));
+    if (std::ssize(groups) == kMaxLayerGroups)
       return MalformedLayers(fmt::format("more than {} groups", kMaxLayerGroups));
-    list.groups.push_back(*group);
+    groups.push_back(*group);
   }
-  if (list.groups.empty()) return MalformedLayers("the list is empty");
-  if (list.groups.size() == 1) list.every = list.groups[0].first;
-  return list;
+  if (groups.empty()) return MalformedLayers("the list is empty");
+  return groups;
 }
 
-std::string PrintSolidLayers(const SolidLayerList& list) {
+std::string PrintSolidLayers(const std::vector<LayerGroup>& groups) {
   std::string text;
-  for (const LayerGroup& group : list.groups) {
+  for (const LayerGroup& group : groups) {
     text += fmt::format("{}{}", text.empty() ? "" : ",", group.first);
     if (group.count > 1) text += fmt::format("#{}", group.count);
   }
   return text;
 }
 
-bool ContainsLayer(const SolidLayerList& list, int32_t layer) {
-  return std::ranges::any_of(list.groups, [&](const LayerGroup& group) {
+bool ContainsLayer(const std::vector<LayerGroup>& groups, int32_t layer) {
+  const bool repeats = groups.size() == 1;
+  return std::ranges::any_of(groups, [&](const LayerGroup& group) {
     const int64_t above = int64_t{layer} + 1 - group.first;
     if (above < 0) return false;
-    return (list.every > 0 ? above % list.every : above) < group.count;
+    return (repeats ? above % group.first : above) < group.count;
   });
 }
 
