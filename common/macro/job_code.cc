@@ -1,6 +1,7 @@
 #include "common/macro/job_code.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 #include <span>
@@ -17,6 +18,14 @@ constexpr std::string_view kClock[] = {"timestamp", "year",   "month", "day",
 template <typename Test>
 bool AnyName(const Template& code, const Test& test) {
   return std::ranges::any_of(NamesIn(code), test);
+}
+
+/// Returns all templates of the job except change_extrusion_role_gcode, which has variables of its
+/// own.
+std::array<const Template*, 11> PartsOf(const JobCode& code) {
+  return {&code.file_start,      &code.start,        &code.start_filament, &code.before_layer,
+          &code.layer,           &code.color_change, &code.pause,          &code.at_height,
+          &code.between_objects, &code.end,          &code.file_name};
 }
 
 bool LayersWait(const JobCode& code) {
@@ -72,10 +81,7 @@ absl::Status CheckJobCode(const MotionOptions& options, std::string_view setting
   TemplateMemory of_roles;
   if (absl::Status status = CheckTemplate(code->role, {settings, roles}, of_roles); !status.ok())
     return status;
-  for (const Template* part :
-       {&code->file_start, &code->start, &code->start_filament, &code->before_layer, &code->layer,
-        &code->color_change, &code->pause, &code->at_height, &code->between_objects, &code->end,
-        &code->file_name})
+  for (const Template* part : PartsOf(*code))
     if (absl::Status status = CheckTemplate(*part, scope, memory); !status.ok()) return status;
   return absl::OkStatus();
 }
@@ -84,12 +90,9 @@ bool NamesClock(const JobCode& code) {
   const auto is_clock = [](const std::string& name) {
     return std::ranges::find(kClock, name) != std::end(kClock);
   };
-  return AnyName(code.file_start, is_clock) || AnyName(code.role, is_clock) ||
-         AnyName(code.start, is_clock) || AnyName(code.start_filament, is_clock) ||
-         AnyName(code.before_layer, is_clock) || AnyName(code.layer, is_clock) ||
-         AnyName(code.between_objects, is_clock) || AnyName(code.color_change, is_clock) ||
-         AnyName(code.pause, is_clock) || AnyName(code.at_height, is_clock) ||
-         AnyName(code.end, is_clock) || AnyName(code.file_name, is_clock);
+  return AnyName(code.role, is_clock) ||
+         std::ranges::any_of(PartsOf(code),
+                             [&](const Template* part) { return AnyName(*part, is_clock); });
 }
 
 }  // namespace slicefarm::macro
