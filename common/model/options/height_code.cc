@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -78,11 +77,9 @@ absl::StatusOr<HeightCode> CodeOf(const HeightJson& entry) {
 }  // namespace
 
 std::optional<double> RetractLengthMm(const HeightCode& code) {
-  double length = 0;
-  const char* const end = code.text.data() + code.text.size();
-  const auto [read, error] = std::from_chars(code.text.data(), end, length);
-  const bool good = error == std::errc() && read == end && length >= 0;
-  return good && length <= kMaxRetractLengthMm ? std::optional(length) : std::nullopt;
+  const auto length = ToNumber(code.text);
+  const bool good = length && *length >= 0 && *length <= kMaxRetractLengthMm;
+  return good ? length : std::nullopt;
 }
 
 absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text) {

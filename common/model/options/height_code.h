@@ -40,9 +40,8 @@ std::optional<double> RetractLengthMm(const HeightCode& code);
 
 /// Parses a list such as `[{"z":1.2,"type":"pause","text":"insert the nut"}]`. z: height in mm,
 /// above 0. type: color_change, pause, template, custom or retract_length. text: optional, except
-/// for retract_length. The result is sorted by
-/// height. An empty `text` gives an empty list. Errors: InvalidArgument for any other text, and for
-/// more than kMaxHeightCodes codes.
+/// for retract_length. The result is sorted by height. An empty `text` gives an empty list. Errors:
+/// InvalidArgument for any other text, and for more than kMaxHeightCodes codes.
 absl::StatusOr<std::vector<HeightCode>> ParseHeightCodes(std::string_view text);
 
 /// Returns the codes on one line in the form that ParseHeightCodes reads. Returns an empty text for
