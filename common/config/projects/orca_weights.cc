@@ -9,7 +9,7 @@ namespace {
 
 struct Weighty {
   std::string_view key;
-  /// Values that request nothing, separated by `|`; an empty value never requests anything.
+  /// Value that requests nothing; an empty value never requests anything either.
   std::string_view neutral;
 };
 
@@ -121,10 +121,8 @@ bool Names(std::string_view keys, std::string_view key) {
 
 /// Returns true if `value`, or each of its items if it is a list, requests nothing.
 bool AllNeutral(std::string_view value, std::string_view neutral) {
-  const std::vector<std::string_view> accepted = Split(neutral, "|");
-  const std::vector<std::string_view> items = Split(value, "[]\", \n");
-  return std::all_of(items.begin(), items.end(), [&](std::string_view item) {
-    return item.empty() || std::find(accepted.begin(), accepted.end(), item) != accepted.end();
+  return std::ranges::all_of(Split(value, "[]\", \n"), [&](std::string_view item) {
+    return item.empty() || item == neutral;
   });
 }
 
