@@ -102,12 +102,12 @@ TEST(SpoolFile, TakesTextsFromManyThreads) {
   auto spool = NewSpool();
   constexpr int kThreads = 4;
   constexpr int kTexts = 200;
-  std::vector<std::vector<SpoolFile::Chunk>> places(kThreads);
+  std::vector<std::vector<SpoolFile::Chunk>> chunks(kThreads);
   std::vector<std::thread> threads;
   for (int t = 0; t < kThreads; ++t)
     threads.emplace_back([&, t] {
       for (int i = 0; i < kTexts; ++i)
-        places[t].push_back(
+        chunks[t].push_back(
             *spool->Add(Counted(static_cast<size_t>(i), static_cast<char>('A' + t))));
     });
   for (std::thread& thread : threads) thread.join();
@@ -115,7 +115,7 @@ TEST(SpoolFile, TakesTextsFromManyThreads) {
   std::string expected;
   for (int t = 0; t < kThreads; ++t)
     for (int i = 0; i < kTexts; ++i) {
-      text.Add(places[t][i]);
+      text.Add(chunks[t][i]);
       expected += Counted(static_cast<size_t>(i), static_cast<char>('A' + t));
     }
   EXPECT_TRUE(*text.Whole() == expected);

@@ -43,8 +43,8 @@ TEST(OnPlates, ACopyIsTurnedWithoutLosingADigit) {
   SceneObject object = Copies("a", 1);
   object.instances[0].to_plate(0, 0) = 2;
   const SceneObject scene[] = {object};
-  const std::vector<PlatePosition> places = {{0, {FromMm(10), FromMm(20)}, true}};
-  const Transform turned = OnPlates(scene, places).at(0).at(0).instances.at(0).to_plate;
+  const std::vector<PlatePosition> positions = {{0, {FromMm(10), FromMm(20)}, true}};
+  const Transform turned = OnPlates(scene, positions).at(0).at(0).instances.at(0).to_plate;
   EXPECT_EQ(turned(0, 0), 0);
   EXPECT_EQ(turned(0, 1), -1);
   EXPECT_EQ(turned(1, 0), 2);
@@ -55,9 +55,9 @@ TEST(OnPlates, ACopyIsTurnedWithoutLosingADigit) {
 
 TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
   const SceneObject scene[] = {Copies("a", 3), Standing("b", 30, 40), Copies("c", 1)};
-  const std::vector<PlatePosition> places = {
+  const std::vector<PlatePosition> positions = {
       {0, {FromMm(10), 0}}, {2, {FromMm(20), 0}}, {0, {FromMm(50), 0}}, {0, {}}, {2, {0, 7}}};
-  const auto plates = OnPlates(scene, places);
+  const auto plates = OnPlates(scene, positions);
   ASSERT_THAT(plates, SizeIs(2)) << "plate 1 has nothing";
   ASSERT_THAT(plates[0], SizeIs(2));
   EXPECT_EQ(plates[0][0].name, "a");
@@ -72,15 +72,15 @@ TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
 }
 
 // The n-th copy of ObjectsToArrange has the n-th position, for any orientation of the copies.
-TEST(OnPlates, PlacesFollowTheCopiesOfObjectsToPlace) {
+TEST(OnPlates, PositionsFollowTheCopiesOfObjectsToArrange) {
   SceneObject object = Copies("a", 4);
   for (size_t i = 0; i < 4; ++i)
     object.instances[i].to_plate(2, 2) = 1 + static_cast<double>(i % 2);
-  std::vector<PlatePosition> places;
+  std::vector<PlatePosition> positions;
   for (const ObjectInput& input : ObjectsToArrange({&object, 1}))
     for (size_t i = 0; i < input.copies.size(); ++i)
-      places.push_back({static_cast<int32_t>(input.to_plate(2, 2)), {}});
-  const auto plates = OnPlates({&object, 1}, places);
+      positions.push_back({static_cast<int32_t>(input.to_plate(2, 2)), {}});
+  const auto plates = OnPlates({&object, 1}, positions);
   ASSERT_THAT(plates, SizeIs(2));
   for (size_t plate = 0; plate < 2; ++plate)
     for (const Instance& copy : plates[plate][0].instances)

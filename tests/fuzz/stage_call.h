@@ -88,13 +88,13 @@ template <typename Proto>
 void CheckRoundTrip(const Proto& proto) {
   const auto model = FromProto(proto);
   if (!model.ok()) return;
-  const Proto reported = Encoded<Proto>(*model);
-  const auto again = FromProto(reported);
+  const Proto encoded = Encoded<Proto>(*model);
+  const auto again = FromProto(encoded);
   if (!again.ok()) std::abort();
   if constexpr (requires { *again == *model; }) {
     if (!(*again == *model)) std::abort();
   }
-  if (Serialized(Encoded<Proto>(*again)) != Serialized(reported)) std::abort();
+  if (Serialized(Encoded<Proto>(*again)) != Serialized(encoded)) std::abort();
 }
 
 /// Checks for numbers that no printer can read.

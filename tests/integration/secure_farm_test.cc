@@ -276,7 +276,7 @@ TEST_F(SecureFarmTest, TenantsKnowNothingOfEachOther) {
   ASSERT_TRUE(of_b.ok()) << of_b.status();
   EXPECT_EQ(b.AwaitEnd(of_b->id()).state(), v1::JOB_STATE_SUCCEEDED);
   // Returns the error text for an id, without the id. The text must not depend on the id.
-  const auto reported = [&](const std::string& id) {
+  const auto error_text = [&](const std::string& id) {
     grpc::ClientContext context;
     v1::GetJobRequest request;
     request.set_id(id);
@@ -286,7 +286,7 @@ TEST_F(SecureFarmTest, TenantsKnowNothingOfEachOther) {
     for (size_t at = 0; (at = all.find(id)) != std::string::npos;) all.replace(at, id.size(), "ID");
     return all;
   };
-  EXPECT_EQ(reported(of_b->id()), reported(unused));
+  EXPECT_EQ(error_text(of_b->id()), error_text(unused));
   EXPECT_EQ(DetailOf(a.Gcode(of_b->id()).status()).reason, Reason::kJobNotFound);
   EXPECT_EQ(a.GetUpload(Sha256Hex(mesh_)).committed_size(), 0);
   EXPECT_EQ(DetailOf(a.Create(Client::RequestFor(mesh_)).status()).reason, Reason::kBlobNotFound);

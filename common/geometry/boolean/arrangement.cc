@@ -36,7 +36,7 @@ struct EdgeCrossing {
 
 struct Crossing {
   Point place;
-  int32_t stops[2] = {0, 0};
+  int32_t edge_crossings[2] = {0, 0};
 };
 
 class Arrangement {
@@ -56,7 +56,7 @@ class Arrangement {
 
  private:
   bool FindRings() {
-    if (!CollectEdges() || !FindCrossings() || !SortStops()) return false;
+    if (!CollectEdges() || !FindCrossings() || !SortEdgeCrossings()) return false;
     for (size_t ring = 0; ring < rings_.size(); ++ring)
       if (!CountAlong(static_cast<int32_t>(ring))) return false;
     return Trace();
@@ -130,23 +130,23 @@ class Arrangement {
     crossings_.push_back({e.from + Point{std::llround(t * static_cast<double>(de.x)),
                                          std::llround(t * static_cast<double>(de.y))}});
     // The winding number is one greater to the left of f than to the right.
-    stops_.push_back({e.ring, e.index, t * Norm(de), f_to > 0 ? -1 : 1, crossing});
-    stops_.push_back({f.ring, f.index, s * Norm(df), e_to > 0 ? -1 : 1, crossing});
+    edge_crossings_.push_back({e.ring, e.index, t * Norm(de), f_to > 0 ? -1 : 1, crossing});
+    edge_crossings_.push_back({f.ring, f.index, s * Norm(df), e_to > 0 ? -1 : 1, crossing});
     return true;
   }
 
-  bool SortStops() {
-    std::sort(stops_.begin(), stops_.end());
+  bool SortEdgeCrossings() {
+    std::sort(edge_crossings_.begin(), edge_crossings_.end());
     ring_begin_.assign(rings_.size() + 1, 0);
     std::vector<int> seen(crossings_.size(), 0);
-    for (size_t i = 0; i < stops_.size(); ++i) {
-      const EdgeCrossing& stop = stops_[i];
-      ++ring_begin_[stop.ring + 1];
-      crossings_[stop.crossing].stops[seen[stop.crossing]++] = static_cast<int32_t>(i);
+    for (size_t i = 0; i < edge_crossings_.size(); ++i) {
+      const EdgeCrossing& here = edge_crossings_[i];
+      ++ring_begin_[here.ring + 1];
+      crossings_[here.crossing].edge_crossings[seen[here.crossing]++] = static_cast<int32_t>(i);
       if (i == 0) continue;
-      const EdgeCrossing& before = stops_[i - 1];
-      if (before.ring == stop.ring && before.edge == stop.edge &&
-          stop.along_nm - before.along_nm < kDoubtNm) {
+      const EdgeCrossing& before = edge_crossings_[i - 1];
+      if (before.ring == here.ring && before.edge == here.edge &&
+          here.along_nm - before.along_nm < kDoubtNm) {
         return false;
       }
     }
@@ -161,14 +161,16 @@ class Arrangement {
     if (!at_start) return false;
     whole_winding_.push_back(*at_start);
     int winding = *at_start;
-    for (int32_t i = begin; i < end; ++i) stops_[i].winding = winding += stops_[i].change;
+    for (int32_t i = begin; i < end; ++i)
+      edge_crossings_[i].winding = winding += edge_crossings_[i].change;
     return winding == *at_start;
   }
 
   /// Returns the winding number to the left of a ring's first edge, at its start.
   std::optional<int> WindingAtStart(int32_t ring) {
     // A horizontal ray along a horizontal edge has no clear crossings. Therefore the ray starts
-    // from the first edge that rises or falls, and the changes at stops before it are subtracted.
+    // from the first edge that rises or falls, and the changes at crossings before it are
+    // subtracted.
     const Polygon& points = Points(ring);
     const auto size = static_cast<int32_t>(points.size());
     const auto next = [&](int32_t i) { return i + 1 == size ? 0 : i + 1; };
@@ -179,8 +181,8 @@ class Arrangement {
     double limit = Distance(points[edge], points[next(edge)]);
     const double length = limit;
     for (int32_t i = ring_begin_[ring]; i < ring_begin_[ring + 1]; ++i) {
-      if (stops_[i].edge < edge) winding -= stops_[i].change;
-      if (stops_[i].edge == edge) limit = std::min(limit, stops_[i].along_nm);
+      if (edge_crossings_[i].edge < edge) winding -= edge_crossings_[i].change;
+      if (edge_crossings_[i].edge == edge) limit = std::min(limit, edge_crossings_[i].along_nm);
     }
     const Point from = points[edge], d = points[next(edge)] - from;
     const double t = limit / 2 / length;
@@ -238,17 +240,18 @@ class Arrangement {
     for (size_t ring = 0; ring < rings_.size(); ++ring)
       if (ring_begin_[ring] == ring_begin_[ring + 1] && whole_winding_[ring] == least_)
         AppendWhole(static_cast<int32_t>(ring));
-    for (size_t first = 0; first < stops_.size(); ++first) {
-      if (stops_[first].used || stops_[first].winding != least_) continue;
+    for (size_t first = 0; first < edge_crossings_.size(); ++first) {
+      if (edge_crossings_[first].used || edge_crossings_[first].winding != least_) continue;
       TracedRing& outline = result_.emplace_back();
       auto at = static_cast<int32_t>(first);
       do {
-        if (stops_[at].used || stops_[at].winding != least_) return false;
-        stops_[at].used = true;
+        if (edge_crossings_[at].used || edge_crossings_[at].winding != least_) return false;
+        edge_crossings_[at].used = true;
         const int32_t end = AppendPart(at, outline);
-        const Crossing& crossing = crossings_[stops_[end].crossing];
+        const Crossing& crossing = crossings_[edge_crossings_[end].crossing];
         // At a crossing, the outline continues with the part that begins there on the other edge.
-        at = crossing.stops[0] == end ? crossing.stops[1] : crossing.stops[0];
+        at = crossing.edge_crossings[0] == end ? crossing.edge_crossings[1]
+                                               : crossing.edge_crossings[0];
       } while (at != static_cast<int32_t>(first));
     }
     return true;
@@ -267,12 +270,13 @@ class Arrangement {
     if (keeps_edges_) outline.edges.push_back(edge);
   }
 
-  /// Appends the part of a ring that follows a stop; returns the stop at its end.
+  /// Appends the part of a ring that follows an edge crossing; returns the edge crossing at its
+  /// end.
   int32_t AppendPart(int32_t at, TracedRing& outline) const {
-    const EdgeCrossing& from = stops_[at];
+    const EdgeCrossing& from = edge_crossings_[at];
     const int32_t begin = ring_begin_[from.ring], end = ring_begin_[from.ring + 1];
     const int32_t next = at + 1 == end ? begin : at + 1;
-    const EdgeCrossing& to = stops_[next];
+    const EdgeCrossing& to = edge_crossings_[next];
     const Polygon& points = Points(from.ring);
     const auto size = static_cast<int32_t>(points.size());
     AppendPoint(crossings_[from.crossing].place, {from.ring, from.edge}, outline);
@@ -332,8 +336,8 @@ class Arrangement {
   std::vector<Box> boxes_;          ///< bounding box of each ring
   int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
-  std::vector<EdgeCrossing> stops_;
-  /// Index of the first stop of each ring; one entry more than rings.
+  std::vector<EdgeCrossing> edge_crossings_;
+  /// Index of the first edge crossing of each ring; one entry more than rings.
   std::vector<int32_t> ring_begin_;
   std::vector<int> whole_winding_;  ///< winding number of each ring at its start
   bool keeps_edges_ = false;        ///< true: the result tells the edges that it comes from

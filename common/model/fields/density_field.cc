@@ -72,17 +72,17 @@ double DensityOf(double value, DensityLaw law, double steepness, double threshol
   return value;
 }
 
-double DensityField::At(const PositionMm& place_mm, double to_surface_mm) const {
+double DensityField::At(const PositionMm& position_mm, double to_surface_mm) const {
   double value = 0;
   switch (kind) {
     case Kind::kHeight:
-      value = InTable(at_mm, values, place_mm[2]);
+      value = InTable(at_mm, values, position_mm[2]);
       break;
     case Kind::kSurfaceDistance:
       value = InTable(at_mm, values, to_surface_mm);
       break;
     case Kind::kGrid:
-      value = grid.At(place_mm);
+      value = grid.At(position_mm);
       break;
   }
   return DensityOf(value, law, steepness, threshold);

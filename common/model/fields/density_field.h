@@ -43,7 +43,7 @@ struct DensityField {
   Dither dither = Dither::kNone;
   double cell_mm = 2;  ///< side length of a dither cell
 
-  double At(const PositionMm& place_mm, double to_surface_mm) const;
+  double At(const PositionMm& position_mm, double to_surface_mm) const;
   /// Returns the density of the layer at height z if it is the same in the whole layer, otherwise
   /// nullopt.
   std::optional<double> UniformAt(double z_mm) const;

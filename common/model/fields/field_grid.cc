@@ -14,8 +14,8 @@ struct Between {
   double share = 0;
 };
 
-Between Locate(double place, double origin, double spacing, int32_t count) {
-  const double at = std::clamp((place - origin) / spacing, 0.0, static_cast<double>(count - 1));
+Between Locate(double position, double origin, double spacing, int32_t count) {
+  const double at = std::clamp((position - origin) / spacing, 0.0, static_cast<double>(count - 1));
   const auto below = static_cast<int64_t>(std::floor(at));
   return {below, std::min<int64_t>(below + 1, count - 1), at - static_cast<double>(below)};
 }
@@ -24,9 +24,10 @@ double Mix(double a, double b, double share) { return a + (b - a) * share; }
 
 }  // namespace
 
-double FieldGrid::At(const PositionMm& place_mm) const {
+double FieldGrid::At(const PositionMm& position_mm) const {
   std::array<Between, 3> at;
-  for (size_t i = 0; i < 3; ++i) at[i] = Locate(place_mm[i], origin_mm[i], spacing_mm[i], count[i]);
+  for (size_t i = 0; i < 3; ++i)
+    at[i] = Locate(position_mm[i], origin_mm[i], spacing_mm[i], count[i]);
   const auto row = [&](int64_t y, int64_t z) {
     const int64_t first = (z * count[1] + y) * count[0];
     return Mix(values[static_cast<size_t>(first + at[0].below)],

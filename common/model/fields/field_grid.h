@@ -18,7 +18,7 @@ struct FieldGrid {
   PositionMm spacing_mm = {1, 1, 1};
   std::vector<double> values = {0};
 
-  double At(const PositionMm& place_mm) const;
+  double At(const PositionMm& position_mm) const;
 
   friend bool operator==(const FieldGrid&, const FieldGrid&) = default;
 };

@@ -17,9 +17,10 @@ FieldGrid LinearGrid() {
 
 TEST(FieldGrid, IsLinearBetweenNodes) {
   const FieldGrid grid = LinearGrid();
-  for (const PositionMm& place : {PositionMm{-1, 2, 0.5}, PositionMm{0.3, 3.7, 2},
-                                  PositionMm{3, 5, 4.5}, PositionMm{2.99, 4.01, 1}})
-    EXPECT_NEAR(grid.At(place), 0.5 + 0.25 * place[0] - 0.125 * place[1] + 2 * place[2], 1e-12);
+  for (const PositionMm& position : {PositionMm{-1, 2, 0.5}, PositionMm{0.3, 3.7, 2},
+                                     PositionMm{3, 5, 4.5}, PositionMm{2.99, 4.01, 1}})
+    EXPECT_NEAR(grid.At(position), 0.5 + 0.25 * position[0] - 0.125 * position[1] + 2 * position[2],
+                1e-12);
 }
 
 TEST(FieldGrid, HoldsTheNearestValueBeyondItsBox) {

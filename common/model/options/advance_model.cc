@@ -87,10 +87,10 @@ double AdvanceModel::At(double flow_mm3_s, double acceleration_mm_s2) const {
   return std::round(over.Value(acceleration_mm_s2) * kSteps) / kSteps;
 }
 
-double AdvanceModel::Spline::Value(double place) const {
-  if (place <= at.front()) return values.front();
-  if (place >= at.back()) return values.back();
-  const auto i = static_cast<size_t>(std::ranges::upper_bound(at, place) - at.begin()) - 1;
+double AdvanceModel::Spline::Value(double position) const {
+  if (position <= at.front()) return values.front();
+  if (position >= at.back()) return values.back();
+  const auto i = static_cast<size_t>(std::ranges::upper_bound(at, position) - at.begin()) - 1;
   const auto width = [&](size_t k) { return at[k + 1] - at[k]; };
   const auto rise = [&](size_t k) { return (values[k + 1] - values[k]) / width(k); };
   const auto slope = [&](size_t k) {
@@ -98,7 +98,7 @@ double AdvanceModel::Spline::Value(double place) const {
     if (k + 1 == at.size()) return rise(k - 1);
     return SlopeAt(rise(k - 1), rise(k), width(k - 1), width(k));
   };
-  const double t = (place - at[i]) / width(i), rest = 1 - t;
+  const double t = (position - at[i]) / width(i), rest = 1 - t;
   return values[i] * rest * rest * (1 + 2 * t) + values[i + 1] * t * t * (3 - 2 * t) +
          width(i) * (slope(i) * t * rest * rest - slope(i + 1) * t * t * rest);
 }

@@ -43,7 +43,7 @@ class AdvanceModel {
   /// Values by position, both sorted by position.
   struct Spline {
     std::vector<double> at, values;
-    double Value(double place) const;
+    double Value(double position) const;
   };
   std::map<double, Spline> curves_;  ///< key: acceleration
 };

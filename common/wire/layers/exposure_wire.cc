@@ -154,21 +154,21 @@ absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureEnvelopeRequest& pro
   return summary;
 }
 
-v1::ExposureEnvelope ToProto(ExposureEnvelope frame) {
+v1::ExposureEnvelope ToProto(ExposureEnvelope envelope) {
   v1::ExposureEnvelope proto;
-  proto.set_header(std::move(frame.header));
-  for (std::string& head : frame.layer_heads) proto.add_layer_heads(std::move(head));
-  proto.set_footer(std::move(frame.footer));
+  proto.set_header(std::move(envelope.header));
+  for (std::string& head : envelope.layer_heads) proto.add_layer_heads(std::move(head));
+  proto.set_footer(std::move(envelope.footer));
   return proto;
 }
 
 absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureEnvelope proto) {
-  ExposureEnvelope frame;
-  frame.header = std::move(*proto.mutable_header());
+  ExposureEnvelope envelope;
+  envelope.header = std::move(*proto.mutable_header());
   for (std::string& head : *proto.mutable_layer_heads())
-    frame.layer_heads.push_back(std::move(head));
-  frame.footer = std::move(*proto.mutable_footer());
-  return frame;
+    envelope.layer_heads.push_back(std::move(head));
+  envelope.footer = std::move(*proto.mutable_footer());
+  return envelope;
 }
 
 }  // namespace slicefarm

@@ -24,7 +24,7 @@ absl::Status ToProto(const ExposureSummary& summary, v1::ExposureEnvelopeRequest
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureEnvelopeRequest& proto);
 
 /// Converts the texts before and after an exposure program to their message and back.
-v1::ExposureEnvelope ToProto(ExposureEnvelope frame);
+v1::ExposureEnvelope ToProto(ExposureEnvelope envelope);
 absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureEnvelope proto);
 
 namespace v1 {

@@ -30,13 +30,13 @@ FillStats Distinct() {
   return use;
 }
 
-TEST(FillUseWire, Returns) {
+TEST(FillStatsWire, Returns) {
   ExpectReturns<v1::FillStats>(Distinct());
   ExpectReturns<v1::FillStats>(FillStats{});
   ExpectEveryChangeReturns<v1::FillStats, FillStats>(ProtoOf<v1::FillStats>(Distinct()));
 }
 
-TEST(FillUseWire, EachMemberIsTheFieldOfItsName) {
+TEST(FillStatsWire, EachMemberIsTheFieldOfItsName) {
   const auto proto = ProtoOf<v1::FillStats>(Distinct());
   EXPECT_EQ(proto.settings(), 1);
   EXPECT_EQ(proto.feature(), v1::FEATURE_SOLID_INFILL);
@@ -50,7 +50,7 @@ TEST(FillUseWire, EachMemberIsTheFieldOfItsName) {
   EXPECT_EQ(proto.longest_mm(), 8);
 }
 
-TEST(FillUseWire, RefusesWhatIsNoUse) {
+TEST(FillStatsWire, RefusesWhatIsNoTotal) {
   constexpr char kAmounts[] = "area_mm2, volume_mm3, asked_mm3, plastic_mm3, length_mm, longest_mm";
   const std::vector<std::pair<std::string, std::function<void(v1::FillStats&)>>> spoils = {
       {"settings", [](auto& u) { u.set_settings(-1); }},

@@ -427,17 +427,17 @@ absl::StatusOr<ProgramSummary> FromProto(const v1::ProgramEnvelopeRequest& proto
   return summary;
 }
 
-v1::ProgramEnvelope ToProto(ProgramEnvelope frame) {
+v1::ProgramEnvelope ToProto(ProgramEnvelope envelope) {
   v1::ProgramEnvelope proto;
-  proto.set_prologue(std::move(frame.prologue));
-  for (std::string& prefix : frame.layer_prefixes) proto.add_layer_prefixes(std::move(prefix));
-  proto.set_epilogue(std::move(frame.epilogue));
-  *proto.mutable_times() = ToProto(frame.times);
-  proto.set_travel_mm(frame.travel_mm);
-  for (std::string& code : frame.layer_code) proto.add_layer_code(std::move(code));
-  proto.set_head(std::move(frame.head));
-  proto.set_tail(std::move(frame.tail));
-  proto.set_file_name(std::move(frame.file_name));
+  proto.set_prologue(std::move(envelope.prologue));
+  for (std::string& prefix : envelope.layer_prefixes) proto.add_layer_prefixes(std::move(prefix));
+  proto.set_epilogue(std::move(envelope.epilogue));
+  *proto.mutable_times() = ToProto(envelope.times);
+  proto.set_travel_mm(envelope.travel_mm);
+  for (std::string& code : envelope.layer_code) proto.add_layer_code(std::move(code));
+  proto.set_head(std::move(envelope.head));
+  proto.set_tail(std::move(envelope.tail));
+  proto.set_file_name(std::move(envelope.file_name));
   return proto;
 }
 
@@ -445,19 +445,20 @@ absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramEnvelope proto) {
   if (!IsAmount(proto.travel_mm())) return Malformed("travel_mm", "is not an amount");
   absl::StatusOr<PrintTimes> times = FromProto(proto.times());
   if (!times.ok()) return Within("times", times.status());
-  ProgramEnvelope frame;
-  frame.prologue = std::move(*proto.mutable_prologue());
+  ProgramEnvelope envelope;
+  envelope.prologue = std::move(*proto.mutable_prologue());
   for (std::string& prefix : *proto.mutable_layer_prefixes()) {
-    frame.layer_prefixes.push_back(std::move(prefix));
+    envelope.layer_prefixes.push_back(std::move(prefix));
   }
-  frame.epilogue = std::move(*proto.mutable_epilogue());
-  frame.times = *std::move(times);
-  frame.travel_mm = proto.travel_mm();
-  for (std::string& code : *proto.mutable_layer_code()) frame.layer_code.push_back(std::move(code));
-  frame.head = std::move(*proto.mutable_head());
-  frame.tail = std::move(*proto.mutable_tail());
-  frame.file_name = std::move(*proto.mutable_file_name());
-  return frame;
+  envelope.epilogue = std::move(*proto.mutable_epilogue());
+  envelope.times = *std::move(times);
+  envelope.travel_mm = proto.travel_mm();
+  for (std::string& code : *proto.mutable_layer_code())
+    envelope.layer_code.push_back(std::move(code));
+  envelope.head = std::move(*proto.mutable_head());
+  envelope.tail = std::move(*proto.mutable_tail());
+  envelope.file_name = std::move(*proto.mutable_file_name());
+  return envelope;
 }
 
 }  // namespace slicefarm

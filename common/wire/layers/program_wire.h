@@ -47,7 +47,7 @@ absl::Status ToProto(const ProgramSummary& summary, v1::ProgramEnvelopeRequest* 
 absl::StatusOr<ProgramSummary> FromProto(const v1::ProgramEnvelopeRequest& proto);
 
 /// Converts the texts before and after a program to their message and back.
-v1::ProgramEnvelope ToProto(ProgramEnvelope frame);
+v1::ProgramEnvelope ToProto(ProgramEnvelope envelope);
 absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramEnvelope proto);
 
 namespace v1 {

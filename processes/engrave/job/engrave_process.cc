@@ -117,7 +117,7 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   const absl::Status held =
       HoldMemory(call, JobMemory::Kind::kMeshes, 4 * BytesOf((*meshes)[roles->surface]));
   if (!held.ok()) return held;
-  MeshReport reported = ReportOf(name, (*meshes)[roles->surface]);
+  MeshReport report = ReportOf(name, (*meshes)[roles->surface]);
   const SurfaceInput surface{std::move((*meshes)[roles->surface]), settings.lines.seam};
   auto mapped = Timed(times[Stage::kTexture], [&] {
     const ScopedSpan span(call.spans, "map");
@@ -126,7 +126,7 @@ absl::StatusOr<LaidOut> LayOutJob(const StageCall& call, const PlacingStage& pla
   if (!mapped.ok()) return mapped.status();
   auto whole = InputOf(*std::move(meshes), *roles, std::move(settings), *std::move(mapped));
   if (!whole.ok()) return whole.status();
-  LaidOut job{*std::move(whole), {}, std::move(reported)};
+  LaidOut job{*std::move(whole), {}, std::move(report)};
   auto layout = Timed(times[Stage::kTexture], [&] {
     const ScopedSpan span(call.spans, "layout");
     return texture.LayOut(call, job.input);
@@ -205,10 +205,10 @@ class EngraveJob : public PlannedJob {
     auto& made = result.As<EngraveResult>();
     ranges_[task].times = made.times;
     for (EngravedLayer& layer : made.layers) {
-      const auto place = spool_->Add(layer.text);
-      if (!place.ok()) return place.status();
+      const auto chunk = spool_->Add(layer.text);
+      if (!chunk.ok()) return chunk.status();
       std::string().swap(layer.text);
-      ranges_[task].layers.push_back({std::move(layer), *place});
+      ranges_[task].layers.push_back({std::move(layer), *chunk});
     }
     return absl::OkStatus();
   }

@@ -116,10 +116,10 @@ absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> pr
   std::vector<SpooledProgram> spooled;
   spooled.reserve(programs.size());
   for (LayerProgram& program : programs) {
-    const auto place = spool.Add(program.gcode);
-    if (!place.ok()) return place.status();
+    const auto chunk = spool.Add(program.gcode);
+    if (!chunk.ok()) return chunk.status();
     std::string().swap(program.gcode);
-    spooled.push_back({std::move(program), *place});
+    spooled.push_back({std::move(program), *chunk});
   }
   return spooled;
 }
@@ -187,9 +187,9 @@ absl::StatusOr<SpooledText> WholeProgram(ProgramEnvelope frame,
     if (!text.ok()) return text.status();
     auto substituted = Substituted(*std::move(text), substitutions, cancel);
     if (!substituted.ok()) return substituted.status();
-    const auto place = file.Add(*substituted);
-    if (!place.ok()) return place.status();
-    gcode.Add(*place);
+    const auto chunk = file.Add(*substituted);
+    if (!chunk.ok()) return chunk.status();
+    gcode.Add(*chunk);
     if (gcode.size() > limits::kMaxProgramBytes)
       return LimitError(Reason::kRequestTooLarge, "bytes of the program after gcode_substitutions",
                         limits::kMaxProgramBytes, gcode.size());

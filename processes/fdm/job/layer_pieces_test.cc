@@ -8,9 +8,9 @@ namespace {
 /// A layer that sets its fan, moves to its entry, and ends there.
 struct Layer {
   std::string fan;
-  std::string place;
+  std::string position;
   std::string code = {};  ///< inserted between the fan and the move
-  std::string end = {};   ///< position of the nozzle at the end; empty: `place`
+  std::string end = {};   ///< position of the nozzle at the end; empty: `position`
 };
 
 /// The joined text of the layers.
@@ -22,12 +22,12 @@ class Joined {
     program.mode_lines.push_back({7, std::ssize(layer.fan) + 1, MachineMode::kFan, layer.fan});
     program.code_at = {0, std::ssize(program.gcode)};
     const auto at = std::ssize(program.gcode);
-    program.gcode += "G1 " + layer.place + "\n";
+    program.gcode += "G1 " + layer.position + "\n";
     program.mode_lines.push_back(
-        {at, std::ssize(program.gcode) - at, MachineMode::kPosition, layer.place});
+        {at, std::ssize(program.gcode) - at, MachineMode::kPosition, layer.position});
     program.gcode += "bead\n";
     program.modes_at_end =
-        ModeValues{layer.fan, "", "", layer.end.empty() ? layer.place : layer.end, ""};
+        ModeValues{layer.fan, "", "", layer.end.empty() ? layer.position : layer.end, ""};
     std::vector<std::string> code = {"", layer.code};
     for (const LayerPiece& piece : join_.PiecesOf(program, std::ssize(program.gcode), code))
       text_ += program.gcode.substr(static_cast<size_t>(piece.first),

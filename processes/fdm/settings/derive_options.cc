@@ -38,14 +38,14 @@ constexpr double kMostTools = 255;
 /// Returns the number of extruders of the machine: the number of its nozzles, or num_extruders if
 /// it is larger.
 size_t ToolCount(std::span<const Setting> given) {
-  size_t nozzles = 1, reported = 0;
+  size_t nozzles = 1, extruders = 0;
   for (const Setting& setting : given) {
     if (setting.key == "nozzle_diameter") nozzles = Split(setting.value, ",;").size();
     const auto number = ToNumber(Trim(setting.value));
     if (setting.key == "num_extruders" && number && *number >= 1 && *number <= kMostTools)
-      reported = static_cast<size_t>(*number);
+      extruders = static_cast<size_t>(*number);
   }
-  return std::max(nozzles, reported);
+  return std::max(nozzles, extruders);
 }
 
 absl::Status DeriveLayerSettings(const std::string& text, MachineMotion& options) {
@@ -72,7 +72,7 @@ void DeriveFootWidth(JobRows& settings) {
 }
 
 /// Copies the nozzle's diameter, which decides the number of edges of polyholes.
-void TakePolyholes(JobRows& settings) {
+void DerivePolyholes(JobRows& settings) {
   settings.object.polyholes.nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
 }
 
@@ -321,7 +321,7 @@ size_t ToolOf(std::span<const Setting> given) {
 absl::Status DeriveOptions(const OptionSources& sources) {
   JobRows& settings = sources.result.settings;
   sources.result.shrinkage = ShrinkageCompensationOf(sources.draft);
-  TakePolyholes(settings);
+  DerivePolyholes(settings);
   DeriveFootWidth(settings);
   DeriveTool(sources);
   if (absl::Status ok = DeriveSilentMode(sources.draft, settings); !ok.ok()) return ok;

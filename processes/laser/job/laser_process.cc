@@ -94,10 +94,10 @@ class LaserJob : public PlannedJob {
     auto& made = result.As<LaserResult>();
     ranges_[task].times = made.times;
     for (ExposedProgram& program : made.programs) {
-      const auto place = spool_->Add(program.text);
-      if (!place.ok()) return place.status();
+      const auto chunk = spool_->Add(program.text);
+      if (!chunk.ok()) return chunk.status();
       std::string().swap(program.text);
-      ranges_[task].programs.push_back({std::move(program), *place});
+      ranges_[task].programs.push_back({std::move(program), *chunk});
     }
     return absl::OkStatus();
   }
