@@ -128,29 +128,12 @@ void DeriveCombination(SettingValues& draft) {
 }
 
 void DeriveFilament(SettingValues& draft) {
-  for (const std::string_view key : {"retract_length",
-                                     "retract_speed",
-                                     "deretract_speed",
-                                     "retract_restart_extra",
-                                     "retract_before_travel",
-                                     "retract_lift",
-                                     "retract_lift_above",
-                                     "retract_lift_below",
-                                     "retract_lift_enforce",
-                                     "retract_lift_enforce",
-                                     "travel_ramping_lift",
-                                     "travel_max_lift",
-                                     "travel_slope",
-                                     "travel_lift_before_obstacle",
-                                     "travel_spiral_lift",
-                                     "seam_gap_distance",
-                                     "wipe",
-                                     "retract_before_wipe",
-                                     "retract_after_wipe",
-                                     "wipe_distance",
-                                     "retract_layer_change"}) {
-    const SettingValues::Entry& own = draft.At(fmt::format("filament_{}", key));
-    if (own.value.has_value()) draft.At(key).value = own.value;
+  constexpr std::string_view kPrefix = "filament_";
+  const auto table = SettingsTable(draft.process());
+  for (size_t i = 0; i < table.size(); ++i) {
+    const SettingValues::Entry& own = draft.entries()[i];
+    if (table[i].standard == kNotSet && own.value.has_value())
+      draft.At(table[i].key.substr(kPrefix.size())).value = own.value;
   }
   FallBack(draft, "deretract_speed", "retract_speed");
   // With firmware retraction, only the machine has the retraction length. This assumed length is
