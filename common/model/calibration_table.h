@@ -18,7 +18,7 @@ struct CalibrationRow {
 
 /// Values that a calibration print compares.
 struct CalibrationTable {
-  std::string kind;  ///< kind of the print, like `pressure-advance`; empty: no calibration print
+  std::string kind;  ///< kind of the print, such as `pressure-advance`; empty: no calibration print
   std::string unit;
   std::string setting;  ///< setting that gets the chosen value; empty: the firmware keeps it
   std::vector<CalibrationRow> rows;

@@ -45,7 +45,8 @@ std::string AtLayer(int layer, std::string_view lines) {
 
 /// Adds the speed of the fan beside the bed, if the machine has one: first_x_layer_fan_speed on the
 /// first layers, then a rise to its speed up to additional_fan_full_speed_layer. Machines of Bambu
-/// Lab set it in layer_change_gcode. Older presets have close_fan_the_first_x_layers for it.
+/// Lab set this speed in layer_change_gcode. Older presets have close_fan_the_first_x_layers
+/// instead of close_additional_fan_first_x_layers.
 void AddAuxiliaryFan(const OrcaLookup& given, std::vector<AddedGcode>& added) {
   constexpr std::string_view kSpeed = "additional_cooling_fan_speed";
   constexpr std::string_view kLayers = "close_additional_fan_first_x_layers";

@@ -19,7 +19,7 @@ enum class DraftShield : uint8_t {
   kEnabled,  ///< skirt close to the parts on all layers
 };
 
-/// Start angles below this one mean that a loop begins anywhere.
+/// Start angle below which a loop of the skirt may begin anywhere.
 inline constexpr double kNoStartAngle = -6.283;
 
 /// Options of the skirt.
@@ -32,8 +32,8 @@ struct SkirtOptions {
   Coord min_length_nm = 0;    ///< `min_skirt_length`: minimum length of filament on each layer
   int32_t height_layers = 1;  ///< `skirt_height`: number of layers
   DraftShield draft_shield = DraftShield::kDisabled;  ///< setting draft_shield
-  /// `skirt_start_angle`: direction of each loop's start from the middle of the skirt, from the x
-  /// axis; below kNoStartAngle: any start
+  /// `skirt_start_angle`: direction from the middle of the skirt to the start of each loop, from
+  /// the x axis; below kNoStartAngle: any start
   double start_angle_rad = -7;
   Coord width_nm = 400'000;   ///< `first_layer_extrusion_width`: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer

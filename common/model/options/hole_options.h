@@ -10,13 +10,13 @@ namespace slicefarm {
 /// them. Member comments begin with the name of the setting.
 struct PolyholeOptions {
   bool on = false;  ///< setting hole_to_polyhole
-  /// `hole_to_polyhole_threshold`: largest distance of a hole's points from a circle, and as a
-  /// share of its radius
+  /// `hole_to_polyhole_threshold`: largest distance of a hole's points from a circle; 0:
+  /// threshold_share applies
   Coord threshold_nm = 10'000;
-  double threshold_share = 0;
-  bool twisted = true;        ///< setting hole_to_polyhole_twisted
-  int32_t max_edges = 0;      ///< setting hole_to_polyhole_max_edges; 0: no limit
-  Coord nozzle_nm = 400'000;  ///< setting nozzle_diameter
+  double threshold_share = 0;  ///< share of the circle's radius, if given as a percentage
+  bool twisted = true;         ///< setting hole_to_polyhole_twisted
+  int32_t max_edges = 0;       ///< setting hole_to_polyhole_max_edges; 0: no limit
+  Coord nozzle_nm = 400'000;   ///< setting nozzle_diameter
 
   friend bool operator==(const PolyholeOptions&, const PolyholeOptions&) = default;
 };

@@ -75,9 +75,10 @@ struct ResonanceOptions {
 
 /// Flow and reach of the turns of a spiral (spiral_vase).
 struct SpiralMotion {
-  double start_flow =
-      0;                ///< `spiral_vase_starting_flow_ratio`: flow at the start of the first turn
-  double end_flow = 0;  ///< `spiral_vase_finishing_flow_ratio`: flow at the end of the last turn
+  /// `spiral_vase_starting_flow_ratio`: flow at the start of the first turn
+  double start_flow = 0;
+  /// `spiral_vase_finishing_flow_ratio`: flow at the end of the last turn
+  double end_flow = 0;
   /// `spiral_vase_max_xy_smoothing`: longest shift of a point towards the turn below; 0: four beads
   Coord reach_nm = 0;
 
@@ -152,7 +153,7 @@ struct MachineMotion {
   SpiralMotion spiral;
   /// max_volumetric_extrusion_rate_slope_segment_length: length of beads with one flow
   double flow_segment_mm = 1;
-  /// extrusion_rate_smoothing_external_perimeter_only: the flow of other lines may change at once.
+  /// `extrusion_rate_smoothing_external_perimeter_only`: the flow of other lines may change at once
   bool flow_slopes_of_outer_walls = false;
   double seam_gap_mm = 0;  ///< `seam_gap_distance`: length of the gap at the end of a closed path
 

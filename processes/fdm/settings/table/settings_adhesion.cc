@@ -44,8 +44,8 @@ std::vector<SettingSpec> Skirt() {
        .min = -360,
        .max = 360,
        .standard = "-360",
-       .doc = "Direction in which the loops of the skirt begin, from the middle of the skirt, from "
-              "the x axis counter-clockwise; -360: anywhere (OrcaSlicer's default: -135)",
+       .doc = "Direction from the middle of the skirt to the start of its loops, counter-clockwise "
+              "from the x axis; -360: the loops start anywhere. OrcaSlicer's default: -135",
        .field = Bind<Scale::kDegrees, &MachineRow::plan, &JobPlanOptions::skirt,
                      &SkirtOptions::start_angle_rad>(),
        .orca = {{"skirt_start_angle"}},
@@ -172,7 +172,7 @@ std::vector<SettingSpec> Brim() {
        .min = 0.1,
        .max = 2,
        .standard = "1",
-       .doc = "Flow of brims relative to the width of their lines; 1: the same",
+       .doc = "Factor for the flow of brims; 1: the flow that fills their extrusion width",
        .field = Bind<&ObjectRow::brim, &BrimOptions::flow>(),
        .orca = {{"brim_flow_ratio"}},
        .needs = {&needs::kBrim}},

@@ -229,8 +229,8 @@ std::vector<SettingSpec> Resonance() {
       {.key = "resonance_avoidance",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print outer walls at min_resonance_avoidance_speed if their speed is between it and "
-              "max_resonance_avoidance_speed",
+       .doc = "Print outer walls at min_resonance_avoidance_speed if their speed is between "
+              "min_resonance_avoidance_speed and max_resonance_avoidance_speed",
        .field = Bind<&MachineRow::motion, &MachineMotion::resonance, &ResonanceOptions::avoid>(),
        .orca = {{"resonance_avoidance"}}},
       speed("min_resonance_avoidance_speed", "70", "Lowest speed at which the machine resonates",

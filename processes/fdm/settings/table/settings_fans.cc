@@ -45,8 +45,9 @@ std::vector<SettingSpec> FanOfMachine() {
        .min = 0,
        .max = 60,
        .standard = "0",
-       .doc = "Time for which the fan runs at full speed before it takes a speed that is higher by "
-              "100 %; smaller rises take their share of the time, rises of 10 % or less none",
+       .doc =
+           "Time for which the fan first runs at full speed when its speed rises from 0 to 100 %. "
+           "A smaller rise gets its share of this time, and a rise of 10 % or less no such time",
        .field = Bind<&MachineRow::motion, &MachineMotion::fan_kickstart_s>(),
        .orca = {{"fan_kickstart"}}},
       {.key = "part_cooling_fan_min_pwm",
@@ -55,8 +56,8 @@ std::vector<SettingSpec> FanOfMachine() {
        .min = 0,
        .max = 100,
        .standard = "0",
-       .doc = "Least speed of the part cooling fan while it runs; lower speeds except 0 are raised "
-              "to it",
+       .doc = "Smallest speed of the part cooling fan while it runs; smaller speeds, except 0, are "
+              "raised to this speed",
        .field = Bind<&MachineRow::motion, &MachineMotion::fan_least_percent>(),
        .orca = {{"part_cooling_fan_min_pwm"}}},
   };

@@ -336,7 +336,7 @@ std::vector<SettingSpec> Material() {
                    .kind = Kind::kText,
                    .standard = "",
                    .doc = "Id of the filament at its maker, such as GFA00, by which printers of "
-                          "Bambu Lab find its spool; a .gcode.3mf file has it",
+                          "Bambu Lab find its spool; .gcode.3mf files contain this id",
                    .orca = {{"filament_id"}, {"filament_ids"}}}),
   };
 }

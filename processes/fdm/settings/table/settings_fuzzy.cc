@@ -72,7 +72,7 @@ std::vector<SettingSpec> Kinds() {
       {.key = "fuzzy_skin_first_layer",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Make the walls of the first layer rough too, which hold less well to the bed",
+       .doc = "Make the walls of the first layer rough too; rough walls hold less well to the bed",
        .field = Texture<&FuzzyTexture::first_layer>(),
        .orca = {{"fuzzy_skin_first_layer"}},
        .needs = {&needs::kFuzzySkin}},

@@ -29,8 +29,8 @@ std::vector<SettingSpec> Polyholes() {
       {.key = "hole_to_polyhole",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print round vertical holes as polygons around the circle. Plastic narrows the "
-              "edges of a polygon less than a circle",
+       .doc = "Print round vertical holes as polygons around the circle, because plastic narrows a "
+              "polygonal hole less than a round hole",
        .field = Bind<&ObjectSlicingOptions::polyholes, &PolyholeOptions::on>(),
        .orca = {{"hole_to_polyhole"}}},
       {.key = "hole_to_polyhole_threshold",
@@ -39,7 +39,7 @@ std::vector<SettingSpec> Polyholes() {
        .min = 0,
        .max = 100,
        .standard = "0.01",
-       .doc = "Largest deviation from a circle of a hole that becomes a polygon",
+       .doc = "Largest deviation of a hole from a circle at which the hole becomes a polygon",
        .percent_of = "the radius of the hole",
        .field = ThresholdField(),
        .orca = {{"hole_to_polyhole_threshold"}},

@@ -336,8 +336,8 @@ std::vector<SettingSpec> Sequence() {
       {.key = "curr_bed_type",
        .kind = Kind::kText,
        .standard = "",
-       .doc = "Type of the plate on the printer's bed, such as Textured PEI Plate; a .gcode.3mf "
-              "file has it. In OrcaSlicer's settings it also selects the bed temperature"},
+       .doc = "Type of the plate on the printer's bed, such as Textured PEI Plate; .gcode.3mf "
+              "files contain it. In OrcaSlicer's settings it also selects the bed temperature"},
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",

@@ -106,7 +106,7 @@ SettingSpec LatticeAngle(std::string_view key, std::string_view standard, Field 
           .max = 75,
           .standard = standard,
           .doc =
-              "Inclination of one family of planes of the lattice against the vertical, 0: "
+              "Inclination of one family of planes of the lattice against the vertical; 0: "
               "upright",
           .field = field,
           .orca = {{key}},

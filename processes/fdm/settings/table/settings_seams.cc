@@ -54,8 +54,8 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0,
        .max = 180,
        .standard = "150",
-       .doc = "Smallest angle between the edges of a loop at which its start is no corner for "
-              "scarf_seam_only_on_smooth; 180: only straight walls have scarfs",
+       .doc = "Smallest angle between two edges of a loop at which scarf_seam_only_on_smooth does "
+              "not take their common point for a corner; 180: only straight walls have scarfs",
        .field = Bind<&RegionRow::motion, &RegionMotion::scarf, &ScarfOptions::smooth_angle_deg>(),
        .orca = {{"scarf_angle_threshold"}},
        .needs = {&needs::kScarfSeam}},
@@ -65,8 +65,8 @@ std::vector<SettingSpec> ScarfSettings() {
        .min = 0,
        .max = 100,
        .standard = "0%",
-       .doc = "Unsupported share of a wall's width at its start from which it has no scarf, with "
-              "scarf_seam_only_on_smooth; 0: all walls may have one",
+       .doc = "Unsupported share of a wall's width at the start of the wall, from which the wall "
+              "has no scarf with scarf_seam_only_on_smooth = 1; 0%: all walls may have a scarf",
        .field = Bind<Scale::kPercent, &RegionRow::motion, &RegionMotion::scarf,
                      &ScarfOptions::most_overhang>(),
        .orca = {{"scarf_overhang_threshold", OrcaValue::kPercent}},

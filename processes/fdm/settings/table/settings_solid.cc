@@ -26,12 +26,12 @@ std::vector<SettingSpec> SolidSettings() {
   const auto filter = [](SparseBridgeFilter value) { return static_cast<int>(value); };
   return {
       SurfaceDensity("top_surface_density", 0,
-                     "Share of the area of top surfaces under their lines; less: gaps between the "
-                     "lines. 0%: only walls",
+                     "Share of the area of top surfaces that their lines cover; smaller: gaps "
+                     "between the lines. 0%: only walls",
                      Solid<&SolidOptions::top_density, Scale::kPercent>()),
       SurfaceDensity("bottom_surface_density", 10,
-                     "Share of the area of bottom surfaces that are not bridges under their lines; "
-                     "less: gaps between the lines",
+                     "Share of the area of bottom surfaces, except bridges, that their lines "
+                     "cover; smaller: gaps between the lines",
                      Solid<&SolidOptions::bottom_density, Scale::kPercent>()),
       {.key = "extra_solid_infills",
        .kind = Kind::kSolidLayers,

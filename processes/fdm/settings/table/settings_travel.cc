@@ -270,8 +270,8 @@ std::vector<SettingSpec> Travels() {
        .kind = Kind::kChoice,
        .standard = "default",
        .doc =
-           "Order of the copies in a layer. default: short travels. as_obj_list: in the order of "
-           "the plate",
+           "Order of the copies in a layer. default: short travels. as_obj_list: the order of the "
+           "objects on the plate",
        .choices = {{"default", 0}, {"as_obj_list", 1}},
        .field = Bind<&MachineRow::order, &JobOrder::as_listed>(),
        .orca = {{"print_order", OrcaValue::kChoice}}},

@@ -132,7 +132,7 @@ std::vector<SettingSpec> VariableWalls() {
        .standard = "0",
        .doc = "Length of the shortest open line between walls of variable width, in widths of the "
               "outer wall. Shorter lines are left out, except in the lowest and the highest layer "
-              "of the object; 0: none. OrcaSlicer's default: 0.5",
+              "of the object. 0: all lines are printed. OrcaSlicer's default: 0.5",
        .field = Bind<&RegionRow::walls, &BeadingOptions::min_length_factor>(),
        .orca = {{"min_length_factor"}},
        .needs = {&needs::kArachne}},
@@ -293,8 +293,8 @@ std::vector<SettingSpec> WallSettings() {
        .min = 0,
        .max = 1000,
        .standard = "0",
-       .doc = "Longest distance from the turn below at which spiral_vase_smooth moves a point "
-              "towards it; 0: four times the width of the wall",
+       .doc = "Largest distance between a point and the turn below at which spiral_vase_smooth "
+              "moves the point towards this turn; 0: four times the width of the wall",
        .relative_to = "nozzle_diameter",
        .field = Bind<&MachineRow::motion, &MachineMotion::spiral, &SpiralMotion::reach_nm>(),
        .orca = {{"spiral_mode_max_xy_smoothing"}},
