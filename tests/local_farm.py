@@ -236,6 +236,13 @@ class Farm:
             self.s3.stop()
 
 
+def call(farm, *arguments):
+    """Returns the output of a client, which must succeed."""
+    done = farm.client(*arguments)
+    assert done.returncode == 0, (arguments, done.stderr)
+    return done.stdout
+
+
 @contextlib.contextmanager
 def running_farm(store="sqlite", directory=None, **options):
     """Provides a running Farm and stops it at the end. Without `directory` it uses a temporary directory, which is

@@ -4,8 +4,8 @@
 - The G-code of `calibrate --server` equals that of `calibrate -o` on this machine, with presets of the farm, presets of files
   and --config.
 - The report and the job have the table of values.
-- `calibrate apply` stores the chosen value in the overlay of the printer and filament, and the next jobs for them get it
-  without naming it, also calibration prints and projects. Jobs of other filaments and older jobs stay.
+- `calibrate apply` stores the chosen value in the overlay of the printer and filament. The next jobs for them get the value
+  without naming the overlay, also calibration prints and projects. Jobs of other filaments do not get it.
 
 usage: farm_calibrate_test.py SLICEFARM
 """
@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import BIN, MODELS, running_farm
+from local_farm import BIN, MODELS, call, running_farm
 
 BUNDLE = """[vendor]
 name = Acme
@@ -44,12 +44,6 @@ default_print_profile = FAST
 default_filament_profile = PLA
 """
 OVERLAY = "overlay.Acme_A__with__PLA"
-
-
-def call(farm, *arguments):
-    done = farm.client(*arguments)
-    assert done.returncode == 0, (arguments, done.stderr)
-    return done.stdout
 
 
 def refused(farm, message, *arguments):

@@ -15,15 +15,9 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import BIN, MODELS, running_farm
+from local_farm import BIN, MODELS, call, running_farm
 
 MODEL = MODELS / "textbox.stl"
-
-
-def call(farm, *arguments):
-    done = farm.client(*arguments)
-    assert done.returncode == 0, (arguments, done.stderr)
-    return done.stdout
 
 
 def check_artifacts(farm, job, folder):

@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import BIN, MODELS, running_farm
+from local_farm import BIN, MODELS, call, running_farm
 
 MODEL = MODELS / "textbox.stl"
 PROJECT = MODELS / "textbox.3mf"
@@ -37,12 +37,6 @@ start_gcode = ACME [temperature]
 default_print_profile = 0.20mm FAST @A
 default_filament_profile = PLA @A
 """
-
-
-def call(farm, *arguments):
-    done = farm.client(*arguments)
-    assert done.returncode == 0, (arguments, done.stderr)
-    return done.stdout
 
 
 def same_bytes(farm, folder, model, presets, *more):
