@@ -13,27 +13,13 @@ import re
 import subprocess
 import sys
 import tempfile
-import zipfile
+
+from orca_profiles import write_project
 
 KEYS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "corpus", "config", "orca_keys.txt")
 LEAST = 443
 # Settings that are read, but have no effect.
 READ_ONLY = {"support_interface_loop_pattern": "support interfaces always have a loop"}
-TYPES = ('<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" '
-         'ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" '
-         'ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>')
-RELATIONS = ('<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship '
-             'Target="/3D/3dmodel.model" Id="a" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>')
-FACES = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
-
-
-def model():
-    corners = "".join(f'<vertex x="{10 * (i & 1)}" y="{5 * (i & 2)}" z="{2.5 * (i & 4)}"/>' for i in range(8))
-    faces = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in FACES)
-    return ('<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><metadata '
-            'name="Application">OrcaSlicer-2.3.1</metadata><resources><object id="1" type="model"><mesh><vertices>' + corners +
-            "</vertices><triangles>" + faces + '</triangles></mesh></object></resources><build><item objectid="1" '
-            'transform="1 0 0 0 1 0 0 0 1 100 100 0"/></build></model>')
 
 
 def settings():
@@ -47,11 +33,7 @@ def settings():
 
 def without_effect(slicefarm, values, folder):
     project, report = os.path.join(folder, "keys.3mf"), os.path.join(folder, "report.json")
-    with zipfile.ZipFile(project, "w") as package:
-        package.writestr("[Content_Types].xml", TYPES)
-        package.writestr("_rels/.rels", RELATIONS)
-        package.writestr("3D/3dmodel.model", model())
-        package.writestr("Metadata/project_settings.config", json.dumps(values))
+    write_project(project, values)
     run = subprocess.run([slicefarm, "slice", project, "-o", os.path.join(folder, "keys.gcode"), "--report", report],
                          capture_output=True, text=True)
     if run.returncode != 0:
