@@ -100,7 +100,7 @@ class ProcessSettings {
   /// Checks that the values are consistent with each other.
   virtual absl::Status Check(const SettingValues& draft) const = 0;
   /// Sets the options that depend on several settings, in OptionSources::result.
-  virtual absl::Status DeriveOptions(const OptionSources& /*settling*/) const {
+  virtual absl::Status DeriveOptions(const OptionSources& /*sources*/) const {
     return absl::OkStatus();
   }
   /// Checks the complete settings, including ResolvedSettings::effective_text.

@@ -15,7 +15,7 @@ inline constexpr std::string_view kBox =
     "v 0 0 0\nv 6 0 0\nv 6 6 0\nv 0 6 0\nv 0 0 4\nv 6 0 4\nv 6 6 4\nv 0 6 4\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// Settings of its job.
+/// Settings of the job that prints the box.
 inline constexpr std::pair<const char*, const char*> kSettings[] = {
     {"layer_height", "1"},         {"first_layer_height", "1"},
     {"nozzle_diameter", "2"},      {"perimeters", "1"},

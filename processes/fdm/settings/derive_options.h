@@ -12,9 +12,9 @@ namespace slicefarm::config::fdm {
 /// 0 means that the setting selects no tool.
 size_t ToolOf(std::span<const Setting> given);
 
-/// Sets the options of stages that depend on several settings: growth, adhesion, space for the
-/// head, halos of fields. Errors: SETTING_OUT_OF_RANGE for settings that contradict each other, as
-/// in Resolve.
+/// Sets the options of stages that depend on several settings: shrinkage compensation, adhesion,
+/// space for the head, halos of fields. Errors: SETTING_OUT_OF_RANGE for settings that contradict
+/// each other, as in Resolve.
 absl::Status DeriveOptions(const OptionSources& sources);
 
 /// Copies the settings that the G-code of each layer refers to into the options of the motion
