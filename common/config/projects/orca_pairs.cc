@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "absl/strings/str_replace.h"
 #include "common/base/text.h"
 #include "common/config/table/setting_spec.h"
 #include "common/config/table/value.h"
@@ -55,8 +56,7 @@ void AddAdaptiveAdvance(const OrcaLookup& given, std::vector<PairedSetting>& set
   const bool on = IsOn(given, kOn), any = IsOn(given, "enable_pressure_advance");
   const auto lines = given(kModel);
   if (!on || !any || !lines) return;
-  std::string model = *lines;
-  for (size_t at = 0; (at = model.find("\\n", at)) != model.npos;) model.replace(at, 2, ";");
+  const std::string model = absl::StrReplaceAll(*lines, {{"\\n", ";"}});
   settings.push_back({kOn, "1", kOn});
   settings.push_back({kModel, model == kNone ? "" : model, kModel});
 }
