@@ -298,7 +298,7 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kFlowTable:
       return "LENGTH,FACTOR;LENGTH,FACTOR;... from 0 mm up to factor 1";
     case Kind::kAdvancePoints:
-      return "ADVANCE,FLOW,ACCELERATION;... in mm3/s and mm/s2, or none";
+      return "ADVANCE,FLOW,ACCELERATION;... in mm3/s and mm/s2, or empty";
     case Kind::kHeightCode:
       return "a JSON list as [{\"z\":1.2,\"type\":\"pause\",\"text\":\"...\"}]";
     case Kind::kLayerHeights:

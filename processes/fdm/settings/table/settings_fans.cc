@@ -75,8 +75,9 @@ std::vector<SettingSpec> AdaptiveAdvanceSettings() {
       {.key = "adaptive_pressure_advance_model",
        .kind = Kind::kAdvancePoints,
        .standard = "",
-       .doc = "Measured pressure advance by flow and acceleration; values in between are "
-              "interpolated. An acceleration counts if it has two points. Empty: pressure_advance",
+       .doc =
+           "Measured pressure advance by flow and acceleration; values in between are "
+           "interpolated. Accelerations with only one point are ignored. Empty: pressure_advance",
        .field = Bind<&ToolRow::advance, &AdaptiveAdvance::model>(),
        .needs = {&needs::kAdaptiveAdvance}},
       {.key = "adaptive_pressure_advance_overhangs",
