@@ -176,6 +176,8 @@ class CalibrationPlanner {
     const double diameter = NumberIn(given_, "filament_diameter", 1.75);
     settings.filament_mm2 = std::numbers::pi / 4 * diameter * diameter;
     settings.fast = SpeedWithinLimits(kFastMmS, settings);
+    // A soft filament may allow less than the usual slow speed, but the lines need both speeds.
+    settings.slow = std::min(settings.slow, settings.fast / 2);
     settings.travel = NumberIn(given_, "travel_speed", settings.travel);
     settings.retract_mm = NumberIn(given_, "retract_length", 0);
     settings.retract_speed = NumberIn(given_, "retract_speed", settings.retract_speed);

@@ -140,6 +140,17 @@ TEST(CalibrationPlan, LinesStandInTheMiddleOfTheBed) {
   }
 }
 
+TEST(CalibrationPlan, SoftFilamentsHaveASlowAndAFastSpeedToo) {
+  const std::string settings = std::string(kSettings) + "filament_max_volumetric_speed = 1.2\n";
+  const auto plan = PlanCalibration(CalibrationKind::kPressureAdvance, {0, 0.02}, settings,
+                                    CalibrationMethod::kLine);
+  ASSERT_TRUE(plan.ok()) << plan.status();
+  const auto codes = ParseHeightCodes(ValueOfSetting(plan->settings, "custom_gcode_per_print_z"));
+  ASSERT_TRUE(codes.ok()) << codes.status();
+  EXPECT_THAT(codes->front().text, HasSubstr(" F800")) << "1.2 mm3/s: 13.3 mm/s of 0.45 x 0.2 mm";
+  EXPECT_THAT(codes->front().text, HasSubstr(" F400")) << "half of it";
+}
+
 TEST(CalibrationPlan, TheSlicerRetractsUnlessTheFirmwareDoes) {
   for (const bool by_firmware : {false, true}) {
     const std::string settings =

@@ -12,6 +12,7 @@
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/console/files.h"
+#include "services/cli/program/machine_config.h"
 #include "services/cli/render/cli_layer.h"
 #include "services/cli/render/gcode_reader.h"
 #include "services/cli/render/layer_drawing.h"
@@ -51,14 +52,10 @@ absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
 /// Returns the firmware from --flavor, or else the one that the file quotes, or else Marlin.
 absl::StatusOr<const motion::Firmware*> FirmwareFor(const RenderOptions& options,
                                                     std::string_view gcode) {
-  std::string_view name = options.flavor;
-  constexpr std::string_view kQuoted = "\n; gcode_flavor = ";
-  if (const size_t at = gcode.rfind(kQuoted); name.empty() && at != gcode.npos) {
-    const size_t begin = at + kQuoted.size();
-    name = gcode.substr(begin, gcode.find_first_of("\r\n", begin) - begin);
-    if (motion::FindFirmware(name) == nullptr) name = {};
-  }
-  if (const motion::Firmware* found = motion::FindFirmware(name.empty() ? "marlin" : name))
+  if (options.flavor.empty())
+    if (const motion::Firmware* named = FirmwareNamedIn(gcode)) return named;
+  if (const motion::Firmware* found =
+          motion::FindFirmware(options.flavor.empty() ? "marlin" : options.flavor))
     return found;
   return UnknownFlavor(options.flavor);
 }
