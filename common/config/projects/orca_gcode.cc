@@ -7,6 +7,7 @@
 
 #include "absl/strings/ascii.h"
 #include "common/base/text.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {
@@ -34,6 +35,12 @@ void AddFirstLayerScan(const OrcaLookup& given, std::vector<AddedGcode>& added) 
                    .because = "scan_first_layer"});
 }
 
+/// Returns a number of layers, limited to the layers that a job may have.
+int LayersOr(const OrcaLookup& given, std::string_view key, double standard) {
+  constexpr double kMost = limits::kMaxLayers;
+  return static_cast<int>(std::clamp(NumberOr(given, key, standard), 0.0, kMost));
+}
+
 std::string Lower(std::string_view text) {
   return absl::AsciiStrToLower({text.data(), text.size()});
 }
@@ -53,9 +60,8 @@ void AddAuxiliaryFan(const OrcaLookup& given, std::vector<AddedGcode>& added) {
   const double percent = NumberOr(given, kSpeed, 0);
   const double first = NumberOr(given, "first_x_layer_fan_speed", 0);
   const bool has_fan = given("auxiliary_fan") == "1";
-  const double older = NumberOr(given, "close_fan_the_first_x_layers", 0);
-  const int off = std::max(0, static_cast<int>(NumberOr(given, kLayers, older)));
-  const int full = static_cast<int>(NumberOr(given, "additional_fan_full_speed_layer", 0));
+  const int off = LayersOr(given, kLayers, NumberOr(given, "close_fan_the_first_x_layers", 0));
+  const int full = LayersOr(given, "additional_fan_full_speed_layer", 0);
   if (!has_fan || !(percent > 0)) return;
   std::string lines;
   const auto set = [&](int layer, double speed) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+
+#include "common/model/limits.h"
 
 namespace slicefarm::config::orca_gcode_test {
 namespace {
@@ -52,6 +55,14 @@ TEST(AddedGcodeOf, AuxiliaryFanRisesToItsSpeed) {
             "layer_gcode: {if layer_num==0}M106 P2 S51\\n{endif}"
             "{if layer_num==2}M106 P2 S102\\n{endif}{if layer_num==3}M106 P2 S153\\n{endif}"
             "{if layer_num==4}M106 P2 S204\\n{endif}");
+}
+
+TEST(AddedGcodeOf, AuxiliaryFanRisesOverNoMoreLayersThanAJobMayHave) {
+  const auto lines = Added({{"auxiliary_fan", "1"},
+                            {"additional_cooling_fan_speed", "80"},
+                            {"additional_fan_full_speed_layer", "1e18"}});
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(std::ranges::count(lines.front(), 'S'), limits::kMaxLayers) << "commands M106 P2 S";
 }
 
 TEST(AddedGcodeOf, InputShapers) {
