@@ -29,7 +29,7 @@ class DisjointSets {
 
   bool AreJoined(int32_t a, int32_t b) { return RootOf(a) == RootOf(b); }
 
- private:
+  /// Returns the smallest number of the set of `number`.
   int32_t RootOf(int32_t number) {
     while (root_[static_cast<size_t>(number)] != number) {
       int32_t& up = root_[static_cast<size_t>(number)];
@@ -39,6 +39,7 @@ class DisjointSets {
     return number;
   }
 
+ private:
   std::vector<int32_t> root_;
   int32_t sets_;
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "common/base/disjoint_sets.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
@@ -28,23 +28,6 @@ struct SteepArea {
   Box box;
 };
 
-/// Sets of connected areas.
-class Groups {
- public:
-  explicit Groups(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  size_t Of(size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void Join(size_t a, size_t b) {
-    const size_t first = Of(a), second = Of(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<size_t> parent_;
-};
-
 class SmallOverhangs {
  public:
   SmallOverhangs(const SupportProblem& problem, const SupportOptions& options,
@@ -59,10 +42,11 @@ class SmallOverhangs {
   }
 
   void Remove() {
-    Groups groups(areas_.size());
+    DisjointSets groups(static_cast<int32_t>(areas_.size()));
     for (size_t layer = 1; layer < overhangs_.size(); ++layer) JoinWithBelow(layer, groups);
-    std::map<size_t, std::vector<size_t>> members;
-    for (size_t i = 0; i < areas_.size(); ++i) members[groups.Of(i)].push_back(i);
+    std::map<int32_t, std::vector<size_t>> members;
+    for (size_t i = 0; i < areas_.size(); ++i)
+      members[groups.RootOf(static_cast<int32_t>(i))].push_back(i);
     std::vector<MultiPolygon> kept(overhangs_.size());
     std::vector<char> changed(overhangs_.size(), 0);
     for (const auto& [group, all] : members) {
@@ -82,14 +66,15 @@ class SmallOverhangs {
   }
 
  private:
-  void JoinWithBelow(size_t layer, Groups& groups) {
+  void JoinWithBelow(size_t layer, DisjointSets& groups) {
     for (size_t i = begin_[layer]; i < begin_[layer + 1]; ++i) {
       const Box near = areas_[i].box.Grown(options_.wall_width_nm);
       MultiPolygon grown;
       for (size_t j = begin_[layer - 1]; j < begin_[layer]; ++j) {
         if (!near.Intersects(areas_[j].box)) continue;
         if (grown.empty()) grown = FastOffset({*areas_[i].island}, options_.wall_width_nm);
-        if (!Intersection(grown, {*areas_[j].island}).empty()) groups.Join(i, j);
+        if (!Intersection(grown, {*areas_[j].island}).empty())
+          groups.Join(static_cast<int32_t>(i), static_cast<int32_t>(j));
       }
     }
   }
