@@ -9,6 +9,7 @@
 #include "common/model/bead_section.h"
 #include "common/model/options/beading_options.h"
 #include "services/beading/algo/noise/skin_noise.h"
+#include "services/beading/algo/noise/split_mix.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -18,20 +19,13 @@ constexpr double kStepRange = 0.5;
 /// Spacing of the narrowest bead, in nm. A narrower bead would break.
 constexpr Coord kLeastSpacing = 50'000;
 
-/// SplitMix64 random generator (G. L. Steele, D. Lea, C. H. Flood, 2014): short, and equal on all
-/// machines.
+/// SplitMix64 random generator.
 class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
 
   /// Returns a number in [0, 1).
-  double Next() {
-    uint64_t bits = state_ += 0x9E3779B97F4A7C15;
-    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
-    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
-    bits ^= bits >> 31;
-    return static_cast<double>(bits >> 11) * 0x1.0p-53;
-  }
+  double Next() { return UnitOf(MixedBits(state_ += kSplitMixStep)); }
 
  private:
   uint64_t state_;

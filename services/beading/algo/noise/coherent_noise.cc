@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "services/beading/algo/noise/split_mix.h"
+
 namespace slicefarm::beading {
 namespace {
 
@@ -13,20 +15,13 @@ struct LatticeCube {
   int64_t x = 0, y = 0, z = 0;
 };
 
-/// Returns well-mixed bits for a corner of the lattice (finalizer of SplitMix64).
+/// Returns well-mixed bits for a corner of the lattice.
 uint64_t CornerBits(const LatticeCube& cube, uint64_t seed) {
   uint64_t bits = seed;
-  for (const int64_t part : {cube.x, cube.y, cube.z}) {
-    bits = (bits ^ static_cast<uint64_t>(part)) + 0x9E3779B97F4A7C15;
-    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
-    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
-    bits ^= bits >> 31;
-  }
+  for (const int64_t part : {cube.x, cube.y, cube.z})
+    bits = MixedBits((bits ^ static_cast<uint64_t>(part)) + kSplitMixStep);
   return bits;
 }
-
-/// Returns bits as a number in [0, 1).
-double UnitOf(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
 /// Returns the height of a corner's slope at a point, given relative to the corner. The gradient is
 /// one of the twelve directions to the edges of a cube.
