@@ -1,13 +1,13 @@
 #include "services/motion/algo/built_block.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "services/motion/algo/toolpath/contour_length.h"
 #include "services/motion/algo/toolpath/flow_smoothing.h"
 #include "services/motion/algo/toolpath/move_arcs.h"
+#include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -40,8 +40,6 @@ std::vector<BuiltBlock> BuildBlocks(const OrderedLayer& layer, const MotionOptio
                                     double retracted_mm) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2,
                              options.flow_segment_mm, options.flow_slopes_of_outer_walls};
-  const double filament_mm2 = std::numbers::pi / 4 * options.tool().filament_diameter_mm *
-                              options.tool().filament_diameter_mm;
   std::vector<BuiltBlock> built;
   built.reserve(layer.blocks.size());
   for (const PathBlock& block : layer.blocks) {
@@ -66,7 +64,8 @@ std::vector<BuiltBlock> BuildBlocks(const OrderedLayer& layer, const MotionOptio
     }
     Toolpath path =
         EndsReady(block, layer) ? builder.FinishAt(block.exit_travel) : builder.Finish();
-    if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
+    if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0)
+      SmoothFlow(slopes, FilamentAreaMm2(options), path);
     // With a material mix, each move has one mix, so no moves are joined into arcs.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
       FindArcs(path);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "common/base/portable_math.h"
 #include "common/model/options/motion_options.h"
@@ -37,11 +36,10 @@ std::optional<AdvanceControl> AdvanceControl::Of(const MotionOptions& options) {
   const auto points = ParseAdvancePoints(advance.model);
   AdvanceModel model(points.ok() ? *points : std::vector<AdvancePoint>{});
   if (model.empty()) return std::nullopt;
-  const double diameter_mm = options.tool().filament_diameter_mm;
   return AdvanceControl{.model = std::move(model),
                         .within_features = advance.within_features,
                         .bridges = advance.bridges,
-                        .filament_mm2 = std::numbers::pi / 4 * diameter_mm * diameter_mm};
+                        .filament_mm2 = FilamentAreaMm2(options)};
 }
 
 void AdvanceCommand::SetFor(const Toolpath& path, size_t index, GcodeText& out) {

@@ -1,21 +1,12 @@
 #include "services/motion/algo/gcode/extruder_words.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "common/model/options/motion_options.h"
 #include "common/model/options/tool_row.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {
-namespace {
-
-double FilamentAreaMm2(const MotionOptions& options) {
-  return std::numbers::pi / 4 * options.tool().filament_diameter_mm *
-         options.tool().filament_diameter_mm;
-}
-
-}  // namespace
 
 ExtruderWords::ExtruderWords(const MotionOptions& options)
     : relative_(options.writing.relative_e),

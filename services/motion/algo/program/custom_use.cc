@@ -1,6 +1,5 @@
 #include "services/motion/algo/program/custom_use.h"
 
-#include <numbers>
 #include <string>
 
 #include "absl/strings/str_cat.h"
@@ -9,6 +8,7 @@
 #include "common/model/options/motion_options.h"
 #include "services/motion/algo/program/gcode_machine.h"
 #include "services/motion/algo/program/program_time.h"
+#include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -40,8 +40,7 @@ FeatureUse UseOfCode(std::string_view code, const MotionOptions& options) {
       use.length_mm += Hypot(move.to[kX] - move.from[kX], move.to[kY] - move.from[kY]);
       use.filament_mm += move.Filament();
     }
-  const double diameter_mm = options.tool().filament_diameter_mm;
-  use.volume_mm3 = use.filament_mm * std::numbers::pi / 4 * diameter_mm * diameter_mm;
+  use.volume_mm3 = use.filament_mm * FilamentAreaMm2(options);
   return use;
 }
 

@@ -117,6 +117,11 @@ double TravelSpeedZ(const MotionOptions& options) {
   return limit > 0 ? limit : TravelSpeed(options);
 }
 
+double FilamentAreaMm2(const MotionOptions& options) {
+  const double diameter_mm = options.tool().filament_diameter_mm;
+  return std::numbers::pi / 4 * diameter_mm * diameter_mm;
+}
+
 int32_t FeedRate(double speed_mm_s) {
   return static_cast<int32_t>(std::lround(std::clamp(speed_mm_s * 60, 1.0, kMaxFeedRate)));
 }

@@ -27,7 +27,7 @@ class PrintSpeeds {
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
   /// Returns `speed_mm_s`, or the speed at the largest volumetric flow if that is lower.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;
-  /// Returns the speed of a bead without the speeds at which outer walls resonate.
+  /// Returns `speed_mm_s`, or a lower speed for outer walls that would resonate at it.
   double OutsideResonance(Feature feature, double speed_mm_s) const;
   /// Returns `feed_rate` (mm/min), or the feed rate at the largest volumetric flow if `feed_rate`
   /// exceeds it by more than 0.1 %.
@@ -47,6 +47,9 @@ class PrintSpeeds {
 double TravelSpeed(const MotionOptions& options, bool first_layer = false);
 /// Returns the speed of z moves in mm/s.
 double TravelSpeedZ(const MotionOptions& options);
+
+/// Returns the section of the filament, in mm^2.
+double FilamentAreaMm2(const MotionOptions& options);
 
 /// Returns a speed in mm/s as a feed rate of the G-code: whole mm/min, at least 1.
 int32_t FeedRate(double speed_mm_s);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "common/base/portable_math.h"
@@ -48,8 +47,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
       layer_(frame.index),
       speeds_(options, ground, frame.index),
       accelerations_(AccelerationsFor(options, ground)),
-      filament_area_mm2_(std::numbers::pi / 4 * options.tool().filament_diameter_mm *
-                         options.tool().filament_diameter_mm),
+      filament_area_mm2_(FilamentAreaMm2(options)),
       bead_height_nm_(bead_height_nm),
       below_(below),
       above_supports_(above_supports),
