@@ -37,21 +37,6 @@ bool IsConvexHole(const Polygon& hole) {
   return true;
 }
 
-Point CentroidOf(const Polygon& ring) {
-  // Relative to the first corner, so that no digits are lost.
-  const Point origin = ring[0];
-  double area = 0, x = 0, y = 0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i] - origin, b = ring[(i + 1) % ring.size()] - origin;
-    const double cross = Cross(a, b);
-    area += cross;
-    x += cross * static_cast<double>(a.x + b.x);
-    y += cross * static_cast<double>(a.y + b.y);
-  }
-  if (area == 0) return origin;
-  return {origin.x + std::llround(x / (3 * area)), origin.y + std::llround(y / (3 * area))};
-}
-
 double ThresholdOf(const PolyholeOptions& options, double radius_nm) {
   return std::max(1.0,
                   static_cast<double>(options.threshold_nm) + options.threshold_share * radius_nm);
@@ -122,7 +107,7 @@ void ReplaceHole(const Polygon& hole, const Polygon& polyhole, ObjectSection& se
 
 std::optional<HoleCircle> CircleOf(const Polygon& hole, const PolyholeOptions& options) {
   if (hole.size() < kLeastCorners || !IsConvexHole(hole)) return std::nullopt;
-  const Point center = CentroidOf(hole);
+  const Point center = Centroid(hole);
   Spread corners, middles;
   double sum = 0;
   for (size_t i = 0; i < hole.size(); ++i) {
