@@ -285,8 +285,8 @@ void LayerWriter::WriteRole(Feature feature, GcodeText& out) {
   const auto role = static_cast<int32_t>(feature);
   const int32_t before = std::exchange(role_, role);
   if (state_.roles == nullptr || role == before) return;
-  const auto text = state_.roles->texts.find({before, role});
-  if (text == state_.roles->texts.end()) return;
+  const auto text = state_.roles->find({before, role});
+  if (text == state_.roles->end()) return;
   out.Lines(text->second);
   Forget();
   at_.reset();

@@ -394,8 +394,8 @@ TEST(LayerWriter, KickstartEndsWithTheBlock) {
 TEST(LayerWriter, WritesGcodeBetweenFeatures) {
   RoleTexts roles;
   const auto role = [](Feature feature) { return static_cast<int32_t>(feature); };
-  roles.texts[{-1, role(Feature::kPerimeter)}] = "M1";
-  roles.texts[{role(Feature::kPerimeter), role(Feature::kIroning)}] = "M2";
+  roles[{-1, role(Feature::kPerimeter)}] = "M1";
+  roles[{role(Feature::kPerimeter), role(Feature::kIroning)}] = "M2";
   LayerState state{.height_um = 200};
   state.roles = &roles;
   const std::string text =

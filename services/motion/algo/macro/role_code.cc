@@ -37,7 +37,7 @@ absl::StatusOr<RoleTexts> RoleTextsOf(const macro::Template& code,
     macro::TemplateMemory memory;
     auto text = macro::RunTemplate(code, {job, now}, memory);
     if (!text.ok()) return text.status();
-    roles.texts[change] = *std::move(text);
+    roles[change] = *std::move(text);
   }
   return roles;
 }

@@ -18,9 +18,7 @@ namespace slicefarm::motion {
 using RoleChange = std::pair<int32_t, int32_t>;
 
 /// Filled-in change_extrusion_role_gcode of a layer, by change.
-struct RoleTexts {
-  std::map<RoleChange, std::string> texts;
-};
+using RoleTexts = std::map<RoleChange, std::string>;
 
 /// Returns the name of a feature in templates, as in OrcaSlicer: "ExternalPerimeter".
 std::string_view RoleName(Feature feature);

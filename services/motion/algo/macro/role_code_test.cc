@@ -23,9 +23,8 @@ TEST(RoleTextsOf, NamesBothFeatures) {
       RoleTextsOf(Parsed("; [last_extrusion_role] to {extrusion_role} at {layer_num}"), changes, {},
                   {{"layer_num", int64_t{7}}});
   ASSERT_TRUE(texts.ok()) << texts.status();
-  EXPECT_EQ(texts->texts.at({-1, role(Feature::kExternalPerimeter)}),
-            ";  to ExternalPerimeter at 7");
-  EXPECT_EQ(texts->texts.at({role(Feature::kExternalPerimeter), role(Feature::kInternalBridge)}),
+  EXPECT_EQ(texts->at({-1, role(Feature::kExternalPerimeter)}), ";  to ExternalPerimeter at 7");
+  EXPECT_EQ(texts->at({role(Feature::kExternalPerimeter), role(Feature::kInternalBridge)}),
             "; ExternalPerimeter to BridgeInfill at 7");
 }
 
