@@ -38,7 +38,7 @@ bool WantsSkin(FuzzySkin skin, const Path& wall) {
 }
 
 /// Returns the point at distance `along_nm` on an edge and `beside_nm` to its left.
-Point PlaceBeside(Point from, Point to, double along_nm, double beside_nm) {
+Point PointBeside(Point from, Point to, double along_nm, double beside_nm) {
   const double length = Distance(from, to);
   const double x = static_cast<double>(to.x - from.x) / length;
   const double y = static_cast<double>(to.y - from.y) / length;
@@ -49,17 +49,17 @@ Point PlaceBeside(Point from, Point to, double along_nm, double beside_nm) {
 /// Maker of the rough copy of a wall.
 class RoughWall {
  public:
-  RoughWall(const BeadingOptions& options, const SkinPlace& place, const Path& wall)
+  RoughWall(const BeadingOptions& options, const SkinContext& context, const Path& wall)
       : options_(options),
-        place_(place),
+        context_(context),
         wall_(wall),
         thickness_(static_cast<double>(options.fuzzy_thickness_nm)),
-        least_width_(WidthForSpacing(kLeastSpacing, place.height_nm)) {
+        least_width_(WidthForSpacing(kLeastSpacing, context.height_nm)) {
     rough_ = wall;
     rough_.points.clear();
     rough_.widths_nm.clear();
     if (options.texture.noise == FuzzyNoise::kRipple)
-      ripples_.emplace(options.texture, wall, place.layer);
+      ripples_.emplace(options.texture, wall, context.layer);
   }
 
   /// Returns the rough wall, or nullopt for a dot, which has no space for roughness.
@@ -98,21 +98,21 @@ class RoughWall {
     if (options_.texture.mode == FuzzyMode::kDisplacement) {
       // Lumps and ridges of the other noises stand out of the part, which is to the left.
       const bool classic = options_.texture.noise == FuzzyNoise::kClassic;
-      AddPoint(PlaceBeside(from, to, along_nm, classic ? change : -change), width);
+      AddPoint(PointBeside(from, to, along_nm, classic ? change : -change), width);
       return;
     }
     const Coord rough = std::max<Coord>(least_width_, width + std::llround(change));
     // The inner side of the bead stays, so that it holds to the next wall. The part is to the left.
     const double beside =
         options_.texture.mode == FuzzyMode::kCombined ? static_cast<double>(width - rough) / 2 : 0;
-    AddPoint(PlaceBeside(from, to, along_nm, beside), rough);
+    AddPoint(PointBeside(from, to, along_nm, beside), rough);
   }
 
   double NoiseAt(Point from, Point to, double along_nm, double total_nm, Random& random) const {
     const FuzzyTexture& texture = options_.texture;
     if (texture.noise == FuzzyNoise::kClassic) return 2 * random.Next() - 1;
     if (ripples_) return ripples_->At(total_nm);
-    return TextureNoise(texture, PlaceBeside(from, to, along_nm, 0), place_.z_nm);
+    return TextureNoise(texture, PointBeside(from, to, along_nm, 0), context_.z_nm);
   }
 
   void AddPoint(Point point, Coord width) {
@@ -121,7 +121,7 @@ class RoughWall {
   }
 
   const BeadingOptions& options_;
-  const SkinPlace& place_;
+  const SkinContext& context_;
   const Path& wall_;
   const double thickness_;
   const Coord least_width_;
@@ -131,17 +131,17 @@ class RoughWall {
 
 }  // namespace
 
-void Roughen(const BeadingOptions& options, const SkinPlace& place, std::vector<Path>& walls) {
-  if (options.fuzzy == FuzzySkin::kNone || (place.layer == 0 && !options.texture.first_layer))
+void Roughen(const BeadingOptions& options, const SkinContext& context, std::vector<Path>& walls) {
+  if (options.fuzzy == FuzzySkin::kNone || (context.layer == 0 && !options.texture.first_layer))
     return;
   for (Path& wall : walls) {
     if (!WantsSkin(options.fuzzy, wall)) continue;
     // The seed contains the wall's own position, so skins do not depend on the rest of the section.
-    uint64_t bits = static_cast<uint32_t>(place.object);
-    for (const int64_t part : {int64_t{place.layer}, wall.points[0].x, wall.points[0].y})
+    uint64_t bits = static_cast<uint32_t>(context.object);
+    for (const int64_t part : {int64_t{context.layer}, wall.points[0].x, wall.points[0].y})
       bits = (bits ^ static_cast<uint64_t>(part)) * 0x100000001B3;
     Random random(bits);
-    if (std::optional<Path> rough = RoughWall(options, place, wall).Make(random))
+    if (std::optional<Path> rough = RoughWall(options, context, wall).Make(random))
       wall = *std::move(rough);
   }
 }

@@ -12,7 +12,7 @@ struct BeadingOptions;
 namespace slicefarm::beading {
 
 /// Layer of an object. The indices in the job are the seed of the random numbers.
-struct SkinPlace {
+struct SkinContext {
   int32_t object = 0;
   int32_t layer = 0;
   Coord z_nm = 0;       ///< height of the layer's top above the object's bottom
@@ -24,9 +24,9 @@ struct SkinPlace {
 /// number in [-1, 1] for each point. Depending on fuzzy_skin_mode, the point moves at right angles
 /// to the wall, or the bead there becomes wider or narrower, or both, by up to
 /// fuzzy_skin_thickness. If only widths change, the wall keeps its corners. The same walls and
-/// place give the same skin. Cost: O(points + length / fuzzy_skin_point_dist).
+/// context give the same skin. Cost: O(points + length / fuzzy_skin_point_dist).
 ///
 /// Source: measured, PrusaSlicer 2.5 and 2.9. Their skin differs each time.
-void Roughen(const BeadingOptions& options, const SkinPlace& place, std::vector<Path>& walls);
+void Roughen(const BeadingOptions& options, const SkinContext& context, std::vector<Path>& walls);
 
 }  // namespace slicefarm::beading

@@ -32,9 +32,9 @@ BeadingOptions Options(FuzzySkin skin) {
   return options;
 }
 
-std::vector<Path> Rough(FuzzySkin skin, const SkinPlace& place = {0, 5}) {
+std::vector<Path> Rough(FuzzySkin skin, const SkinContext& context = {0, 5}) {
   std::vector<Path> walls = Walls();
-  Roughen(Options(skin), place, walls);
+  Roughen(Options(skin), context, walls);
   return walls;
 }
 

@@ -124,7 +124,7 @@ class IslandWaller {
 
  private:
   IslandWaller(const SectionContext& context, const BeadingOptions& options)
-      : place_(context),
+      : context_(context),
         options_(options),
         external_(context.on_bed ? options.first_layer_width_nm : options.external_width_nm),
         inner_(context.on_bed ? options.first_layer_width_nm : options.inner_width_nm),
@@ -132,22 +132,22 @@ class IslandWaller {
 
   PlanWaller Waller(int32_t perimeters, Coord outermost_nm, bool gap_fill = true,
                     bool inside = false) const {
-    WallPlan plan = WallPlan::Make(perimeters, outermost_nm, inner_, place_.section.height_nm);
+    WallPlan plan = WallPlan::Make(perimeters, outermost_nm, inner_, context_.section.height_nm);
     if (!inside) plan.apart_nm = Apart();
-    if (place_.on_bed) plan.min_bead_nm = options_.first_layer_min_bead_nm;
+    if (context_.on_bed) plan.min_bead_nm = options_.first_layer_min_bead_nm;
     plan.min_top_nm = options_.min_top_width_nm;
     plan.gap_fill = options_.gap_fill && gap_fill;
     plan.least_tip_nm = options_.least_tip_nm;
     plan.thin_walls = options_.thin_walls || options_.generator == WallGenerator::kArachne;
     // With gap fill in exposed areas only, walls depend on all of the neighbouring layers.
-    IslandMemo* memo = exposed_ ? nullptr : place_.memo;
+    IslandMemo* memo = exposed_ ? nullptr : context_.memo;
     return PlanWaller(plan, options_, GapOptions(), DecidingRadius(), memo);
   }
 
   /// Returns the distance that precise_outer_wall adds between the outermost wall and the next one:
   /// their round sides touch instead of overlapping.
   Coord Apart() const {
-    const Coord height = place_.section.height_nm;
+    const Coord height = context_.section.height_nm;
     if (!options_.precise_outer) return 0;
     return (external_ - Spacing(external_, height) + inner_ - Spacing(inner_, height)) / 2;
   }
@@ -155,7 +155,7 @@ class IslandWaller {
   GapFillOptions GapOptions() const {
     return {.min_width_nm = options_.min_gap_width_nm,
             .max_width_nm = options_.max_gap_width_nm,
-            .layer_height_nm = place_.section.height_nm,
+            .layer_height_nm = context_.section.height_nm,
             .min_length_nm = options_.min_gap_length_nm,
             .narrow_parts = options_.gap_target != GapFillTarget::kNowhere,
             .among = exposed_ ? exposed_.get() : nullptr};
@@ -165,15 +165,15 @@ class IslandWaller {
   /// areas.
   void FindExposed() {
     const MultiPolygon* below =
-        place_.section.layer > 0 ? place_.neighbours.At(place_.index, -1) : nullptr;
+        context_.section.layer > 0 ? context_.neighbours.At(context_.index, -1) : nullptr;
     if (options_.gap_target != GapFillTarget::kTopBottom || Above() == nullptr || below == nullptr)
       return;
     exposed_ = std::make_shared<const MultiPolygon>(
-        Difference(OutlineOf(place_.section), Intersection(*Above(), *below)));
+        Difference(OutlineOf(context_.section), Intersection(*Above(), *below)));
   }
 
   /// Returns the outlines of the layer above; nullptr if there is no such layer.
-  const MultiPolygon* Above() const { return place_.neighbours.At(place_.index, 1); }
+  const MultiPolygon* Above() const { return context_.neighbours.At(context_.index, 1); }
 
   int32_t ExtraOf(const PolygonWithHoles& outline) const {
     if (!options_.extra_perimeters || perimeters_ != options_.perimeters || Above() == nullptr)
@@ -184,7 +184,7 @@ class IslandWaller {
   TopParts Parts(const MultiPolygon& inside) const {
     static const MultiPolygon kAir;
     const MultiPolygon* below =
-        place_.section.layer > 0 ? place_.neighbours.At(place_.index, -1) : nullptr;
+        context_.section.layer > 0 ? context_.neighbours.At(context_.index, -1) : nullptr;
     return PartByTop(inside, Above() == nullptr ? kAir : *Above(), below, usual_->plan());
   }
 
@@ -226,13 +226,13 @@ class IslandWaller {
 
   IslandMemo::RadiusOf DecidingRadius() const {
     const auto band = static_cast<double>(options_.transition_deviation_nm);
-    return [&neighbours = place_.neighbours, index = place_.index, band](double x, double y,
-                                                                         double radius_nm) {
+    return [&neighbours = context_.neighbours, index = context_.index, band](double x, double y,
+                                                                             double radius_nm) {
       return neighbours.MeanRadius(index, kBeadingHaloLayers, x, y, radius_nm, band);
     };
   }
 
-  const SectionContext& place_;
+  const SectionContext& context_;
   const BeadingOptions& options_;
   Coord external_;
   Coord inner_;

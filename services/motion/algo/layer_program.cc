@@ -160,7 +160,7 @@ class PassProgram {
       if (first) KeepPosition(code, out, places);
       if (first) out.Lines(code.after);
       if (first && code.has_after) writer.Forget();
-      if (first && code.moves) writer.ForgetPlace();
+      if (first && code.moves) writer.ForgetPosition();
       if (first && code.primes) writer.Prime();
       writer.Write(path, approach, approach + 1, shift, out);
       WriteCopy(visit, shift, facts, writer, out);

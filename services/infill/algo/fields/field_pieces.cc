@@ -80,17 +80,17 @@ absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coor
 /// Returns the position of a point on the edges of a region, or a position without a ring if no
 /// edge is near.
 EdgePosition PlaceOn(const EdgeIndex& edges, Point p) {
-  EdgePosition place;
+  EdgePosition position;
   double nearest = kOnEdgeNm;
   edges.ForEachNear(Box{p, p}.Grown(kOnEdgeNm), [&](int32_t number) {
     const EdgeIndex::Edge& edge = edges.At(number);
     const double distance = DistanceToSegment(p, edge.a, edge.b);
     if (distance > nearest) return;
-    if (distance == nearest && place.ring >= 0) return;
+    if (distance == nearest && position.ring >= 0) return;
     nearest = distance;
-    place = {edge.ring, edge.edge};
+    position = {edge.ring, edge.edge};
   });
-  return place;
+  return position;
 }
 
 /// Returns a part without a margin of `free_nm` along its border with neighbour parts, so that
@@ -101,16 +101,16 @@ MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, 
 }
 
 absl::StatusOr<std::vector<Piece>> PiecesInParts(const MultiPolygon& region, FillPattern pattern,
-                                                 PatternContext place, const LayerField& field) {
+                                                 PatternContext context, const LayerField& field) {
   const auto parts = PartsOfField(region, field);
   if (!parts.ok()) return parts.status();
   const EdgeIndex edges(region, kSquareNm);
   std::vector<Piece> all;
   for (const DensityPart& part : *parts) {
-    place.pitch_nm = static_cast<double>(place.spacing_nm) / std::min(1.0, part.density);
+    context.pitch_nm = static_cast<double>(context.spacing_nm) / std::min(1.0, part.density);
     const bool is_along_edge = InfoOf(pattern).solid == SolidFillStyle::kAlongEdge;
     auto pieces = PatternOf(pattern)(
-        is_along_edge ? BesideOthers(region, part.area, place.pitch_nm / 2) : part.area, place);
+        is_along_edge ? BesideOthers(region, part.area, context.pitch_nm / 2) : part.area, context);
     if (!pieces.ok()) return pieces.status();
     for (Piece& piece : *pieces) {
       if (piece.closed) continue;
@@ -144,18 +144,18 @@ absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region
 }
 
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
-                                                 const PatternContext& place,
+                                                 const PatternContext& context,
                                                  const LayerField& field) {
   if (region.empty()) return std::vector<Piece>{};
-  if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
-  if (IsInParts(pattern, field)) return PiecesInParts(region, pattern, place, field);
+  if (field.directions != nullptr) return StreamPieces(region, context.spacing_nm, field);
+  if (IsInParts(pattern, field)) return PiecesInParts(region, pattern, context, field);
   const double greatest = field.density->Greatest();
   if (greatest <= 0) return std::vector<Piece>{};
-  const auto spacing = static_cast<double>(place.spacing_nm);
-  PatternContext upright = place;  // all graded lines lean alike, no pattern by itself
+  const auto spacing = static_cast<double>(context.spacing_nm);
+  PatternContext upright = context;  // all graded lines lean alike, no pattern by itself
   upright.pitch_nm = spacing / greatest;
   upright.z_nm = 0;
-  return GradedPieces(region, Leaning(LineFamiliesOf(pattern, upright), place.z_nm), field,
+  return GradedPieces(region, Leaning(LineFamiliesOf(pattern, upright), context.z_nm), field,
                       {.greatest = greatest, .min_length_nm = kShortest * spacing});
 }
 

@@ -71,7 +71,7 @@ std::vector<Polyline> JoinedAxis(const PolygonWithHoles& island, double least_nm
 class AxisLines {
  public:
   AxisLines(const PolygonWithHoles& island, const PatternContext& context)
-      : place_(context), axis_(JoinedAxis(island, context.pitch_nm / 2)) {
+      : context_(context), axis_(JoinedAxis(island, context.pitch_nm / 2)) {
     ForEachRing({island}, [this](const Polygon& ring) {
       for (size_t i = 0; i < ring.size(); ++i)
         LookAtEdge(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
@@ -79,7 +79,7 @@ class AxisLines {
   }
 
   std::vector<Curve> Curves(double pitch_nm, double smoothing_nm) const {
-    const AxisPhase phase = PhaseAt(place_, pitch_nm);
+    const AxisPhase phase = PhaseAt(context_, pitch_nm);
     std::vector<Curve> curves = AxisLevels(axis_, phase.first_nm, pitch_nm, most_nm_);
     if (phase.on_axis) std::ranges::transform(axis_, std::back_inserter(curves), CurveAlong);
     for (Curve& curve : curves) curve = Smoothed(curve, smoothing_nm);
@@ -90,16 +90,16 @@ class AxisLines {
   /// Samples an edge at points a pitch apart. Between two samples, the distance from the axis is at
   /// most half a pitch larger.
   void LookAtEdge(Point a, Point b) {
-    const auto steps = static_cast<int>(std::ceil(Distance(a, b) / place_.pitch_nm));
+    const auto steps = static_cast<int>(std::ceil(Distance(a, b) / context_.pitch_nm));
     for (int i = 0; i < steps; ++i) {
       const double share = static_cast<double>(i) / steps;
       const Point p{a.x + std::llround(share * static_cast<double>(b.x - a.x)),
                     a.y + std::llround(share * static_cast<double>(b.y - a.y))};
-      most_nm_ = std::max(most_nm_, DistanceToLines(p, axis_) + place_.pitch_nm / 2);
+      most_nm_ = std::max(most_nm_, DistanceToLines(p, axis_) + context_.pitch_nm / 2);
     }
   }
 
-  const PatternContext& place_;
+  const PatternContext& context_;
   const std::vector<Polyline> axis_;
   double most_nm_ = 0;  ///< greatest distance of the island's edge from the axis
 };

@@ -4,12 +4,12 @@
 
 namespace slicefarm::motion {
 
-void MaterialMix::SetFor(const PositionMm& place_mm, GcodeText& out) {
+void MaterialMix::SetFor(const PositionMm& position_mm, GcodeText& out) {
   if (field_ == nullptr) return;
   std::vector<double> shares;
   bool changed = written_.empty();
   for (const DensityField& part : field_->parts) {
-    const double share = part.At(place_mm, 0);
+    const double share = part.At(position_mm, 0);
     changed = changed || std::abs(share - written_[shares.size()]) > field_->step;
     shares.push_back(share);
   }

@@ -20,7 +20,7 @@ class MaterialMix {
       : firmware_(firmware), field_(field) {}
 
   /// Writes the mix for a bead that ends at this position on the plate, if the mix has changed.
-  void SetFor(const PositionMm& place_mm, GcodeText& out);
+  void SetFor(const PositionMm& position_mm, GcodeText& out);
   /// Forces the next mix to be written even if it is unchanged.
   void Forget() { written_.clear(); }
 

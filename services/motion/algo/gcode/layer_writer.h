@@ -102,7 +102,7 @@ class LayerWriter {
 
   /// Forces the next travel to write its height, and keeps its line in any case, after inserted
   /// G-code that moves the nozzle.
-  void ForgetPlace() {
+  void ForgetPosition() {
     z_um_ = std::numeric_limits<int32_t>::min();
     approached_ = true;
   }

@@ -101,11 +101,11 @@ class ToolpathBuilder {
   Point InsideOf(const Path& path, bool reversed) const;
   bool OverhangsAtStart(const Path& path, const ScarfOptions& scarf) const;
   double WipeShiftOf(const Path& path) const;
-  std::vector<RampPoint> RiseOf(std::span<const PointUm> route) const;
+  std::vector<RampPoint> RiseOf(std::span<const PointUm> points) const;
   void GlideTo(Point to, double speed_mm_s);
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
-  void Rise(std::span<const PointUm> route);
+  void Rise(std::span<const PointUm> points);
   void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void BeginPath(const Path& path, const SimplifiedPath& simple);
   void EndPath(const Path& path, bool moved_on, int64_t filament_before);
@@ -125,7 +125,7 @@ class ToolpathBuilder {
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
-  double MovesMm(std::span<const PointUm> route) const;
+  double MovesMm(std::span<const PointUm> points) const;
   void Retract();
   void PullBack(int32_t units);
   int32_t UnitsBeforeWipe() const;
