@@ -26,7 +26,6 @@
 #include "services/motion/algo/toolpath/layer_context.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/toolpath/lifts.h"
-#include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -1,7 +1,6 @@
 #include "services/infill/algo/patterns/side_by_side.h"
 
 #include <cmath>
-#include <iterator>
 #include <span>
 #include <utility>
 

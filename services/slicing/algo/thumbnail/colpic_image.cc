@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "services/slicing/algo/thumbnail/rgb565.h"
