@@ -37,7 +37,7 @@ constexpr double kMostSettled = 0.15;
 absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
                                             const PatternContext& context) {
   if (fill.field == nullptr) return PiecesOfPattern(fill.pattern, area, context);
-  PatternContext single = context;  // a field has one line in each place
+  PatternContext single = context;  // fields have no lines side by side
   single.shape.lines = 1;
   return PiecesOfField(area, fill.pattern, single, *fill.field);
 }

@@ -21,8 +21,9 @@ struct RegionView {
   std::optional<int32_t> row = {};
 };
 
-/// Returns the distance in nm between the lines of sparse infill in a layer of this height. Without
-/// sparse infill, returns the distance for which skins above are planned: five spacings.
+/// Returns the distance in nm between the lines of sparse infill in a layer of this height, or
+/// between groups of lines side by side. Without sparse infill, returns the distance for which
+/// skins above are planned: five spacings.
 double SparsePitchNm(const InfillOptions& options, Coord height_nm);
 
 /// Returns the width in nm that a skin over sparse infill has at least, besides its own line, to be

@@ -11,11 +11,11 @@ namespace slicefarm::beading {
 /// K. Perlin, "Improving Noise", SIGGRAPH 2002, with hashed numbers in place of a table.
 double GradientNoise(const Vector3& at, uint64_t seed);
 
-/// Number of sizes of features that a noise adds, each half as large as the previous one, and the
-/// share of each size of the previous one's height.
+/// Noises that are added. The features of each octave are half as large as the previous octave's
+/// features.
 struct Octaves {
   int32_t count = 1;
-  double persistence = 0.5;
+  double persistence = 0.5;  ///< ratio of an octave's height to the previous octave's height
 };
 
 // Sums of GradientNoise over octaves, within [-1, 1].
@@ -25,8 +25,8 @@ double PerlinNoise(const Vector3& at, const Octaves& octaves);
 /// Returns rounded lumps: the magnitude of each octave.
 double BillowNoise(const Vector3& at, const Octaves& octaves);
 /// Returns sharp ridges: the inverted magnitude of each octave, weighted by the previous octave, so
-/// that valleys remain smooth. The persistence has no effect. Source: F. K. Musgrave, "Texturing
-/// and Modeling: A Procedural Approach", ridged multifractal.
+/// that valleys remain smooth. Source: F. K. Musgrave, "Texturing and Modeling: A Procedural
+/// Approach", ridged multifractal.
 double RidgedNoise(const Vector3& at, int32_t octaves);
 
 /// Returns a random value in [-1, 1] for each cell of a Voronoi diagram, with one centre at a

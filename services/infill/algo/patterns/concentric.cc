@@ -28,7 +28,8 @@ absl::StatusOr<std::vector<Piece>> Concentric(const MultiPolygon& region,
   const double spare = (context.pitch_nm - static_cast<double>(context.spacing_nm)) / 2;
   const Coord narrow =
       std::llround(std::clamp(spare, 0.0, kNarrow * static_cast<double>(context.spacing_nm)));
-  // The last loop of a group is so far from the next group that the groups have the pitch.
+  // The step from the last loop of a group to the next group makes the mean distance of loops the
+  // pitch.
   const int32_t lines = context.shape.lines;
   const auto spacing = static_cast<double>(context.spacing_nm);
   const double to_group = lines * context.pitch_nm - (lines - 1) * spacing;

@@ -70,7 +70,7 @@ std::vector<LineFamily> CrossZagFamilies(const PatternContext& context) {
 double Tangent(double angle_rad) { return Sin(angle_rad) / Cos(angle_rad); }
 
 /// Returns two families of parallel lines, `apart_nm` between lines of one family. Their distance
-/// from each other is at least a spacing, so that no line lies on another; if there is no room for
+/// from each other is at least a spacing, so that no line lies on another. If there is no space for
 /// this, lines of one family are in the middle between lines of the other.
 std::vector<LineFamily> BesideEachOther(const PatternContext& context, double first_nm,
                                         double second_nm, double apart_nm) {

@@ -8,9 +8,9 @@
 
 namespace slicefarm::infill {
 
-/// Returns the pieces of a pattern inside a region, with place.shape.lines lines side by side in
-/// place of each line if the pattern takes several lines. Groups of lines are so far apart that the
-/// length per area remains 1 / pitch. Lines of one group are a spacing apart.
+/// Returns the pieces of a pattern inside a region. If the pattern takes several lines, a group of
+/// context.shape.lines lines replaces each line. Lines of one group are a spacing apart. Groups are
+/// so far apart that the length per area remains 1 / pitch.
 ///
 /// Patterns of straight lines and of loops lay out their groups themselves. Other curves become the
 /// outlines of strips around them. So lines of a group never overlap, not even in tight bends and

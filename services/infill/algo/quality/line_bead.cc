@@ -24,9 +24,9 @@ LineBead SparseBead(Coord width_nm, Coord height_nm, double flow, double density
 LineBead ThreadBead(Coord nozzle_nm, Coord height_nm, double flow, double density) {
   const double thread_nm = static_cast<double>(nozzle_nm) * std::sqrt(flow);
   const double spacing_nm = (thread_nm + kThreadGapNm) / density;
-  const double room = spacing_nm * static_cast<double>(height_nm);
+  const double full_nm2 = spacing_nm * static_cast<double>(height_nm);
   return {WidthForSpacing(std::llround(spacing_nm), height_nm),
-          std::numbers::pi / 4 * thread_nm * thread_nm / room};
+          std::numbers::pi / 4 * thread_nm * thread_nm / full_nm2};
 }
 
 void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& paths) {

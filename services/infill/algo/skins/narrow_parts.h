@@ -11,8 +11,8 @@ struct SolidParts {
 };
 
 /// Divides a solid area into the part that is at least `narrow_nm` wide and the rest. Narrow parts
-/// that have no room for a line of `width_nm` belong to the wide part. Cost: four offsets and two
-/// differences.
+/// that have no space for a line of `width_nm` belong to the wide part. Cost: four offsets and
+/// three boolean operations.
 SolidParts PartByWidth(const MultiPolygon& solid, Coord narrow_nm, Coord width_nm);
 
 }  // namespace slicefarm::infill

@@ -12,7 +12,7 @@ struct SparseBelow {
   MultiPolygon region;  ///< part of the fill area that has sparse infill below it
   /// area of the infill's beads; empty if the positions of its lines are not known
   MultiPolygon beads;
-  double pitch_nm = 0;      ///< distance between lines of the infill, in nm
+  double pitch_nm = 0;      ///< distance between lines of the infill, or between groups of lines
   double least_gap_nm = 0;  ///< least width of a skin to be bridged, besides its own line, in nm
 };
 

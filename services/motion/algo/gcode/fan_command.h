@@ -20,9 +20,9 @@ struct FanLimits {
   }
 };
 
-/// Sets the fan's speed, and starts it at full speed where it rises by more than 10 %: for the
-/// share of kickstart_s that the rise is of 100 %. The full speed ends with the move in which this
-/// time is over.
+/// Sets the fan's speed. Before a rise by more than 10 %, the fan runs at full speed for a time
+/// that is proportional to the rise (FanLimits::kickstart_s). The full speed ends with the move in
+/// which this time is over.
 class FanCommand {
  public:
   /// `percent`: speed before the first command; negative: unknown.
@@ -35,9 +35,9 @@ class FanCommand {
   void Set(int32_t percent, GcodeText& out);
   /// Returns true while the fan runs at full speed before a lower speed.
   bool IsKicking() const { return kick_s_ > 0; }
-  /// Counts the time of a written move.
+  /// Counts the time of a written move. Writes the set speed when the time at full speed is over.
   void Pass(double time_s, GcodeText& out);
-  /// Ends the time at full speed.
+  /// Ends the time at full speed, and writes the set speed.
   void Finish(GcodeText& out);
 
  private:

@@ -404,7 +404,7 @@ TEST(LayerWriter, WritesGcodeBetweenFeatures) {
               GcodeFlavor::kMarlin2, {}, state);
   EXPECT_EQ(text.find("M1\n;TYPE:Perimeter"), 0u);
   EXPECT_NE(text.find("M2\n;TYPE:Ironing"), text.npos);
-  EXPECT_NE(text.find("G1 X3 Y0 E.03 F1800"), text.npos) << "place and speed are set again";
+  EXPECT_NE(text.find("G1 X3 Y0 E.03 F1800"), text.npos) << "position and speed are set again";
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ void Line(std::string_view key, const std::string& value, GcodeText& out) {
   out << "; " << key << " = " << value << '\n';
 }
 
-/// `time_s`: time of the print, for the cost of the printer.
+/// Writes the filament that the print uses, and its costs. `time_s`: time of the print, for the
+/// cost of the printer.
 void WriteUse(const MotionOptions& options, const ProgramStats& total, double time_s,
               GcodeText& out) {
   const FilamentUse use = FilamentUseOf(total, options);

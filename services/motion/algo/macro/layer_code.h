@@ -45,7 +45,7 @@ class LayerCode {
 
   /// Returns true if there is G-code between features.
   bool HasRoles() const { return has_roles_; }
-  /// Fills in the code between features. Errors: as RunTemplate.
+  /// Fills in the code between features for these changes. Errors: as RunTemplate.
   absl::StatusOr<RoleTexts> RolesAt(const LayerContext& context, const JobFacts& facts,
                                     const std::set<RoleChange>& changes) const;
 

@@ -20,7 +20,7 @@ TEST(UseOfCode, CountsBeadsAndTime) {
   const double diameter_mm = options.tool().filament_diameter_mm;
   EXPECT_NEAR(use.volume_mm3, 2 * std::numbers::pi / 4 * diameter_mm * diameter_mm, 1e-9);
   EXPECT_GT(use.time_s, 2.5) << "50 mm at 20 mm/s";
-  EXPECT_LT(use.time_s, 3.5) << "the way to the first place is not counted";
+  EXPECT_LT(use.time_s, 3.5) << "the travel to the first point is not counted";
 }
 
 TEST(UseOfCode, AbsoluteFilamentIsNotAddedUp) {

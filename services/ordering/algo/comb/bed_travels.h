@@ -9,7 +9,7 @@ namespace slicefarm::ordering {
 /// travels between the visits of a pass, and the travels between the paths of a block. All copies
 /// of a block share its inner travels, so these avoid the areas of every copy. `travel_area`: the
 /// bed without the excluded areas; empty if nothing is excluded. The motion service leads the
-/// travels between layers. Cost: O(legs * corners of `travel_area`).
+/// travels between layers. Cost: O(travels * corners of `travel_area`).
 void KeepInTravelArea(const MultiPolygon& travel_area, OrderedLayer& layer);
 
 }  // namespace slicefarm::ordering

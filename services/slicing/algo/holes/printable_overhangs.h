@@ -11,10 +11,10 @@ namespace slicefarm::slicing {
 /// Adds material below the overhangs of one object, so that none of them leans more than the
 /// setting allows: each layer also gets the outlines of the layer above, inset by its height times
 /// the tangent of the angle. So overhangs become cones. The material belongs to the region above
-/// it. Holes of a layer that are not larger than the setting's area stay open; an angle of 90
+/// it. Holes of a layer that are not larger than the setting's area stay open. An angle of 90
 /// degrees changes nothing. `sections`: one per layer, bottom up. Hollow sections do not change. If
-/// `cancel` is set, none or only some of the sections are changed. Cost: an offset and a union per
-/// layer.
+/// `cancel` is set, none or only some of the sections are changed. Cost: an offset and a few
+/// boolean operations per layer.
 void MakeOverhangsPrintable(const PrintableOverhangs& options,
                             std::span<ObjectSection* const> sections,
                             const CancelToken& cancel = {});

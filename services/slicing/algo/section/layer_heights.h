@@ -48,7 +48,7 @@ struct HeightLimits {
 
 /// Changes the heights of the last five layers evenly, but not of the first layer, so that the
 /// print ends at `top_nm` (precise_z_height). Heights stay in `range`, unless they already are
-/// outside of it; if the top cannot be met then, the last layers get as near as possible.
+/// outside of it. If the range does not allow the top, the print ends as near to it as possible.
 void MeetTop(Coord top_nm, const HeightLimits& range, std::vector<LayerPlane>& planes);
 
 /// Returns layers with the tops `tops_nm`, each cut in its middle. The tops must ascend, from above
