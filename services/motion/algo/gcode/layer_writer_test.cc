@@ -202,10 +202,10 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
 TEST(LayerWriter, AnAccelerationThatIsSetIsNotToldInTheNextBlock) {
   Toolpath path;
   path.moves = {Travel(500), Print(1'000, Feature::kPerimeter)};
-  Accelerations written;
-  written.written = true;
+  Accelerations accelerations;
+  accelerations.written = true;
   GcodeText out;
-  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), written, {200});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), accelerations, {200});
   for (int i = 0; i < 2; ++i) {
     writer.BeginBlock(out);
     writer.Write(path, 0, 2, {}, out);
@@ -264,11 +264,11 @@ TEST(LayerWriter, ArcsWithTheSumOfTheirFilament) {
 TEST(LayerWriter, AccelerationsByFlavour) {
   Accelerations unwritten;
   EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, unwritten), "");
-  Accelerations written;
-  written.written = true;
-  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, written), "M204 P1000;M204 P500;");
-  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, written), "M204 S1000;M204 S500;");
-  Accelerations travel = written;
+  Accelerations accelerations;
+  accelerations.written = true;
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, accelerations), "M204 P1000;M204 P500;");
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, accelerations), "M204 S1000;M204 S500;");
+  Accelerations travel = accelerations;
   travel.travel_written = true;
   travel.travel = 3000;
   EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, travel), "M204 T3000;M204 P1000;M204 P500;");
@@ -287,34 +287,34 @@ std::vector<Move> WithJerk(std::vector<Move> moves, float travel_mm_s) {
 }
 
 TEST(LayerWriter, JerkWhereItChanges) {
-  Accelerations written;
-  written.jerks.written = true;
+  Accelerations accelerations;
+  accelerations.jerks.written = true;
   const std::vector<Move> moves =
       WithJerk({Travel(0), Print(1'000, Feature::kPerimeter), Travel(2'000),
                 Print(3'000, Feature::kPerimeter), Print(4'000, Feature::kExternalPerimeter)},
                9);
   const auto jerks = [&](const std::vector<Move>& some) {
-    const std::string text = Written(some, GcodeFlavor::kMarlin2, written);
+    const std::string text = Written(some, GcodeFlavor::kMarlin2, accelerations);
     std::string lines;
     for (size_t at = text.find("M205"); at != std::string::npos; at = text.find("M205", at + 1))
       lines += text.substr(at, text.find('\n', at) - at) + ";";
     return lines;
   };
   EXPECT_EQ(jerks(moves), "M205 X9 Y9;M205 X7 Y7;");
-  written.jerks.travel = 12;
+  accelerations.jerks.travel = 12;
   EXPECT_EQ(jerks(WithJerk(moves, 12)),
             "M205 X12 Y12;M205 X9 Y9;M205 X12 Y12;M205 X9 Y9;M205 X7 Y7;");
-  written.jerks.written = false;
+  accelerations.jerks.written = false;
   EXPECT_EQ(jerks(moves), "");
 }
 
 TEST(LayerWriter, TheFirstJerkIsAMode) {
-  Accelerations written;
-  written.jerks.written = true;
+  Accelerations accelerations;
+  accelerations.jerks.written = true;
   Toolpath path;
   path.moves = WithJerk({Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)}, 9);
   GcodeText out;
-  LayerWriter writer(FirmwareOf(GcodeFlavor::kKlipper), written, {});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kKlipper), accelerations, {});
   writer.Write(path, 0, 2, {}, out);
   const std::vector<ModeLine> lines = writer.TakeModeLines();
   ASSERT_EQ(lines.size(), 1u);
@@ -324,10 +324,10 @@ TEST(LayerWriter, TheFirstJerkIsAMode) {
 }
 
 TEST(LayerWriter, AccelerationsOfShortMoves) {
-  Accelerations written;
-  written.written = true;
-  written.to_decel = 0.5;
-  EXPECT_NE(Written({Print(1'000, Feature::kPerimeter)}, GcodeFlavor::kKlipper, written)
+  Accelerations accelerations;
+  accelerations.written = true;
+  accelerations.to_decel = 0.5;
+  EXPECT_NE(Written({Print(1'000, Feature::kPerimeter)}, GcodeFlavor::kKlipper, accelerations)
                 .find("SET_VELOCITY_LIMIT ACCEL=1000 ACCEL_TO_DECEL=500\n"),
             std::string::npos);
 }

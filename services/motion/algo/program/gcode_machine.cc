@@ -255,10 +255,10 @@ MachineSetup SetupOf(const MotionOptions& options) {
 
 /// Changes the scale of E. The value of E in the program does not change.
 void GcodeMachine::ScaleFilament(double flow, double unit_mm) {
-  const double written = (at_[kE] - origin_[kE]) / FilamentFactor();
+  const double value = (at_[kE] - origin_[kE]) / FilamentFactor();
   flow_factor_ = flow;
   filament_unit_mm_ = unit_mm;
-  origin_[kE] = at_[kE] - written * FilamentFactor();
+  origin_[kE] = at_[kE] - value * FilamentFactor();
 }
 
 bool IsFirmwareRetraction(const GcodeLine& line) {

@@ -39,7 +39,9 @@ void ExpectSlopes(const Toolpath& path, const FlowSlopes& slopes) {
     const size_t faster = after > before ? i : i - 1;
     const double volume = path.moves[faster].filament / 1e5 * kFilamentMm2;
     const double slope = (after * after - before * before) / (2 * volume);
-    const auto limit = [](double written) { return written > 0 ? written * 1.025 : 1e9; };
+    const auto limit = [](double slope_limit) {
+      return slope_limit > 0 ? slope_limit * 1.025 : 1e9;
+    };
     EXPECT_LE(slope, limit(slopes.rise_mm3_s2)) << i;
     EXPECT_GE(slope, -limit(slopes.fall_mm3_s2)) << i;
   }

@@ -240,11 +240,11 @@ std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
   return pieces;
 }
 
-double ByRest(const std::array<double, kOverhangDegrees>& written, double full, uint8_t rest) {
+double ByRest(const std::array<double, kOverhangDegrees>& values, double full, uint8_t rest) {
   const double place = static_cast<double>(rest) / kFullRest * kOverhangDegrees;
-  const auto degree = std::min(static_cast<size_t>(place), written.size() - 1);
-  const double next = degree + 1 < written.size() ? written[degree + 1] : full;
-  return written[degree] + (place - static_cast<double>(degree)) * (next - written[degree]);
+  const auto degree = std::min(static_cast<size_t>(place), values.size() - 1);
+  const double next = degree + 1 < values.size() ? values[degree + 1] : full;
+  return values[degree] + (place - static_cast<double>(degree)) * (next - values[degree]);
 }
 
 }  // namespace slicefarm::motion

@@ -66,8 +66,8 @@ enum class RestSteps {
 std::vector<RestingPiece> PiecesOver(const LayerBelow& below, RestSteps steps,
                                      std::span<const PathSegment> segments);
 
-/// Interpolates a value for the supported share `rest`, in percent. `written`: values for the
+/// Interpolates a value for the supported share `rest`, in percent. `values`: values for the
 /// shares 0, 25, 50 and 75 %. `full`: value for 100 %.
-double ByRest(const std::array<double, kOverhangDegrees>& written, double full, uint8_t rest);
+double ByRest(const std::array<double, kOverhangDegrees>& values, double full, uint8_t rest);
 
 }  // namespace slicefarm::motion

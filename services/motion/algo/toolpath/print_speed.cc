@@ -59,8 +59,8 @@ double PrintSpeeds::InFirstLayers(Feature feature, double speed) const {
 }
 
 double PrintSpeeds::OnGround(Ground ground, Feature feature, double speed) const {
-  const auto either = [speed](double written, double ratio) {
-    return written > 0 ? written : speed * ratio;
+  const auto either = [speed](double own_mm_s, double ratio) {
+    return own_mm_s > 0 ? own_mm_s : speed * ratio;
   };
   switch (ground) {
     case Ground::kBed:

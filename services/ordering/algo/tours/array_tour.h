@@ -41,9 +41,9 @@ class ArrayTour {
 
   /// Reverses the section from node a forward to node b, or all other nodes if they are fewer. Both
   /// give the same closed tour. Returns the reversed positions.
-  Reversal ReversalOf(int32_t a, int32_t b);
+  Reversal Reverse(int32_t a, int32_t b);
   /// Reverses the section at the positions of `turn`. A second call restores the tour.
-  void ReversalOf(Reversal turn);
+  void Reverse(Reversal turn);
 
   /// Returns the number of positions that `turn` reverses in a tour of `size` nodes.
   static int32_t Length(Reversal turn, int32_t size) {

@@ -31,13 +31,13 @@ TEST(ArrayTour, NeighboursGoAllAround) {
 
 TEST(ArrayTour, TurnsAStretch) {
   ArrayTour tour({0, 1, 2, 3, 4, 5});
-  tour.ReversalOf(1, 3);
+  tour.Reverse(1, 3);
   EXPECT_THAT(tour.order(), ElementsAre(0, 3, 2, 1, 4, 5));
 }
 
 TEST(ArrayTour, TurnsTheRestIfThatIsShorter) {
   ArrayTour tour({0, 1, 2, 3, 4, 5});
-  tour.ReversalOf(1, 5);  // one node is outside: nothing changes
+  tour.Reverse(1, 5);  // one node is outside: nothing changes
   EXPECT_THAT(tour.order(), ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
@@ -59,12 +59,12 @@ TEST(ArrayTour, ATurnIsATwoOptMoveAndUndoesItself) {
       expected.erase(std::minmax(b, to));
       expected.insert(std::minmax(from, b));
       expected.insert(std::minmax(a, to));
-      const Reversal turn = tour.ReversalOf(a, b);
+      const Reversal turn = tour.Reverse(a, b);
       ASSERT_EQ(EdgesOf(tour.order()), expected);
       ASSERT_LE(2 * ArrayTour::Length(turn, size), size + 1);
       for (int32_t node = 0; node < size; ++node) ASSERT_EQ(tour.At(tour.PositionOf(node)), node);
       if (i % 2 == 0) continue;
-      tour.ReversalOf(turn);
+      tour.Reverse(turn);
       ASSERT_EQ(tour.order(), before);
     }
   }

@@ -237,10 +237,10 @@ TourSearch::TourPath TourSearch::Turned(const TourPath& path, int32_t from, int3
   const int32_t last = At(path, tour_.size() - 1);
   const int32_t a = At(path, from);
   const int32_t b = At(path, to);
-  const Reversal turn = path.forward ? tour_.ReversalOf(a, b) : tour_.ReversalOf(b, a);
+  const Reversal turn = path.forward ? tour_.Reverse(a, b) : tour_.Reverse(b, a);
   turns_.push_back(turn);
   budget.moves -= ArrayTour::Length(turn, tour_.size()) / kNodesPerMove;
-  // ReversalOf may have reversed all other nodes; the path's direction in memory is then the
+  // Reverse may have reversed all other nodes; the path's direction in memory is then the
   // opposite.
   const int32_t first = from == 0 ? b : path.first;
   return PathFrom(first, tour_.Next(last) == first);
@@ -267,7 +267,7 @@ TourSearch::TourPath TourSearch::Make(const TourPath& path, const Move& move, Wo
 
 void TourSearch::Undo(size_t turns) {
   while (turns_.size() > turns) {
-    tour_.ReversalOf(turns_.back());
+    tour_.Reverse(turns_.back());
     turns_.pop_back();
   }
 }

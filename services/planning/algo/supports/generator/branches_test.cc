@@ -15,10 +15,10 @@ constexpr int kLayers = 100;  // 20 mm high
 
 /// Branches under a square of `side` mm around the origin, below the top of the given number of
 /// layers.
-class ShrinkageCompensation {
+class GrownBranches {
  public:
-  ShrinkageCompensation(const SupportProblem& problem, const SupportOptions& options, double side,
-                        int layers = kLayers)
+  GrownBranches(const SupportProblem& problem, const SupportOptions& options, double side,
+                int layers = kLayers)
       : undersides_(static_cast<size_t>(layers)) {
     for (Coord i = 0; i < layers; ++i) heights_.layers.push_back({i * 200'000, (i + 1) * 200'000});
     field_ =
@@ -54,7 +54,7 @@ class ShrinkageCompensation {
 const TestStack kNothing(kLayers, [](double) { return MultiPolygon(); });
 
 TEST(GrowBranches, OneTipStandsUprightAndWidens) {
-  const ShrinkageCompensation growth(kNothing.Problem(), {}, 0.5);
+  const GrownBranches growth(kNothing.Problem(), {}, 0.5);
   EXPECT_EQ(growth.Tips(), 1u);
   EXPECT_EQ(growth.Feet(), 1u);
   Coord radius = 0;
@@ -68,13 +68,13 @@ TEST(GrowBranches, OneTipStandsUprightAndWidens) {
 }
 
 TEST(GrowBranches, TheyMeetToFewFeet) {
-  const ShrinkageCompensation growth(kNothing.Problem(), {}, 8);
+  const GrownBranches growth(kNothing.Problem(), {}, 8);
   EXPECT_GT(growth.Tips(), 12u);
   EXPECT_LE(growth.Feet(), 3u);
 }
 
 TEST(GrowBranches, TheyMeetUnderALowPlateToo) {
-  const ShrinkageCompensation growth(kNothing.Problem(), {}, 30, 30);
+  const GrownBranches growth(kNothing.Problem(), {}, 30, 30);
   EXPECT_GT(growth.Tips(), 80u);
   EXPECT_LT(growth.Feet(), growth.Tips() / 3);
 }
@@ -82,7 +82,7 @@ TEST(GrowBranches, TheyMeetUnderALowPlateToo) {
 TEST(GrowBranches, NearTheBedTheyLeaveRoomForAFoot) {
   const TestStack wall(kLayers,
                        [](double z) { return z < 19 ? BoxOf(-9, -9, -0.6, 9) : MultiPolygon(); });
-  const ShrinkageCompensation growth(wall.Problem(), {}, 0.5);
+  const GrownBranches growth(wall.Problem(), {}, 0.5);
   ASSERT_GT(growth.Feet(), 0u);
   for (const BranchNode& node : growth.branches().nodes) {
     if (node.below < 0) {
@@ -95,18 +95,18 @@ TEST(GrowBranches, NoneLeansMoreThanTheAngle) {
   for (const double degrees : {25.0, 40.0, 55.0}) {
     SupportOptions options;
     options.tree.angle_rad = degrees * std::numbers::pi / 180;
-    const ShrinkageCompensation growth(kNothing.Problem(), options, 10);
-    int above_supports = 0;
+    const GrownBranches growth(kNothing.Problem(), options, 10);
+    int steps = 0;
     for (const BranchNode& node : growth.branches().nodes) {
       if (node.below < 0) continue;
-      ++above_supports;
+      ++steps;
       const BranchNode& below = growth.branches().nodes[static_cast<size_t>(node.below)];
       // Places are pixels, so each step may be longer by one pixel's diagonal.
       EXPECT_LE(Distance(node.at, below.at),
                 std::tan(options.tree.angle_rad) * (node.z_nm - below.z_nm) + 600'000);
       EXPECT_LT(below.z_nm, node.z_nm);
     }
-    EXPECT_GT(above_supports, 0) << degrees;
+    EXPECT_GT(steps, 0) << degrees;
   }
 }
 
@@ -115,7 +115,7 @@ TEST(GrowBranches, GoAroundWhatIsInTheWay) {
       kLayers, [](double z) { return z > 4 && z < 5 ? BoxOf(-6, -6, 6, 6) : MultiPolygon(); });
   SupportOptions options;
   options.bed_only = true;
-  const ShrinkageCompensation growth(plate.Problem(), options, 6);
+  const GrownBranches growth(plate.Problem(), options, 6);
   EXPECT_EQ(growth.branches().lost, 0);
   for (const BranchNode& node : growth.branches().nodes) {
     EXPECT_TRUE(node.on_bed);
@@ -130,9 +130,9 @@ TEST(GrowBranches, WhatCannotStandIsLost) {
     return z > 10 && z < 11 ? BoxOf(-20, -20, 20, 20) : MultiPolygon();
   });
   SupportOptions options;
-  EXPECT_EQ(ShrinkageCompensation(plate.Problem(), options, 6).branches().lost, 0);
+  EXPECT_EQ(GrownBranches(plate.Problem(), options, 6).branches().lost, 0);
   options.bed_only = true;
-  const ShrinkageCompensation growth(plate.Problem(), options, 6);
+  const GrownBranches growth(plate.Problem(), options, 6);
   EXPECT_GT(growth.branches().lost, 5);
   EXPECT_TRUE(growth.branches().nodes.empty());
 }

@@ -121,7 +121,7 @@ std::vector<Slab> SlabsOf(const SupportHeights& heights, double angle_rad, Coord
   const double slope = std::max(Tan(angle_rad), 0.01);
   const auto most = static_cast<Coord>(kPixelsInSlab * pixel_nm / slope);
   std::vector<Slab> slabs;
-  double above_supports = 0;
+  double remainder = 0;
   for (size_t i = 0; i < heights.layers.size();) {
     Slab slab;
     slab.first_layer = slab.last_layer = static_cast<int32_t>(i);
@@ -133,10 +133,10 @@ std::vector<Slab> SlabsOf(const SupportHeights& heights, double angle_rad, Coord
     }
     if (!slabs.empty()) {
       const double path =
-          above_supports +
+          remainder +
           slope * static_cast<double>(slab.middle_nm() - slabs.back().middle_nm()) / pixel_nm;
       slabs.back().step_squared = WholeStep(path);
-      above_supports = std::min(1.0, path - std::sqrt(slabs.back().step_squared));
+      remainder = std::min(1.0, path - std::sqrt(slabs.back().step_squared));
     }
     slabs.push_back(slab);
   }
