@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace slicefarm::infill::line_families_test {
 namespace {
@@ -17,7 +17,7 @@ TEST(LineFamilies, TogetherHaveThePitchThatIsAskedFor) {
     for (int i = 0; i < kHeights; ++i) {
       const double thirds = 3.0 * (i + 0.5) / kHeights;
       PatternContext context{.z_nm = std::llround(thirds * 4e6 / 3), .pitch_nm = 2e6};
-      context.shape.honeycomb_rad = 0.78539816339744831;
+      context.shape.honeycomb_rad = std::numbers::pi / 4;
       for (const LineFamily& family : LineFamiliesOf(info.pattern, context))
         per_area += 1 / family.pitch_nm / kHeights;
     }
@@ -75,7 +75,7 @@ TEST(LineFamilies, LatticeMovesWithTheHeight) {
 // degrees, a fork is as high as it is wide.
 TEST(LineFamilies, LateralHoneycombForksInEveryThirdPartOfTheHeight) {
   PatternContext context{.pitch_nm = 2e6, .spacing_nm = 400'000};
-  context.shape.honeycomb_rad = 0.78539816339744831;
+  context.shape.honeycomb_rad = std::numbers::pi / 4;
   const double third_mm = 4.0 / 3;
   const auto at = [&](double thirds) {
     context.z_nm = FromMm(thirds * third_mm);
