@@ -9,6 +9,7 @@
 #include "common/geometry/edge_index.h"
 #include "common/geometry/polygon.h"
 #include "common/geometry/vector.h"
+#include "common/model/options/region_motion.h"
 #include "services/motion/algo/toolpath/path_segment.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
