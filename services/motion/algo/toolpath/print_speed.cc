@@ -78,10 +78,10 @@ double PrintSpeeds::OnGround(Ground ground, Feature feature, double speed) const
 double PrintSpeeds::OverAir(const Path& path, double speed_mm_s, uint8_t rest) const {
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
   if (!region.dynamic_overhangs || rest == kFullRest) return speed_mm_s;
-  std::array<double, kOverhangDegrees> written = region.overhang_speed_mm_s;
-  for (double& speed : written)
+  std::array<double, kOverhangDegrees> speeds = region.overhang_speed_mm_s;
+  for (double& speed : speeds)
     if (speed <= 0) speed = speed_mm_s;
-  return std::min(speed_mm_s, ByRest(written, speed_mm_s, rest));
+  return std::min(speed_mm_s, ByRest(speeds, speed_mm_s, rest));
 }
 
 double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {

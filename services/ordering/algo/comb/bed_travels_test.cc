@@ -15,7 +15,7 @@ MultiPolygon Box(double x0, double y0, double x1, double y1) {
   return {{{Mm(x0, y0), Mm(x1, y0), Mm(x1, y1), Mm(x0, y1)}, {}}};
 }
 
-const MultiPolygon kRoom = Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28));
+const MultiPolygon kTravelArea = Difference(Box(0, 0, 256, 256), Box(0, 0, 18, 28));
 
 Path Line(Point from, Point to) {
   Path path;
@@ -36,11 +36,11 @@ OrderedLayer LayerOf(const std::vector<Point>& shifts) {
 }
 
 /// Returns true if the straight line from a to b is free.
-bool IsFree(Point a, Point b) { return PathsWithin(kRoom).Between(a, b).empty(); }
+bool IsFree(Point a, Point b) { return PathsWithin(kTravelArea).Between(a, b).empty(); }
 
 TEST(KeepInTravelArea, LeadsRoundAnAreaWithinABlock) {
   OrderedLayer layer = LayerOf({{}});
-  KeepInTravelArea(kRoom, layer);
+  KeepInTravelArea(kTravelArea, layer);
   const std::vector<Travel>& travels = layer.blocks[0].travels;
   ASSERT_EQ(travels.size(), 2u);
   EXPECT_THAT(travels[0].corners, testing::IsEmpty());
@@ -52,10 +52,10 @@ TEST(KeepInTravelArea, LeadsRoundAnAreaWithinABlock) {
 TEST(KeepInTravelArea, LooksAtEachCopyWhereItStands) {
   OrderedLayer far = LayerOf({Mm(100, 100)});
   const OrderedLayer before = far;
-  KeepInTravelArea(kRoom, far);
+  KeepInTravelArea(kTravelArea, far);
   EXPECT_EQ(far, before);
   OrderedLayer both = LayerOf({Mm(100, 100), {}});
-  KeepInTravelArea(kRoom, both);
+  KeepInTravelArea(kTravelArea, both);
   EXPECT_EQ(both.blocks[0].travels.size(), 2u);
 }
 
@@ -65,7 +65,7 @@ TEST(KeepInTravelArea, LeadsRoundAnAreaBetweenCopies) {
   layer.visits = {{.block = 0, .copy = 0, .shift = Mm(20, 1)},
                   {.block = 0, .copy = 1, .shift = Mm(3, 31)},
                   {.block = 0, .copy = 2, .shift = Mm(200, 31)}};
-  KeepInTravelArea(kRoom, layer);
+  KeepInTravelArea(kTravelArea, layer);
   EXPECT_THAT(layer.visits[0].corners, testing::IsEmpty());
   ASSERT_EQ(layer.visits[1].corners.size(), 1u);
   EXPECT_TRUE(IsFree(Mm(21, 1), layer.visits[1].corners[0]));
@@ -82,7 +82,7 @@ TEST(KeepInTravelArea, LeavesWaysBetweenPassesAndBedsWithoutAreasAlone) {
   passes.blocks.emplace_back().paths = {Line(Mm(0, 0), Mm(1, 0))};
   passes.visits = {{.block = 0, .copy = 0, .pass = 0, .shift = Mm(20, 1)},
                    {.block = 0, .copy = 1, .pass = 1, .shift = Mm(3, 31)}};
-  KeepInTravelArea(kRoom, passes);
+  KeepInTravelArea(kTravelArea, passes);
   EXPECT_THAT(passes.visits[1].corners, testing::IsEmpty());
 }
 

@@ -15,7 +15,7 @@ Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 /// Bar across a square of 40 mm, with 10 mm free above and below the bar.
 constexpr const char* kBar = "(19.5 10, 20.5 10, 20.5 30, 19.5 30)";
 constexpr const char* kWholeBar = "(19.5 -5, 20.5 -5, 20.5 45, 19.5 45)";
-const Box kRoom{{0, 0}, {40 * kNmPerMm, 40 * kNmPerMm}};
+const Box kBounds{{0, 0}, {40 * kNmPerMm, 40 * kNmPerMm}};
 
 struct Case {
   std::string name;
@@ -28,7 +28,7 @@ class CurlAvoidanceTest : public testing::TestWithParam<Case> {};
 
 TEST_P(CurlAvoidanceTest, Meets) {
   const Case& c = GetParam();
-  const CurlAvoidance paths(MakePolygonsOrDie(kBar), kRoom);
+  const CurlAvoidance paths(MakePolygonsOrDie(kBar), kBounds);
   EXPECT_EQ(paths.Meets(c.from, c.corners, c.to), c.meets);
   EXPECT_EQ(paths.Meets(c.to, std::vector<Point>(c.corners.rbegin(), c.corners.rend()), c.from),
             c.meets);
@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(CurlAvoidance, GoesRoundWithinTheRoom) {
-  CurlAvoidance paths(MakePolygonsOrDie(kBar), kRoom);
+  CurlAvoidance paths(MakePolygonsOrDie(kBar), kBounds);
   WorkBudget budget{10'000};
   const auto corners = paths.Around(Mm(10, 25), Mm(30, 25), budget);
   ASSERT_TRUE(corners);
@@ -61,17 +61,17 @@ TEST(CurlAvoidance, GoesRoundWithinTheRoom) {
 }
 
 TEST(CurlAvoidance, NoWayIsNoWay) {
-  CurlAvoidance paths(MakePolygonsOrDie(kWholeBar), kRoom);
+  CurlAvoidance paths(MakePolygonsOrDie(kWholeBar), kBounds);
   WorkBudget budget{10'000};
   EXPECT_TRUE(paths.Meets(Mm(10, 20), {}, Mm(30, 20)));
   EXPECT_FALSE(paths.Around(Mm(10, 20), Mm(30, 20), budget));
-  CurlAvoidance round(MakePolygonsOrDie(kBar), kRoom);
+  CurlAvoidance round(MakePolygonsOrDie(kBar), kBounds);
   WorkBudget spent{0};
   EXPECT_FALSE(round.Around(Mm(10, 20), Mm(30, 20), spent));
 }
 
 TEST(CurlAvoidance, StaysWithinARegion) {
-  const CurlAvoidance paths(MakePolygonsOrDie(kBar), kRoom);
+  const CurlAvoidance paths(MakePolygonsOrDie(kBar), kBounds);
   WorkBudget budget{10'000};
   const Point from = Mm(10, 25), to = Mm(30, 25);
   TravelPaths low = paths.PathsThrough(MakePolygonsOrDie("(5 5, 35 5, 35 28, 5 28)"));
