@@ -66,9 +66,6 @@ std::vector<LineFamily> CrossZagFamilies(const PatternContext& context) {
            context.pitch_nm}};
 }
 
-/// Returns the tangent of an angle.
-double Tangent(double angle_rad) { return Sin(angle_rad) / Cos(angle_rad); }
-
 /// Returns two families of parallel lines, `apart_nm` between lines of one family. Their distance
 /// from each other is at least a spacing, so that no line lies on another. If there is no space for
 /// this, lines of one family are in the middle between lines of the other.
@@ -87,8 +84,8 @@ std::vector<LineFamily> BesideEachOther(const PatternContext& context, double fi
 /// vertical.
 std::vector<LineFamily> LateralLatticeFamilies(const PatternContext& context) {
   const auto z = static_cast<double>(context.z_nm);
-  return BesideEachOther(context, z * Tangent(context.shape.lattice_1_rad),
-                         z * Tangent(context.shape.lattice_2_rad), 2 * context.pitch_nm);
+  return BesideEachOther(context, z * Tan(context.shape.lattice_1_rad),
+                         z * Tan(context.shape.lattice_2_rad), 2 * context.pitch_nm);
 }
 
 /// Returns the section of upright hexagons. Each third of a period in z is as high as a sloped wall
@@ -96,7 +93,7 @@ std::vector<LineFamily> LateralLatticeFamilies(const PatternContext& context) {
 /// the branches of the walls beside it half a period further.
 std::vector<LineFamily> LateralHoneycombFamilies(const PatternContext& context) {
   const double half = 2 * context.pitch_nm / 3;
-  const double third = half / Tangent(context.shape.honeycomb_rad);
+  const double third = half / Tan(context.shape.honeycomb_rad);
   const double height = static_cast<double>(context.z_nm) / third;
   const auto number = static_cast<int64_t>(std::floor(height));
   // The first fork begins two thirds above the bed.

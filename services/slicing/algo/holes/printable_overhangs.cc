@@ -39,8 +39,7 @@ void AddTo(const Region& like, const MultiPolygon& material, ObjectSection& sect
 
 /// Adds the material below the layer `above` to the layer `here`.
 void Underpin(const ObjectSection& above, const PrintableOverhangs& options, ObjectSection& here) {
-  const double reach_nm =
-      static_cast<double>(here.height_nm) * Sin(options.angle_rad) / Cos(options.angle_rad);
+  const double reach_nm = static_cast<double>(here.height_nm) * Tan(options.angle_rad);
   const MultiPolygon wanted = FastOffset(OutlineOf(above), -std::llround(reach_nm));
   MultiPolygon material = Difference(wanted, OutlineOf(here));
   if (material.empty()) return;
