@@ -70,11 +70,15 @@ std::vector<PointUm> WipePath(const Path& path, double length_mm, double shift_n
     left_nm -= step_nm;
     kept.push_back(last);
   }
-  std::vector<PointUm> places;
-  for (const Point place :
-       shift_nm == 0 ? std::vector(kept.begin() + 1, kept.end()) : ShiftedLeft(kept, shift_nm))
-    places.push_back({ToUm(place.x), ToUm(place.y)});
-  return kept.size() > 1 ? places : std::vector<PointUm>();
+  if (kept.size() == 1) return {};
+  if (shift_nm == 0) {
+    kept.erase(kept.begin());
+  } else {
+    kept = ShiftedLeft(kept, shift_nm);
+  }
+  std::vector<PointUm> points;
+  for (const Point point : kept) points.push_back({ToUm(point.x), ToUm(point.y)});
+  return points;
 }
 
 /// Returns the distance in nm to the left by which the wipe of a path is shifted; negative: to the
