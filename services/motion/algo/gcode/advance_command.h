@@ -27,8 +27,8 @@ struct AdvanceControl {
 
 /// Sets the pressure advance of the beads of a layer. Beads of one feature without another move
 /// between them get one value, from their mean section and their highest speed. With
-/// within_features, beads with one speed and one section get one value. Source: OrcaSlicer, which
-/// takes the speed after slowing down for cooling as well.
+/// within_features, beads with one speed and one section get one value. As in OrcaSlicer, the speed
+/// is the one after slowing down for cooling.
 class AdvanceCommand {
  public:
   /// `firmware` and `control` must outlive the object; a null `control` sets nothing.

@@ -100,8 +100,8 @@ class LayerWriter {
     jerk_ = -1;
   }
 
-  /// Forces the next travel to write its height, and keeps its line in any case, after inserted
-  /// G-code that moves the nozzle.
+  /// Forces the next travel to write its height, after inserted G-code that moves the nozzle. The
+  /// line of this travel is no mode line, so it is never left out.
   void ForgetPosition() {
     z_um_ = std::numeric_limits<int32_t>::min();
     approached_ = true;

@@ -50,7 +50,7 @@ class HeightTexts {
   std::span<const HeightCode> CodesIn(const LayerFrame& layer) const;
 
   std::vector<HeightCode> codes_;                  ///< codes, sorted by height
-  std::vector<std::pair<Coord, double>> lengths_;  ///< retractions in mm, by the lowest height
+  std::vector<std::pair<Coord, double>> lengths_;  ///< retractions in mm, from heights on
   int32_t tool_ = 0;
 };
 

@@ -34,7 +34,7 @@ std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const 
 /// full_fan_speed_layer.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
-/// Returns true if the fan is off before this layer in any case. The times of layers do not matter.
+/// Returns true if the fan is off before this layer for any times of layers.
 bool IsOffBefore(const CoolingOptions& cooling, int32_t layer_index);
 
 /// Returns the fan speed in percent for bridges and overhangs, at least `fan_percent`.
@@ -44,7 +44,8 @@ int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int
 /// speed for bridges. Returns -1 if only bridges get this speed.
 int32_t CooledRest(const CoolingOptions& cooling);
 
-/// Fan speeds in percent for kinds of lines; -1: the layer's fan speed, or that of bridges.
+/// Fan speeds in percent for kinds of lines; -1: the fan speed of bridges for bridges over sparse
+/// infill, otherwise the layer's fan speed.
 struct LineFans {
   int32_t interface_percent = -1;  ///< support interfaces
   int32_t ironing_percent = -1;

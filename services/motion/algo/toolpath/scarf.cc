@@ -42,6 +42,7 @@ Point Along(const std::vector<Point>& line, double length_nm) {
 
 /// Returns the cosine of the largest turn at a start that is no corner.
 double SmoothCosine(const ScarfOptions& options) {
+  // The default angle has a rounded cosine, so that jobs without the setting keep their bytes.
   constexpr double kUsualAngle = 150, kUsualCosine = 0.866;
   if (options.smooth_angle_deg == kUsualAngle) return kUsualCosine;
   return Cos((180 - options.smooth_angle_deg) * std::numbers::pi / 180);

@@ -25,8 +25,8 @@ Wipe WipeOf(const MotionOptions& options);
 /// over the loop's beginning, which smears the material at the seam. Along any other path, it goes
 /// back. The wipe ends after `length_mm`, or with the path. Steps are at least 0.2 mm: corners of
 /// shorter edges are skipped, and a shorter last step is left out. `shift_nm`: distance by which
-/// the wipe is shifted to the left of its direction; 0: none. A shifted wipe also goes beside the
-/// end of the path first.
+/// the wipe is shifted to the left of its direction; 0: none. A shifted wipe first moves to the
+/// point beside the end of the path.
 std::vector<PointUm> WipePath(const Path& path, double length_mm, double shift_nm = 0);
 
 }  // namespace slicefarm::motion
