@@ -9,12 +9,12 @@ namespace {
 
 constexpr int64_t kNoPath = std::numeric_limits<int64_t>::max();
 /// number of directed legs: index 2k is leg k, 2k + 1 is leg k reversed
-constexpr size_t kWays = 2 * kFewLegs;
+constexpr size_t kDirectedLegs = 2 * kFewLegs;
 
 /// Smallest cost of printing a set of legs, if the directed leg of this state is printed last.
 struct State {
   int64_t cost = kNoPath;
-  size_t before = kWays;  ///< previous directed leg; kWays if there is none
+  size_t before = kDirectedLegs;  ///< previous directed leg; kDirectedLegs if there is none
 };
 
 Point EntryOf(std::span<const TourLeg> legs, size_t path) {
@@ -40,12 +40,12 @@ std::vector<Visit> BestOrder(const Journey& journey, std::span<const TourLeg> le
   const size_t all = (size_t{1} << legs.size()) - 1;
   const auto set_of = [](size_t path) { return size_t{1} << path / 2; };
   const auto before = Predecessors(journey.precedence);
-  std::array<std::array<int64_t, kWays>, kWays> between{};
+  std::array<std::array<int64_t, kDirectedLegs>, kDirectedLegs> between{};
   for (size_t a = 0; a < paths; ++a) {
     for (size_t b = 0; b < paths; ++b)
       if (a / 2 != b / 2) between[a][b] = cost(ExitOf(legs, a), EntryOf(legs, b));
   }
-  std::array<std::array<State, kWays>, size_t{1} << kFewLegs> states{};
+  std::array<std::array<State, kDirectedLegs>, size_t{1} << kFewLegs> states{};
   for (size_t done = 1; done <= all; ++done) {
     for (size_t path = 0; path < paths; ++path) {
       const size_t others = done & ~set_of(path);
@@ -60,7 +60,7 @@ std::vector<Visit> BestOrder(const Journey& journey, std::span<const TourLeg> le
       }
     }
   }
-  size_t last = kWays;
+  size_t last = kDirectedLegs;
   int64_t least = kNoPath;
   for (size_t path = 0; path < paths; ++path) {
     int64_t whole = states[all][path].cost;
@@ -71,7 +71,7 @@ std::vector<Visit> BestOrder(const Journey& journey, std::span<const TourLeg> le
     last = path;
   }
   std::vector<Visit> visits;
-  for (size_t done = all; last != kWays;) {
+  for (size_t done = all; last != kDirectedLegs;) {
     visits.push_back({static_cast<uint32_t>(last / 2), last % 2 == 1});
     const size_t path = last;
     last = states[done][path].before;

@@ -7,7 +7,7 @@ namespace slicefarm::ordering {
 namespace {
 
 /// Returns the positions of nodes: the ends of the legs, then the ends of the journey.
-std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const TourLeg> legs) {
+std::vector<Vector2> PointsOf(const Journey& journey, std::span<const TourLeg> legs) {
   std::vector<Vector2> points;
   points.reserve(2 * legs.size() + 3);
   for (const TourLeg& leg : legs) {
@@ -22,7 +22,7 @@ std::vector<Vector2> PlacesOf(const Journey& journey, std::span<const TourLeg> l
 }  // namespace
 
 LegGraph::LegGraph(const Journey& journey, std::span<const TourLeg> legs)
-    : costs_(Costs::OfPoints(PlacesOf(journey, legs), Metric::kNearest)) {
+    : costs_(Costs::OfPoints(PointsOf(journey, legs), Metric::kNearest)) {
   ends_.reserve(legs.size());
   entered_.reserve(2 * legs.size());
   for (uint32_t leg = 0; leg < legs.size(); ++leg) {

@@ -117,8 +117,8 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
   for (int32_t pass = 0; pass < stress.smoothing; ++pass) Smooth(cos2_), Smooth(sin2_);
 }
 
-std::optional<Vector2> DirectionField::At(const PositionMm& place_mm) const {
-  const double c = cos2_.At(place_mm), s = sin2_.At(place_mm);
+std::optional<Vector2> DirectionField::At(const PositionMm& position_mm) const {
+  const double c = cos2_.At(position_mm), s = sin2_.At(position_mm);
   if (c * c + s * s < kLeastLength * kLeastLength) return std::nullopt;
   // Halves the angle. The formula is chosen by the sign of c, so that no digits are lost.
   const double length = std::sqrt(c * c + s * s);

@@ -32,7 +32,7 @@ class DirectionField {
 
   /// Returns the main direction at a point, as a unit vector; nullopt if the point is degenerate.
   /// The vector and its opposite mean the same direction.
-  std::optional<Vector2> At(const PositionMm& place_mm) const;
+  std::optional<Vector2> At(const PositionMm& position_mm) const;
   /// Returns true if the field does not depend on the height.
   bool IsSameAtAllHeights() const { return cos2_.count[2] == 1; }
 

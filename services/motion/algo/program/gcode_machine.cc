@@ -39,9 +39,9 @@ GcodeAction GcodeMachine::Read(const GcodeLine& line) {
   return {.kind = GcodeAction::Kind::kLimits};
 }
 
-void GcodeMachine::Resume(const std::array<double, 3>& place_mm, double speed_mm_s,
+void GcodeMachine::Resume(const std::array<double, 3>& position_mm, double speed_mm_s,
                           double acceleration_mm_s2) {
-  std::ranges::copy(place_mm, at_.begin());
+  std::ranges::copy(position_mm, at_.begin());
   speed_mm_s_ = speed_mm_s;
   limits_.max_acceleration_extruding_mm_s2 = acceleration_mm_s2;
 }

@@ -79,7 +79,8 @@ class GcodeMachine {
 
   /// Sets the position, the speed and the printing acceleration of the machine. Call this after
   /// moves that are not in the text that Read gets.
-  void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
+  void Resume(const std::array<double, 3>& position_mm, double speed_mm_s,
+              double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }
   const std::array<double, 4>& position() const { return at_; }

@@ -73,17 +73,17 @@ double CubicOctree::EdgeOf(size_t level) const {
   return 2 * distance_ * static_cast<double>(int64_t{1} << level);
 }
 
-std::array<double, 3> CubicOctree::AlongOf(Point place, Coord z_nm) const {
+std::array<double, 3> CubicOctree::AlongOf(Point point, Coord z_nm) const {
   std::array<double, 3> along;
   for (size_t i = 0; i < 3; ++i)
-    along[i] = (kAlong * frames_[i].V(place) - kAcross * static_cast<double>(z_nm)) / distance_;
+    along[i] = (kAlong * frames_[i].V(point) - kAcross * static_cast<double>(z_nm)) / distance_;
   return along;
 }
 
-void CubicOctree::Add(Point place, Coord z_nm, double around_nm) {
+void CubicOctree::Add(Point point, Coord z_nm, double around_nm) {
   const double around = kAlong * around_nm / distance_;
   Cell first, last;
-  const auto along = AlongOf(place, z_nm);
+  const auto along = AlongOf(point, z_nm);
   for (size_t i = 0; i < 3; ++i) {
     first[i] = static_cast<int32_t>(std::floor(along[i] - around));
     last[i] = static_cast<int32_t>(std::floor(along[i] + around));
@@ -93,14 +93,14 @@ void CubicOctree::Add(Point place, Coord z_nm, double around_nm) {
       for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) places_.insert(cell);
 }
 
-void CubicOctree::AddBody(Point place, Coord z_nm) {
-  const auto along = AlongOf(place, z_nm);
+void CubicOctree::AddBody(Point point, Coord z_nm) {
+  const auto along = AlongOf(point, z_nm);
   ++body_[{static_cast<int32_t>(std::floor(along[0])), static_cast<int32_t>(std::floor(along[1])),
            static_cast<int32_t>(std::floor(along[2]))}];
 }
 
 void CubicOctree::Grow() {
-  // Largest coordinate of any place along a normal.
+  // Largest coordinate of any point along a normal.
   const double farthest = std::sqrt(3.0) * reach_;
   Cells cubes = std::move(places_);
   Shares body = std::move(body_);

@@ -41,9 +41,9 @@ class CubicOctree {
 
   /// Adds a point near which planes are close together. The same holds for the area around the
   /// point with the radius `around_nm`, in the plane of the layer.
-  void Add(Point place, Coord z_nm, double around_nm);
+  void Add(Point point, Coord z_nm, double around_nm);
   /// Adds one sample point of the filled body. Samples must be evenly spaced, BodyStepNm() apart.
-  void AddBody(Point place, Coord z_nm);
+  void AddBody(Point point, Coord z_nm);
   /// Returns the distance in nm at which the body has to be sampled. With samples this close, at
   /// most a corner of a cube is missed.
   double BodyStepNm() const { return distance_; }
@@ -69,7 +69,7 @@ class CubicOctree {
   LineAxes FrameOf(int family) const { return frames_[static_cast<size_t>(family)]; }
   double EdgeOf(size_t level) const;
   /// Returns the coordinates of a point along the planes' normals, in plane distances.
-  std::array<double, 3> AlongOf(Point place, Coord z_nm) const;
+  std::array<double, 3> AlongOf(Point point, Coord z_nm) const;
   /// Returns the level of the cubes that have this plane in their middle. If the result is
   /// levels_.size(), no cube limits the plane.
   size_t LevelOf(int family, int64_t plane) const;

@@ -76,12 +76,12 @@ TEST(CombineLayers, StripsWithoutRoomForLinesGoWithWhatIsBesideThem) {
   const auto areas = SparseAreas(stack, InnerAreas(stack, 1'000'000), {1, 1});
   std::vector<InfillAreas> infill_areas(stack.size());
   CombineLayers(stack, areas, 2, 1'800'000, infill_areas);
-  int stretches = 0;
-  for (size_t last = 2; last + 1 < stack.size(); last += 2, ++stretches) {
+  int groups = 0;
+  for (size_t last = 2; last + 1 < stack.size(); last += 2, ++groups) {
     EXPECT_TRUE(Difference(areas[last], infill_areas[last].combined).empty()) << last;
     EXPECT_TRUE(Difference(areas[last - 1], infill_areas[last - 1].left_out).empty()) << last;
   }
-  EXPECT_EQ(stretches, 5);
+  EXPECT_EQ(groups, 5);
 }
 
 }  // namespace

@@ -188,20 +188,20 @@ void LightningTrees::Refit(const RegionEdges& region) {
     const Point inner = old[parent].at, outer = old[i].at;
     const double length = Distance(inner, outer);
     nodes_[i].parent = -1;
-    for (const LineSpan& stretch : InsideSpans(region, inner, outer)) {
-      const bool from_inner = stretch.from_nm <= 0, to_outer = stretch.to_nm >= length;
+    for (const LineSpan& span : InsideSpans(region, inner, outer)) {
+      const bool from_inner = span.from_nm <= 0, to_outer = span.to_nm >= length;
       auto base = static_cast<int32_t>(parent);
       if (from_inner) {
         kept[parent] = 1;
       } else {
         base = static_cast<int32_t>(nodes_.size());
-        nodes_.push_back({Towards(inner, outer, stretch.from_nm), -1});
+        nodes_.push_back({Towards(inner, outer, span.from_nm), -1});
       }
       if (to_outer) {
         kept[i] = 1;
         nodes_[i].parent = base;
       } else {
-        nodes_.push_back({Towards(inner, outer, stretch.to_nm), base});
+        nodes_.push_back({Towards(inner, outer, span.to_nm), base});
       }
     }
   }

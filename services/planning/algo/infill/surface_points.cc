@@ -84,7 +84,7 @@ void ForEachRoofPoint(const ObjectStack& stack, const SkinLayers& skins, Coord s
 }
 
 void ForEachInnerPoint(const ObjectStack& stack, Coord step_nm,
-                       const std::function<void(Point place, Coord z_nm)>& take) {
+                       const std::function<void(Point point, Coord z_nm)>& take) {
   Coord next = 0;
   for (const StackLayer& layer : stack) {
     const Coord z = MiddleOf(layer);

@@ -8,7 +8,7 @@ namespace slicefarm::planning {
 
 /// Function that gets one point: its position in the plane, its height above the object's bottom,
 /// and the radius of the area in the plane that it represents.
-using PointVisitor = std::function<void(Point place, Coord z_nm, double around_nm)>;
+using PointVisitor = std::function<void(Point point, Coord z_nm, double around_nm)>;
 
 /// Numbers of solid layers next to open surfaces (surfaces that no other layer covers).
 struct SkinLayers {
@@ -33,6 +33,6 @@ void ForEachRoofPoint(const ObjectStack& stack, const SkinLayers& skins, Coord s
 
 /// Visits points everywhere inside of a stack's region, about `step_nm` apart in all directions.
 void ForEachInnerPoint(const ObjectStack& stack, Coord step_nm,
-                       const std::function<void(Point place, Coord z_nm)>& take);
+                       const std::function<void(Point point, Coord z_nm)>& take);
 
 }  // namespace slicefarm::planning

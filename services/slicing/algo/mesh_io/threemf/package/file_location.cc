@@ -8,13 +8,13 @@
 
 namespace slicefarm::slicing::threemf {
 
-absl::Status WithLocation(const FileLocation& place, const absl::Status& error) {
+absl::Status WithLocation(const FileLocation& location, const absl::Status& error) {
   ErrorDetail detail = DetailOf(error);
-  detail.metadata["part"] = place.part;
-  detail.metadata["line"] = std::to_string(place.line);
+  detail.metadata["part"] = location.part;
+  detail.metadata["line"] = std::to_string(location.line);
   const std::string_view message(error.message().data(), error.message().size());
   return MakeError(error.code(), detail.reason,
-                   fmt::format("{} ({}, line {})", message, place.part, place.line),
+                   fmt::format("{} ({}, line {})", message, location.part, location.line),
                    std::move(detail.metadata));
 }
 

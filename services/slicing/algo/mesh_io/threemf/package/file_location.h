@@ -14,6 +14,6 @@ struct FileLocation {
 };
 
 /// Returns `error` with its location: metadata `part` and `line`, and "(PART, line N)" in the text.
-absl::Status WithLocation(const FileLocation& place, const absl::Status& error);
+absl::Status WithLocation(const FileLocation& location, const absl::Status& error);
 
 }  // namespace slicefarm::slicing::threemf
