@@ -29,7 +29,7 @@ PointUm MicrometresOf(const Eigen::Vector2d& p) {
           static_cast<int32_t>(std::llround(p.y() * 1000))};
 }
 
-Eigen::Vector2d PointMmOf(PointUm p) { return {p.x / 1000.0, p.y / 1000.0}; }
+Eigen::Vector2d MicronsToMm(PointUm p) { return {p.x / 1000.0, p.y / 1000.0}; }
 
 std::vector<PointUm> PointsInUm(std::span<const Eigen::Vector2d> line_mm) {
   std::vector<PointUm> points;
@@ -62,7 +62,7 @@ void MoveBuilder::Emit(MillMove move) {
 }
 
 void MoveBuilder::RapidTo(const Eigen::Vector2d& place_mm, double z_mm) {
-  const Eigen::Vector2d place = PointMmOf(MicrometresOf(place_mm));
+  const Eigen::Vector2d place = MicronsToMm(MicrometresOf(place_mm));
   const double clearance = job_.options.machining.clearance_mm;
   if (!placed_) {
     Emit({.to_mm = {place.x(), place.y(), safe_z_mm_}});
@@ -91,7 +91,7 @@ void MoveBuilder::ArcTo(const Eigen::Vector3d& to_mm, const Eigen::Vector2d& cen
                         bool clockwise, double feed_mm_min) {
   const MillMove arc = {.kind = clockwise ? MoveKind::kClockwise : MoveKind::kCounterClockwise,
                         .to_mm = to_mm,
-                        .centre_mm = PointMmOf(MicrometresOf(centre_mm)),
+                        .centre_mm = MicronsToMm(MicrometresOf(centre_mm)),
                         .feed_mm_min = feed_mm_min};
   if (job_.options.machining.arcs) return Emit(arc);
   for (const Eigen::Vector3d& p : PointsOf(arc, at_, kArcShare * job_.options.tolerance_mm))
@@ -103,7 +103,7 @@ void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double fee
   if (points.size() < 2) return;
   const double z = at_.z(), tolerance = job_.options.tolerance_mm;
   const Coord chord_nm = FromMm(kLineShare * tolerance);
-  Polyline straight = {PointOf(PointMmOf(points[0]))};
+  Polyline straight = {PointOf(MicronsToMm(points[0]))};
   const auto lines = [&] {
     for (const Point p : SimplifyLine(straight, chord_nm)) {
       const Eigen::Vector2d place = PointMmOf(p);
@@ -111,18 +111,18 @@ void MoveBuilder::FeedAlong(std::span<const Eigen::Vector2d> line_mm, double fee
     }
   };
   if (!job_.options.machining.arcs) {
-    for (const PointUm point : points) straight.push_back(PointOf(PointMmOf(point)));
+    for (const PointUm point : points) straight.push_back(PointOf(MicronsToMm(point)));
     return lines();
   }
   const double arc_um = std::max(kLeastArcToleranceUm, kArcShare * 1000 * tolerance);
   for (const CurvePiece& piece : FitArcs(points, arc_um)) {
-    const Eigen::Vector2d end = PointMmOf(points[piece.last]);
+    const Eigen::Vector2d end = MicronsToMm(points[piece.last]);
     if (!piece.is_arc) {
       straight.push_back(PointOf(end));
       continue;
     }
     if (straight.size() > 1) lines();
-    ArcTo({end.x(), end.y(), z}, PointMmOf(piece.centre), piece.clockwise, feed_mm_min);
+    ArcTo({end.x(), end.y(), z}, MicronsToMm(piece.centre), piece.clockwise, feed_mm_min);
     straight = {PointOf(end)};
   }
   if (straight.size() > 1) lines();
