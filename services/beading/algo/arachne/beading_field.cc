@@ -2,18 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace slicefarm::beading {
 namespace {
 
-NodeBeading LaidOut(const BeadingStrategy& strategy, double radius, const BeadCount& count) {
-  const auto thickness = static_cast<Coord>(std::llround(2 * radius));
-  NodeBeading lower = FromBeading(strategy.Compute(thickness, count.count));
-  if (count.ratio == 0) return lower;
-  return Between(lower, FromBeading(strategy.Compute(thickness, count.count + 1)), count.ratio,
-                 radius);
-}
+/// Layouts of beads at nodes. Wide places, which most nodes are, all have the same beads on either
+/// side, so these beads are laid out once.
+class NodeLayouts {
+ public:
+  explicit NodeLayouts(const BeadingStrategy& strategy)
+      : strategy_(strategy), most_walls_(MostWalls(strategy)) {
+    for (const Coord kink : strategy.Kinks()) wide_from_nm_ = std::max(wide_from_nm_, kink);
+  }
+
+  NodeBeading At(double radius, const BeadCount& count) {
+    const auto thickness = static_cast<Coord>(std::llround(2 * radius));
+    if (count.ratio == 0 && count.count > most_walls_ && thickness >= wide_from_nm_) {
+      if (!wide_) wide_ = FromBeading(strategy_.Compute(thickness, count.count));
+      return *wide_;
+    }
+    NodeBeading lower = FromBeading(strategy_.Compute(thickness, count.count));
+    if (count.ratio == 0) return lower;
+    return Between(lower, FromBeading(strategy_.Compute(thickness, count.count + 1)), count.ratio,
+                   radius);
+  }
+
+ private:
+  const BeadingStrategy& strategy_;
+  const int most_walls_;
+  Coord wide_from_nm_ = 0;
+  std::optional<NodeBeading> wide_;  ///< beads where only infill is between the two sides
+};
 
 /// Node from which another node takes its beads, and the distance to it along the graph.
 struct Origin {
@@ -26,9 +47,12 @@ class Field {
  public:
   Field(const SkeletalGraph& graph, const std::vector<BeadCount>& counts)
       : graph_(graph), counts_(counts), leaving_(graph.Leaving()), order_(graph.nodes.size()) {
-    std::iota(order_.begin(), order_.end(), 0);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](int a, int b) { return graph_.nodes[a].radius < graph_.nodes[b].radius; });
+    std::vector<std::pair<double, int>> by_radius;
+    by_radius.reserve(order_.size());
+    for (const SkeletalNode& node : graph_.nodes)
+      by_radius.emplace_back(node.radius, static_cast<int>(by_radius.size()));
+    std::sort(by_radius.begin(), by_radius.end());
+    std::ranges::transform(by_radius, order_.begin(), &std::pair<double, int>::second);
   }
 
   /// Returns the nodes from the largest radius to the smallest.
@@ -115,8 +139,9 @@ std::vector<NodeBeading> BeadingField(const BeadingStrategy& strategy, double tr
   SplitWhereBlendsEnd(transition_length_nm, graph, counts, central);
   const size_t nodes = graph.nodes.size();
   std::vector<NodeBeading> beadings(nodes);
+  NodeLayouts layouts(strategy);
   for (size_t i = 0; i < nodes; ++i)
-    if (counts[i].decided()) beadings[i] = LaidOut(strategy, graph.nodes[i].radius, counts[i]);
+    if (counts[i].decided()) beadings[i] = layouts.At(graph.nodes[i].radius, counts[i]);
   const Field field(graph, counts);
   const std::vector<Origin> tops = field.Tops(), bottoms = field.Bottoms();
   for (const int i : field.Falling()) {

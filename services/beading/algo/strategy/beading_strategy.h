@@ -28,6 +28,8 @@ struct Beading {
 ///   symmetric. For a fixed count, each width is continuous and non-decreasing in the thickness.
 /// - OptimalCount is non-decreasing. TransitionThickness(n) is the smallest thickness for which
 ///   OptimalCount exceeds n.
+/// - With more beads than MostWalls, and from the largest of Kinks on, the beads of the first side
+///   do not depend on the thickness.
 ///
 /// Strategies are decorators: each one changes the results of its parent (strategy_factory.h).
 ///

@@ -178,6 +178,9 @@ std::vector<PropertyCase> PropertyCases() {
   StrategyOptions margin = Walls(2);
   margin.margin_nm = 40'001;
   cases.push_back({"Margin", margin});
+  StrategyOptions apart = Walls(3);
+  apart.apart_nm = 30 * kUm;
+  cases.push_back({"Apart", apart});
   return cases;
 }
 
@@ -216,6 +219,21 @@ TEST_P(Property, OptimalWidthsAreWithinBounds) {
 
 TEST_P(Property, CountsFollowTheTransitionThicknesses) {
   ExpectCountsFollowTransitions(*strategy_);
+}
+
+TEST_P(Property, BeadsOfWidePlacesAreAllTheSame) {
+  if (options_.max_walls == 0) return;
+  const Coord wide = std::ranges::max(strategy_->Kinks());
+  const int walls = MostWalls(*strategy_);
+  const Beading first = strategy_->Compute(wide, walls + 1);
+  for (Coord d = wide; d < kThickest; d += kStep) {
+    const Beading b = strategy_->Compute(d, walls + 1);
+    ASSERT_EQ(b.count(), first.count()) << d;
+    for (int i = 0; i < b.count() / 2; ++i) {
+      ASSERT_EQ(b.widths_nm[i], first.widths_nm[i]) << d;
+      ASSERT_EQ(b.locations_nm[i], first.locations_nm[i]) << d;
+    }
+  }
 }
 
 TEST_P(Property, AnchorsLieOnTheRamp) {
