@@ -369,6 +369,25 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
   return arcs;
 }
 
+/// Returns true if each edge between the nodes must be a bead. This is so for most solid infill.
+bool StayAll(std::span<const Node> nodes) {
+  return std::ranges::all_of(nodes.subspan(1, nodes.size() - 2), [](const Node& node) {
+    return node.stays && node.outside == node.place;
+  });
+}
+
+/// Appends the ends of the fewest beads from nodes[first] to nodes[last].
+void AppendFewestBeads(std::span<const Node> nodes, size_t first, size_t last,
+                       const Tolerance& tolerance, std::vector<BeadStop>& stops) {
+  const std::span<const Node> part = nodes.subspan(first, last - first + 1);
+  if (StayAll(part)) {
+    for (size_t i = first + 1; i <= last; ++i) stops.push_back({i});
+    return;
+  }
+  for (BeadStop stop : FewestBeads(part, tolerance).Stops())
+    stops.push_back({first + stop.node, stop.outside});
+}
+
 /// Returns the ends of the beads: pieces of the arcs, and as few beads as possible between arcs.
 std::vector<BeadStop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
                               const Tolerance& tolerance) {
@@ -376,10 +395,7 @@ std::vector<BeadStop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> 
   size_t at = 0;
   arcs.push_back({nodes.size() - 1, nodes.size() - 1});
   for (const NodeArc& arc : arcs) {
-    if (at < arc.first) {
-      for (BeadStop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance).Stops())
-        stops.push_back({at + stop.node, stop.outside});
-    }
+    if (at < arc.first) AppendFewestBeads(nodes, at, arc.first, tolerance, stops);
     for (size_t i = arc.first + 1; i <= arc.last; ++i) stops.push_back({i, false, true});
     at = arc.last;
   }
