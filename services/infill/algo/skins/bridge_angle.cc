@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "common/base/portable_math.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "services/infill/algo/lines/scan_lines.h"
+#include "services/infill/algo/lines/line_ends.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -25,16 +26,7 @@ constexpr double kMaxSamples = 200;
 /// Distance in nm up to which two ends are one end: where regions meet, edges are rounded.
 constexpr double kSameEndNm = 5'000;
 
-/// Returns the ends of the pieces of one line.
-std::vector<double> EndsOn(const ScanLines& lines, int64_t line) {
-  std::vector<double> ends;
-  if (line < 0 || line >= lines.LineCount()) return ends;
-  for (int32_t place = lines.line_begin[line]; place < lines.line_begin[line + 1]; ++place)
-    ends.push_back(lines.crossings[lines.order[place]].u);
-  return ends;
-}
-
-bool HasNear(const std::vector<double>& sorted, double u) {
+bool HasNear(std::span<const double> sorted, double u) {
   const auto it = std::lower_bound(sorted.begin(), sorted.end(), u - kSameEndNm);
   return it != sorted.end() && *it <= u + kSameEndNm;
 }
@@ -50,13 +42,11 @@ struct Span {
 /// Returns the 90th percentile of the spans, weighted by length. A span that ends in air counts as
 /// longer (kInAir). The mean is not used: short spans of oblique lines in corners would compensate
 /// longer ones. Infinite if no line meets the spans.
-Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
+Span TypicalSpan(const LineEnds& spans, const LineEnds& supports) {
   std::vector<Span> found;
   double total = 0, total_held = 0;
-  for (int32_t line = 0; line < spans.LineCount(); ++line) {
-    const double v = spans.first_v + line * spans.pitch;
-    const int64_t same = std::llround((v - supports.first_v) / supports.pitch);
-    const std::vector<double> ends = EndsOn(spans, line), borne = EndsOn(supports, same);
+  for (int64_t line = spans.first(); line < spans.last(); ++line) {
+    const std::span<const double> ends = spans.On(line), borne = supports.On(line);
     for (size_t i = 0; i + 1 < ends.size(); i += 2) {
       const double span = ends[i + 1] - ends[i];
       const bool held = HasNear(borne, ends[i]) && HasNear(borne, ends[i + 1]);
@@ -102,7 +92,7 @@ std::optional<BridgeSpan> BridgeAngle(const PolygonWithHoles& region, const Mult
   bool any_held = false;
   for (int i = 0; i < kDirections; ++i) {
     const LineFamily family{i * std::numbers::pi / kDirections, pitch / 2, pitch};
-    const auto over_air = CutLines(spans, family), borne = CutLines(supports, family);
+    const auto over_air = LineEnds::Of(spans, family), borne = LineEnds::Of(supports, family);
     if (!over_air.ok() || !borne.ok()) continue;
     const Span span = TypicalSpan(*over_air, *borne);
     any_held |= span.held;
