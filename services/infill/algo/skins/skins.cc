@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
@@ -55,6 +56,14 @@ MultiPolygon IslandsUnder(const MultiPolygon& area, const MultiPolygon& layer, b
   return islands;
 }
 
+/// Part of a fill area that all layers around it cover.
+struct CoveredPart {
+  MultiPolygon region;
+  /// Areas that were removed from the fill area and left the region. Their edges cross the edges of
+  /// the fill area, so that operations with both are fast. Nullopt: whole islands were removed.
+  std::optional<MultiPolygon> taken = {};
+};
+
 /// Part of a fill area that remains after its skins are removed.
 class SparseRegion {
  public:
@@ -72,6 +81,7 @@ class SparseRegion {
     if (mask_.MayMeet(layer)) return TakeWide(Difference(region_, layer), least_nm);
     MultiPolygon covered = IslandsUnder(region_, layer, true);
     if (covered.size() == region_.size()) return false;
+    taken_.reset();
     Set(std::move(covered));
     return true;
   }
@@ -93,12 +103,17 @@ class SparseRegion {
 
   const MultiPolygon& region() const { return region_; }
 
+  /// Returns the remaining region. This object must not be used afterwards.
+  CoveredPart Result() { return {std::move(region_), std::move(taken_)}; }
+
  private:
   bool TakeWide(MultiPolygon bare, Coord least_nm) {
     EraseSpecks(bare, width_nm_);
     const MultiPolygon core = SmoothOffset(bare, -least_nm / 2);
     if (core.empty()) return false;
-    Set(Difference(region_, SmoothOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
+    const MultiPolygon wide = SmoothOffset(core, least_nm / 2 + kAnchorBeads * width_nm_);
+    Set(Difference(region_, wide));
+    if (taken_) taken_ = Union(*taken_, wide);
     return true;
   }
 
@@ -111,6 +126,7 @@ class SparseRegion {
   const RegionMask fill_mask_;
   MultiPolygon region_;
   RegionMask mask_;
+  std::optional<MultiPolygon> taken_ = MultiPolygon{};  ///< see CoveredPart::taken
   Coord width_nm_;
 };
 
@@ -140,8 +156,8 @@ Coord LeastBare(const SkinOptions& options) {
 
 /// Returns the sparse part with disabled shells: each part of a skin must be covered by the next
 /// nearer layer.
-MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
-                           const Cover& cover, const SkinOptions& options) {
+CoveredPart UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                          const Cover& cover, const SkinOptions& options) {
   static const MultiPolygon kAir;
   SparseRegion sparse(fill_area, options.width_nm);
   for (const auto* side : {&cover.above, &cover.below}) {
@@ -152,7 +168,7 @@ MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& ou
       nearer = layer;
     }
   }
-  return sparse.region();
+  return sparse.Result();
 }
 
 /// Returns true if the regions have a point in common. `wanted` may be null: the whole plane.
@@ -163,9 +179,9 @@ bool Meets(const MultiPolygon& region, const MultiPolygon* wanted) {
 /// Returns the part of the fill area that all layers of `cover` cover. The farthest layer of each
 /// side is tested first, because it usually leaves the most uncovered. Returns an empty area as
 /// soon as the remaining part does not meet `wanted` (null: no such test).
-MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
-                         const Cover& cover, const SkinOptions& options,
-                         const MultiPolygon* wanted = nullptr) {
+CoveredPart FindCovered(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                        const Cover& cover, const SkinOptions& options,
+                        const MultiPolygon* wanted = nullptr) {
   if (options.all_solid) return {};
   if (options.shells == ShellThickness::kDisabled)
     return UnexposedPart(fill_area, outline, cover, options);
@@ -186,7 +202,7 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   }
   if (!cover.below.empty() && cover.below[0] != &outline)
     sparse.TakeUnborneParts(*cover.below[0], LeastBare(options));
-  return sparse.region();
+  return sparse.Result();
 }
 
 /// Cosine of 92 degrees. At a corner that turns by less, a disc around the inset's corner with 1.44
@@ -233,20 +249,27 @@ MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare,
   return narrow;
 }
 
+/// Returns the part of the fill area that is not covered. A difference of the fill area and its
+/// part would be slow, because the two share edges.
+MultiPolygon BareOf(const MultiPolygon& fill_area, const CoveredPart& covered) {
+  return covered.taken ? Intersection(fill_area, *covered.taken)
+                       : Difference(fill_area, covered.region);
+}
+
 /// Divides a fill area into sparse and solid parts. `covered`: the part that all layers cover. A
 /// narrow covered part beside an uncovered part, as between two skins, becomes solid. Farther away
 /// from uncovered parts it stays sparse: a wedge between walls is no skin. Small sparse regions
 /// become solid too. Returns false if parts that became solid are still missing in `skins.solid`.
-bool PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, const SkinOptions& options,
+bool PartSparse(const MultiPolygon& fill_area, CoveredPart covered, const SkinOptions& options,
                 Skins& skins) {
   bool complete = true;
-  if (covered.empty()) {
+  if (covered.region.empty()) {
     skins.solid = fill_area;
-  } else if (covered == fill_area) {
+  } else if (covered.region == fill_area) {
     skins.sparse = fill_area;
   } else {
-    skins.solid = Difference(fill_area, covered);
-    skins.sparse = std::move(covered);
+    skins.solid = BareOf(fill_area, covered);
+    skins.sparse = std::move(covered.region);
     const MultiPolygon narrow = NarrowBeside(skins.sparse, skins.solid, options.width_nm);
     complete = narrow.empty();
     if (!complete) skins.sparse = Difference(skins.sparse, narrow);
@@ -312,7 +335,7 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
   Skins skins;
   if (fill_area.empty()) return skins;
   const bool complete =
-      PartSparse(fill_area, CoveredPart(fill_area, outline, cover, options), options, skins);
+      PartSparse(fill_area, FindCovered(fill_area, outline, cover, options), options, skins);
   if (skins.sparse == fill_area) return skins;
   if (!complete)
     skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
@@ -326,8 +349,8 @@ MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outli
                         const Cover& cover, const SkinOptions& options,
                         const MultiPolygon& wanted) {
   Skins skins;
-  MultiPolygon covered = CoveredPart(fill_area, outline, cover, options, &wanted);
-  if (Meets(covered, &wanted)) PartSparse(fill_area, std::move(covered), options, skins);
+  CoveredPart covered = FindCovered(fill_area, outline, cover, options, &wanted);
+  if (Meets(covered.region, &wanted)) PartSparse(fill_area, std::move(covered), options, skins);
   return std::move(skins.sparse);
 }
 
