@@ -22,9 +22,7 @@ constexpr double kLeastLengthNm = 50'000;
 /// Length of the line for a dot, as a fraction of the bead's width.
 constexpr double kDotLength = 0.2;
 
-Vector2 Lerp(Vector2 a, Vector2 b, double t) {
-  return {std::lerp(a.x(), b.x(), t), std::lerp(a.y(), b.y(), t)};
-}
+Vector2 Lerp(const Vector2& a, const Vector2& b, double t) { return a + t * (b - a); }
 
 /// Tracer of the beads of one inset beside the axis.
 class SideTracer {

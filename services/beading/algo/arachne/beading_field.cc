@@ -109,10 +109,10 @@ class Field {
 };
 
 /// Splits edges where blends end. Widths are linear from node to node, so without these nodes a
-/// blend would be as long as its edge.
-void SplitWhereBlendsEnd(double transition_length, SkeletalGraph& graph,
-                         std::vector<BeadCount>& counts, std::vector<char>& central) {
-  const std::vector<Origin> bottoms = Field(graph, counts).Bottoms();
+/// blend would be as long as its edge. `bottoms`: the result of Field::Bottoms.
+void SplitWhereBlendsEnd(double transition_length, const std::vector<Origin>& bottoms,
+                         SkeletalGraph& graph, std::vector<BeadCount>& counts,
+                         std::vector<char>& central) {
   const size_t halves = graph.half_edges.size();
   for (int half = 0; half < static_cast<int>(halves); ++half) {
     const SkeletalNode from = graph.FromNode(half), to = graph.ToNode(half);
@@ -136,15 +136,21 @@ void SplitWhereBlendsEnd(double transition_length, SkeletalGraph& graph,
 std::vector<NodeBeading> BeadingField(const BeadingStrategy& strategy, double transition_length_nm,
                                       SkeletalGraph& graph, std::vector<BeadCount>& counts,
                                       std::vector<char>& central) {
-  SplitWhereBlendsEnd(transition_length_nm, graph, counts, central);
+  std::optional<Field> field(std::in_place, graph, counts);
+  std::vector<Origin> bottoms = field->Bottoms();
+  const size_t nodes_before = graph.nodes.size();
+  SplitWhereBlendsEnd(transition_length_nm, bottoms, graph, counts, central);
   const size_t nodes = graph.nodes.size();
+  if (nodes > nodes_before) {
+    field.emplace(graph, counts);
+    bottoms = field->Bottoms();
+  }
   std::vector<NodeBeading> beadings(nodes);
   NodeLayouts layouts(strategy);
   for (size_t i = 0; i < nodes; ++i)
     if (counts[i].decided()) beadings[i] = layouts.At(graph.nodes[i].radius, counts[i]);
-  const Field field(graph, counts);
-  const std::vector<Origin> tops = field.Tops(), bottoms = field.Bottoms();
-  for (const int i : field.Falling()) {
+  const std::vector<Origin> tops = field->Tops();
+  for (const int i : field->Falling()) {
     if (counts[i].decided() || tops[i].node < 0) continue;
     if (bottoms[i].node < 0) {
       beadings[i] = beadings[tops[i].next];
