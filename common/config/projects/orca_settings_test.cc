@@ -272,6 +272,10 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
         "dont_slow_down_outer_wall = 1", "wipe_on_loops = 1", "wipe_before_external_loop = 1"}},
       {"PlaceOnTheBed", {{"best_object_pos", "0.7x0.5"}}, {"best_object_pos = 0.7x0.5"}},
       {"PlaceOnTheBedOfAProject", {{"best_object_pos", "0.7,0.5"}}, {"best_object_pos = 0.7x0.5"}},
+      {"BridgesWithTheFanOfTheLayer",
+       {{"overhang_fan_speed", R"(["-1"])"}},
+       {"bridge_fan_speed = -1"}},
+      {"BridgesOfOverlappingLines", {{"bridge_density", "120%"}}, {"bridge_density = 120%"}},
       {"RaftsWidth", {{"raft_first_layer_expansion", "2"}}, {"raft_first_layer_expansion = 2"}},
       // Bambu Studio 2.3 and later: the slicer chooses the width.
       {"RaftsWidthBySlicer", {{"raft_first_layer_expansion", "-1"}}, {}},

@@ -202,7 +202,7 @@ absl::Status CheckCooling(const CoolingOptions& cooling) {
   constexpr std::string_view kFans = "cooling: a fan";
   absl::Status status = CheckRange(kFans, cooling.min_fan_percent, 0, 100);
   status.Update(CheckRange(kFans, cooling.max_fan_percent, 0, 100));
-  status.Update(CheckRange(kFans, cooling.bridge_fan_percent, 0, 100));
+  status.Update(CheckRange(kFans, cooling.bridge_fan_percent, -1, 100));
   for (const int32_t percent : cooling.overhang_fan_percent)
     status.Update(CheckRange(kFans, percent, 0, 100));
   for (const int32_t percent : {cooling.interface_fan_percent, cooling.internal_bridge_fan_percent,

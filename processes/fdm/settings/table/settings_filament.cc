@@ -4,6 +4,12 @@
 namespace slicefarm::config::fdm {
 namespace {
 
+/// Returns the setting with another least value.
+SettingSpec WithLeast(double least, SettingSpec spec) {
+  spec.min = least;
+  return spec;
+}
+
 SettingSpec PerExtruder(SettingSpec spec) {
   spec.list = List::kPerExtruder;
   return spec;
@@ -108,11 +114,11 @@ std::vector<SettingSpec> Cooling() {
                          "the fan's full speed",
                          Bind<&ToolRow::cooling, &CoolingOptions::max_fan_percent>()))),
       Orca({"overhang_fan_speed"},
-           whole("bridge_fan_speed", "%", 100, "100",
-                 "Fan speed at bridges, and at outer walls that overhang as far as "
-                 "overhang_fan_threshold says; only with enable_bridge_fan = 1. A faster fan of "
-                 "the layer is kept",
-                 Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan_percent>())),
+           WithLeast(-1, whole("bridge_fan_speed", "%", 100, "100",
+                               "Fan speed at bridges, and at outer walls that overhang as far as "
+                               "overhang_fan_threshold says; only with enable_bridge_fan = 1. A "
+                               "faster fan of the layer is kept. -1: the fan of the layer",
+                               Bind<&ToolRow::cooling, &CoolingOptions::bridge_fan_percent>()))),
       PerExtruder(
           {.key = "overhang_fan_threshold",
            .kind = Kind::kPercent,

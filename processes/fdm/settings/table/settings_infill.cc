@@ -130,12 +130,12 @@ SettingSpec SolidLayers(std::string_view key, std::string_view doc, Field field)
           .field = field};
 }
 
-SettingSpec BridgeDensity(std::string_view key, std::string_view doc, Field field) {
+SettingSpec BridgeDensity(std::string_view key, double max, std::string_view doc, Field field) {
   return {.key = key,
           .kind = Kind::kPercent,
           .unit = "%",
           .min = 10,
-          .max = 100,
+          .max = max,
           .standard = "100%",
           .doc = doc,
           .field = field};
@@ -339,11 +339,12 @@ std::vector<SettingSpec> InfillSettings() {
        .orca = {{"bridge_flow"}}},
       Orca({"bridge_density"},
            BridgeDensity(
-               "bridge_density",
-               "Share of a bridge's area that its lines cover; 100%: no gaps between the lines",
+               "bridge_density", 120,
+               "Share of a bridge's area that its lines cover; 100%: no gaps between the lines. "
+               "Above 100%: the lines overlap",
                Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::bridge_density>())),
       Orca({"internal_bridge_density"},
-           BridgeDensity("internal_bridge_density",
+           BridgeDensity("internal_bridge_density", 100,
                          "Share of a bridge over sparse infill that its lines cover; 100%: no gaps "
                          "between the lines",
                          Bind<Scale::kPercent, &RegionRow::infill,

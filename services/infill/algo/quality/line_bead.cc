@@ -16,7 +16,7 @@ constexpr double kThreadGapNm = 50'000;
 }  // namespace
 
 LineBead SparseBead(Coord width_nm, Coord height_nm, double flow, double density) {
-  if (density >= 1) return {width_nm, flow};
+  if (density == 1) return {width_nm, flow};
   const auto spacing_nm = static_cast<double>(Spacing(width_nm, height_nm));
   return {WidthForSpacing(std::llround(spacing_nm / density), height_nm), flow * density};
 }

@@ -20,6 +20,10 @@ TEST(SparseBead, HasItsDistanceAndThePlasticOfALine) {
   EXPECT_NEAR(static_cast<double>(Spacing(half.width_nm, kHeight)),
               2.0 * static_cast<double>(Spacing(kWidth, kHeight)), 1);
   EXPECT_NEAR(half.share, 0.45, 1e-12);
+  const LineBead overlapping = SparseBead(kWidth, kHeight, 0.9, 1.2);
+  EXPECT_NEAR(static_cast<double>(Spacing(overlapping.width_nm, kHeight)),
+              static_cast<double>(Spacing(kWidth, kHeight)) / 1.2, 1);
+  EXPECT_NEAR(overlapping.share, 1.08, 1e-12);
 }
 
 TEST(ThreadBead, IsARoundStrand) {

@@ -198,6 +198,9 @@ TEST(BridgeFanPercent, IsNoLessThanTheFan) {
   EXPECT_EQ(BridgeFanPercent(cooling, 0, 0), 0);
   cooling.bridge_fan_percent = 20;
   EXPECT_EQ(BridgeFanPercent(cooling, 1, 35), 35);
+  cooling.bridge_fan_percent = -1;  // the fan of the layer
+  EXPECT_EQ(BridgeFanPercent(cooling, 1, 0), 0);
+  EXPECT_EQ(BridgeFanPercent(cooling, 1, 35), 35);
 }
 
 TEST(FanPercent, GrowsUpToTheFullLayer) {
