@@ -17,6 +17,13 @@ double FirstSet(std::initializer_list<double> values) {
   return kDefaultMmS2;
 }
 
+/// Returns an acceleration within a limit of the machine, if the G-code sets this limit. A limit of
+/// 0 is none.
+double Within(const MachineLimits& limits, double limit_mm_s2, double asked_mm_s2) {
+  const bool limited = limits.emit_to_gcode && limit_mm_s2 > 0;
+  return limited ? std::min(asked_mm_s2, limit_mm_s2) : asked_mm_s2;
+}
+
 /// Returns true if the firmware treats a wipe as a travel: a move in the plane that retracts
 /// filament.
 bool WipesAreTravels(const Firmware& firmware) {
@@ -42,9 +49,7 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
                                : ground == Ground::kRaft ? options.over_raft_acceleration_mm_s2
                                                          : 0;
       if (of_ground > 0) asked = of_ground;
-      if (limits.emit_to_gcode && limits.max_acceleration_extruding_mm_s2 > 0) {
-        asked = std::min(asked, limits.max_acceleration_extruding_mm_s2);
-      }
+      asked = Within(limits, limits.max_acceleration_extruding_mm_s2, asked);
     }
     result.print[i] = FirstSet({asked});
   }
@@ -53,6 +58,9 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
     if (ground == Ground::kBed && options.first_layer_travel_acceleration_mm_s2 > 0)
       result.travel = options.first_layer_travel_acceleration_mm_s2;
     result.short_travel = options.short_travel_acceleration_mm_s2;
+    if (firmware.HasTravelAcceleration())
+      for (double* travel : {&result.travel, &result.short_travel})
+        *travel = Within(limits, limits.max_acceleration_travel_mm_s2, *travel);
   } else if (firmware.HasTravelAcceleration()) {
     result.travel = limits.max_acceleration_travel_mm_s2;
   }

@@ -77,6 +77,22 @@ TEST(Accelerations, KlipperHasOneForAllMoves) {
   EXPECT_TRUE(AccelerationsFor(options, Ground::kLayers).one);
 }
 
+TEST(Accelerations, LimitsOfTravelsHoldWhereTheFirmwareHasThem) {
+  MotionOptions options = Options();
+  options.limits.emit_to_gcode = true;
+  options.default_acceleration_mm_s2 = 1000;
+  options.travel_acceleration_mm_s2 = 8000;
+  options.first_layer_travel_acceleration_mm_s2 = 5000;
+  options.flavor = GcodeFlavor::kMarlin2;
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).travel, 3000);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kBed).travel, 3000);
+  options.limits.emit_to_gcode = false;
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).travel, 8000);
+  options.limits.emit_to_gcode = true;
+  options.flavor = GcodeFlavor::kMarlinLegacy;
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).travel, 8000) << "no limit of travels";
+}
+
 TEST(Accelerations, LimitsThatAreEmittedHold) {
   MotionOptions options = Options();
   options.default_acceleration_mm_s2 = 9000;
