@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -228,12 +229,20 @@ absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummar
   return text;
 }
 
+/// Returns the custom G-code that is inserted into layer `i`; empty: the layer contains its code.
+std::span<const std::string> CodeOf(const FrameText& text, size_t i) {
+  if (text.layers.empty()) return {};
+  return std::span(text.layers).subspan(i * kCodesOfALayer, kCodesOfALayer);
+}
+
 PrintTimes TimesOf(const ProgramSummary& summary, const FrameText& text,
                    const MotionOptions& options) {
   PrintClock clock(summary, options);
   clock.ReadBefore(text.prologue);
   for (size_t i = 0; i < summary.layers.size(); ++i) {
     if (!text.ways[i].empty()) clock.ReadAt(i, text.ways[i]);
+    // The times of the layers contain no code that was not known when they were written.
+    for (const std::string& code : CodeOf(text, i)) clock.ReadAt(i, code);
     clock.AddLayer(i);
   }
   clock.ReadAfter(text.ending);

@@ -157,6 +157,17 @@ TEST(FrameProgram, TimeCountsTravelBetweenLayers) {
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250);
 }
 
+TEST(FrameProgram, TimeCountsTheMovesOfLayerCodeThatWaits) {
+  MotionOptions options = Still();
+  options.layer_gcode = "; {print_time}";
+  const double without_s = Framed(Summary(), options).times.TotalS();
+  options.layer_gcode = "; {print_time}\nG1 X300 F6000\nG1 X0 F6000";
+  const ProgramEnvelope frame = Framed(Summary(), options);
+  // Each of the three layers has two moves of about 3 s.
+  EXPECT_GT(frame.times.TotalS(), without_s + 3 * 5);
+  EXPECT_GT(frame.times.layer_s[1], 60 + 5);
+}
+
 TEST(FrameProgram, TellsWhatItsTimesAreSpentOn) {
   MotionOptions options = Still();
   options.tool().temperature_c = options.tool().first_layer_temperature_c = 225;
