@@ -13,7 +13,7 @@ namespace slicefarm::infill {
 /// half its cost, without their places on the boundary.
 class LineEnds {
  public:
-  /// Cuts the lines of a family (CutLines). Errors and cost: those of CutLines.
+  /// Cuts the lines of a family. Errors and cost: as CutLines.
   static absl::StatusOr<LineEnds> Of(const MultiPolygon& region, const LineFamily& family);
 
   /// Returns the first line of the family that meets the region, and the line after the last one.
