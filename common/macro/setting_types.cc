@@ -21,8 +21,9 @@ constexpr std::string_view kChoices = "cooling_slowdown_logic";
 constexpr std::string_view kFlag =
     "autoemit_temperature_commands automatic_extrusion_widths automatic_infill_combination "
     "avoid_crossing_curled_overhangs avoid_crossing_perimeters binary_gcode complete_objects "
-    "dont_support_bridges enable_dynamic_overhang_speeds external_perimeters_first "
-    "extra_perimeters extra_perimeters_on_overhangs gap_fill_enabled gcode_comments "
+    "cooling_filter_enabled dont_support_bridges enable_dynamic_overhang_speeds "
+    "enable_wrapping_detection external_perimeters_first extra_perimeters "
+    "extra_perimeters_on_overhangs farthest_point_timelapse gap_fill_enabled gcode_comments "
     "high_current_on_filament_swap infill_first infill_only_where_needed interface_shells "
     "interlocking_beam ironing only_one_perimeter_first_layer "
     "only_retract_when_crossing_perimeters ooze_prevention overhangs prefer_clockwise_movements "
@@ -139,7 +140,7 @@ constexpr std::string_view kWhole =
     "support_material_bottom_interface_layers support_material_enforce_layers "
     "support_material_extruder support_material_interface_extruder "
     "support_material_interface_layers support_material_threshold top_solid_layers "
-    "wall_distribution_count wipe_tower_extruder";
+    "timelapse_type wall_distribution_count wipe_tower_extruder wrapping_detection_layers";
 
 constexpr std::string_view kWholes =
     "idle_temperature "

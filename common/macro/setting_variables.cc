@@ -55,7 +55,10 @@ constexpr Relation kAliases[] = {
 constexpr std::array<std::string_view, 4> kOfALayer = {"layer_num", "layer_z", "max_layer_z",
                                                        "current_object_idx"};
 
-constexpr std::array<std::string_view, 34> kWaiting = {
+constexpr std::array<std::string_view, 37> kWaiting = {
+    "curr_accumulated_mass",
+    "curr_layer_mass",
+    "curr_y_acceleration_limit",
     "print_time_total_sec",
     "print_time_day",
     "print_time_hour",
@@ -259,10 +262,9 @@ void AddBambuTools(int64_t tool, TemplateVariables& variables) {
 /// Adds other variables of Bambu Studio and OrcaSlicer, for a plate with one filament.
 void AddBambuNames(TemplateVariables& variables) {
   for (const char* name :
-       {"bbl_bed_temperature_gcode", "farthest_point_timelapse_enabled", "has_tpu_in_first_layer",
-        "hold_chamber_temp_for_flat_print", "in_head_wrap_detect_zone", "is_all_bbl_filament",
-        "is_prime_tower_interface", "timelapse_inline_photo", "wipe_avoid_perimeter",
-        "wipe_tower_center_pos_valid"})
+       {"bbl_bed_temperature_gcode", "has_tpu_in_first_layer", "hold_chamber_temp_for_flat_print",
+        "in_head_wrap_detect_zone", "is_all_bbl_filament", "is_prime_tower_interface",
+        "timelapse_inline_photo", "wipe_avoid_perimeter", "wipe_tower_center_pos_valid"})
     variables.try_emplace(name, false);
   for (const char* name : {"wipe_tower_center_pos_x", "wipe_tower_center_pos_y"})
     variables.try_emplace(name, 0.0);

@@ -62,7 +62,7 @@ int64_t MemoryOf(const LayerPlan& plan) {
                   MemoryOfPaths(plan.paths) + MemoryOfList(plan.infill);
   for (const SectionPlan& section : plan.sections)
     bytes += MemoryOfList(section.seams) + MemoryOfPolygons(section.above_supports) +
-             MemoryOfPolygons(section.curled);
+             MemoryOfPolygons(section.curled) + MemoryOfPolygons(section.air);
   for (const PlannedInfill& infill : plan.infill) {
     bytes += MemoryOfList(infill.lines) + MemoryOfPolygons(infill.left_out) +
              MemoryOfPolygons(infill.combined);
@@ -72,7 +72,8 @@ int64_t MemoryOf(const LayerPlan& plan) {
 }
 
 int64_t MemoryOf(const Skirt& skirt) {
-  return static_cast<int64_t>(sizeof skirt) + MemoryOfPaths(skirt.loops);
+  return static_cast<int64_t>(sizeof skirt) + MemoryOfPaths(skirt.loops) +
+         MemoryOfPaths(skirt.upper_loops);
 }
 
 int64_t MemoryOf(const PlacedScene& scene) {

@@ -16,9 +16,7 @@ struct Weighty {
 constexpr Weighty kWeighty[] = {
     // Settings that change the material or sizes.
     {"zaa_enabled", "0"},
-    {"skirt_type", "combined"},
     // Settings for the machine.
-    {"timelapse_type", "0"},
     {"post_process", ""},
 };
 

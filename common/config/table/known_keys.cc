@@ -81,7 +81,6 @@ constexpr Group kGroups[] = {
      "variable_layer_height"},
     {"chooses between several tools, but a job prints with one tool", "idle_temperature"},
     {"its results are already in the width settings", "automatic_extrusion_widths"},
-    {"support interfaces always end in a loop", "support_material_interface_contact_loops"},
     {kProfile, "compatible_*", false},
     {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
     {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},

@@ -235,6 +235,7 @@ constexpr OrcaVariable kVariables[] = {
     {"initial_no_support_extruder", "initial_extruder"},
     {"initial_no_support_tool", "initial_tool"},
     {"overall_chamber_temperature", "chamber_temperature"},
+    {"farthest_point_timelapse_enabled", "farthest_point_timelapse"},
     // The minimum over all filaments in use; only one is in use.
     {"min_vitrification_temperature", "temperature_vitrification"},
     {"long_retraction_when_cut", "long_retractions_when_cut"},
@@ -249,7 +250,6 @@ constexpr OrcaStandard kStandards[] = {
     {"enable_pressure_advance", "0"}, {"filament_notes", ""},
     {"print_sequence", "by layer"},   {"printer_notes", ""},
     {"scan_first_layer", "0"},        {"support_air_filtration", "1"},
-    {"timelapse_type", "0"},
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ struct SectionPlan {
   std::optional<SpiralTurn> spiral = {};
   /// Area where overhangs have curled up above the layer; travels avoid it.
   MultiPolygon curled = {};
+  MultiPolygon air = {};  ///< area with neither the part nor a support below it, if it is needed
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
@@ -101,6 +102,8 @@ struct Skirt {
   /// Number of layers with the skirt, counted from the lowest layer. Layers that only have supports
   /// (OnlySupports) are not counted.
   int32_t layers = 0;
+  /// loops of the layers above the lowest one; empty: `loops`
+  std::vector<Path> upper_loops = {};
 
   friend bool operator==(const Skirt&, const Skirt&) = default;
 };

@@ -35,6 +35,8 @@ struct SkirtOptions {
   /// `skirt_start_angle`: direction from the middle of the skirt to the start of each loop, from
   /// the x axis; below kNoStartAngle: any start
   double start_angle_rad = -7;
+  bool per_object = false;    ///< `skirt_type = perobject`: a skirt around each copy
+  bool single_upper = false;  ///< `single_loop_draft_shield`: one loop above the first layer
   Coord width_nm = 400'000;   ///< `first_layer_extrusion_width`: full width of a line
   Coord height_nm = 200'000;  ///< height of the first layer
   /// Cross section of the filament; the default is a diameter of 1.75 mm.

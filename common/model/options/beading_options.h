@@ -76,6 +76,10 @@ struct BeadingOptions {
   Coord max_bead_width_nm = 800'000;        ///< setting max_bead_width
   /// `min_length_factor`: shorter open lines are left out, in widths of the outer wall
   double min_length_factor = 0;
+  /// `wall_maximum_resolution` and `wall_maximum_deviation`: walls leave out points beside edges
+  /// shorter than the first, as long as the walls move by at most the second
+  Coord least_edge_nm = 500'000;
+  Coord edge_deviation_nm = 5'000;
   bool lock_outer_width = false;  ///< setting lock_outer_width
   /// `precise_outer_wall`: the wall beside an outer wall is laid against it without pressing it
   /// outwards

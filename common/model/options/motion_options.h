@@ -73,6 +73,15 @@ struct ResonanceOptions {
   friend bool operator==(const ResonanceOptions&, const ResonanceOptions&) = default;
 };
 
+/// Machine that moves the bed along y, for templates that limit its acceleration.
+struct BedMotor {
+  double force_n = 0;           ///< setting machine_max_force_y; 0: no limit by the mass
+  double bed_mass_g = 0;        ///< setting machine_bed_mass_y
+  double max_print_mass_g = 0;  ///< setting machine_max_printed_mass; 0: unlimited
+
+  friend bool operator==(const BedMotor&, const BedMotor&) = default;
+};
+
 /// Flow and reach of the turns of a spiral (spiral_vase).
 struct SpiralMotion {
   /// `spiral_vase_starting_flow_ratio`: flow at the start of the first turn
@@ -150,6 +159,7 @@ struct MachineMotion {
   double fan_kickstart_s = 0;
   int32_t fan_least_percent = 0;  ///< `part_cooling_fan_min_pwm`: least speed of a fan that runs
   ResonanceOptions resonance;
+  BedMotor bed_motor;
   SpiralMotion spiral;
   /// max_volumetric_extrusion_rate_slope_segment_length: length of beads with one flow
   double flow_segment_mm = 1;

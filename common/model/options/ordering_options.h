@@ -18,6 +18,8 @@ struct WallOrder {
   /// `staggered_inner_seams`: each inner loop starts a little further along the wall than the next
   /// loop outside of it.
   bool stagger_seams = false;
+  /// `unsupported_wall_last`: walls over air that touch no other wall are printed after the fills
+  bool unsupported_last = false;
   bool whole_loops = false;  ///< true: inner loops are never cut open to link them to other paths
 
   friend bool operator==(const WallOrder&, const WallOrder&) = default;

@@ -33,10 +33,13 @@ struct ObjectPlanOptions {
 struct JobPlanOptions {
   SequencePlanOptions sequence;
   SkirtOptions skirt;
+  bool combine_brims = true;         ///< `combine_brims`: brims that touch become one brim
   int32_t skirt_settings = 0;        ///< index into the job's tables of region settings
   bool objects_may_overlap = false;  ///< setting objects_may_overlap
   /// `avoid_crossing_curled_overhangs`: planning computes SectionPlan::curled
   bool avoid_curled = false;
+  /// unsupported_wall_last of any region: planning computes SectionPlan::air
+  bool find_air = false;
   bool slow_curled = false;  ///< MachineMotion::slow_curled, which needs the same areas
   /// bed_shape without bed_exclude_area: area outside of which planning adds nothing. Empty: no
   /// limit.

@@ -75,6 +75,8 @@ struct JobSlicingOptions {
   Polygon bed = {{0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};
   /// `bed_exclude_area`: parts of the bed that must remain free
   std::vector<Polygon> excluded = {};
+  /// `wrapping_exclude_area` with enable_wrapping_detection: part of the bed that must remain free
+  std::vector<Polygon> wrapping = {};
   Coord max_print_height_nm = 0;  ///< setting max_print_height; 0: unlimited
   std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< setting thumbnails
   /// `best_object_pos`: place of a single part and of arranged parts on the bed, as shares of its
@@ -88,6 +90,13 @@ struct JobSlicingOptions {
 
   friend bool operator==(const JobSlicingOptions&, const JobSlicingOptions&) = default;
 };
+
+/// Returns all areas of the bed that must remain free.
+inline std::vector<Polygon> AllExcluded(const JobSlicingOptions& options) {
+  std::vector<Polygon> all = options.excluded;
+  all.insert(all.end(), options.wrapping.begin(), options.wrapping.end());
+  return all;
+}
 
 /// Options of the slicing stage.
 struct SlicingOptions : JobSlicingOptions {

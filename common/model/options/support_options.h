@@ -73,6 +73,8 @@ struct SupportOptions {
   Coord interface_spacing_nm = 0;
   /// Setting support_material_bottom_interface_spacing; below 0: interface_spacing_nm.
   Coord bottom_interface_spacing_nm = -1;
+  /// `support_material_interface_contact_loops`: one more loop around interfaces below the object
+  bool contact_loops = false;
   Coord expansion_nm = 0;  ///< `support_material_expansion`: growth of columns in x and y
   /// `support_material_max_bridge_length`: longer bridges are supported; 0: unlimited
   Coord max_bridge_nm = 0;

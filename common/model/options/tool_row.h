@@ -105,7 +105,10 @@ struct ToolRow {
   Point offset;         ///< setting extruder_offset, subtracted from all positions in the G-code
   int32_t number = -1;  ///< number of the extruder from 0; -1: the machine has one tool
   double max_volumetric_speed_mm3_s = 0;  ///< setting filament_max_volumetric_speed; 0: unlimited
-  double pressure_advance = 0;            ///< `pressure_advance` in the firmware's unit; 0: not set
+  /// `volumetric_speed_coefficients` with filament_adaptive_volumetric_speed: largest flow by the
+  /// height and width of the bead (flow_fit.h); empty: max_volumetric_speed_mm3_s alone
+  std::string flow_fit;
+  double pressure_advance = 0;  ///< `pressure_advance` in the firmware's unit; 0: not set
 
   AdaptiveAdvance advance;
 

@@ -109,6 +109,9 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
   if (!plan.curled.empty())
     if (absl::Status status = ToProto(plan.curled, proto->mutable_curled()); !status.ok())
       return Within("curled", status);
+  if (!plan.air.empty())
+    if (absl::Status status = ToProto(plan.air, proto->mutable_air()); !status.ok())
+      return Within("air", status);
   if (plan.spiral)
     if (absl::Status status = ToProto(*plan.spiral, proto->mutable_spiral()); !status.ok())
       return Within("spiral", status);
@@ -123,11 +126,14 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   if (!above_supports.ok()) return Within("above_supports", above_supports.status());
   absl::StatusOr<MultiPolygon> curled = FromProto(proto.curled());
   if (!curled.ok()) return Within("curled", curled.status());
+  absl::StatusOr<MultiPolygon> air = FromProto(proto.air());
+  if (!air.ok()) return Within("air", air.status());
   SectionPlan plan{
       proto.stack(), FromProto(proto.entry()), {}, *std::move(seams), *std::move(above_supports)};
   if (proto.has_exit()) plan.exit = FromProto(proto.exit());
   if (proto.has_spiral()) plan.spiral = FromProto(proto.spiral());
   plan.curled = *std::move(curled);
+  plan.air = *std::move(air);
   return plan;
 }
 
@@ -223,14 +229,18 @@ absl::Status CheckLift(std::string_view field, int64_t lift_nm) {
 
 absl::Status ToProto(const Skirt& skirt, v1::Skirt* proto) {
   proto->set_layers(skirt.layers);
-  return AllToProto(skirt.loops, "loops", proto->mutable_loops());
+  absl::Status status = AllToProto(skirt.loops, "loops", proto->mutable_loops());
+  status.Update(AllToProto(skirt.upper_loops, "upper_loops", proto->mutable_upper_loops()));
+  return status;
 }
 
 absl::StatusOr<Skirt> FromProto(const v1::Skirt& proto) {
   if (proto.layers() < 0 || proto.layers() > limits::kMaxLayers)
     return Malformed("layers", "is not a number of layers");
-  Skirt skirt{{}, proto.layers()};
-  if (absl::Status ok = AllFromProto(proto.loops(), "loops", &skirt.loops); !ok.ok()) return ok;
+  Skirt skirt{{}, proto.layers(), {}};
+  absl::Status status = AllFromProto(proto.loops(), "loops", &skirt.loops);
+  status.Update(AllFromProto(proto.upper_loops(), "upper_loops", &skirt.upper_loops));
+  if (!status.ok()) return status;
   return skirt;
 }
 

@@ -37,13 +37,14 @@ PlacedCopy DistinctPlaced() {
 
 SectionPlan DistinctSection(int32_t of) {
   SectionPlan plan;
-  auto& [stack, entry, exit, seams, above_supports, spiral, curled] = plan;
+  auto& [stack, entry, exit, seams, above_supports, spiral, curled, air] = plan;
   stack = of;
   entry = {2, -3};
   exit = {-8, 9};
   seams = {{4, 5}, {-6, 7}};
   above_supports = MakePolygonsOrDie("(2 2, 7 2, 7 7)");
   curled = MakePolygonsOrDie("(3 3, 8 3, 8 8)");
+  air = MakePolygonsOrDie("(4 4, 9 4, 9 9)");
   spiral = {{10, 11}, Point{-12, 13}, true, false};
   return plan;
 }
@@ -84,8 +85,9 @@ AddedStack DistinctStack() {
 
 Skirt DistinctSkirt() {
   Skirt skirt;
-  auto& [loops, layers] = skirt;
+  auto& [loops, layers, upper_loops] = skirt;
   loops = {MakePathOrDie("(0 0, 9 0, 9 9)", true)};
+  upper_loops = {MakePathOrDie("(0 0, 8 0, 8 8)", true)};
   layers = 12;
   return skirt;
 }

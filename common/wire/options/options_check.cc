@@ -7,6 +7,7 @@
 #include "common/model/limits.h"
 #include "common/model/options/advance_model.h"
 #include "common/model/options/beading_options.h"
+#include "common/model/options/flow_fit.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/options/ordering_options.h"
@@ -105,6 +106,8 @@ absl::Status CheckWalls(const BeadingOptions& walls) {
                                   {"max_bead_width_nm", walls.max_bead_width_nm}}));
   status.Update(CheckTexture(walls.texture));
   status.Update(CheckNoLessThanZero("min_length_factor", walls.min_length_factor));
+  status.Update(CheckNotNegative(
+      {{"least_edge_nm", walls.least_edge_nm}, {"edge_deviation_nm", walls.edge_deviation_nm}}));
   status.Update(CheckAboveZero("transition_angle", walls.transition_angle));
   status.Update(CheckRange("transition_angle", walls.transition_angle, 0, kMaxTransitionAngle));
   status.Update(
@@ -218,6 +221,8 @@ absl::Status CheckTool(const ToolRow& tool) {
   status.Update(CheckCooling(tool.cooling));
   status.Update(CheckRange("retraction.after_wipe", tool.retraction.after_wipe, 0, 1));
   status.Update(CheckNoLessThanZero("advance.bridges", tool.advance.bridges));
+  if (const auto fit = FlowFit::Parse(tool.flow_fit); !fit.ok())
+    status.Update(Malformed("flow_fit", std::string(fit.status().message())));
   if (const auto points = ParseAdvancePoints(tool.advance.model); !points.ok())
     status.Update(Malformed("advance.model", std::string(points.status().message())));
   return status;

@@ -74,7 +74,8 @@ absl::StatusOr<std::vector<SlicedLayer>> TakeLayers(std::vector<SlicedLayer> par
   Coord below_nm = 0;
   for (size_t i = 0; i < layers.size() && left > 0; ++i) {
     if (OnlySupports(layers[i])) continue;
-    plan.layers[i].paths = skirt.loops;
+    const bool upper = left < skirt.layers && !skirt.upper_loops.empty();
+    plan.layers[i].paths = upper ? skirt.upper_loops : skirt.loops;
     const LayerFrame& frame = layers[i].frame;
     if (frame.print_z_nm - below_nm != frame.height_nm)
       plan.layers[i].paths_height_nm = frame.print_z_nm - below_nm;

@@ -11,6 +11,7 @@
 #include "common/config/setting_refusal.h"
 #include "common/config/table/value.h"
 #include "common/model/options/adhesion_options.h"
+#include "common/model/options/flow_fit.h"
 #include "common/model/options/machine_limits.h"
 
 namespace slicefarm::config::fdm {
@@ -132,6 +133,17 @@ absl::Status CheckAdaptiveHeights(const SettingValues& draft) {
                 least, kUnbounded);
 }
 
+/// Checks the coefficients of the filament's flow, which are empty if they have no effect.
+absl::Status CheckFlowFit(const SettingValues& draft) {
+  const std::string key = "volumetric_speed_coefficients";
+  const std::string& text = draft.At(key).value->text.str();
+  const absl::Status parsed = FlowFit::Parse(text).status();
+  if (parsed.ok()) return parsed;
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+                   fmt::format("{} = {}: it {}", key, text, std::string(parsed.message())),
+                   {{"setting", key}, {"value", text}});
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const SettingValues& draft) {
@@ -142,6 +154,7 @@ absl::Status CheckSettings(const SettingValues& draft) {
   if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
   if (absl::Status status = CheckAdaptiveHeights(draft); !status.ok()) return status;
   if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
+  if (absl::Status status = CheckFlowFit(draft); !status.ok()) return status;
   if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
   if (absl::Status status = CheckWords(draft); !status.ok()) return status;
 

@@ -226,6 +226,16 @@ std::vector<std::string> DeriveVase(SettingValues& draft) {
   return notes;
 }
 
+/// Empties settings of a feature that is off: the area that nothing may enter, and the fit of the
+/// filament's flow.
+void DeriveFeaturesOff(SettingValues& draft) {
+  const auto clear = [&](std::string_view key) { draft.At(key).value->text = std::string(); };
+  if (draft.Number("enable_wrapping_detection") == 0) clear("wrapping_exclude_area");
+  if (draft.At("wrapping_exclude_area").value->text.empty()) clear("wrapping_detection_gcode");
+  if (draft.Number("filament_adaptive_volumetric_speed") == 0)
+    clear("volumetric_speed_coefficients");
+}
+
 }  // namespace
 
 absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
@@ -251,6 +261,7 @@ absl::Status Derive(SettingValues& draft, ResolvedSettings& result) {
   DeriveFilament(draft);
   ResolvePercentage(draft, "seam_gap_distance");
   DeriveExtraWalls(draft);
+  DeriveFeaturesOff(draft);
   absl::Status status = JoinGcode(draft);
   DeriveLayerChange(draft);
   DeriveThumbnails(draft);

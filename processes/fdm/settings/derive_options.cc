@@ -147,12 +147,13 @@ absl::Status DeriveTravelArea(JobRows& settings) {
   MachineRow& machine = FdmOf(settings).machine;
   if (slicing.bed.empty()) return absl::OkStatus();
   machine.plan.bed = {{slicing.bed, {}}};
-  if (slicing.excluded.empty()) return absl::OkStatus();
-  machine.plan.bed = Difference(machine.plan.bed, Union(slicing.excluded, FillRule::kNonZero));
+  const std::vector<Polygon> excluded = AllExcluded(slicing);
+  if (excluded.empty()) return absl::OkStatus();
+  machine.plan.bed = Difference(machine.plan.bed, Union(excluded, FillRule::kNonZero));
   machine.order.travel.travel_area = machine.motion.travel_area = machine.plan.bed;
   if (!machine.plan.bed.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   "bed_exclude_area covers the whole bed_shape",
+                   "bed_exclude_area and wrapping_exclude_area cover the whole bed_shape",
                    {{"setting", "bed_exclude_area"}});
 }
 

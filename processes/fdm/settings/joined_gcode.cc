@@ -48,17 +48,27 @@ struct Joint {
   bool other_first = true;
 };
 
-std::array<Joint, 4> JointsOf(const SettingValues& draft) {
+std::array<Joint, 5> JointsOf(const SettingValues& draft) {
   const bool bambu = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kBambu);
   return {Joint{"end_gcode", "end_filament_gcode"},
           Joint{"layer_gcode", "time_lapse_gcode", !bambu},
+          Joint{"layer_gcode", "wrapping_detection_gcode"},
           Joint{"change_extrusion_role_gcode", "filament_change_extrusion_role_gcode", false},
           Joint{"change_extrusion_role_gcode", "process_change_extrusion_role_gcode", false}};
+}
+
+/// Limits wrapping_detection_gcode to its layers. The lines of the text keep their numbers.
+void LimitWrappingDetection(SettingValues& draft) {
+  SharedText& code = draft.At("wrapping_detection_gcode").value->text;
+  if (code.empty()) return;
+  const auto layers = static_cast<int32_t>(draft.Number("wrapping_detection_layers"));
+  code = fmt::format("{{if layer_num > 0 && layer_num <= {}}}{}\n{{endif}}", layers, code.str());
 }
 
 }  // namespace
 
 absl::Status JoinGcode(SettingValues& draft) {
+  LimitWrappingDetection(draft);
   for (const Joint& joint : JointsOf(draft)) {
     SharedText& into = draft.At(joint.into).value->text;
     const std::string& other = Text(draft, joint.other);

@@ -13,6 +13,8 @@ namespace slicefarm::config::fdm {
 ///   before the setting of the process.
 /// - time_lapse_gcode comes before layer_gcode. On machines of Bambu Lab it comes after
 ///   layer_gcode, as in OrcaSlicer and Bambu Studio.
+/// - wrapping_detection_gcode comes before both, and only after each of the lowest
+///   wrapping_detection_layers layers.
 ///
 /// Errors: REQUEST_TOO_LARGE if a joined text is too long (CheckSettingSize).
 absl::Status JoinGcode(SettingValues& draft);

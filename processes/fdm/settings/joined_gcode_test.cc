@@ -104,5 +104,23 @@ TEST(JoinedGcode, TheTimeLapseStandsWhereTheProgramThatOwnsItPutsIt) {
   EXPECT_EQ(LayerCode({{"layer_gcode", "M117"}}), "M117");
 }
 
+TEST(JoinedGcode, TheCheckForClumpsIsLimitedToItsLayers) {
+  const Pairs given = {{"enable_wrapping_detection", "1"},
+                       {"wrapping_detection_layers", "7"},
+                       {"wrapping_detection_gcode", "G39"},
+                       {"wrapping_exclude_area", "150x180,200x180,200x200,150x200"},
+                       {"layer_gcode", "M117"}};
+  EXPECT_EQ(LayerCode(given), "{if layer_num > 0 && layer_num <= 7}G39\n{endif}\nM117");
+  for (const char* off : {"enable_wrapping_detection", "wrapping_exclude_area"}) {
+    Pairs without = given;
+    std::erase_if(without, [&](const auto& each) { return each.first == off; });
+    EXPECT_EQ(LayerCode(without), "M117") << off;
+  }
+  Pairs wrong = given;
+  wrong.push_back({"wrapping_detection_gcode", "G39\n{nothing}"});
+  EXPECT_EQ(DetailOf(Fault(wrong)).metadata["setting"], "wrapping_detection_gcode");
+  EXPECT_EQ(DetailOf(Fault(wrong)).metadata["line"], "2");
+}
+
 }  // namespace
 }  // namespace slicefarm::config::fdm::joined_gcode_test

@@ -71,6 +71,8 @@ absl::Status FinishPlate(const JobRows& job, RegionRows& rows, JobSettings& plat
     plan.skirt_settings = *row;
   }
   rows.PutInto(plate);
+  plan.find_air = std::ranges::any_of(
+      FdmOf(plate).regions, [](const RegionRow& region) { return region.order.unsupported_last; });
   LeaveRoomForBrims(plate);
   return absl::OkStatus();
 }

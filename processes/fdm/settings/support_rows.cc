@@ -58,7 +58,7 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
     case SupportRow::kBottomInterface:
       // A loop ends exactly at the region's edge, and fits into narrow strips without space for
       // crossing lines.
-      beading.perimeters = 1;
+      beading.perimeters = support.contact_loops && row == SupportRow::kInterface ? 2 : 1;
       FillAlike(density(SpacingOf(support, row)), angle_rad + std::numbers::pi / 2, infill);
       if (support.interface_pattern == InterfacePattern::kConcentric)
         infill.pattern = infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =

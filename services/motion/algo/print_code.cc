@@ -28,12 +28,13 @@ class CodeWalk {
   absl::StatusOr<PrintCode> Run(std::span<const PassChange> changes) {
     PrintCode filled;
     // Start G-code is before the first layer, so the layer number is -1.
-    Put({.number = -1, .print_z_nm = 0, .top_nm = TopOf(summary_)}, 0);
+    Put({.number = -1, .print_z_nm = 0, .top_nm = TopOf(summary_)}, 0, 0);
     if (absl::Status ok = Add(code_.file_start, filled.file_start); !ok.ok()) return ok;
     if (absl::Status ok = Add(code_.start, filled.start); !ok.ok()) return ok;
     if (absl::Status ok = Add(code_.start_filament, filled.start_filament); !ok.ok()) return ok;
     if (absl::Status ok = AddLayers(changes, filled); !ok.ok()) return ok;
-    Put(Last(), summary_.total.FilamentMm());
+    Put(Last(), summary_.total.FilamentMm(),
+        summary_.layers.empty() ? 0 : summary_.layers.back().filament_mm);
     if (absl::Status ok = Add(code_.end, filled.end); !ok.ok()) return ok;
     now_["print_time"] = now_["normal_print_time"] = ShortTime(time_s_);
     now_["silent_print_time"] = ShortTime(silent_s_);
@@ -43,14 +44,14 @@ class CodeWalk {
 
  private:
   absl::Status AddLayers(std::span<const PassChange> changes, PrintCode& filled) {
-    double filament_mm = 0;
+    double filament_mm = 0, layer_mm = 0;
     auto change = changes.begin();
     LayerContext before;
     for (size_t i = 0; i < summary_.layers.size(); ++i) {
       const LayerSummary& layer = summary_.layers[i];
       if (change != changes.end() && change->layer == i) {
         before.pass = layer.pass;
-        Put(before, filament_mm);
+        Put(before, filament_mm, layer_mm);
         if (absl::Status ok = Add(code_.between_objects, filled.between.emplace_back()); !ok.ok())
           return ok;
         ++change;
@@ -60,10 +61,11 @@ class CodeWalk {
                 .print_z_nm = layer.frame.print_z_nm,
                 .top_nm = std::max(before.top_nm, layer.frame.print_z_nm)};
       if (code_.layers_wait) {
-        Put(before, filament_mm);
+        Put(before, filament_mm, layer_mm);
         if (absl::Status ok = AddLayer(layer.frame, filled); !ok.ok()) return ok;
       }
-      filament_mm += layer.filament_mm;
+      layer_mm = layer.filament_mm;
+      filament_mm += layer_mm;
     }
     return absl::OkStatus();
   }
@@ -87,9 +89,9 @@ class CodeWalk {
   }
 
   /// Sets the variables for the next templates.
-  void Put(const LayerContext& context, double filament_mm) {
+  void Put(const LayerContext& context, double filament_mm, double layer_mm) {
     for (auto& [name, variable] : LayerVariables(context, {})) now_[name] = std::move(variable);
-    PutUseSoFar(options_, filament_mm, now_);
+    PutUseSoFar(options_, filament_mm, layer_mm, now_);
   }
 
   absl::Status Add(const macro::Template& part, std::string& text) {

@@ -46,6 +46,21 @@ TEST(FillIn, PlacesAreThoseOfThePrint) {
   EXPECT_THAT(code.layers, IsEmpty());
 }
 
+// F / (bed + print), as Bambu Studio computes it; the empty bed has the machine's limit.
+TEST(FillIn, TheBedsAccelerationFallsWithTheMassOnIt) {
+  MotionOptions options;
+  options.limits.max_acceleration_mm_s2[1] = 20'000;
+  options.tool().filament_density_g_cm3 = 1000 / 2.405282;  // 1 g per mm of filament
+  options.layer_gcode =
+      "{int(curr_y_acceleration_limit)} {int(curr_accumulated_mass + 0.5)} {int(curr_layer_mass + "
+      "0.5)}";
+  EXPECT_THAT(Filled(options).layers, ElementsAre("", "20000 0 0", "", "20000 100 100", "",
+                                                  "20000 200 100", "", "20000 300 100"));
+  options.bed_motor = {.force_n = 29, .bed_mass_g = 1400};
+  EXPECT_THAT(Filled(options).layers, ElementsAre("", "20000 0 0", "", "19333 100 100", "",
+                                                  "18125 200 100", "", "17058 300 100"));
+}
+
 TEST(FillIn, SumsRunFromLayerToLayer) {
   MotionOptions options;
   options.start_gcode = "{extruded_weight_total}";

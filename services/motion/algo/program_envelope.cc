@@ -1,5 +1,7 @@
 #include "services/motion/algo/program_envelope.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <optional>
 #include <span>
@@ -7,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/gcode/gcode_text.h"
 #include "common/geometry/measure.h"
@@ -204,9 +207,26 @@ struct FrameText {
   std::string file_name;
 };
 
+/// Refuses a print that is too heavy for the machine (machine_max_printed_mass).
+absl::Status CheckMass(const ProgramSummary& summary, const MotionOptions& options) {
+  const double most_g = options.bed_motor.max_print_mass_g;
+  const double mass_g = FilamentUseOf(summary.total, options).mass_g;
+  if (most_g <= 0 || mass_g <= most_g) return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+      fmt::format(
+          "the print weighs {:.1f} g, and machine_max_printed_mass is {:.1f} g: print fewer "
+          "copies, or use less infill",
+          mass_g, most_g),
+      {{"setting", "machine_max_printed_mass"},
+       {"limit", fmt::format("{:.1f} g", most_g)},
+       {"got", fmt::format("{:.1f} g", mass_g)}});
+}
+
 /// Returns the text. `times`: times of the print, for templates.
 absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummary& summary,
                                  const MotionOptions& options, const ClockedTimes& times) {
+  if (absl::Status ok = CheckMass(summary, options); !ok.ok()) return ok;
   const double time_s = times.TotalS();
   FrameText text;
   text.changes = PassChanges(summary);

@@ -309,6 +309,19 @@ TEST(FrameProgram, CopiesAreDefinedBeforeTheyArePrinted) {
                          "M486 S1\nM486 Aa (Instance 2)\nM486 S-1\n;TYPE:Custom\n"));
 }
 
+TEST(FrameProgram, RefusesAPrintThatIsTooHeavy) {
+  ProgramSummary summary = Summary();
+  summary.total.features[0].volume_mm3 = 10'000;  // 12.4 g of PLA
+  MotionOptions options = Options();
+  options.bed_motor.max_print_mass_g = 12.5;
+  EXPECT_TRUE(FrameProgram(summary, options).ok());
+  options.bed_motor.max_print_mass_g = 12.3;
+  const ErrorDetail detail = DetailOf(FrameProgram(summary, options).status());
+  EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
+  EXPECT_EQ(detail.metadata.at("setting"), "machine_max_printed_mass");
+  EXPECT_EQ(detail.metadata.at("got"), "12.4 g");
+}
+
 TEST(FrameProgram, NothingToPrint) {
   const ProgramEnvelope frame = Framed({});
   EXPECT_EQ(frame.times.TotalS(), frame.times.before_s) << "the filament is pulled back";

@@ -15,6 +15,7 @@
 #include "services/ordering/algo/loop_start.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/route.h"
+#include "services/ordering/algo/unsupported_walls.h"
 #include "services/ordering/algo/wall_order.h"
 
 namespace slicefarm::ordering {
@@ -114,9 +115,9 @@ std::vector<FillBlock> TakeIroning(std::vector<FillBlock>& blocks) {
 }
 
 void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
-                 std::span<const Point> seams, Route& route, WorkBudget& budget) {
+                 const SectionPlan& plan, Route& route, WorkBudget& budget) {
   const WallOrder order = OrderOf(island, options);
-  const WallRules rules{OrderOf(order), seams, order.stagger_seams};
+  const WallRules rules{OrderOf(order), plan.seams, order.stagger_seams};
   std::vector<Path*> walls;
   std::vector<FillBlock> gaps;
   for (Path& wall : island.walls) {
@@ -129,19 +130,25 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
   }
   std::vector<FillBlock> fills = BlocksOf(island.fills);
   std::vector<FillBlock> ironing = TakeIroning(fills);
+  std::vector<Path*> last;
+  if (order.unsupported_last && !fills.empty()) last = TakeUnsupported(walls, plan.air);
+  const auto print_rest = [&] {
+    if (!last.empty())
+      PrintWalls(last, rules, ironing.empty() ? next : std::nullopt, route, budget);
+    PrintFills(std::move(ironing), next, route, budget);
+  };
   if (options.infill_first) {
     PrintFills(std::move(fills), {}, route, budget);
     PrintWalls(walls, rules, gaps.empty() ? next : std::nullopt, route, budget);
     PrintFills(std::move(gaps), next, route, budget);
-    PrintFills(std::move(ironing), next, route, budget);
-    return;
+    return print_rest();
   }
   const bool walls_last = fills.empty() && gaps.empty() && ironing.empty();
   PrintWalls(walls, rules, walls_last ? next : std::nullopt, route, budget);
   // Gap fill is between the fills: one order for both needs less travel than two separate orders.
   std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
   PrintFills(std::move(fills), next, route, budget);
-  PrintFills(std::move(ironing), next, route, budget);
+  print_rest();
 }
 
 }  // namespace
@@ -202,7 +209,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;
     route.Enter({looks_at_walls ? known : nullptr, known, OrderOf(island, options).whole_loops});
-    PrintIsland(island, next, options, plan.seams, route, budget);
+    PrintIsland(island, next, options, plan, route, budget);
     const size_t first = travels.size();
     Meetings meetings;
     if (is_first) meetings.below = plan.entry;

@@ -15,7 +15,8 @@ namespace slicefarm::ordering {
 /// - Islands follow each other with little travel from plan.entry, towards plan.exit if there is
 ///   one.
 /// - In each island the walls are first, contour by contour (wall_order.h). Then fills and gap fill
-///   follow in one common order (fill_order.h). With infill_first: fills, walls, gap fill.
+///   follow in one common order (fill_order.h). With infill_first: fills, walls, gap fill. With
+///   unsupported_wall_last, walls over air (unsupported_walls.h) follow the fills.
 ///
 /// The block also contains the travels between the paths (island_travels.h, outside_travels.h),
 /// including the travel from plan.entry and to plan.exit. Travels from island to island are not

@@ -132,6 +132,27 @@ TEST(OrderSection, NothingIsLostOrChangedButDirectionAndStart) {
   }
 }
 
+TEST(OrderSection, UnsupportedWallsFollowTheFills) {
+  FilledSection section = Section();
+  section.islands.resize(1);
+  SectionPlan plan;
+  plan.air = {{{Mm(90, 0), Mm(130, 0), Mm(130, 40), Mm(90, 40)}, {}}};
+  OrderingOptions options;
+  EXPECT_EQ(FeaturesOf(Order(section, options, plan))[0], Feature::kPerimeter);
+  for (const bool infill_first : {false, true}) {
+    options.infill_first = infill_first;
+    options.walls[0].unsupported_last = true;
+    const std::vector<Feature> features = FeaturesOf(Order(section, options, plan));
+    ASSERT_GE(features.size(), 4u);
+    EXPECT_EQ(features[features.size() - 2], Feature::kPerimeter);
+    EXPECT_EQ(features.back(), Feature::kExternalPerimeter);
+    section.islands[0].fills.clear();
+    EXPECT_EQ(Order(section, options, plan).size(), 3u) << "nothing could hold them";
+    section = Section();
+    section.islands.resize(1);
+  }
+}
+
 TEST(OrderSection, WallsThenFills) {
   FilledSection section = Section();
   section.islands.resize(1);

@@ -11,6 +11,7 @@
 #include "common/stage/print_layers.h"
 #include "services/planning/algo/adhesion/adhesion_planner.h"
 #include "services/planning/algo/adhesion/raft_planner.h"
+#include "services/planning/algo/air/air_planner.h"
 #include "services/planning/algo/conflicts/conflict_planner.h"
 #include "services/planning/algo/curl/curl_planner.h"
 #include "services/planning/algo/infill/infill_planner.h"
@@ -81,6 +82,7 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
     planners_.push_back(std::make_unique<SpiralPlanner>(options, copies));
   if (options.avoid_curled || options.slow_curled)
     planners_.push_back(std::make_unique<CurlPlanner>(options));
+  if (options.find_air) planners_.push_back(std::make_unique<AirPlanner>());
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
   if (!options.objects_may_overlap)
     planners_.push_back(std::make_unique<ConflictPlanner>(options, copies, object_names));

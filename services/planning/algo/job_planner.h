@@ -33,9 +33,10 @@ namespace slicefarm::planning {
 ///   3 sequence order of copies with complete_objects (sequence/sequence_planner.h).
 ///   4 spiral   turns of a vase with spiral_vase (spiral/spiral_planner.h).
 ///   5 curl     curled edges of overhangs, which travels avoid (curl/curl_planner.h).
-///   6 adhesion brims and the skirt, which add no heights (adhesion/adhesion_planner.h).
-///   7 conflicts overlaps of structures (conflicts/conflict_planner.h).
-///   8 infill   lines and areas of infill that depend on many layers (infill/infill_planner.h).
+///   6 air      areas with nothing below them (air/air_planner.h).
+///   7 adhesion brims and the skirt, which add no heights (adhesion/adhesion_planner.h).
+///   8 conflicts overlaps of structures (conflicts/conflict_planner.h).
+///   9 infill   lines and areas of infill that depend on many layers (infill/infill_planner.h).
 ///
 /// A job without region planners is planned while its layers arrive. A layer's plan can be taken
 /// (TakeFinished) as soon as no planner will change it. Memory is then the data of the planners: a

@@ -68,6 +68,39 @@ inline constexpr Need kMarlin{"a gcode_flavor of Marlin", [](const JobRows& s) {
                               }};
 inline constexpr Need kCooling{"cooling = 1",
                                [](const JobRows& s) { return FdmOf(s).tool.cooling.enabled; }};
+inline constexpr Need kFlowFit{
+    .what = "volumetric_speed_coefficients",
+    .met_by =
+        [](const SettingValues& draft) {
+          return !draft.At("volumetric_speed_coefficients").value->text.empty();
+        },
+    .only_requested = true};
+inline constexpr Need kAdaptiveFlow{
+    .what = "filament_adaptive_volumetric_speed = 1",
+    .met_by =
+        [](const SettingValues& draft) {
+          return draft.Number("filament_adaptive_volumetric_speed") != 0;
+        },
+    .only_requested = true};
+inline constexpr Need kWrappingDetection{
+    .what = "enable_wrapping_detection = 1",
+    .met_by =
+        [](const SettingValues& draft) { return draft.Number("enable_wrapping_detection") != 0; },
+    .only_requested = true};
+inline constexpr Need kWrappingArea{
+    .what = "wrapping_exclude_area",
+    .met_by =
+        [](const SettingValues& draft) {
+          return !draft.At("wrapping_exclude_area").value->text.empty();
+        },
+    .only_requested = true};
+inline constexpr Need kForceY{"machine_max_force_y above 0", [](const JobRows& s) {
+                                return FdmOf(s).machine.motion.bed_motor.force_n > 0;
+                              }};
+inline constexpr Need kTraditionalTimelapse{
+    .what = "timelapse_type = 0",
+    .met_by = [](const SettingValues& draft) { return draft.Number("timelapse_type") == 0; },
+    .only_requested = true};
 inline constexpr Need kSkirt{
     "skirts above 0", [](const JobRows& s) { return FdmOf(s).machine.plan.skirt.loops > 0; }};
 inline constexpr Need kGivenBrimWidth{"a brim_type other than auto_brim", [](const JobRows& s) {

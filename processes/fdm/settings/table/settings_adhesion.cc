@@ -85,6 +85,23 @@ std::vector<SettingSpec> Skirt() {
        .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::draft_shield>(),
        .orca = {{"draft_shield"}},
        .needs = {&needs::kSkirt}},
+      {.key = "skirt_type",
+       .kind = Kind::kChoice,
+       .standard = "combined",
+       .doc = "Number of skirts. combined: one around all objects. perobject: one around each "
+              "copy; copies "
+              "share a skirt if theirs would meet. All skirts are printed before the objects",
+       .choices = {{"combined", 0}, {"perobject", 1}},
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::per_object>(),
+       .orca = {{"skirt_type"}},
+       .needs = {&needs::kSkirt}},
+      {.key = "single_loop_draft_shield",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Print only the innermost loop of the skirt above the first layer, to save filament",
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::skirt, &SkirtOptions::single_upper>(),
+       .orca = {{"single_loop_draft_shield"}},
+       .needs = {&needs::kSkirt}},
   };
 }
 
@@ -185,6 +202,15 @@ std::vector<SettingSpec> Brim() {
        .field = Bind<&ObjectRow::brim, &BrimOptions::compensated>(),
        .orca = {{"brim_use_efc_outline"}},
        .needs = {&needs::kElephantFoot, &needs::kBrim}},
+      {.key = "combine_brims",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Join brims that meet into one, with lines around all of its objects; 0: each copy "
+              "keeps a brim of its own, and the first one gets the area where two would overlap. "
+              "OrcaSlicer's default: 0",
+       .field = Bind<&MachineRow::plan, &JobPlanOptions::combine_brims>(),
+       .orca = {{"combine_brims"}},
+       .needs = {&needs::kBrim}},
   };
 }
 

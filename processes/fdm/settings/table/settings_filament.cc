@@ -322,6 +322,24 @@ std::vector<SettingSpec> Material() {
                           "lines are slowed down. 0: no limit",
                    .field = Bind<&ToolRow::max_volumetric_speed_mm3_s>(),
                    .orca = {{"filament_max_volumetric_speed"}}}),
+      PerExtruder({.key = "filament_adaptive_volumetric_speed",
+                   .kind = Kind::kFlag,
+                   .standard = "0",
+                   .doc =
+                       "Limit the volume per second by the height and width of the line as well, "
+                       "by volumetric_speed_coefficients",
+                   .orca = {{"filament_adaptive_volumetric_speed"}},
+                   .needs = {&needs::kFlowFit}}),
+      PerExtruder({.key = "volumetric_speed_coefficients",
+                   .kind = Kind::kText,
+                   .standard = "",
+                   .doc =
+                       "Six factors, separated by spaces, of h^2, w^2, h w, h, w and 1: their sum "
+                       "is the highest volume per second (mm3/s) of a line of height h and width "
+                       "w in mm. Empty, all 0 or a sum below 0: no limit",
+                   .field = Bind<&ToolRow::flow_fit>(),
+                   .orca = {{"volumetric_speed_coefficients"}},
+                   .needs = {&needs::kAdaptiveFlow}}),
       PerExtruder({.key = "pressure_advance",
                    .min = 0,
                    .max = 100,

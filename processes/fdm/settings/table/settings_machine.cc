@@ -462,6 +462,7 @@ std::vector<SettingSpec> MachineSettings() {
   add(Plate());
   add(WholeMachineLimits());
   add(CustomGcode());
+  add(MonitoringSettings());
   add(Sequence());
   return settings;
 }

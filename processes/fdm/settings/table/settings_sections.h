@@ -45,6 +45,9 @@ std::vector<SettingSpec> FilamentSettings();  ///< defined in settings_filament.
 /// settings_fans.cc.
 std::vector<SettingSpec> FanSettings();
 std::vector<SettingSpec> MachineSettings();  ///< defined in settings_machine.cc
+/// Checks by the printer and the camera, a part of MachineSettings; defined in
+/// settings_monitoring.cc.
+std::vector<SettingSpec> MonitoringSettings();
 std::vector<SettingSpec> TravelSettings();   ///< defined in settings_travel.cc
 std::vector<SettingSpec> WritingSettings();  ///< defined in settings_writing.cc
 

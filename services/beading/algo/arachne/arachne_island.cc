@@ -41,7 +41,10 @@ StrategyOptions ForStrategy(const BeadingOptions& options, const WallPlan& plan,
 ArachneIslands::ArachneIslands(const BeadingOptions& options, const WallPlan& plan,
                                const GapFillOptions& gap_options,
                                std::function<double(double, double, double)> deciding_radius)
-    : plan_(plan), gap_options_(gap_options) {
+    : least_edge_nm_(options.least_edge_nm),
+      edge_deviation_nm_(options.edge_deviation_nm),
+      plan_(plan),
+      gap_options_(gap_options) {
   wall_options_.deciding_radius = std::move(deciding_radius);
   wall_options_.transition_angle = options.transition_angle;
   wall_options_.transition_length_nm = options.transition_length_nm;
@@ -69,7 +72,11 @@ absl::StatusOr<std::optional<IslandBeads>> ArachneIslands::Make(const PolygonWit
   if (!walls) walls = MakeVariableWalls(outline, *strategy_, wall_options_);
   if (!walls) return std::nullopt;
   IslandBeads island;
-  for (WallLine& line : walls->lines) island.walls.push_back(PathOf(std::move(line)));
+  for (WallLine& line : walls->lines) {
+    if (edge_deviation_nm_ > wall_options_.tolerance_nm)
+      line.line = MergeShortEdges(line.line, least_edge_nm_, edge_deviation_nm_);
+    island.walls.push_back(PathOf(std::move(line)));
+  }
   island.fill_area = std::move(walls->fill_area);
   if (!plan_.gap_fill) return island;
   auto gap_paths = FillNarrowParts(gap_options_, cancel, island.fill_area);

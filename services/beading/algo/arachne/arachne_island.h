@@ -36,6 +36,8 @@ class ArachneIslands {
  private:
   Path PathOf(WallLine line) const;
 
+  Coord least_edge_nm_ = 0;
+  Coord edge_deviation_nm_ = 0;
   WallPlan plan_;
   GapFillOptions gap_options_;
   VariableWallOptions wall_options_;

@@ -94,11 +94,12 @@ void Reverse(ThickLine& line) {
   std::reverse(line.thickness_nm.begin(), line.thickness_nm.end());
 }
 
-ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm) {
-  if (line.points.size() < 3) return line;
-  std::vector<bool> keep(line.points.size(), false);
-  keep.front() = keep.back() = true;
-  std::vector<std::pair<size_t, size_t>> open = {{0, line.points.size() - 1}};
+namespace {
+
+/// Marks the points between two kept ones that a line needs to deviate by at most the tolerance.
+void KeepNeeded(const ThickLine& line, size_t first, size_t last, Coord tolerance_nm,
+                std::vector<bool>& keep) {
+  std::vector<std::pair<size_t, size_t>> open = {{first, last}};
   while (!open.empty()) {
     const auto [from, to] = open.back();
     open.pop_back();
@@ -114,6 +115,9 @@ ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm) {
     open.emplace_back(from, at);
     open.emplace_back(at, to);
   }
+}
+
+ThickLine Kept(const ThickLine& line, const std::vector<bool>& keep) {
   ThickLine simple{line.closed, {}, {}};
   for (size_t i = 0; i < line.points.size(); ++i) {
     if (!keep[i]) continue;
@@ -121,6 +125,35 @@ ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm) {
     simple.thickness_nm.push_back(line.thickness_nm[i]);
   }
   return simple;
+}
+
+}  // namespace
+
+ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm) {
+  if (line.points.size() < 3) return line;
+  std::vector<bool> keep(line.points.size(), false);
+  keep.front() = keep.back() = true;
+  KeepNeeded(line, 0, line.points.size() - 1, tolerance_nm, keep);
+  return Kept(line, keep);
+}
+
+ThickLine MergeShortEdges(const ThickLine& line, Coord least_nm, Coord tolerance_nm) {
+  const size_t count = line.points.size();
+  if (count < 3) return line;
+  const auto is_short = [&](size_t i) {
+    return Distance(line.points[i - 1], line.points[i]) < static_cast<double>(least_nm);
+  };
+  std::vector<bool> keep(count, false);
+  keep.front() = keep.back() = true;
+  for (size_t first = 0; first + 1 < count;) {
+    size_t last = first + 1;
+    for (keep[first] = true; last + 1 < count && is_short(last) && is_short(last + 1);) ++last;
+    keep[last] = true;
+    KeepNeeded(line, first, last, tolerance_nm, keep);
+    first = last;
+  }
+  ThickLine merged = Kept(line, keep);
+  return line.closed && merged.points.size() < 3 ? line : merged;
 }
 
 }  // namespace slicefarm::beading

@@ -38,4 +38,10 @@ void Reverse(ThickLine& line);
 /// thickness. Cost: usually O(n log n), n points.
 ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm);
 
+/// Returns the line without points between edges shorter than `least_nm`, as long as the line
+/// deviates by at most `tolerance_nm` there, in position and in thickness. Longer edges and the
+/// ends of the list of points remain. A loop keeps at least three points. Cost: as
+/// SimplifyThickLine.
+ThickLine MergeShortEdges(const ThickLine& line, Coord least_nm, Coord tolerance_nm);
+
 }  // namespace slicefarm::beading

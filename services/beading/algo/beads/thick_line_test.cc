@@ -22,6 +22,20 @@ TEST(ThickLine, LengthAndAreaCountTheClosingEdge) {
   EXPECT_DOUBLE_EQ(Area(line), 12e12);
 }
 
+TEST(ThickLine, MergeShortEdgesLeavesLongOnes) {
+  const std::vector<double> even(7, 0.4);
+  const ThickLine line = Line("(0 0, 1 0, 1.1 0.02, 1.2 0, 1.3 0.02, 1.4 0, 3 0)", even);
+  EXPECT_EQ(MergeShortEdges(line, FromMm(0.5), FromMm(0.025)),
+            Line("(0 0, 1 0, 1.4 0, 3 0)", {0.4, 0.4, 0.4, 0.4}));
+  EXPECT_EQ(MergeShortEdges(line, FromMm(0.5), FromMm(0.01)), line) << "it would move too far";
+  EXPECT_EQ(MergeShortEdges(line, FromMm(0.05), FromMm(0.025)), line) << "no edge is short";
+  const ThickLine bulge = Line("(0 0, 0.1 0, 0.2 0)", {0.4, 0.5, 0.4});
+  EXPECT_EQ(MergeShortEdges(bulge, FromMm(0.5), FromMm(0.025)), bulge) << "its width matters";
+  ThickLine loop = Line("(0 0, 0.01 0, 0.01 0.01)", {0.4, 0.4, 0.4});
+  loop.closed = true;
+  EXPECT_EQ(MergeShortEdges(loop, FromMm(0.5), FromMm(0.1)), loop);
+}
+
 TEST(ThickLine, CutEndInterpolatesThickness) {
   ThickLine line = Line("(0 0, 4 0, 8 0)", {1, 1, 3});
   CutEnd(line, 1e6);

@@ -1,5 +1,6 @@
 #include "services/motion/algo/macro/template_variables.h"
 
+#include <algorithm>
 #include <numbers>
 #include <span>
 #include <string>
@@ -114,6 +115,25 @@ void AddUse(const MotionOptions& options, const ProgramStats& total, double time
   variables["total_wipe_tower_cost"] = variables["total_wipe_tower_filament"] = 0.0;
 }
 
+/// Returns the use of a length of filament.
+FilamentUse UseOf(const MotionOptions& options, double filament_mm) {
+  ProgramStats stats;
+  const double radius_mm = options.tool().filament_diameter_mm / 2;
+  stats.features[0].filament_mm = filament_mm;
+  stats.features[0].volume_mm3 = filament_mm * std::numbers::pi * radius_mm * radius_mm;
+  return FilamentUseOf(stats, options);
+}
+
+/// Returns the acceleration along y, in mm/s^2, that the machine reaches with a print on its bed.
+/// An empty bed has the machine's own limit, as in Bambu Studio.
+double AccelerationY(const MotionOptions& options, double print_mass_g) {
+  const double limit_mm_s2 = options.limits.max_acceleration_mm_s2[1];
+  const auto& [force_n, bed_mass_g, most] = options.bed_motor;
+  if (force_n <= 0 || print_mass_g <= 0) return limit_mm_s2;
+  constexpr double kMmGramsPerNewton = 1e6;  // N / g in mm/s^2
+  return std::min(limit_mm_s2, kMmGramsPerNewton * force_n / (bed_mass_g + print_mass_g));
+}
+
 }  // namespace
 
 TemplateVariables JobVariables(const MotionOptions& options, std::string_view settings_text) {
@@ -152,16 +172,16 @@ TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSumm
   return variables;
 }
 
-void PutUseSoFar(const MotionOptions& options, double filament_mm, TemplateVariables& variables) {
-  ProgramStats so_far;
-  const double radius_mm = options.tool().filament_diameter_mm / 2;
-  so_far.features[0].filament_mm = filament_mm;
-  so_far.features[0].volume_mm3 = filament_mm * std::numbers::pi * radius_mm * radius_mm;
-  const FilamentUse use = FilamentUseOf(so_far, options);
+void PutUseSoFar(const MotionOptions& options, double filament_mm, double layer_mm,
+                 TemplateVariables& variables) {
+  const FilamentUse use = UseOf(options, filament_mm);
   variables["extruded_volume"] = TemplateVariable::List({use.volume_mm3});
   variables["extruded_weight"] = TemplateVariable::List({use.mass_g});
   variables["extruded_volume_total"] = use.volume_mm3;
   variables["extruded_weight_total"] = use.mass_g;
+  variables["curr_accumulated_mass"] = use.mass_g;
+  variables["curr_layer_mass"] = UseOf(options, layer_mm).mass_g;
+  variables["curr_y_acceleration_limit"] = AccelerationY(options, use.mass_g);
 }
 
 }  // namespace slicefarm::motion

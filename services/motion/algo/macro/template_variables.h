@@ -38,8 +38,13 @@ macro::TemplateVariables LayerVariables(const LayerContext& context, const JobFa
 macro::TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSummary& summary,
                                         double time_s, std::optional<double> silent_s = {});
 
-/// Sets extruded_volume, extruded_weight and their totals to the values for the print so far.
-void PutUseSoFar(const MotionOptions& options, double filament_mm,
+/// Sets the variables for the print so far:
+/// - extruded_volume, extruded_weight and their totals;
+/// - curr_accumulated_mass and curr_layer_mass (g), the latter of the layer printed last;
+/// - curr_y_acceleration_limit (mm/s^2): machine_max_acceleration_y, or less if machine_max_force_y
+///   accelerates the bed and the print so far less.
+/// `filament_mm`: filament so far; `layer_mm`: its part in the layer printed last.
+void PutUseSoFar(const MotionOptions& options, double filament_mm, double layer_mm,
                  macro::TemplateVariables& variables);
 
 }  // namespace slicefarm::motion

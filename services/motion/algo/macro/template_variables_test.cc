@@ -62,14 +62,14 @@ TEST(PrintVariables, WholePrint) {
 
 TEST(PutUseSoFar, IsVolumeAndMass) {
   TemplateVariables variables;
-  PutUseSoFar(MotionOptions{}, 1000, variables);
+  PutUseSoFar(MotionOptions{}, 1000, 100, variables);
   EXPECT_EQ(Filled("{extruded_volume_total} {extruded_weight[0]}", variables), "2405.28 2.98255");
 }
 
 // The check before the print uses the same variables as the print.
 TEST(VariablesOfThePrint, AreThoseThatAreFilledIn) {
   TemplateVariables filled = PrintVariables(MotionOptions{}, {}, 0);
-  PutUseSoFar(MotionOptions{}, 0, filled);
+  PutUseSoFar(MotionOptions{}, 0, 0, filled);
   JobFacts facts;
   facts.layer_count = 1;
   filled.merge(LayerVariables({}, facts));

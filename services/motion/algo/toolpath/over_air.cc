@@ -102,7 +102,8 @@ void ToolpathBuilder::PrintBridge(const Path& path, Point from, Point to, Coord 
   }
   section_mm2 *= options_.tool().extrusion_multiplier * FlowOf(kBridge, region);
   bead.filament_per_mm = section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm;
-  bead.feed_rate = FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2));
+  bead.feed_rate =
+      FeedRate(PrintSpeeds::LimitedByFlow(speed_mm_s, section_mm2, bead.largest_flow_mm3_s));
   at_.feature = kBridge;
   print_acceleration_ = accelerations_.Print(kBridge);
   const int64_t before = filament_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "common/model/options/motion_options.h"
@@ -27,6 +28,12 @@ bool IsSmallSupport(const Path& path, double length_mm, double radius_mm) {
 }
 
 }  // namespace
+
+PrintSpeeds::PrintSpeeds(const MotionOptions& options, Ground ground, int32_t layer)
+    : options_(options), ground_(ground), layer_(layer) {
+  if (options.tool().flow_fit.empty()) return;
+  if (const auto fit = FlowFit::Parse(options.tool().flow_fit); fit.ok()) fit_ = *fit;
+}
 
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
   const RegionMotion& region = options_.speeds[static_cast<size_t>(path.settings)];
@@ -84,10 +91,16 @@ double PrintSpeeds::OverAir(const Path& path, double speed_mm_s, uint8_t rest) c
   return std::min(speed_mm_s, ByRest(speeds, speed_mm_s, rest));
 }
 
-double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {
+double PrintSpeeds::LargestFlow(Coord width_nm, Coord height_nm) const {
   const double most = options_.tool().max_volumetric_speed_mm3_s;
-  if (most <= 0 || section_mm2 <= 0) return speed_mm_s;
-  return std::min(speed_mm_s, most / section_mm2);
+  const double fixed = most > 0 ? most : std::numeric_limits<double>::infinity();
+  if (!fit_) return fixed;
+  return std::min(fixed, fit_->At(ToMm(height_nm), ToMm(width_nm)));
+}
+
+double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2, double largest_mm3_s) {
+  if (section_mm2 <= 0) return speed_mm_s;
+  return std::min(speed_mm_s, largest_mm3_s / section_mm2);
 }
 
 double PrintSpeeds::OutsideResonance(Feature feature, double speed_mm_s) const {
@@ -97,8 +110,8 @@ double PrintSpeeds::OutsideResonance(Feature feature, double speed_mm_s) const {
   return inside ? resonance.from_mm_s : speed_mm_s;
 }
 
-int32_t PrintSpeeds::WithinFlow(int32_t feed_rate, double section_mm2) const {
-  const double fastest = 60 * LimitedByFlow(kMaxFeedRate, section_mm2);
+int32_t PrintSpeeds::WithinFlow(int32_t feed_rate, double section_mm2, double largest_mm3_s) {
+  const double fastest = 60 * LimitedByFlow(kMaxFeedRate, section_mm2, largest_mm3_s);
   // Tolerance of the flow limit. Without it, speeds in whole mm/min would alternate.
   constexpr double kSlack = 1.001;
   if (feed_rate <= kSlack * fastest) return feed_rate;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "common/model/options/flow_fit.h"
 #include "common/model/path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -16,8 +19,7 @@ namespace slicefarm::motion {
 class PrintSpeeds {
  public:
   /// `layer`: index of the layer, for slow_down_layers.
-  PrintSpeeds(const MotionOptions& options, Ground ground, int32_t layer = 1 << 30)
-      : options_(options), ground_(ground), layer_(layer) {}
+  PrintSpeeds(const MotionOptions& options, Ground ground, int32_t layer = 1 << 30);
 
   /// Returns the speed of a path without the limit of the volumetric flow. `length_mm`: for a wall,
   /// the length of its contour (contour_length.h). REQUIRES: Path::settings is a valid index.
@@ -25,13 +27,15 @@ class PrintSpeeds {
   /// Returns the reduced speed of a wall that is only partly supported. `rest`: supported share of
   /// the width, in percent.
   double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
+  /// Returns the largest volumetric flow of a bead in mm^3/s; infinity: no limit.
+  double LargestFlow(Coord width_nm, Coord height_nm) const;
   /// Returns `speed_mm_s`, or the speed at the largest volumetric flow if that is lower.
-  double LimitedByFlow(double speed_mm_s, double section_mm2) const;
+  static double LimitedByFlow(double speed_mm_s, double section_mm2, double largest_mm3_s);
   /// Returns `speed_mm_s`, or a lower speed for outer walls that would resonate at it.
   double OutsideResonance(Feature feature, double speed_mm_s) const;
   /// Returns `feed_rate` (mm/min), or the feed rate at the largest volumetric flow if `feed_rate`
   /// exceeds it by more than 0.1 %.
-  int32_t WithinFlow(int32_t feed_rate, double section_mm2) const;
+  static int32_t WithinFlow(int32_t feed_rate, double section_mm2, double largest_mm3_s);
 
  private:
   double OnGround(Ground ground, Feature feature, double speed_mm_s) const;
@@ -40,6 +44,7 @@ class PrintSpeeds {
   const MotionOptions& options_;
   Ground ground_;
   int32_t layer_;
+  std::optional<FlowFit> fit_;  ///< filament_adaptive_volumetric_speed
 };
 
 /// Returns the speed of travels in mm/s. `first_layer`: true for travels in the first layer, which

@@ -168,10 +168,19 @@ TEST(PrintSpeeds, Defaults) {
 
 TEST(PrintSpeeds, VolumePerSecond) {
   MotionOptions options = Options();
-  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(60, 0.1), 60);
+  const auto limited = [&](double speed_mm_s, Coord width_nm = 500'000) {
+    const PrintSpeeds speeds(options, Ground::kLayers);
+    return PrintSpeeds::LimitedByFlow(speed_mm_s, 0.1, speeds.LargestFlow(width_nm, 200'000));
+  };
+  EXPECT_EQ(limited(60), 60);
   options.tool().max_volumetric_speed_mm3_s = 4;
-  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(60, 0.1), 40);
-  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(30, 0.1), 30);
+  EXPECT_EQ(limited(60), 40);
+  EXPECT_EQ(limited(30), 30);
+  options.tool().flow_fit = "0 0 0 0 5 0.5";  // 3 mm3/s for a width of 0.5, 5.5 for 1
+  EXPECT_NEAR(limited(60), 30, 1e-9);
+  EXPECT_EQ(limited(60, 1'000'000), 40) << "the fixed limit remains";
+  options.tool().max_volumetric_speed_mm3_s = 0;
+  EXPECT_NEAR(limited(60, 1'000'000), 55, 1e-9);
 }
 
 TEST(TravelSpeed, OfZFallsBackToTheMachine) {

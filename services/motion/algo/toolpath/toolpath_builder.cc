@@ -181,9 +181,10 @@ Toolpath ToolpathBuilder::FinishAt(const std::optional<ExitTravel>& exit_travel)
 ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s) const {
   const double section_mm2 =
       SectionMm2(width_nm, bead_height_nm_) * options_.tool().extrusion_multiplier * flow_;
-  const double limited_mm_s = speeds_.LimitedByFlow(speed_mm_s, section_mm2);
+  const double largest_mm3_s = speeds_.LargestFlow(width_nm, bead_height_nm_);
+  const double limited_mm_s = PrintSpeeds::LimitedByFlow(speed_mm_s, section_mm2, largest_mm3_s);
   return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
-          FeedRate(speeds_.OutsideResonance(at_.feature, limited_mm_s))};
+          FeedRate(speeds_.OutsideResonance(at_.feature, limited_mm_s)), largest_mm3_s};
 }
 
 void ToolpathBuilder::PrintSegments(const SimplifiedPath& simple, double speed_mm_s) {
@@ -300,7 +301,8 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
   // Rounding to whole micrometres shortens pieces, so their real section is larger than their
   // bead's, by up to a few percent.
   const double volume_mm3 = at_.filament * filament_area_mm2_ / kFilamentUnitsPerMm;
-  at_.feed_rate = speeds_.WithinFlow(bead.feed_rate, volume_mm3 / length_mm);
+  at_.feed_rate =
+      PrintSpeeds::WithinFlow(bead.feed_rate, volume_mm3 / length_mm, bead.largest_flow_mm3_s);
   at_.width_um = ToUm(thread_nm_ > 0 ? thread_nm_ : bead.width_nm);
   Push(MoveKind::kPrint, print_acceleration_);
 }

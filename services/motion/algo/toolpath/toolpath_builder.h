@@ -92,6 +92,7 @@ class ToolpathBuilder {
     Coord width_nm = 0;
     double filament_per_mm = 0;  ///< extruded length per mm of bead, in 1e-5 mm
     int32_t feed_rate = 0;
+    double largest_flow_mm3_s = 0;
   };
 
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;

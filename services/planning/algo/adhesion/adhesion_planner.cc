@@ -162,11 +162,13 @@ absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(const std::set<i
 
   absl::StatusOr<std::vector<MultiPolygon>> brims = BrimRegions(objects, bed_, cancel);
   if (!brims.ok()) return brims.status();
-  std::map<int32_t, MultiPolygon> by_row;
-  for (size_t i = 0; i < rows.size(); ++i) Append(std::move((*brims)[i]), by_row[rows[i]]);
+  // A region has the brims of all objects with equal settings, or the brim of one copy.
+  std::map<std::pair<int32_t, size_t>, MultiPolygon> joined;
+  for (size_t i = 0; i < rows.size(); ++i)
+    Append(std::move((*brims)[i]), joined[{rows[i], options_.combine_brims ? 0 : i}]);
   std::vector<Region> regions;
-  for (const auto& [row, pieces] : by_row)
-    if (!pieces.empty()) regions.push_back({Role::kBrim, row, 0, Joined(pieces)});
+  for (const auto& [of, pieces] : joined)
+    if (!pieces.empty()) regions.push_back({Role::kBrim, of.first, 0, Joined(pieces)});
   return regions;
 }
 
@@ -194,18 +196,23 @@ void AdhesionPlanner::AddBrim(int32_t object, std::vector<Region> brims, JobPlan
   if (section.regions.size() > 1) section.whole = WholeOf(section.regions);
 }
 
-absl::Status AdhesionPlanner::AddSkirt(std::vector<Path> loops, JobPlan& plan) const {
-  if (loops.empty()) return absl::OkStatus();
-  int64_t points = 0;
-  for (Path& loop : loops) {
-    loop.settings = options_.skirt_settings;
-    points += std::ssize(loop.points);
+absl::Status AdhesionPlanner::AddSkirts(std::vector<std::vector<Path>> skirts,
+                                        JobPlan& plan) const {
+  Skirt skirt;
+  for (std::vector<Path>& loops : skirts) {
+    for (Path& loop : loops) loop.settings = options_.skirt_settings;
+    if (options_.skirt.single_upper)
+      std::ranges::move(WithinBed({loops.back()}, bed_), std::back_inserter(skirt.upper_loops));
+    std::ranges::move(WithinBed(std::move(loops), bed_), std::back_inserter(skirt.loops));
   }
-  const int32_t layers = SkirtLayers(options_.skirt, layers_);
-  if (points * layers > kMaxSkirtPoints)
+  if (skirt.loops.empty()) return absl::OkStatus();
+  int64_t points = 0;
+  for (const Path& loop : skirt.loops) points += std::ssize(loop.points);
+  skirt.layers = SkirtLayers(options_.skirt, layers_);
+  if (points * skirt.layers > kMaxSkirtPoints)
     return LimitError(Reason::kRequestTooLarge, "points of the skirt on all layers",
-                      kMaxSkirtPoints, points * layers);
-  plan.skirt = {std::move(loops), layers};
+                      kMaxSkirtPoints, points * skirt.layers);
+  plan.skirt = std::move(skirt);
   return absl::OkStatus();
 }
 
@@ -215,10 +222,10 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   const SkirtOptions& skirt = options_.skirt;
   const MultiPolygon fenced = skirt.loops > 0 ? Fenced() : MultiPolygon{};
   const bool shields = skirt.draft_shield != DraftShield::kDisabled;
-  std::vector<Path> loops;
-  if (shields) loops = SkirtLoops(fenced, {}, skirt);
+  std::vector<std::vector<Path>> skirts;
+  if (shields) skirts = SkirtLoops(fenced, {}, skirt);
   const std::set<int32_t> alone = Alone();
-  auto brims = PlaceBrims(alone, ShieldKeepOut(loops, skirt), cancel);
+  auto brims = PlaceBrims(alone, ShieldKeepOut(skirts, skirt), cancel);
   if (!brims.ok()) return brims.status();
   MultiPolygon outside;  // outlines of all brims
   for (const Region& brim : *brims) Append(brim.outlines, outside);
@@ -231,8 +238,8 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
     const int32_t row = options_.objects[static_cast<size_t>(object)].brim_settings;
     AddBrim(object, {{Role::kBrim, row, 0, *std::move(brim)}}, plan);
   }
-  if (!shields) loops = SkirtLoops(fenced, outside, skirt);
-  if (absl::Status ok = AddSkirt(WithinBed(std::move(loops), bed_), plan); !ok.ok()) return ok;
+  if (!shields) skirts = SkirtLoops(fenced, outside, skirt);
+  if (absl::Status ok = AddSkirts(std::move(skirts), plan); !ok.ok()) return ok;
   AddBrim(kPlateObject, *std::move(brims), plan);
   return absl::OkStatus();
 }

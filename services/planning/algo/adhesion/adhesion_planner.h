@@ -31,6 +31,8 @@ namespace slicefarm::planning {
 ///   they are printed before any object.
 /// - An object with a raft has no brim.
 ///
+/// Without combine_brims, each copy's brim of the plate is a region of its own.
+///
 /// The skirt is a set of finished paths in the layers from the first one up. Without a draft shield
 /// it ends at skirt_height. An enabled draft shield ends at the last layer that has outlines. No
 /// brim or skirt leaves the bed.
@@ -76,7 +78,7 @@ class AdhesionPlanner : public Planner {
   MultiPolygon Fenced() const;
 
   void AddBrim(int32_t object, std::vector<Region> brims, JobPlan& plan) const;
-  absl::Status AddSkirt(std::vector<Path> loops, JobPlan& plan) const;
+  absl::Status AddSkirts(std::vector<std::vector<Path>> skirts, JobPlan& plan) const;
 
   const PlanningOptions& options_;
   const std::span<const PlacedCopy> copies_;

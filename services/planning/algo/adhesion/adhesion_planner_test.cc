@@ -126,6 +126,42 @@ TEST(AdhesionPlanner, BrimsOfCopiesThatStandCloseAreOneRegion) {
   EXPECT_THAT(brim.outlines[1].holes, SizeIs(1));
 }
 
+TEST(AdhesionPlanner, EachCopyKeepsItsBrimUnlessTheyAreCombined) {
+  PlanningOptions options = WithBrim(2, 0.1);
+  const std::vector<PlacedCopy> copies = {{0, Mm(0, 0), {}}, {0, Mm(13, 0), {}}};
+  const std::vector<SlicedLayer> layers = LayersOrDie({kSquare});
+  const MultiPolygon whole = RegionsOf(PlanOrDie(options, copies, layers), 0, Role::kBrim);
+  options.combine_brims = false;
+  const Planned plan = PlanOrDie(options, copies, layers);
+  ASSERT_THAT(plan.plan.stacks, SizeIs(1));
+  const std::vector<Region>& regions = plan.plan.stacks[0].sections[0].regions;
+  ASSERT_THAT(regions, SizeIs(2));
+  for (const Region& region : regions) EXPECT_EQ(region.settings, 7);
+  EXPECT_LT(Mm2(Intersection(regions[0].outlines, regions[1].outlines)), 1e-4);
+  const MultiPolygon apart = Union(regions[0].outlines, regions[1].outlines);
+  EXPECT_NEAR(Mm2(apart), Mm2(whole), 0.05);
+  EXPECT_LT(Mm2(Difference(apart, whole)), 1e-2);
+}
+
+TEST(AdhesionPlanner, OneLoopOfTheSkirtGoesOn) {
+  PlanningOptions options = WithSkirt({.loops = 3, .height_layers = 2});
+  options.bed = {{{Mm(-9, -40), Mm(60, -40), Mm(60, 40), Mm(-9, 40)}, {}}};
+  const std::vector<PlacedCopy> copies = {{0, {}, {}}, {0, Mm(40, 0), {}}};
+  const std::vector<SlicedLayer> layers = LayersOrDie({kSquare, kSquare});
+  EXPECT_THAT(PlanOrDie(options, copies, layers).plan.skirt.upper_loops, IsEmpty());
+  options.skirt.single_upper = true;
+  const Skirt one = PlanOrDie(options, copies, layers).plan.skirt;
+  ASSERT_THAT(one.loops, SizeIs(3));
+  ASSERT_THAT(one.upper_loops, SizeIs(1));
+  EXPECT_EQ(one.upper_loops[0], one.loops[2]) << "the innermost, cut at the bed's edge";
+  options.skirt.per_object = true;
+  const Skirt each = PlanOrDie(options, copies, layers).plan.skirt;
+  ASSERT_THAT(each.loops, SizeIs(6));
+  ASSERT_THAT(each.upper_loops, SizeIs(2));
+  EXPECT_EQ(each.upper_loops[0], each.loops[2]);
+  EXPECT_EQ(each.upper_loops[1], each.loops[5]);
+}
+
 TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
   PlanningOptions options = WithBrim(2, 0.1);
   const std::vector<PlacedCopy> copies = {{0, Mm(0, 0), {}}, {0, Mm(30, 0), {}}};

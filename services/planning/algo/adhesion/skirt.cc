@@ -17,11 +17,6 @@
 namespace slicefarm::planning {
 namespace {
 
-void AppendOuterPoints(const MultiPolygon& polygons, std::vector<Point>& points) {
-  for (const PolygonWithHoles& island : polygons)
-    points.insert(points.end(), island.outer.begin(), island.outer.end());
-}
-
 Path SkirtLoop(Polygon ring, const SkirtOptions& options) {
   Path path;
   path.feature = Feature::kSkirt;
@@ -113,30 +108,10 @@ class LineClipper {
   std::vector<Polyline> pieces_;
 };
 
-}  // namespace
-
-int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count) {
-  if (options.loops <= 0) return 0;
-  if (options.draft_shield == DraftShield::kEnabled) return layer_count;
-  return std::clamp(options.height_layers, 0, std::max(layer_count, 0));
-}
-
-bool SkirtReach::Next(const SlicedLayer& layer) {
-  const bool reaches = layers_ < SkirtLayers(options_, layers_ + 1);
-  if (!OnlySupports(layer)) ++layers_;
-  return reaches;
-}
-
-std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
-                             const SkirtOptions& options) {
-  const Coord spacing_nm = Spacing(options.width_nm, options.height_nm);
-  if (options.loops <= 0 || spacing_nm <= 0) return {};
-  std::vector<Point> points;
-  AppendOuterPoints(parts, points);
-  if (options.draft_shield == DraftShield::kDisabled) AppendOuterPoints(brims, points);
-  const Polygon hull = ConvexHull(std::move(points));
+/// Returns the loops around a convex hull, the outermost first.
+std::vector<Path> LoopsAround(const Polygon& hull, const SkirtOptions& options) {
   if (hull.size() < 3) return {};
-
+  const Coord spacing_nm = Spacing(options.width_nm, options.height_nm);
   const Box box = Bounds(hull);
   const Point middle{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
   std::vector<Path> loops;
@@ -160,6 +135,73 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   return loops;
 }
 
+/// Returns true if the beads of the outermost loops of two skirts meet, or one skirt is inside the
+/// other.
+bool Meet(const std::vector<Path>& a, const std::vector<Path>& b) {
+  if (a.empty() || b.empty()) return false;
+  const Polygon &first = a.front().points, &second = b.front().points;
+  const Coord reach_nm = a.front().widths_nm.front();
+  if (!Bounds(first).Grown(reach_nm).Intersects(Bounds(second))) return false;
+  return !Intersection(Offset({{first, {}}}, reach_nm), {{second, {}}}).empty();
+}
+
+/// Joins groups of points if their skirts meet. Returns false if no skirts meet. Cost: O(n^2)
+/// comparisons of boxes for n groups.
+bool JoinMeeting(const std::vector<std::vector<Path>>& skirts,
+                 std::vector<std::vector<Point>>& groups) {
+  bool joined = false;
+  for (size_t i = groups.size(); i-- > 1;) {
+    const auto meets = [&](const std::vector<Path>& other) { return Meet(skirts[i], other); };
+    const auto first =
+        std::find_if(skirts.begin(), skirts.begin() + static_cast<ptrdiff_t>(i), meets);
+    if (first == skirts.begin() + static_cast<ptrdiff_t>(i)) continue;
+    std::vector<Point>& into = groups[static_cast<size_t>(first - skirts.begin())];
+    into.insert(into.end(), groups[i].begin(), groups[i].end());
+    groups[i].clear();
+    joined = true;
+  }
+  std::erase_if(groups, [](const std::vector<Point>& group) { return group.empty(); });
+  return joined;
+}
+
+}  // namespace
+
+int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count) {
+  if (options.loops <= 0) return 0;
+  if (options.draft_shield == DraftShield::kEnabled) return layer_count;
+  return std::clamp(options.height_layers, 0, std::max(layer_count, 0));
+}
+
+bool SkirtReach::Next(const SlicedLayer& layer) {
+  const bool reaches = layers_ < SkirtLayers(options_, layers_ + 1);
+  if (!OnlySupports(layer)) ++layers_;
+  return reaches;
+}
+
+std::vector<std::vector<Path>> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
+                                          const SkirtOptions& options) {
+  if (options.loops <= 0 || Spacing(options.width_nm, options.height_nm) <= 0) return {};
+  std::vector<std::vector<Point>> groups(options.per_object ? 0 : 1);
+  const auto add = [&](const MultiPolygon& polygons) {
+    for (const PolygonWithHoles& island : polygons) {
+      if (options.per_object) groups.emplace_back();
+      groups.back().insert(groups.back().end(), island.outer.begin(), island.outer.end());
+    }
+  };
+  add(parts);
+  if (options.draft_shield == DraftShield::kDisabled) add(brims);
+  std::vector<std::vector<Path>> skirts;
+  do {
+    skirts.clear();
+    for (std::vector<Point>& group : groups) {
+      group = ConvexHull(std::move(group));
+      skirts.push_back(LoopsAround(group, options));
+    }
+  } while (JoinMeeting(skirts, groups));
+  std::erase_if(skirts, [](const std::vector<Path>& loops) { return loops.empty(); });
+  return skirts;
+}
+
 std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed) {
   std::vector<Path> lines;
   for (Path& loop : loops) {
@@ -181,16 +223,20 @@ std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed) {
   return lines;
 }
 
-MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options) {
-  if (options.draft_shield == DraftShield::kDisabled || loops.empty()) return {};
+MultiPolygon ShieldKeepOut(const std::vector<std::vector<Path>>& skirts,
+                           const SkirtOptions& options) {
+  if (options.draft_shield == DraftShield::kDisabled) return {};
   const OffsetOptions round{.join = Join::kRound};
-  const MultiPolygon outer = Offset({{loops.front().points, {}}}, options.width_nm / 2, round);
-  const MultiPolygon inner = Offset({{loops.back().points, {}}}, -options.width_nm / 2, round);
-  MultiPolygon band = outer;
-  for (const PolygonWithHoles& hole : inner)
-    band.front().holes.emplace_back(hole.outer.rbegin(), hole.outer.rend());
-  Canonicalize(band);
-  return band;
+  MultiPolygon bands;
+  for (const std::vector<Path>& loops : skirts) {
+    MultiPolygon band = Offset({{loops.front().points, {}}}, options.width_nm / 2, round);
+    const MultiPolygon inner = Offset({{loops.back().points, {}}}, -options.width_nm / 2, round);
+    for (const PolygonWithHoles& hole : inner)
+      band.front().holes.emplace_back(hole.outer.rbegin(), hole.outer.rend());
+    bands.insert(bands.end(), band.begin(), band.end());
+  }
+  Canonicalize(bands);
+  return bands;
 }
 
 }  // namespace slicefarm::planning

@@ -33,9 +33,10 @@ class SkirtReach {
   int32_t layers_ = 0;
 };
 
-/// Returns the loops of a skirt around the convex hull of all parts and brims. The outermost loop
-/// is first, so that the last one ends near the parts, as in PrusaSlicer. All layers get the same
-/// loops.
+/// Returns the loops of each skirt: one skirt around the convex hull of all parts and brims. With
+/// `options.per_object`, each polygon of `parts` and `brims` has a skirt of its own, in this order;
+/// polygons share one if their skirts meet. The outermost loop is first, so that the last one ends
+/// near the parts, as in PrusaSlicer. All layers get the same loops.
 ///
 /// The inner side of the innermost loop is `options.distance_nm` away from the hull of parts and
 /// brims, with round corners. With a draft shield it is at this distance from the hull of the parts
@@ -60,8 +61,8 @@ class SkirtReach {
 /// - Different: PrusaSlicer's first centre line is distance + spacing from the hull (6.357). So the
 ///   inner side is 0.157 farther out than skirt_distance says. In slicefarm the inner side is at
 ///   skirt_distance.
-std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
-                             const SkirtOptions& options);
+std::vector<std::vector<Path>> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
+                                          const SkirtOptions& options);
 
 /// Cuts the loops where their beads would leave the bed. A loop inside the bed is unchanged. The
 /// remaining pieces of a cut loop are open lines, with the loop's direction and position in the
@@ -69,7 +70,9 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
 std::vector<Path> WithinBed(std::vector<Path> loops, const MultiPolygon& bed);
 
 /// Returns the ring-shaped area between the outer side of a draft shield's outermost loop and the
-/// inner side of its innermost loop. Brims keep out of this area. Empty without a draft shield.
-MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options);
+/// inner side of its innermost loop, for each of the skirts. Brims keep out of these areas. Empty
+/// without a draft shield.
+MultiPolygon ShieldKeepOut(const std::vector<std::vector<Path>>& skirts,
+                           const SkirtOptions& options);
 
 }  // namespace slicefarm::planning

@@ -26,6 +26,15 @@ const MultiPolygon& Box20() {
   return *box;
 }
 
+/// Returns the loops of all skirts, one skirt after the other.
+std::vector<Path> LoopsOf(const MultiPolygon& parts, const MultiPolygon& brims,
+                          const SkirtOptions& options) {
+  std::vector<Path> all;
+  for (const std::vector<Path>& loops : SkirtLoops(parts, brims, options))
+    all.insert(all.end(), loops.begin(), loops.end());
+  return all;
+}
+
 double Mm(const Path& path) { return ToMm(PathLength(path)); }
 
 struct Case {
@@ -40,8 +49,8 @@ TEST(SkirtLoops, BeginInTheDirectionOfTheSetting) {
   for (const double degrees : {-135.0, -90.0, 0.0, 30.0, 180.0, 225.0}) {
     SkirtOptions options{.loops = 2};
     options.start_angle_rad = degrees * kPi / 180;
-    const std::vector<Path> plain = SkirtLoops(Box20(), {}, {.loops = 2});
-    const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
+    const std::vector<Path> plain = LoopsOf(Box20(), {}, {.loops = 2});
+    const std::vector<Path> loops = LoopsOf(Box20(), {}, options);
     ASSERT_EQ(loops.size(), 2u);
     for (size_t i = 0; i < 2; ++i) {
       const Point start = loops[i].points.front() - Point{FromMm(10), FromMm(10)};
@@ -72,7 +81,7 @@ TEST(SkirtLoops, StandWhereTheSettingsSay) {
       {"NoSpacing", {.loops = 1, .width_nm = 100'000, .height_nm = 600'000}, Box20(), {}, {}},
   };
   for (const Case& c : cases) {
-    const std::vector<Path> loops = SkirtLoops(c.parts, c.brims, c.options);
+    const std::vector<Path> loops = LoopsOf(c.parts, c.brims, c.options);
     ASSERT_EQ(loops.size(), c.distances_mm.size()) << c.name;
     for (size_t i = 0; i < loops.size(); ++i) {
       const Box box = Bounds(loops[i].points);
@@ -83,7 +92,7 @@ TEST(SkirtLoops, StandWhereTheSettingsSay) {
 }
 
 TEST(SkirtLoops, CornersAreRound) {
-  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 1});
+  const std::vector<Path> loops = LoopsOf(Box20(), {}, {.loops = 1});
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_NEAR(Mm(loops[0]), 80 + 2 * kPi * 6.2, 0.05);
   EXPECT_TRUE(loops[0].closed);
@@ -95,21 +104,47 @@ TEST(SkirtLoops, CornersAreRound) {
 TEST(SkirtLoops, GoRoundTheHullOfAll) {
   const MultiPolygon apart = P("(0 0, 5 0, 5 5, 0 5) ; (15 15, 20 15, 20 20, 15 20)");
   const MultiPolygon hull = P("(0 0, 5 0, 20 15, 20 20, 15 20, 0 5)");
-  EXPECT_EQ(SkirtLoops(apart, {}, kOne), SkirtLoops(hull, {}, kOne));
-  EXPECT_EQ(SkirtLoops(Union(Box20(), apart), {}, kOne), SkirtLoops(Box20(), {}, kOne));
+  EXPECT_EQ(LoopsOf(apart, {}, kOne), LoopsOf(hull, {}, kOne));
+  EXPECT_EQ(LoopsOf(Union(Box20(), apart), {}, kOne), LoopsOf(Box20(), {}, kOne));
 }
 
 // PrusaSlicer prints 6 loops for a minimum length of 20 mm of filament.
 TEST(SkirtLoops, AreAddedUntilTheLengthIsReached) {
   const SkirtOptions options{.loops = 1, .min_length_nm = 20'000'000};
-  const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
+  const std::vector<Path> loops = LoopsOf(Box20(), {}, options);
   EXPECT_EQ(loops.size(), 6u);
   double filament_mm = 0;
   for (const Path& loop : loops)
     filament_mm += Mm(loop) * SectionMm2(400'000, 200'000) / options.filament_area_mm2;
   EXPECT_GE(filament_mm, 20);
   EXPECT_LT(filament_mm - Mm(loops.front()) * 0.0297, 20);
-  EXPECT_EQ(SkirtLoops(Box20(), {}, {.loops = 1, .min_length_nm = INT64_MAX / 2}).size(), 500u);
+  EXPECT_EQ(LoopsOf(Box20(), {}, {.loops = 1, .min_length_nm = INT64_MAX / 2}).size(), 500u);
+}
+
+TEST(SkirtLoops, SurroundEachObjectUnlessTheyMeet) {
+  const SkirtOptions each{.loops = 2, .distance_nm = 2'000'000, .per_object = true};
+  const MultiPolygon far = P("(0 0, 10 0, 10 10, 0 10) ; (20 0, 30 0, 30 10, 20 10)");
+  const MultiPolygon near = P("(0 0, 10 0, 10 10, 0 10) ; (14 0, 24 0, 24 10, 14 10)");
+  const MultiPolygon inside =
+      P("(0 0, 30 0, 30 30, 0 30) (1 1, 29 1, 29 29, 1 29) ; (14 14, 16 14, 16 16, 14 16)");
+  SkirtOptions one = each;
+  one.per_object = false;
+  EXPECT_EQ(SkirtLoops(far, {}, one).size(), 1u);
+  const auto skirts = SkirtLoops(far, {}, each);
+  ASSERT_EQ(skirts.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) EXPECT_EQ(skirts[i], SkirtLoops({far[i]}, {}, one).front());
+  EXPECT_EQ(SkirtLoops(near, {}, each), SkirtLoops(near, {}, one)) << "they share a skirt";
+  EXPECT_EQ(SkirtLoops(inside, {}, each), SkirtLoops(inside, {}, one));
+  const MultiPolygon row =
+      P("(0 0, 9 0, 9 9, 0 9) ; (10 0, 19 0, 19 9, 10 9) ; (20 0, 29 0, 29 9, 20 9) ; (90 0, 99 0, "
+        "99 9, 90 9)");
+  EXPECT_EQ(SkirtLoops(row, {}, each).size(), 2u) << "a chain of three, and one";
+}
+
+TEST(SkirtLoops, OfAnObjectSurroundItsBrim) {
+  const SkirtOptions each{.loops = 1, .per_object = true};
+  const MultiPolygon brim = P("(-4 -4, 24 -4, 24 24, -4 24) (0 0, 20 0, 20 20, 0 20)");
+  EXPECT_EQ(SkirtLoops(Box20(), brim, each), SkirtLoops(brim, {}, each));
 }
 
 TEST(SkirtLayers, AreAllWithAShieldOnly) {
@@ -144,7 +179,7 @@ TEST(SkirtReach, StepsOverLayersOfSupportsAlone) {
 
 TEST(WithinBed, CutsWhatLeavesTheBed) {
   const MultiPolygon bed = P("(-3 -20, 40 -20, 40 40, -3 40)");
-  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
+  const std::vector<Path> loops = LoopsOf(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
   // Half of the inner loop's line, at 2.7 mm, is inside the bed. The largest allowed distance is
   // 2.8 mm.
   const std::vector<Path> lines = WithinBed(loops, bed);
@@ -162,7 +197,7 @@ TEST(WithinBed, CutsWhatLeavesTheBed) {
 }
 
 TEST(WithinBed, KeepsLinesOutOfAnExcludedCorner) {
-  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
+  const std::vector<Path> loops = LoopsOf(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
   const MultiPolygon corner = P("(-30 -30, 5 -30, 5 -1, -30 -1)");
   const MultiPolygon bed = Difference(P("(-30 -30, 50 -30, 50 50, -30 50)"), corner);
   const std::vector<Path> lines = WithinBed(loops, bed);
@@ -176,20 +211,20 @@ TEST(WithinBed, KeepsLinesOutOfAnExcludedCorner) {
 
 TEST(ShieldKeepOut, IsTheBandOfItsLoops) {
   const SkirtOptions options{.loops = 2, .draft_shield = DraftShield::kEnabled};
-  const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
-  const MultiPolygon band = ShieldKeepOut(loops, options);
+  const std::vector<Path> loops = LoopsOf(Box20(), {}, options);
+  const MultiPolygon band = ShieldKeepOut({loops}, options);
   const double s = 0.4 - 0.2 * (1 - kPi / 4), outer = 6.4 + s, inner = 6;
   EXPECT_NEAR(Area(band) * 1e-12, 80 * (outer - inner) + kPi * (outer * outer - inner * inner),
               0.2);
-  EXPECT_TRUE(ShieldKeepOut(loops, {}).empty());
+  EXPECT_TRUE(ShieldKeepOut({loops}, {}).empty());
   EXPECT_TRUE(ShieldKeepOut({}, options).empty());
 }
 
 TEST(SkirtLoops, SurviveCrumbs) {
-  EXPECT_TRUE(SkirtLoops({{{{0, 0}, {5, 5}}, {}}}, {}, kOne).empty());
-  EXPECT_TRUE(SkirtLoops({{{}, {}}}, {}, kOne).empty());
-  EXPECT_LE(SkirtLoops({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, {}, kOne).size(), 1u);
-  EXPECT_EQ(SkirtLoops(P("(0 0, 50 0.000001, 100 0)"), {}, kOne).size(), 1u);
+  EXPECT_TRUE(LoopsOf({{{{0, 0}, {5, 5}}, {}}}, {}, kOne).empty());
+  EXPECT_TRUE(LoopsOf({{{}, {}}}, {}, kOne).empty());
+  EXPECT_LE(LoopsOf({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, {}, kOne).size(), 1u);
+  EXPECT_EQ(LoopsOf(P("(0 0, 50 0.000001, 100 0)"), {}, kOne).size(), 1u);
 }
 
 double Reach(const std::vector<Point>& points, double x, double y) {
@@ -227,7 +262,7 @@ TEST(SkirtLoops, KeepTheirDistanceOnRandomPlates) {
     const SkirtOptions options{.loops = 1 + trial % 3,
                                .distance_nm = std::llround(Uniform(random, 0, 9e6)),
                                .width_nm = std::llround(Uniform(random, 3e5, 8e5))};
-    const std::vector<Path> loops = SkirtLoops(parts, {}, options);
+    const std::vector<Path> loops = LoopsOf(parts, {}, options);
     ASSERT_EQ(loops.size(), static_cast<size_t>(options.loops));
     for (size_t i = 0; i < loops.size(); ++i) {
       const auto turn = static_cast<Coord>(loops.size() - 1 - i);
@@ -242,11 +277,11 @@ TEST(SkirtLoops, DoNotDependOnOrderAndFollowTheParts) {
   std::mt19937 random(6);
   for (int trial = 0; trial < 100; ++trial) {
     MultiPolygon parts = RandomPlate(random);
-    const std::vector<Path> loops = SkirtLoops(parts, {}, kOne);
+    const std::vector<Path> loops = LoopsOf(parts, {}, kOne);
     std::reverse(parts.begin(), parts.end());
-    EXPECT_EQ(SkirtLoops(parts, {}, kOne), loops);
-    EXPECT_NEAR(Mm(SkirtLoops(QuarterTurned(parts), {}, kOne)[0]), Mm(loops[0]), 0.01);
-    EXPECT_NEAR(Mm(SkirtLoops(Mirrored(parts), {}, kOne)[0]), Mm(loops[0]), 0.01);
+    EXPECT_EQ(LoopsOf(parts, {}, kOne), loops);
+    EXPECT_NEAR(Mm(LoopsOf(QuarterTurned(parts), {}, kOne)[0]), Mm(loops[0]), 0.01);
+    EXPECT_NEAR(Mm(LoopsOf(Mirrored(parts), {}, kOne)[0]), Mm(loops[0]), 0.01);
   }
 }
 

@@ -60,18 +60,19 @@ absl::Status BedError(std::string_view name, const Box& part, const Polygon& bed
                     {"got", SizeText(part)}});
 }
 
-absl::Status ExcludedError(std::string_view name, const Box& part, const Polygon& area) {
+absl::Status ExcludedError(std::string_view name, const Box& part, const Polygon& area,
+                           std::string_view setting) {
   const Box box = Bounds(area);
   const auto corner = [](Point p) {
     return fmt::format("{:.3f}, {:.3f}", ToMm(static_cast<double>(p.x)),
                        ToMm(static_cast<double>(p.y)));
   };
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   fmt::format("{} reaches into an excluded area of the bed (bed_exclude_area, {} "
-                               "to {} mm): move it elsewhere",
-                               Quoted(name), corner(box.min), corner(box.max)),
+                   fmt::format("{} reaches into an excluded area of the bed ({}, {} to {} mm): "
+                               "move it elsewhere",
+                               Quoted(name), setting, corner(box.min), corner(box.max)),
                    {{"object", std::string(name)},
-                    {"setting", "bed_exclude_area"},
+                    {"setting", std::string(setting)},
                     {"limit", SizeText(box)},
                     {"got", SizeText(part)}});
 }
@@ -130,8 +131,10 @@ absl::Status CheckBuildVolume(const Bulk& bulk, std::string_view name,
     constexpr Coord kFar = 2 * limits::kMaxCoord;
     const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
     if (!near || !InRange(box, center)) return CentersError(name);
-    for (const Polygon& area : options.excluded)
-      if (MeetsExcluded(hull, center, 0, {area})) return ExcludedError(name, box, area);
+    for (const auto& [areas, setting] : {std::pair(&options.excluded, "bed_exclude_area"),
+                                         std::pair(&options.wrapping, "wrapping_exclude_area")})
+      for (const Polygon& area : *areas)
+        if (MeetsExcluded(hull, center, 0, {area})) return ExcludedError(name, box, area, setting);
     if (options.bed.size() < 3) continue;
     const double excess = ExcessNm(hull, center, options.bed);
     if (excess > 0) return BedError(name, box, options.bed, excess);

@@ -82,6 +82,14 @@ TEST(CheckBuildVolume, ARoundPartFitsARoundBedThatItsBoxDoesNot) {
   EXPECT_FALSE(Check(Box(80, 80, 20), "box", {{0, 0}}, options).ok());
 }
 
+TEST(CheckBuildVolume, NamesTheSettingOfTheAreaThatMustRemainFree) {
+  SlicingOptions options = Bed(256, 256);
+  options.wrapping = {{{0, 0}, {18 * kMm, 0}, {18 * kMm, 28 * kMm}, {0, 28 * kMm}}};
+  const absl::Status status = Check(Box(20, 20, 9), "a", {{10 * kMm, 10 * kMm}}, options);
+  EXPECT_EQ(DetailOf(status).metadata.at("setting"), "wrapping_exclude_area");
+  EXPECT_TRUE(Check(Box(20, 20, 9), "a", {{128 * kMm, 128 * kMm}}, options).ok());
+}
+
 TEST(CheckBuildVolume, RefusesWhatReachesIntoAnExcludedArea) {
   SlicingOptions options = Bed(256, 256);
   options.excluded = {{{0, 0}, {18 * kMm, 0}, {18 * kMm, 28 * kMm}, {0, 28 * kMm}}};

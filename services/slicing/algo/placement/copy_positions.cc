@@ -43,7 +43,7 @@ absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Fr
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
       fmt::format("{} of {} copies do not fit on the bed{}: {}", left_over.size(), copies,
-                  excluded ? " outside of bed_exclude_area" : "", absl::StrJoin(which, ", ")),
+                  excluded ? " outside of its excluded areas" : "", absl::StrJoin(which, ", ")),
       {{"limit", fmt::format("{}", copies - left_over.size())},
        {"got", fmt::format("{}", copies)}});
 }
@@ -61,7 +61,7 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty())
     return NoRoom(objects, free, arranged->left_over, free.size() + standing.size(),
-                  !options.excluded.empty());
+                  !AllExcluded(options).empty());
   for (size_t i = 0; i < free.size(); ++i)
     places[free[i].object][free[i].copy] = arranged->places[i]->translation;
   return absl::OkStatus();
@@ -75,7 +75,7 @@ bool HasPlace(const SlicingOptions& options) {
 bool FitsInTheMiddle(const ObjectToPlace& object, const SlicingOptions& options) {
   return !HasPlace(options) &&
          !MeetsExcluded(object.footprint, ToWholeUm(BedCenter(options.bed)),
-                        ArrangeOptionsOf(options).bed_margin_nm, options.excluded);
+                        ArrangeOptionsOf(options).bed_margin_nm, AllExcluded(options));
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options) {
     growth = std::max(growth, object.xy_compensation_nm);
   return {.bed = options.bed,
           .distance_nm = std::max(options.part_distance_nm, options.clearance_radius_nm),
-          .excluded = options.excluded,
+          .excluded = AllExcluded(options),
           .bed_margin_nm = growth,
           .middle_x = std::clamp(options.best_x, 0.0, 1.0),
           .middle_y = std::clamp(options.best_y, 0.0, 1.0)};

@@ -119,6 +119,7 @@ absl::StatusOr<Shifts> ShiftsOf(const std::vector<ObjectInput>& inputs,
   };
   SlicingOptions whole_bed = options;
   whole_bed.excluded.clear();
+  whole_bed.wrapping.clear();
   std::vector<ObjectToPlace> objects;
   for (size_t i = 0; i < inputs.size(); ++i) {
     // An object that is too large even alone gets an error with its size.
