@@ -17,9 +17,9 @@ build=(
   clang clang-format clang-tidy libclang-rt-14-dev
 )
 runtime=(
-  libc-ares2 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libmicrohttpd12
-  ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libjpeg62-turbo zlib1g libcairo2 libseccomp2 libjemalloc2
-  libexpat1 libzip4 libre2-9 libcholmod3 nginx
+  libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libmicrohttpd12
+  ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libjpeg62-turbo zlib1g libbrotli1 libseccomp2
+  libexpat1 libzip4 libre2-9 libmetis5 nginx
 )
 
 packages=("${build[@]}")
