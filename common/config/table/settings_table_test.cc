@@ -297,9 +297,9 @@ TEST(ParseValue, ReadsPercentWithAndWithoutItsSign) {
 }
 
 TEST(KnownKeys, SayWhy) {
-  for (const char* key : {"support_material_interface_contact_loops", "wipe_tower",
-                          "compatible_printers_condition_cummulative", "print_host", "post_process",
-                          "variable_layer_height"}) {
+  for (const char* key :
+       {"automatic_extrusion_widths", "wipe_tower", "compatible_printers_condition_cummulative",
+        "print_host", "post_process", "variable_layer_height"}) {
     ASSERT_NE(FindKnownKey(key), nullptr) << key;
     EXPECT_FALSE(FindKnownKey(key)->why.empty()) << key;
   }

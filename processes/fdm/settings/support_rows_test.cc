@@ -50,6 +50,17 @@ TEST_P(SupportRegionRowTest, HasItsLines) {
   EXPECT_EQ(FdmOf(row).region.infill.top_solid_layers, 0);
 }
 
+TEST(SupportRegionRow, InterfacesBelowTheObjectMayHaveASecondLoop) {
+  for (const auto& [value, loops] : {std::pair("0", 1), std::pair("1", 2)}) {
+    const JobRows given = Resolved({{"support_material_interface_contact_loops", value}});
+    const auto walls = [&](SupportRow row) {
+      return FdmOf(SupportRegionRow(given, row)).region.walls.perimeters;
+    };
+    EXPECT_EQ(walls(SupportRow::kInterface), loops);
+    EXPECT_EQ(walls(SupportRow::kBottomInterface), 1);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Rows, SupportRegionRowTest,
     testing::Values(Case{"FirstLayer", SupportRow::kFirstLayer, 1, 0.9, 0},
