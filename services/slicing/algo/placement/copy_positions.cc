@@ -31,21 +31,24 @@ struct Free {
 };
 
 /// Returns the error for copies that do not fit. `copies`: number of all copies, including the ones
-/// with a given position. `excluded`: the bed has excluded areas.
+/// with a given position. `options`: settings of the bed.
 absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
-                    const std::vector<size_t>& left_over, size_t copies, bool excluded) {
+                    const std::vector<size_t>& left_over, size_t copies,
+                    const SlicingOptions& options) {
   std::map<size_t, int> counts;  // number of copies per object
   for (const size_t item : left_over) ++counts[free[item].object];
   std::vector<std::string> which;
   for (const auto& [object, count] : counts) {
     which.push_back(fmt::format("{} of {}", count, ObjectWords(objects[object].name, object)));
   }
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-      fmt::format("{} of {} copies do not fit on the bed{}: {}", left_over.size(), copies,
-                  excluded ? " outside of its excluded areas" : "", absl::StrJoin(which, ", ")),
-      {{"limit", fmt::format("{}", copies - left_over.size())},
-       {"got", fmt::format("{}", copies)}});
+  std::vector<std::string> outside;
+  if (!options.excluded.empty()) outside.emplace_back(" outside of bed_exclude_area");
+  if (!options.wrapping.empty()) outside.emplace_back(" outside of wrapping_exclude_area");
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   fmt::format("{} of {} copies do not fit on the bed{}: {}", left_over.size(),
+                               copies, absl::StrJoin(outside, " and"), absl::StrJoin(which, ", ")),
+                   {{"limit", fmt::format("{}", copies - left_over.size())},
+                    {"got", fmt::format("{}", copies)}});
 }
 
 /// Arranges the copies of `free` around the copies with a given position.
@@ -60,8 +63,7 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
   absl::StatusOr<Arrangement> arranged = Arrange(items, standing, arrange, cancel);
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty())
-    return NoRoom(objects, free, arranged->left_over, free.size() + standing.size(),
-                  !AllExcluded(options).empty());
+    return NoRoom(objects, free, arranged->left_over, free.size() + standing.size(), options);
   for (size_t i = 0; i < free.size(); ++i)
     places[free[i].object][free[i].copy] = arranged->places[i]->translation;
   return absl::OkStatus();
