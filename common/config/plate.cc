@@ -11,6 +11,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
+#include "common/base/portable_math.h"
 #include "common/config/process_settings.h"
 #include "common/config/resolved_bytes.h"
 #include "common/config/setting_reader.h"
@@ -346,6 +347,25 @@ void Grow(const ShrinkageCompensation& shrinkage, std::vector<Instance>& copies)
   }
 }
 
+/// Replaces the rows of an object's regions by the rows for copies with the transform `to_plate`.
+absl::Status TurnRows(const Transform& to_plate, RegionRows& rows, ObjectInput& object) {
+  const double angle_rad = Atan2(to_plate(1, 0), to_plate(0, 0));
+  absl::Status status;
+  const auto turned = [&](int32_t row) {
+    const absl::StatusOr<int32_t> other = rows.TurnedRow(row, angle_rad);
+    status.Update(other.status());
+    return other.value_or(row);
+  };
+  for (PartInput& part : object.parts) {
+    if (part.role != PartRole::kModifier)
+      for (int32_t& row : part.regions) row = turned(row);
+    std::map<int32_t, int32_t> changes;
+    for (const auto& [from, to] : part.changes) changes.emplace(turned(from), turned(to));
+    part.changes = std::move(changes);
+  }
+  return status;
+}
+
 /// Adds the object to the plate. If the plate has an equal object, only the copies are added to
 /// that object.
 void Add(ObjectResolver::Result object, const ProcessSettings& process, ResolvedPlate& plate) {
@@ -394,6 +414,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
       one.input.sunk_mm = 0;
       one.input.to_plate = group.to_plate;
       one.input.copies = CopiesOf(group);
+      if (absl::Status ok = TurnRows(group.to_plate, *rows, one.input); !ok.ok()) return ok;
       Add(std::move(one), own, plate);
     }
   }

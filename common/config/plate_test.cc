@@ -285,6 +285,26 @@ TEST(ResolvePlate, ATurnedCopyIsAnObjectOfItsOwn) {
   EXPECT_THAT(plate.objects[1].copies, SizeIs(1));
 }
 
+// If the infill of a part follows the model, the part gets a turned row. The changes of a modifier
+// then begin with turned rows.
+TEST(ResolvePlate, InfillThatFollowsTheModelTurnsWithACopy) {
+  SceneObject object = ObjectNamed("box", {{"align_infill_direction_to_model", "1"}});
+  object.parts.push_back(
+      PartOf(1, PartRole::kModifier, {{"align_infill_direction_to_model", "0"}}));
+  object.instances = {StandingAt(20, 30), StandingAt(80, 30, 30)};
+  const ResolvedPlate plate = PlateOrDie({}, {object});
+  ASSERT_THAT(plate.objects, SizeIs(2));
+  const auto turn_deg = [&](int32_t row) {
+    return FdmOf(plate.settings).regions[static_cast<size_t>(row)].infill.turn_rad * 180 /
+           3.14159265358979;
+  };
+  const auto& parts = plate.objects[1].parts;
+  EXPECT_EQ(turn_deg(plate.objects[0].parts[0].regions[0]), 0);
+  EXPECT_NEAR(turn_deg(parts[0].regions[0]), 30, 1e-9);
+  const int32_t inside = parts[1].changes.at(parts[0].regions[0]);
+  EXPECT_EQ(turn_deg(inside), 0) << "the modifier's infill does not follow the model";
+}
+
 TEST(ResolvePlate, AnUnprintableCopyIsLeftOut) {
   SceneObject object = ObjectNamed("box", {}, 2);
   object.instances[0].printable = false;

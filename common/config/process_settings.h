@@ -27,6 +27,10 @@ class RegionRows {
   /// REQUEST_TOO_LARGE beyond limits::kMaxRegionSettings.
   virtual absl::StatusOr<int32_t> RowOf(const JobRows& /*settings*/) { return 0; }
 
+  /// Returns the index of the row for the regions of row `row` in copies that are turned by
+  /// `angle_rad` about the z axis, counter-clockwise. Errors: as RowOf.
+  virtual absl::StatusOr<int32_t> TurnedRow(int32_t row, double /*angle_rad*/) { return row; }
+
   /// Returns the number of rows so far.
   virtual int64_t size() const { return 1; }
 

@@ -34,16 +34,24 @@ CONTEXTS = {
     "lateral_lattice_": {"fill_pattern": "laterallattice"}, "infill_overhang_angle": {"fill_pattern": "lateralhoneycomb"},
     "infill_shift_step": {"fill_pattern": "crosszag"}, "symmetric_infill_y_axis": {"fill_pattern": "zigzag"},
     "skin_infill_": {"fill_pattern": "lockedzag"}, "skeleton_infill_": {"fill_pattern": "lockedzag"},
-    "infill_lock_depth": {"fill_pattern": "lockedzag"},
+    "infill_lock_depth": {"fill_pattern": "lockedzag"}, "gyroid_optimized": {"fill_pattern": "gyroid"},
+    "sparse_infill_smooth_factor": {"fill_pattern": "honeycomb"}, "lightning_": {"fill_pattern": "lightning"},
+    "top_surface_expansion_": {"top_surface_expansion": "2"}, "relative_bridge_angle": {"bridge_angle": "30"},
+    "top_surface_fill_order": {"top_fill_pattern": "concentric"}, "bottom_surface_fill_order": {"bottom_fill_pattern": "concentric"},
+    "center_of_surface_pattern": {"top_fill_pattern": "archimedeanchords"},
     "dont_filter_internal_bridges": {"perimeters": "1", "solid_infill_below_area": "0", "fill_density": "10%"},
     "overhang_reverse_": {"overhang_reverse": "1"}, "min_width_top_surface": {"top_one_perimeter_type": "top"},
     "top_solid_min_thickness": {"top_solid_layers": "1"}, "bottom_solid_min_thickness": {"bottom_solid_layers": "1"}}
+# Settings that only have an effect in a copy that is turned by a right angle. All its beads are compared.
+TURNED = {"align_infill_direction_to_model"}
 # Values for settings where half or twice the default does not show the effect.
 VALUES = {
     "density_field": ['{"kind":"constant","density":0.5}'], "stress_field": ['{"kind":"constant","stress":[1,0,0]}'],
     "fill_angle_template": ["10,70"], "solid_fill_angle_template": ["10,70"], "bridge_angle": ["30"], "fill_angle": ["20"],
     "small_area_infill_flow_compensation_model": ["0,0;5,0.5;20,1"], "infill_every_layers": ["2"], "solid_infill_every_layers": ["3"],
     "top_solid_min_thickness": ["1.2"], "bottom_solid_min_thickness": ["1.2"], "solid_infill_below_area": ["0", "300"], "over_bridge_speed": ["33"],
+    "top_layer_direction": ["20"], "bottom_layer_direction": ["20"], "internal_bridge_angle": ["30"], "top_surface_expansion": ["2"],
+    "lightning_overhang_angle": ["80", "10"], "lightning_prune_angle": ["80"], "lightning_straightening_angle": ["80"],
     "extra_solid_infills": ["3"], "min_length_factor": ["30"], "top_surface_density": ["50"], "bottom_surface_density": ["50"], "fuzzy_skin_ripples_per_layer": ["31"],
     "gap_fill_min_length": ["3"], "solid_fill_angle": ["20"], "top_bottom_infill_overlap": ["0.3"], "min_width_top_surface": ["3", "15"],
     "overhang_reverse_threshold": ["0", "2"], "scarf_seam_steps": ["100"], "scarf_seam_speed": ["10"],
@@ -85,10 +93,10 @@ def metadata(settings):
     return "".join(f'<metadata type="volume" key="{key}" value="{value.replace(chr(34), "&quot;")}"/>' for key, value in settings.items())
 
 
-def project(job, modifier=None, heights=None):
+def project(job, modifier=None, heights=None, turned=False):
     meshes = [*PART, MODIFIER] if modifier is not None else PART
     faces = sum(len(mesh[1]) for mesh in PART)
-    files = {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh_xml(*meshes)}</object>', item(1, 100, 100), "PrusaSlicer-2.9.2"),
+    files = {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh_xml(*meshes)}</object>', item(1, 100, 100, turned), "PrusaSlicer-2.9.2"),
              "Metadata/Slic3r_PE.config": "".join(f"; {key} = {value}\n" for key, value in (JOB | job).items())}
     if modifier is not None:
         files["Metadata/Slic3r_PE_model.config"] = (
@@ -157,7 +165,9 @@ def values_of(setting, job):
     return [f"{value:g}{sign}" for value in ((number / 2, number * 2) if number else (0.6,))]
 
 
-def inside(beads, place):
+def inside(beads, place, key):
+    if key in TURNED:
+        return [bead[2] for bead in beads]
     low, high = (100 - 1, math.inf) if place == "modifier" else HEIGHTS
     axis = 0 if place == "modifier" else 1
     return [bead[2] for bead in beads if low < bead[axis] < high]
@@ -167,12 +177,13 @@ def effect(slicer, setting, place):
     """Returns None if the setting has an effect in the place (modifier or heights), else a text with the values tried."""
     key = setting["key"]
     job = context_of(key)
-    base = inside(slicer(job, **{place: {}})[0], place)
+    turned = {"turned": True} if key in TURNED else {}
+    base = inside(slicer(job, **{place: {}}, **turned)[0], place, key)
     assert len(base) > 100, f"{key}: the part has no beads in the {place}"
     tried = []
     for value in values_of(setting, job):
-        beads, told = slicer(job, **{place: {key: value}})
-        if key in told or beads and inside(beads, place) != base:
+        beads, told = slicer(job, **{place: {key: value}}, **turned)
+        if key in told or beads and inside(beads, place, key) != base:
             return None
         tried.append(value)
     return f"{key} = {' or '.join(tried)} in a {place}: the G-code is as before, and nothing is told"

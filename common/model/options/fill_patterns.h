@@ -161,6 +161,14 @@ constexpr bool TakesSeveralLines(FillPattern pattern) {
          pattern != FillPattern::kVoronoi && pattern != FillPattern::kHoneycombCells;
 }
 
+/// Returns true if the corners of a sparse pattern may be rounded (RoundCorners).
+constexpr bool HasSmoothCorners(FillPattern pattern) {
+  return pattern == FillPattern::kHilbert || pattern == FillPattern::kOctagram ||
+         pattern == FillPattern::kLightning || pattern == FillPattern::kHoneycomb ||
+         pattern == FillPattern::kHoneycomb3d || pattern == FillPattern::kConcentric ||
+         pattern == FillPattern::kCrosshatch;
+}
+
 namespace internal {
 constexpr bool InOrder() {
   for (int i = 0; i < kFillPatternCount; ++i)

@@ -5,11 +5,13 @@
 
 #include "common/base/shared/shared_text.h"
 #include "common/geometry/point.h"
+#include "common/model/options/bridge_options.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/options/flow_table.h"
 #include "common/model/options/pattern_options.h"
 #include "common/model/options/shell_extra.h"
 #include "common/model/options/solid_options.h"
+#include "common/model/options/surface_options.h"
 
 namespace slicefarm {
 
@@ -62,6 +64,8 @@ struct InfillOptions {
   PatternOptions shape = {};
   LockedZagOptions zones = {};
   SolidOptions solid = {};
+  SurfaceOptions surfaces = {};
+  BridgeOptions bridges = {};
   /// `solid_fill_pattern`: pattern of solid infill inside the part
   FillPattern solid_pattern = FillPattern::kRectilinear;
   FillPattern top_pattern = FillPattern::kMonotonic;     ///< setting top_fill_pattern
@@ -74,6 +78,9 @@ struct InfillOptions {
   /// template.
   SharedText angle_template = {};
   SharedText solid_angle_template = {};
+  /// `align_infill_direction_to_model`: directions of lines turn with the copies of the object
+  bool follows_model = false;
+  double turn_rad = 0;  ///< turn of the copies that have this row, if the lines follow the model
   Coord sparse_width_nm = 450'000;       ///< setting infill_extrusion_width
   Coord solid_width_nm = 450'000;        ///< setting solid_infill_extrusion_width
   Coord top_width_nm = 450'000;          ///< setting top_infill_extrusion_width

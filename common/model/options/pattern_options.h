@@ -15,6 +15,13 @@ struct PatternOptions {
   double honeycomb_rad = std::numbers::pi / 3;   ///< setting infill_overhang_angle
   Coord shift_nm = 400'000;                      ///< setting infill_shift_step
   bool mirrored = false;                         ///< setting symmetric_infill_y_axis
+  double smooth = 0;  ///< `sparse_infill_smooth_factor`: share of an edge that round corners take
+  bool stiff_gyroid = false;  ///< setting gyroid_optimized
+  /// waves of the gyroid per period along the lines, if stiff_gyroid; computed from the density
+  double gyroid_waves = 1;
+  double lightning_overhang_rad = std::numbers::pi / 4;    ///< setting lightning_overhang_angle
+  double lightning_prune_rad = std::numbers::pi / 4;       ///< setting lightning_prune_angle
+  double lightning_straighten_rad = std::numbers::pi / 4;  ///< `lightning_straightening_angle`
 
   friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
 };

@@ -84,7 +84,8 @@ struct RegionMotion {
   bool bridging_walls = false;
   double bridge_flow = 1;           ///< setting bridge_flow_ratio
   double internal_bridge_flow = 0;  ///< setting internal_bridge_flow; 0: bridge_flow
-  bool thick_bridges = true;  ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+  bool thick_bridges = true;   ///< `thick_bridges`: bridges are round strands as wide as the nozzle
+  double bridge_width_mm = 0;  ///< `bridge_line_width`: diameter of the strands; 0: the nozzle's
   /// external_perimeter_flow_ratio, perimeter_flow_ratio, ...: factor on the plastic per Feature.
   std::array<double, kFeatureCount> flow = ForAllFeatures(1);
   double first_layer_flow = 1;  ///< first_layer_flow_ratio: further factor in the first layer

@@ -20,6 +20,10 @@ struct SolidOptions {
   /// `detect_narrow_internal_solid_infill`: narrow parts inside the object get loops
   bool narrow_loops = false;
   SparseBridgeFilter bridges = SparseBridgeFilter::kWide;
+  /// `elefant_foot_layers_density`: density of solid infill inside the object in its second layer;
+  /// it rises to 1 over foot_layers
+  double foot_density = 1;
+  int32_t foot_layers = 1;  ///< number of layers with the elephant foot compensation
   /// `extra_solid_infills`: canonical text (solid_layers.h). Empty: no such layers.
   SharedText extra_layers = {};
 

@@ -25,6 +25,8 @@ namespace {
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
 constexpr double kRightAngle = 1.5708;
+constexpr double kMostLightningAngle = 1.5;  // radians: 86 degrees
+constexpr double kLeastWaves = 0.5, kMostWaves = 2;
 constexpr int kMostOctaves = 10;
 constexpr int kMostLinesSideBySide = 10;
 constexpr double kLeastLean = 0.26, kMostLean = 1.31;  // radians: 15 and 75 degrees
@@ -132,6 +134,11 @@ absl::Status CheckShape(const PatternOptions& shape, const LockedZagOptions& zon
   status.Update(CheckRange("shape.lattice_1_rad", std::abs(shape.lattice_1_rad), 0, kMostLean));
   status.Update(CheckRange("shape.lattice_2_rad", std::abs(shape.lattice_2_rad), 0, kMostLean));
   status.Update(CheckRange("shape.honeycomb_rad", shape.honeycomb_rad, kLeastLean, kMostLean));
+  status.Update(CheckRange("shape.smooth", shape.smooth, 0, 1));
+  status.Update(CheckRange("shape.gyroid_waves", shape.gyroid_waves, kLeastWaves, kMostWaves));
+  for (const double angle_rad :
+       {shape.lightning_overhang_rad, shape.lightning_prune_rad, shape.lightning_straighten_rad})
+    status.Update(CheckRange("shape.lightning_rad", angle_rad, 0, kMostLightningAngle));
   status.Update(CheckRange("zones.skin_density", zones.skin_density, 0, 1));
   status.Update(CheckRange("zones.skeleton_density", zones.skeleton_density, 0, 1));
   status.Update(CheckPositive({{"zones.skin_width_nm", zones.skin_width_nm},
@@ -142,8 +149,20 @@ absl::Status CheckShape(const PatternOptions& shape, const LockedZagOptions& zon
   return status;
 }
 
+absl::Status CheckSurfaces(const InfillOptions& infill) {
+  absl::Status status = CheckRange("solid.foot_density", infill.solid.foot_density, 0, 1);
+  status.Update(CheckAboveZero("solid.foot_density", infill.solid.foot_density));
+  status.Update(CheckRange("solid.foot_layers", infill.solid.foot_layers, 1, limits::kMaxLayers));
+  status.Update(
+      CheckNotNegative({{"surfaces.expansion_nm", infill.surfaces.expansion_nm},
+                        {"surfaces.expansion_margin_nm", infill.surfaces.expansion_margin_nm},
+                        {"bridges.width_nm", infill.bridges.width_nm}}));
+  return status;
+}
+
 absl::Status CheckInfill(const InfillOptions& infill) {
   absl::Status status = CheckSkins(infill);
+  status.Update(CheckSurfaces(infill));
   status.Update(CheckRange("field_halo_layers", infill.field_halo_layers, 0, limits::kMaxLayers));
   status.Update(CheckRange("density", infill.density, 0, 1));
   status.Update(CheckShape(infill.shape, infill.zones));

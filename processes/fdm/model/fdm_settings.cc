@@ -49,9 +49,12 @@ int32_t HaloLayers(const FdmSettings& settings) {
   int32_t halo = BeadingHaloLayers(settings);
   for (const RegionRow& region : settings.regions) {
     const InfillOptions& infill = region.infill;
-    halo = std::max({halo, infill.top_solid_layers,
-                     infill.bottom_solid_layers + (BridgesSparse(infill) ? 1 : 0),
-                     infill.field_halo_layers, infill.over_bridges ? kOverBridgeHaloLayers : 0});
+    const bool over_bridges = infill.over_bridges || DoublesExternal(infill.bridges.extra);
+    const int32_t sparse_bridges = !BridgesSparse(infill)                  ? 0
+                                   : DoublesInternal(infill.bridges.extra) ? 2
+                                                                           : 1;
+    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers + sparse_bridges,
+                     infill.field_halo_layers, over_bridges ? kOverBridgeHaloLayers : 0});
   }
   const bool winds_up = std::ranges::any_of(
       settings.objects, [](const ObjectRow& object) { return object.spiral.width_nm > 0; });

@@ -61,6 +61,7 @@ void DeriveWidths(SettingValues& draft) {
     draft.SetNumber("support_material_bottom_interface_layers",
                     draft.Number("support_material_interface_layers"));
   ResolvePercentage(draft, "first_layer_extrusion_width");
+  ResolvePercentage(draft, "bridge_line_width");
   FallBack(draft, "first_layer_extrusion_width", "perimeter_extrusion_width");
   ResolvePercentage(draft, "extrusion_width");
 }

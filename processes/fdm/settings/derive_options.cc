@@ -71,9 +71,34 @@ void DeriveFootWidth(JobRows& settings) {
   settings.object.elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
 }
 
+/// Copies the number of layers in which elefant_foot_layers_density acts. Objects on a raft have no
+/// such layers.
+void DeriveFootDensity(JobRows& settings) {
+  SolidOptions& solid = FdmOf(settings).region.infill.solid;
+  if (!settings.object.on_bed) solid.foot_density = 1;
+  solid.foot_layers = solid.foot_density < 1 ? settings.object.elephant_foot_layers : 1;
+}
+
 /// Copies the nozzle's diameter, which decides the number of edges of polyholes.
 void DerivePolyholes(JobRows& settings) {
   settings.object.polyholes.nozzle_nm = FromMm(FdmOf(settings).tool.nozzle_diameter_mm);
+}
+
+/// Sets the waves of a stiff gyroid by the density and the height of its lines, as OrcaSlicer does:
+/// the square root of the density of the waves, less for lines that are high beside their distance.
+void DeriveGyroid(JobRows& settings) {
+  constexpr double kWavesPerDensity = 2.44, kLeast = 0.5, kMost = 2;
+  InfillOptions& infill = FdmOf(settings).region.infill;
+  PatternOptions& shape = infill.shape;
+  shape.gyroid_waves = 1;
+  if (!shape.stiff_gyroid || infill.pattern != FillPattern::kGyroid) return;
+  const Coord height_nm = settings.object.layer_height_nm;
+  const auto spacing = static_cast<double>(Spacing(infill.sparse_width_nm, height_nm));
+  if (spacing <= 0) return;
+  const double height_share = static_cast<double>(height_nm) / (spacing * shape.lines);
+  const double waves =
+      std::sqrt(infill.density * kWavesPerDensity / shape.lines / (1 + height_share));
+  shape.gyroid_waves = std::clamp(waves, kLeast, kMost);
 }
 
 /// Sets the space for the head around arranged copies that are printed one after another.
@@ -334,6 +359,8 @@ absl::Status DeriveOptions(const OptionSources& sources) {
   DeriveClearance(settings);
   DerivePictures(settings);
   DeriveAdhesion(settings);
+  DeriveFootDensity(settings);
+  DeriveGyroid(settings);
   if (absl::Status ok = DeriveTravelArea(settings); !ok.ok()) return ok;
   DeriveAdaptiveHeights(settings);
   DeriveWalls(settings);

@@ -38,6 +38,10 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.shape = {};
   infill.zones = {};
   infill.solid = {};
+  infill.surfaces = {};
+  infill.bridges.extra = ExtraBridges::kNone;
+  infill.bridges.internal_angle_rad = 0;
+  infill.follows_model = false;
   infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
       FillPattern::kAlignedRectilinear;
   infill.angle_rad = angle_rad;

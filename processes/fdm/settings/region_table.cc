@@ -33,4 +33,12 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobRows& settings) {
   return table_.Add(region);
 }
 
+absl::StatusOr<int32_t> RegionTable::TurnedRow(int32_t row, double angle_rad) {
+  const RegionRow& unturned = table_.rows()[static_cast<size_t>(row)];
+  if (!unturned.infill.follows_model) return row;
+  RegionRow region = unturned;
+  region.infill.turn_rad = angle_rad;
+  return table_.Add(region);
+}
+
 }  // namespace slicefarm::config::fdm

@@ -15,6 +15,8 @@ namespace slicefarm::config::fdm {
 class RegionTable : public RegionRows {
  public:
   absl::StatusOr<int32_t> RowOf(const JobRows& settings) override;
+  /// Turns the directions of lines, if the settings of the row ask for it.
+  absl::StatusOr<int32_t> TurnedRow(int32_t row, double angle_rad) override;
   int64_t size() const override { return std::ssize(table_.rows()); }
   void PutInto(JobSettings& plate) const override { FdmOf(plate).regions = table_.rows(); }
 

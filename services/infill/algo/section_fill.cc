@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/axis/middle_lines.h"
+#include "services/infill/algo/bridge_fill.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/infill_check.h"
 #include "services/infill/algo/ironing.h"
@@ -21,10 +21,9 @@
 #include "services/infill/algo/locked_zag.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/quality/line_bead.h"
+#include "services/infill/algo/region_context.h"
 #include "services/infill/algo/section_view.h"
-#include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/narrow_parts.h"
-#include "services/infill/algo/skins/overhang_fill.h"
 #include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/skins/sparse_bridges.h"
 #include "services/infill/algo/solid.h"
@@ -51,12 +50,6 @@ const MultiPolygon& AboveSupportsOf(int32_t stack, const LayerPlan& plan) {
   return found == nullptr ? kNothing : found->above_supports;
 }
 
-/// Groups of paths that fill areas, and the reports of their plastic.
-struct Fills {
-  std::vector<FillGroup> groups;
-  std::vector<FillStats> uses;
-};
-
 /// Fill of the areas of one region's settings in a section.
 class RegionFill {
  public:
@@ -64,13 +57,12 @@ class RegionFill {
   /// object. `plan` may be null.
   RegionFill(const SectionView& view, int32_t settings, const InfillOptions& options,
              const PlannedInfill* plan)
-      : view_(view),
+      : context_(view, settings, options),
+        view_(view),
         options_(options),
+        cover_(context_.cover),
+        row_(context_.row),
         plan_(plan),
-        settings_(settings),
-        row_(options.interface_shells ? std::optional(settings) : std::nullopt),
-        cover_(CoverOf(view, options, row_)),
-        angles_(AnglesOf(options, view.layer)),
         flows_(FlowsOf(options)) {}
 
   /// Fills one area of the region. `bare`: true if no wall surrounds the area. `field`: values of
@@ -79,46 +71,29 @@ class RegionFill {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
     Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
-                               {.width_nm = Width(options_.solid_width_nm),
+                               {.width_nm = context_.Width(options_.solid_width_nm),
                                 .solid_below_area_mm2 = options_.solid_below_area_mm2,
                                 .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
                                 .shells = options_.shells,
-                                .over_bridges = options_.over_bridges});
-    SparseBridges over_sparse;
-    if (fill_area.role == Role::kPart && BridgesSparse(options_) && !skins.solid.empty() &&
-        SkinsBegin(field)) {
-      auto bridges = BridgesOverSparse(fill_area.area, skins);
-      if (!bridges.ok()) return bridges.status();
+                                .over_bridges = options_.over_bridges || DoublesBridges()});
+    absl::Status status;
+    SparseBridges doubled, over_sparse;
+    if (fill_area.role == Role::kPart && BridgesSparse(options_)) {
+      auto second = SecondSparseBridges(fill_area.area, field, skins);
+      auto bridges = BridgesOverSparse(fill_area.area, field, skins);
+      status.Update(second.status());
+      status.Update(bridges.status());
+      if (!status.ok()) return status;
+      doubled = *std::move(second);
       over_sparse = *std::move(bridges);
     }
-    const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
-    const Coord surface_overlap_nm =
-        options_.surface_overlap_nm >= 0 ? options_.surface_overlap_nm : options_.overlap_nm;
-    absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
-                                      options_.top_width_nm, options_.top_flow, surface_overlap_nm,
-                                      fills, options_.solid.top_density);
-    if (status.ok()) status = AppendBridges(skins.bridge, fills);
-    if (status.ok()) status = AppendSparseBridges(over_sparse, fills);
-    const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                            double flow, Coord overlap_nm, double density = 1) {
-      if (status.ok())
-        status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, flow, overlap_nm,
-                             fills, density);
-    };
-    append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern, options_.bottom_flow,
-           surface_overlap_nm, options_.solid.bottom_density);
-    append(skins.over_bridge, Feature::kSolidOverBridge, inner, 1, options_.overlap_nm);
-    if (cover_.on_bed) {
-      append(skins.solid, Feature::kSolidInfill, inner, options_.bottom_flow, surface_overlap_nm,
-             options_.solid.bottom_density);
-    } else if (options_.solid.narrow_loops) {
-      const SolidParts parts =
-          PartByWidth(skins.solid, kNarrowSolidNm, Width(options_.solid_width_nm));
-      append(parts.wide, Feature::kSolidInfill, inner, 1, options_.overlap_nm);
-      append(parts.narrow, Feature::kSolidInfill, FillPattern::kConcentric, 1, options_.overlap_nm);
-    } else {
-      append(skins.solid, Feature::kSolidInfill, inner, 1, options_.overlap_nm);
-    }
+    status = AppendSolid(skins.top, TopLook(), fills);
+    if (status.ok()) status = AppendBridges(context_, skins.bridge, fills);
+    if (status.ok()) status = AppendSparseBridges(context_, over_sparse, fills);
+    if (status.ok()) status = AppendSecondSparseBridges(context_, doubled, fills);
+    if (status.ok()) status = AppendSolid(skins.bottom, BottomLook(), fills);
+    if (status.ok()) status = AppendOverBridges(skins.over_bridge, fills);
+    if (status.ok()) status = AppendInner(skins.solid, fills);
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
     if (status.ok() && bare && fill_area.role == Role::kSupport && fills.groups.empty())
       AppendMiddle(skins.sparse, PlainDensity(field), fills);
@@ -127,10 +102,6 @@ class RegionFill {
   }
 
  private:
-  Coord Width(Coord width_nm) const {
-    return view_.on_bed ? options_.first_layer_width_nm : width_nm;
-  }
-
   /// Returns the density of the whole layer, or 0 if the density varies within the layer.
   double PlainDensity(const LayerField* field) const {
     if (field == nullptr || field->density == nullptr) return options_.density;
@@ -143,32 +114,94 @@ class RegionFill {
     return filled && IsAllSolid(options_, view_.layer);
   }
 
-  /// Returns the angle of solid lines. It turns by a right angle from layer to layer, except for
-  /// patterns that do not turn and for templates, which contain all turns.
-  double SolidAngle(FillPattern pattern) const {
-    const bool turns = !angles_.solid_planned && !IsAligned(pattern) && view_.layer % 2 != 0;
-    return angles_.solid_rad + (turns ? std::numbers::pi / 2 : 0);
+  /// Form of the lines of a kind of solid areas.
+  struct SolidLook {
+    Feature feature = Feature::kSolidInfill;
+    FillPattern pattern = FillPattern::kMonotonic;
+    Coord width_nm = 0;
+    double flow = 1;
+    Coord overlap_nm = 0;
+    double density = 1;
+    double angle_rad = -1;  ///< direction in all layers; below 0: SolidAngle
+    FillOrder order = FillOrder::kNearest;
+  };
+
+  Coord SurfaceOverlap() const {
+    return options_.surface_overlap_nm >= 0 ? options_.surface_overlap_nm : options_.overlap_nm;
   }
 
-  void Append(FillGroup group, const RequestedFill& asked, Fills& fills) const {
-    AddUse(UseOf(asked, group.paths, view_.height_nm), 1, fills.uses);
-    if (!group.paths.empty()) fills.groups.push_back(std::move(group));
+  SolidLook TopLook() const {
+    return {Feature::kTopSolidInfill,
+            options_.top_pattern,
+            options_.top_width_nm,
+            options_.top_flow,
+            SurfaceOverlap(),
+            options_.solid.top_density,
+            options_.surfaces.top_angle_rad,
+            options_.surfaces.top_order};
   }
 
-  absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                           Coord width_nm, double flow, Coord overlap_nm, Fills& fills,
-                           double density = 1) const {
-    if (density <= 0) return absl::OkStatus();
-    const LineBead bead = SparseBead(Width(width_nm), view_.height_nm, flow, density);
+  SolidLook BottomLook() const {
+    return {Feature::kSolidInfill,
+            options_.bottom_pattern,
+            options_.solid_width_nm,
+            options_.bottom_flow,
+            SurfaceOverlap(),
+            options_.solid.bottom_density,
+            options_.surfaces.bottom_angle_rad,
+            options_.surfaces.bottom_order};
+  }
+
+  SolidLook InnerLook() const {
+    return {.pattern = options_.solid_pattern,
+            .width_nm = options_.solid_width_nm,
+            .overlap_nm = options_.overlap_nm,
+            .density = SolidDensity(options_, view_.layer)};
+  }
+
+  /// Returns true if the layer above a bridge over air is a bridge too.
+  bool DoublesBridges() const { return DoublesExternal(options_.bridges.extra); }
+
+  /// Adds solid infill inside the object, or the object's bottom.
+  absl::Status AppendInner(const MultiPolygon& solid, Fills& fills) const {
+    if (cover_.on_bed) return AppendSolid(solid, BottomLook(), fills);
+    SolidLook look = InnerLook();
+    if (!options_.solid.narrow_loops) return AppendSolid(solid, look, fills);
+    const SolidParts parts =
+        PartByWidth(solid, kNarrowSolidNm, context_.Width(options_.solid_width_nm));
+    absl::Status status = AppendSolid(parts.wide, look, fills);
+    look.pattern = FillPattern::kConcentric;
+    if (status.ok()) status = AppendSolid(parts.narrow, look, fills);
+    return status;
+  }
+
+  /// Adds the areas over bridges of the layer below: second bridges, or solid infill with its own
+  /// feature.
+  absl::Status AppendOverBridges(const MultiPolygon& regions, Fills& fills) const {
+    if (DoublesBridges()) return AppendSecondBridges(context_, regions, fills);
+    SolidLook look = InnerLook();
+    look.feature = Feature::kSolidOverBridge;
+    return AppendSolid(regions, look, fills);
+  }
+
+  absl::Status AppendSolid(const MultiPolygon& regions, const SolidLook& look, Fills& fills) const {
+    if (look.density <= 0) return absl::OkStatus();
+    const LineBead bead =
+        SparseBead(context_.Width(look.width_nm), view_.height_nm, look.flow, look.density);
+    SolidFill fill = context_.FillOf(
+        look.feature, look.pattern,
+        look.angle_rad < 0 ? context_.SolidAngle(look.pattern) : look.angle_rad + options_.turn_rad,
+        bead.width_nm, look.overlap_nm);
+    fill.order = look.order;
     for (const PolygonWithHoles& region : regions) {
-      auto group =
-          SolidLines(region, feature, pattern, SolidAngle(pattern), bead.width_nm, overlap_nm);
+      auto group = FillSolid(region, fill);
       if (!group.ok()) return group.status();
       if (!flows_.empty())
         for (Path& path : group->paths) ThinShortLines(flows_, view_.height_nm, path);
       ScaleSections(bead.share, view_.height_nm, view_.height_nm, group->paths);
-      Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm, bead.share},
-             fills);
+      context_.Append(*std::move(group),
+                      {look.feature, look.pattern, Area(region), view_.height_nm, bead.share},
+                      fills);
     }
     return absl::OkStatus();
   }
@@ -178,7 +211,7 @@ class RegionFill {
   /// part's outline, so that no plastic is pushed over the outline.
   MultiPolygon WithWallsIroned(MultiPolygon ironed, bool all) const {
     const MultiPolygon* whole = view_.OutlineAt(view_.layer);
-    const MultiPolygon* own = view_.OutlineAt(view_.layer, settings_);
+    const MultiPolygon* own = view_.OutlineAt(view_.layer, context_.settings);
     if (whole == nullptr || own == nullptr) return ironed;
     if (options_.walls_nm > 0) {
       MultiPolygon walls = Intersection(FastOffset(ironed, options_.walls_nm), *own);
@@ -204,57 +237,17 @@ class RegionFill {
     if (ironed.empty()) return absl::OkStatus();
     const bool all = type == IroningType::kSolid && skins.sparse.empty() && skins.bridge.empty();
     ironed = WithWallsIroned(std::move(ironed), all);
-    auto group = IronedLines(ironed, {.angle_rad = SolidAngle(options_.top_pattern),
-                                      .width_nm = Width(options_.top_width_nm),
+    auto group = IronedLines(ironed, {.angle_rad = context_.SolidAngle(options_.top_pattern),
+                                      .width_nm = context_.Width(options_.top_width_nm),
                                       .height_nm = view_.height_nm,
                                       .ironing = options_.ironing});
     if (!group.ok()) return group.status();
-    Append(*std::move(group),
-           {Feature::kIroning,
-            options_.ironing.concentric ? FillPattern::kConcentric : FillPattern::kMonotonic,
-            Area(ironed), view_.height_nm, options_.ironing.flow},
-           fills);
-    return absl::OkStatus();
-  }
-
-  /// Returns the bead of a bridge. `above_supports`: true if a support is below it; then it is no
-  /// round strand, because strands hang below their layer and would weld to the support.
-  LineBead BridgeBeadOf(bool above_supports) const {
-    return BridgeBead(options_.thick_bridges && !above_supports, options_.bridge_flow,
-                      options_.bridge_density);
-  }
-  /// Returns the bead of a bridge's round strands or of its lines. `density`: share of the bridge
-  /// under its lines.
-  LineBead BridgeBead(bool thick, double flow, double density) const {
-    if (thick) return ThreadBead(options_.nozzle_nm, view_.height_nm, flow, density);
-    return SparseBead(Width(options_.solid_width_nm), view_.height_nm, flow, density);
-  }
-
-  /// Adds the lines of each bridge region in its best direction. Regions that lines cannot span get
-  /// lines along the supported boundary (FillOverhang) if the options request this.
-  absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
-    const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
-    const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
-    for (const PolygonWithHoles& region : regions) {
-      const LineBead bead = BridgeBeadOf(!view_.above_supports.empty() &&
-                                         !Intersection({region}, view_.above_supports).empty());
-      const auto span = SpanOf(region, below);
-      RequestedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
-                          view_.height_nm, bead.share};
-      FillGroup lines;
-      if (options_.overhang_lines && span && !span->held) {
-        asked.pattern = std::nullopt;
-        lines = OverhangLines(region, *below, bead.width_nm);
-      } else {
-        auto solid = SolidLines(region, asked.feature, options_.bottom_pattern,
-                                span ? span->angle_rad : SolidAngle(options_.bottom_pattern),
-                                bead.width_nm, options_.overlap_nm, /*anchored=*/true);
-        if (!solid.ok()) return solid.status();
-        lines = *std::move(solid);
-      }
-      ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines.paths);
-      Append(std::move(lines), asked, fills);
-    }
+    context_.Append(
+        *std::move(group),
+        {Feature::kIroning,
+         options_.ironing.concentric ? FillPattern::kConcentric : FillPattern::kMonotonic,
+         Area(ironed), view_.height_nm, options_.ironing.flow},
+        fills);
     return absl::OkStatus();
   }
 
@@ -268,8 +261,10 @@ class RegionFill {
 
   /// Removes from the skins the parts that need bridges between the lines of the sparse infill
   /// below, and returns them.
-  absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area, Skins& skins) {
-    const Coord width_nm = Width(options_.solid_width_nm);
+  absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area,
+                                                  const LayerField* field, Skins& skins) {
+    if (skins.solid.empty() || !SkinsBegin(field)) return SparseBridges{};
+    const Coord width_nm = context_.Width(options_.solid_width_nm);
     const MultiPolygon middles =
         BridgeMiddles(skins.solid, LeastBridgedGapNm(options_, view_.height_nm), width_nm);
     if (middles.empty()) return SparseBridges{};
@@ -277,74 +272,32 @@ class RegionFill {
     return under_->TakeBridges(fill_area, middles, width_nm, skins);
   }
 
-  /// Returns the bead of a bridge over sparse infill. It is a round strand only with
-  /// thick_internal_bridges; thick_bridges has no effect on it.
-  LineBead InternalBridgeBead() const {
-    const double flow =
-        options_.internal_bridge_flow > 0 ? options_.internal_bridge_flow : options_.bridge_flow;
-    return BridgeBead(options_.thick_internal_bridges, flow, options_.internal_bridge_density);
-  }
-
-  /// Appends bridges between the lines of the sparse infill below.
-  absl::Status AppendSparseBridges(const SparseBridges& bridges, Fills& fills) const {
-    const LineBead bead = InternalBridgeBead();
-    const bool own = options_.internal_bridges || options_.internal_bridge_flow > 0;
-    const Feature feature = own ? Feature::kInternalBridge : Feature::kBridgeInfill;
-    for (const PolygonWithHoles& region : bridges.regions) {
-      const auto span = BridgeAngle(region, bridges.bearers, options_.solid_width_nm);
-      auto lines = SolidLines(region, feature, FillPattern::kRectilinear,
-                              span ? span->angle_rad : SolidAngle(FillPattern::kRectilinear),
-                              bead.width_nm, options_.overlap_nm);
-      if (!lines.ok()) return lines.status();
-      ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines->paths);
-      Append(*std::move(lines),
-             {feature, FillPattern::kRectilinear, Area(region), view_.height_nm, bead.share},
-             fills);
-    }
-    return absl::OkStatus();
-  }
-
-  /// Returns the span of a bridge. A direction given by the options is always used, even if the
-  /// lines' ends are not supported.
-  std::optional<BridgeSpan> SpanOf(const PolygonWithHoles& region,
-                                   const MultiPolygon* below) const {
-    if (options_.bridge_angle_rad > 0) return BridgeSpan{options_.bridge_angle_rad, true};
-    if (below == nullptr) return std::nullopt;
-    const auto span = BridgeAngle(region, *below, options_.solid_width_nm);
-    if (span && span->held) return span;
-    const auto through_walls = BridgeAngle(WithWalls(region), *below, options_.solid_width_nm);
-    return through_walls ? through_walls : span;
-  }
-
-  /// Returns the region together with the walls around it. If the walls of the layer below are at
-  /// most as thick, they support the lines at their ends, through the walls of this layer.
-  PolygonWithHoles WithWalls(const PolygonWithHoles& region) const {
-    const MultiPolygon* outline = view_.OutlineAt(view_.layer);
-    if (outline == nullptr || options_.walls_nm == 0) return region;
-    for (PolygonWithHoles& grown : Intersection(FastOffset({region}, options_.walls_nm), *outline))
-      if (Locate(region.outer.front(), grown) != Side::kOutside) return std::move(grown);
-    return region;
-  }
-
-  FillGroup OverhangLines(const PolygonWithHoles& region, const MultiPolygon& below,
-                          Coord width_nm) const {
-    return FillOverhang(
-        region, below,
-        {.width_nm = width_nm, .height_nm = view_.height_nm, .overlap_nm = options_.overlap_nm});
-  }
-
-  absl::StatusOr<FillGroup> SolidLines(const PolygonWithHoles& region, Feature feature,
-                                       FillPattern pattern, double angle_rad, Coord width_nm,
-                                       Coord overlap_nm, bool anchored = false) const {
-    return FillSolid(region, {.feature = feature,
-                              .pattern = pattern,
-                              .angle_rad = angle_rad,
-                              .width_nm = width_nm,
-                              .height_nm = view_.height_nm,
-                              .layer = view_.layer,
-                              .overlap_nm = overlap_nm,
-                              .beside_walls = view_.stack.IsPart(),
-                              .anchored = anchored});
+  /// Removes from the skins the parts over bridges of the layer below that are over sparse infill,
+  /// and returns them as second bridges. The bridges of the layer below are computed again, from
+  /// its outline without walls.
+  absl::StatusOr<SparseBridges> SecondSparseBridges(const MultiPolygon& fill_area,
+                                                    const LayerField* field, Skins& skins) const {
+    SparseBridges second;
+    if (!DoublesInternal(options_.bridges.extra) || skins.solid.empty()) return second;
+    const SectionView view = view_.Below();
+    const MultiPolygon* outline = view.OutlineAt(view.layer, row_);
+    if (outline == nullptr) return second;
+    RegionFill below(view, context_.settings, options_, plan_);
+    const MultiPolygon area = Intersection(fill_area, FastOffset(*outline, -options_.walls_nm));
+    const Coord width_nm = context_.Width(options_.solid_width_nm);
+    Skins lower = PartFillArea(area, *outline, below.cover_,
+                               {.width_nm = width_nm,
+                                .solid_below_area_mm2 = options_.solid_below_area_mm2,
+                                .all_solid = below.IsSolidLayer(field),
+                                .shells = options_.shells});
+    auto first = below.BridgesOverSparse(area, field, lower);
+    if (!first.ok()) return first.status();
+    const MultiPolygon over = Intersection(skins.solid, first->regions);
+    second.regions =
+        Intersection(skins.solid, FastOffset(FastOffset(over, -width_nm / 2), width_nm / 2));
+    second.bearers = std::move(first->bearers);
+    if (!second.regions.empty()) skins.solid = Difference(skins.solid, second.regions);
+    return second;
   }
 
   /// Adds the sparse infill of a region. A field with only one density for the whole layer is not
@@ -356,10 +309,10 @@ class RegionFill {
     const FillPattern pattern = plan_ == nullptr ? options_.pattern : plan_->pattern;
     SparseFill fill{.pattern = pattern,
                     .density = PlainDensity(field),
-                    .angle_rad = angles_.sparse_rad,
-                    .layer = PatternLayer(pattern, angles_, view_.layer),
+                    .angle_rad = context_.angles.sparse_rad,
+                    .layer = PatternLayer(pattern, context_.angles, view_.layer),
                     .z_nm = view_.z_nm,
-                    .width_nm = Width(options_.sparse_width_nm),
+                    .width_nm = context_.Width(options_.sparse_width_nm),
                     .height_nm = view_.height_nm,
                     .overlap_nm = options_.overlap_nm,
                     .anchor_nm = options_.anchor_nm,
@@ -381,10 +334,10 @@ class RegionFill {
   /// Adds a line along the middle of a column of supports that the pattern's lines miss. Otherwise
   /// the structure on the column would be printed into the air.
   void AppendMiddle(const MultiPolygon& column, double density, Fills& fills) const {
-    const Coord width_nm = Width(options_.sparse_width_nm);
+    const Coord width_nm = context_.Width(options_.sparse_width_nm);
     const double least_nm = kMinLoneWidths * static_cast<double>(width_nm);
-    Append({false, MiddleLines(column, width_nm, least_nm)},
-           {Feature::kInternalInfill, std::nullopt, 0, view_.height_nm, density}, fills);
+    context_.Append({false, MiddleLines(column, width_nm, least_nm)},
+                    {Feature::kInternalInfill, std::nullopt, 0, view_.height_nm, density}, fills);
   }
 
   /// Adds a part of the sparse infill. Beads of another height than the layer's get the width that
@@ -406,7 +359,7 @@ class RegionFill {
       asked.share = *share;
       if (fill.field->directions != nullptr) asked.pattern = std::nullopt;
     }
-    Append({false, *std::move(paths)}, asked, fills);
+    context_.Append({false, *std::move(paths)}, asked, fills);
     return absl::OkStatus();
   }
 
@@ -414,7 +367,7 @@ class RegionFill {
   absl::Status AppendZones(const MultiPolygon& region, const SparseFill& fill, Fills& fills) const {
     absl::Status status;
     for (SparseZone& zone : LockedZones(region, fill, options_.zones)) {
-      zone.fill.width_nm = Width(zone.fill.width_nm);
+      zone.fill.width_nm = context_.Width(zone.fill.width_nm);
       status.Update(AppendSparsePart(zone.area, zone.fill, fills));
     }
     return status;
@@ -424,13 +377,14 @@ class RegionFill {
     return density.dither == Dither::kNone && density.UniformAt(field.z_mm).has_value();
   }
 
+  const RegionContext context_;
+  // Members of the context:
   const SectionView& view_;
   const InfillOptions& options_;
+  const Cover& cover_;
+  const std::optional<int32_t>& row_;
+
   const PlannedInfill* plan_;
-  const int32_t settings_;
-  const std::optional<int32_t> row_;  ///< region of the skins; none: the whole object
-  const Cover cover_;
-  const FillLineAngles angles_;
   const FlowTable flows_;
   std::optional<SparseUnder> under_;  ///< made when first needed
 };

@@ -12,22 +12,22 @@
 #include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/infill_options.h"
+#include "services/infill/algo/sample_sections_test.h"
 
 namespace slicefarm::infill::section_fill_test {
 namespace {
 
-MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
-
-/// Returns ten equal layers of a square of 20 mm.
-std::vector<SlicedLayer> Prism() {
-  std::vector<SlicedLayer> layers(10);
-  for (int i = 0; i < 10; ++i) {
-    layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].sections = {
-        {0, i, 10, 200'000, {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}, 0, {}}};
-  }
-  return layers;
-}
+using sample_sections::BridgeBy;
+using sample_sections::FeaturesOf;
+using sample_sections::FillPlain;
+using sample_sections::LengthOf;
+using sample_sections::OneLayer;
+using sample_sections::P;
+using sample_sections::PathsIn;
+using sample_sections::PathsOf;
+using sample_sections::Prism;
+using sample_sections::Thin;
+using sample_sections::VolumeOf;
 
 /// Returns the section of one layer. Its fill area has two halves with one row each.
 WalledSection Halves(int32_t layer) {
@@ -35,30 +35,6 @@ WalledSection Halves(int32_t layer) {
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")},
                        {Role::kPart, 1, 0, P("(10 1, 19 1, 19 19, 10 19)")}};
   return {0, layer, 200'000, {island}};
-}
-
-/// Fills a section without fields.
-absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
-                                        const ObjectLayers& objects,
-                                        const std::vector<InfillOptions>& regions) {
-  const auto rows = ParseFields(regions);
-  RegionFields none(*rows, {});
-  return FillSection(std::move(walled), on_bed, objects, {}, regions, none);
-}
-
-std::vector<Path> PathsOf(const FilledSection& section) {
-  std::vector<Path> paths;
-  for (const FilledIsland& island : section.islands)
-    for (const FillGroup& group : island.fills)
-      paths.insert(paths.end(), group.paths.begin(), group.paths.end());
-  return paths;
-}
-
-std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
-  std::set<Feature> features;
-  for (const Path& path : PathsOf(section))
-    if (path.settings == row) features.insert(path.feature);
-  return features;
 }
 
 TEST(FillSection, EachAreaHasItsRegionsSettings) {
@@ -207,34 +183,9 @@ FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfi
   return *std::move(filled);
 }
 
-std::vector<Path> PathsIn(const FilledSection& section) {
-  std::vector<Path> paths;
-  for (const FilledIsland& island : section.islands)
-    for (const FillGroup& group : island.fills)
-      paths.insert(paths.end(), group.paths.begin(), group.paths.end());
-  return paths;
-}
-
 std::vector<Path> PathsOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
                           int32_t layer = 5) {
   return PathsIn(SquareOf(options, plans, layer));
-}
-
-InfillOptions Thin() {
-  InfillOptions options;
-  options.top_solid_layers = options.bottom_solid_layers = 1;
-  return options;
-}
-
-double VolumeOf(const std::vector<Path>& paths, Feature feature, Coord height = 200'000) {
-  double volume = 0;
-  for (const Path& path : paths) {
-    if (path.feature != feature) continue;
-    for (size_t i = 1; i < path.points.size(); ++i)
-      volume += ToMm(Distance(path.points[i - 1], path.points[i])) *
-                SectionMm2((path.WidthAt(i - 1) + path.WidthAt(i)) / 2, height);
-  }
-  return volume;
 }
 
 TEST(FillSection, FollowsWhatIsPlanned) {
@@ -528,24 +479,6 @@ TEST(FillSection, InterfaceShellsLieWhereAnotherRegionBegins) {
             (std::set{Feature::kInternalInfill, Feature::kSolidInfill, Feature::kTopSolidInfill}));
 }
 
-/// Returns a layer of a slab on two pillars. The slab's lowest layer has the number 5.
-FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5,
-                       const LayerPlan& plan = {}) {
-  auto layers = Prism();
-  for (int i = 0; i < 5; ++i)
-    layers[static_cast<size_t>(i)].sections[0].regions[0].outlines =
-        P("(0 0, 5 0, 5 20, 0 20) ; (15 0, 20 0, 20 20, 15 20)");
-  const ObjectLayers objects(layers);
-  WalledIsland island;
-  island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
-  const std::vector<InfillOptions> regions = {options};
-  const auto rows = ParseFields(regions);
-  RegionFields none(*rows, {});
-  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plan, regions, none);
-  EXPECT_TRUE(filled.ok()) << filled.status();
-  return *std::move(filled);
-}
-
 // Thick bridges have round threads with a known section, which do not touch.
 TEST(FillSection, ThickBridgesAreRoundThreads) {
   for (const double flow : {0.8, 1.0}) {
@@ -627,14 +560,6 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
     EXPECT_NEAR(thin / bridge, flow, 0.01) << flow;
     EXPECT_EQ(other, sparse);
   }
-}
-
-/// Returns the length of a feature's paths, in mm.
-double LengthOf(const FilledSection& section, Feature feature) {
-  double length = 0;
-  for (const Path& path : PathsOf(section))
-    if (path.feature == feature) length += PathLength(path) / 1e6;
-  return length;
 }
 
 // Only the lowest of the skins is over sparse infill.
@@ -731,19 +656,6 @@ TEST(FillSection, SolidLinesHaveTheirDirection) {
     ++lines;
   }
   EXPECT_GT(lines, 10);
-}
-
-/// Fills the prism's area in one layer, without skins of neighbouring layers unless `options` has
-/// some.
-FilledSection OneLayer(const InfillOptions& options, int32_t layer,
-                       std::string_view area = "(1 1, 19 1, 19 19, 1 19)") {
-  const auto layers = Prism();
-  const ObjectLayers objects(layers);
-  WalledIsland island;
-  island.fill_areas = {{Role::kPart, 0, 0, P(area)}};
-  auto filled = FillPlain({0, layer, 200'000, {island}}, layer == 0, objects, {options});
-  EXPECT_TRUE(filled.ok()) << filled.status();
-  return *std::move(filled);
 }
 
 // Lines of a surface with half the density are twice as far apart, each with its full plastic.

@@ -1,13 +1,16 @@
 #include "services/infill/algo/section_view.h"
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "common/geometry/boolean/boolean.h"
 #include "common/model/options/fill_angles.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/solid_layers.h"
+#include "services/infill/algo/skins/expanded_tops.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -35,6 +38,22 @@ std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int
   return side;
 }
 
+/// Removes from the outlines above the areas by which the top surfaces below them grow.
+void GrowTops(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row,
+              Cover& cover) {
+  for (size_t i = 0; i < cover.above.size(); ++i) {
+    const MultiPolygon* outline = view.OutlineAt(view.layer + static_cast<int32_t>(i), row);
+    if (outline == nullptr || cover.above[i] == nullptr || *outline == *cover.above[i]) continue;
+    const MultiPolygon grown = TopGrowth(*outline, *cover.above[i],
+                                         {.surfaces = options.surfaces,
+                                          .walls_nm = options.walls_nm,
+                                          .width_nm = options.top_width_nm});
+    if (grown.empty()) continue;
+    cover.own.push_back(std::make_shared<const MultiPolygon>(Difference(*cover.above[i], grown)));
+    cover.above[i] = cover.own.back().get();
+  }
+}
+
 /// Returns the angle of a template for a layer, or nothing if there is no template.
 std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, int32_t layer) {
   constexpr double kDegree = std::numbers::pi / 180;
@@ -58,16 +77,35 @@ Coord SectionView::HeightAt(int32_t own_layer) const {
   return section == nullptr ? 0 : section->height_nm;
 }
 
+SectionView SectionView::Below() const {
+  SectionView view = *this;
+  --view.layer;
+  if (const ObjectSection* section = stacks.Find(stack.id, view.layer); section != nullptr) {
+    view.z_nm = section->z_nm - section->height_nm / 2;
+    view.height_nm = section->height_nm;
+  }
+  return view;
+}
+
 Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row) {
   const MultiPolygon* outline = view.OutlineAt(view.layer, row);
   Cover cover{
       .above = Side(view, row, outline, 1, options.top_solid_layers, options.top_spare),
       .below = Side(view, row, outline, -1, options.bottom_solid_layers, options.bottom_spare),
       .on_bed = view.layer == 0};
-  const int32_t bearers = options.over_bridges ? kOverBridgeHaloLayers : 1;
-  if (row || options.over_bridges)
+  if (options.surfaces.expansion_nm > 0 && options.solid.top_density > 0)
+    GrowTops(view, options, row, cover);
+  const bool over_bridges = options.over_bridges || DoublesExternal(options.bridges.extra);
+  const int32_t bearers = over_bridges ? kOverBridgeHaloLayers : 1;
+  if (row || over_bridges)
     cover.bearers = Side(view, {}, outline, -1, std::min(bearers, view.layer));
   return cover;
+}
+
+double SolidDensity(const InfillOptions& options, int32_t layer) {
+  const SolidOptions& solid = options.solid;
+  if (layer < 1 || layer > solid.foot_layers) return 1;
+  return 1 - (1 - solid.foot_density) * (solid.foot_layers + 1 - layer) / solid.foot_layers;
 }
 
 bool IsAllSolid(const InfillOptions& options, int32_t layer) {
@@ -88,8 +126,8 @@ FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {
   const double solid_rad =
       options.solid_angle_rad >= 0 ? options.solid_angle_rad : options.angle_rad;
   const auto solid = PlannedAngle(options.solid_angle_template, solid_rad, layer);
-  return {sparse.value_or(options.angle_rad), solid.value_or(solid_rad), sparse.has_value(),
-          solid.has_value()};
+  return {sparse.value_or(options.angle_rad) + options.turn_rad,
+          solid.value_or(solid_rad) + options.turn_rad, sparse.has_value(), solid.has_value()};
 }
 
 }  // namespace slicefarm::infill

@@ -29,6 +29,10 @@ struct SectionView {
   /// region.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const;
 
+  /// Returns the view of the stack's layer below. It has the number, the height and the position of
+  /// that layer, as far as the stack has it.
+  SectionView Below() const;
+
   /// Returns the height of a layer of the stack, in nm; 0 if the stack has no such layer.
   Coord HeightAt(int32_t own_layer) const;
 };
@@ -36,7 +40,12 @@ struct SectionView {
 /// Returns the outlines of the layers that decide the skins of a region (skins.h). `row`: index of
 /// the region's settings; then these are outlines of the region only. Without `row`, they are
 /// outlines of the whole object. The outlines for bridges are always outlines of the whole object.
+/// Outlines above leave out the areas by which top surfaces grow (expanded_tops.h).
 Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row);
+
+/// Returns the density of solid infill inside the object in a layer. It is below 1 in the lowest
+/// layers only, where it keeps the elephant foot small.
+double SolidDensity(const InfillOptions& options, int32_t layer);
 
 /// Returns true if a layer of a stack has only solid infill, by the intervals and lists of the
 /// settings.
@@ -55,7 +64,8 @@ struct FillLineAngles {
 /// turns of the lines, except for patterns that shift their lines from layer to layer.
 int32_t PatternLayer(FillPattern pattern, const FillLineAngles& angles, int32_t layer);
 
-/// Returns the directions of lines in a layer. `layer`: index of the layer in the stack.
+/// Returns the directions of lines in a layer, in the frame of the object's copies. `layer`: index
+/// of the layer in the stack.
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer);
 
 }  // namespace slicefarm::infill

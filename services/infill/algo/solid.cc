@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/frame_box.h"
@@ -132,6 +133,52 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   return group;
 }
 
+bool IsSpiral(FillPattern pattern) {
+  return pattern == FillPattern::kArchimedean || pattern == FillPattern::kOctagram;
+}
+
+/// Returns the middle of a region's extent along the pattern's axes.
+Point MiddleOf(const MultiPolygon& region, double angle_rad) {
+  const LineAxes axes(angle_rad);
+  const FrameBox box = BoxIn(axes, region);
+  return axes.At((box.min_u + box.max_u) / 2, (box.min_v + box.max_v) / 2);
+}
+
+/// Returns the curves of the pattern inside the area, around the middle that the fill asks for.
+absl::StatusOr<std::vector<Piece>> CurvesOf(const MultiPolygon& area, const SolidFill& fill,
+                                            double pitch) {
+  const Coord spacing = std::llround(pitch);
+  const PatternContext context{0, fill.layer, pitch, fill.angle_rad, spacing};
+  if (!IsSpiral(fill.pattern)) return PatternOf(fill.pattern)(area, context);
+  const Point middle = fill.center.value_or(MiddleOf(area, fill.angle_rad));
+  auto pieces =
+      PatternOf(fill.pattern)(middle == Point{} ? area : Moved(area, Point{} - middle), context);
+  if (!pieces.ok()) return pieces;
+  if (fill.order != FillOrder::kNearest) {
+    // Pieces follow one another along the spiral, but the one at its start may come last.
+    const auto start =
+        std::ranges::find_if(*pieces, [](const Piece& p) { return p.from.ring < 0; });
+    if (start != pieces->end()) std::rotate(pieces->begin(), start, pieces->end());
+  }
+  for (Piece& piece : *pieces)
+    for (Point& p : piece.points) p = p + middle;
+  return pieces;
+}
+
+/// Puts paths in the order of the fill. Loops come from the edge to the middle, parts of a spiral
+/// from the middle to the edge.
+void PutInOrder(const SolidFill& fill, FillGroup& group) {
+  group.keep_order = true;
+  const bool comes_outward = IsSpiral(fill.pattern);
+  const bool turn = comes_outward != (fill.order == FillOrder::kOutward);
+  if (turn) std::ranges::reverse(group.paths);
+  for (Path& path : group.paths) {
+    if (path.closed) continue;
+    path.reversible = false;
+    if (turn) std::ranges::reverse(path.points);
+  }
+}
+
 absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
   // Lines along the region's boundary are half a spacing from it in any case, side by side with the
@@ -142,22 +189,27 @@ absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const Sol
   if (area.empty()) return FillGroup{};
   if (fill.pattern == FillPattern::kConcentric) pitch = FittingLoops(area, pitch);
   const Coord spacing = std::llround(pitch);
-  const auto pieces =
-      PatternOf(fill.pattern)(area, {0, fill.layer, pitch, fill.angle_rad, spacing});
+  const auto pieces = CurvesOf(area, fill, pitch);
   if (!pieces.ok()) return pieces.status();
   const Coord width = WidthForSpacing(spacing, fill.height_nm);
+  const bool ordered = fill.order != FillOrder::kNearest && HasMiddle(fill.pattern);
   FillGroup group;
   group.paths = LinkedPaths(area, *pieces,
                             {.width_nm = width,
-                             .max_link_nm = kMaxLinkSpacings * pitch,
+                             .max_link_nm = ordered ? 0 : kMaxLinkSpacings * pitch,
                              .budget_nm = kMostLinkShare * Area(region) / pitch,
                              .lifts_ends = false,
                              .min_length_nm = kMinLengthWidths * static_cast<double>(width)});
   for (Path& path : group.paths) path.feature = fill.feature;
+  if (ordered) PutInOrder(fill, group);
   return group;
 }
 
 }  // namespace
+
+bool HasMiddle(FillPattern pattern) {
+  return pattern == FillPattern::kConcentric || IsSpiral(pattern);
+}
 
 bool IsAligned(FillPattern pattern) {
   return pattern == FillPattern::kAlignedRectilinear || pattern == FillPattern::kZigzag;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "absl/status/statusor.h"
 #include "common/model/layers/layer.h"
+#include "common/model/options/surface_options.h"
 
 namespace slicefarm::infill {
 
@@ -22,7 +25,15 @@ struct SolidFill {
   /// True if straight lines and their links end on the region's boundary, for lines in the air.
   /// Then half of a line's width at the boundary is supported by the area beside the region.
   bool anchored = false;
+  /// Order of loops and turns, for patterns with a middle (HasMiddle). With an order, they are not
+  /// linked to each other, and the group keeps its order.
+  FillOrder order = FillOrder::kNearest;
+  /// Middle of spirals, in the object's frame; nullopt: the middle of the region
+  std::optional<Point> center = Point{};
 };
+
+/// Returns true if lines of the pattern have an order from the middle to the edge.
+bool HasMiddle(FillPattern pattern);
 
 /// Returns true if lines of the pattern keep their direction from layer to layer.
 bool IsAligned(FillPattern pattern);
@@ -38,9 +49,10 @@ bool IsAligned(FillPattern pattern);
 ///
 /// Order of paths: with kMonotonic, each piece of line follows the pieces beside it on the previous
 /// line, and the group keeps its order. With kMonotonicLines the order is the same, but each piece
-/// is a separate path. For other straight lines, any order. Loops, spirals and space-filling curves
-/// have the form of the sparse patterns, at full density. Their lines end at the region's boundary,
-/// and leave narrow parts beside it empty.
+/// is a separate path. For other straight lines, any order. SolidFill::order gives loops and
+/// spirals an order. Loops, spirals and space-filling curves have the form of the sparse patterns,
+/// at full density. Their lines end at the region's boundary, and leave narrow parts beside it
+/// empty.
 ///
 /// Errors: REQUEST_TOO_LARGE for too many lines (CutLines, MakePattern); SETTING_OUT_OF_RANGE
 /// (CheckRingSpacing). Cost: O(n log n) for the inset, n points, and the cost of the pattern.

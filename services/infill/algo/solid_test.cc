@@ -230,6 +230,53 @@ TEST(SolidGroup, AnchoredLinesEndOnTheEdge) {
   EXPECT_EQ(anchored.max.y, plain.max.y);
 }
 
+// Loops and turns are printed from the middle to the edge, or in the opposite order.
+TEST(SolidGroup, SurfacesWithAMiddleHaveAnOrder) {
+  const PolygonWithHoles region = Island("(20 20, 34 20, 34 34, 20 34)");
+  for (const FillPattern pattern :
+       {FillPattern::kConcentric, FillPattern::kArchimedean, FillPattern::kOctagram}) {
+    SolidFill fill{.pattern = pattern, .center = std::nullopt};
+    ASSERT_TRUE(HasMiddle(pattern));
+    EXPECT_FALSE(FillSolid(region, fill)->keep_order);
+    fill.order = FillOrder::kOutward;
+    const auto outward = FillSolid(region, fill);
+    ASSERT_TRUE(outward.ok());
+    EXPECT_TRUE(outward->keep_order);
+    ASSERT_GT(outward->paths.size(), 4u);
+    const Point middle{27'000'000, 27'000'000};
+    const auto from_middle = [&](const Path& path) {
+      double nearest = 1e9;
+      for (const Point p : path.points) nearest = std::min(nearest, Distance(p, middle) / 1e6);
+      return nearest;
+    };
+    EXPECT_LT(from_middle(outward->paths.front()), 1.0);
+    EXPECT_GT(from_middle(outward->paths.back()), 5.0);
+    // A turn of the octagram has inner corners; its parts may be half a millimetre nearer.
+    for (size_t i = 1; i < outward->paths.size(); ++i)
+      EXPECT_GT(from_middle(outward->paths[i]), from_middle(outward->paths[i - 1]) - 1.0) << i;
+    fill.order = FillOrder::kInward;
+    const auto inward = FillSolid(region, fill);
+    ASSERT_EQ(inward->paths.size(), outward->paths.size());
+    EXPECT_LT(from_middle(inward->paths.back()), 1.0);
+    for (const Path& path : inward->paths) EXPECT_EQ(path.reversible, path.closed);
+  }
+}
+
+// A spiral turns around the object's origin, or around the middle of the region.
+TEST(SolidGroup, SpiralsHaveTheirMiddle) {
+  const PolygonWithHoles region = Island("(20 20, 30 20, 30 30, 20 30)");
+  const auto at = [&](std::optional<Point> center) {
+    return *FillSolid(region, {.pattern = FillPattern::kArchimedean, .center = center});
+  };
+  const PolygonWithHoles centred = Island("(-5 -5, 5 -5, 5 5, -5 5)");
+  const FillGroup around = *FillSolid(centred, {.pattern = FillPattern::kArchimedean});
+  EXPECT_EQ(at(std::nullopt).paths.size(), around.paths.size());
+  EXPECT_EQ(at(std::nullopt).paths.front().points.front(),
+            around.paths.front().points.front() + Point(25'000'000, 25'000'000));
+  EXPECT_EQ(at(std::nullopt), at(Point{25'000'000, 25'000'000}));
+  EXPECT_NE(at(std::nullopt), at(Point{}));
+}
+
 TEST(SolidGroup, LinesRunAtTheAngle) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20)");
   const auto along = FillSolid(region, {.angle_rad = 0});

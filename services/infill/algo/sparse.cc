@@ -12,6 +12,7 @@
 #include "services/infill/algo/fields/field_pieces.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/lines/line_flow.h"
+#include "services/infill/algo/lines/rounded_corners.h"
 #include "services/infill/algo/linking/linked_paths.h"
 #include "services/infill/algo/linking/taken_edge.h"
 #include "services/infill/algo/patterns/side_by_side.h"
@@ -36,7 +37,12 @@ constexpr double kMostSettled = 0.15;
 
 absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
                                             const PatternContext& context) {
-  if (fill.field == nullptr) return PiecesOfPattern(fill.pattern, area, context);
+  if (fill.field == nullptr) {
+    auto pieces = PiecesOfPattern(fill.pattern, area, context);
+    if (pieces.ok() && fill.shape.smooth > 0 && HasSmoothCorners(fill.pattern))
+      RoundCorners(area, fill.shape.smooth, *pieces);
+    return pieces;
+  }
   PatternContext single = context;  // fields have no lines side by side
   single.shape.lines = 1;
   return PiecesOfField(area, fill.pattern, single, *fill.field);

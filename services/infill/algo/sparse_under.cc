@@ -33,16 +33,6 @@ MultiPolygon BeadsOf(const std::vector<Piece>& pieces, Coord width_nm) {
   return lines.empty() ? MultiPolygon{} : OffsetLines(lines, width_nm / 2, Cap::kButt);
 }
 
-SectionView Below(SectionView view) {
-  --view.layer;
-  if (const ObjectSection* section = view.stacks.Find(view.stack.id, view.layer);
-      section != nullptr) {
-    view.z_nm = section->z_nm - section->height_nm / 2;
-    view.height_nm = section->height_nm;
-  }
-  return view;
-}
-
 }  // namespace
 
 double SparsePitchNm(const InfillOptions& options, Coord height_nm) {
@@ -65,7 +55,7 @@ double LeastBridgedGapNm(const InfillOptions& options, Coord height_nm) {
 
 SparseUnder::SparseUnder(const RegionView& region)
     : region_(region),
-      below_(Below(region.section)),
+      below_(region.section.Below()),
       outline_(below_.OutlineAt(below_.layer, region.row)) {
   if (outline_ == nullptr) return;
   const MultiPolygon* above = below_.OutlineAt(region.section.layer, region.row);

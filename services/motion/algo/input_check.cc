@@ -150,6 +150,10 @@ absl::Status CheckOptions(const MotionOptions& options) {
     if (const Named flow{"bridge_flow_ratio", region.bridge_flow, 100};
         !(flow.value > 0 && InBounds(flow.value, flow.most)))
       return OutOfRange(flow);
+  for (const RegionMotion& region : options.speeds)
+    if (const Named width{"bridge_line_width", region.bridge_width_mm, kMaxLengthMm};
+        !(width.value >= 0 && InBounds(width.value, width.most)))
+      return OutOfRange(width);
   for (const Named& named :
        {Named{"retract_restart_extra", retraction.restart_extra_mm, kMaxLengthMm},
         Named{"z_offset", options.z_offset_mm, kMaxLengthMm}}) {

@@ -205,6 +205,15 @@ inline constexpr Need kFanSpeedup{"fan_speedup_time above 0", [](const JobRows& 
                                   }};
 inline constexpr Need kElephantFoot{"elefant_foot_compensation above 0",
                                     [](const JobRows& s) { return s.object.elephant_foot_nm > 0; }};
+inline constexpr Need kTopExpansion{
+    .what = "top_surface_expansion above 0",
+    .met = [](const JobRows& s) { return FdmOf(s).region.infill.surfaces.expansion_nm > 0; },
+    .only_requested = true};
+inline constexpr Need kBridgeAngle{
+    "bridge_angle or internal_bridge_angle above 0", [](const JobRows& s) {
+      const InfillOptions& infill = FdmOf(s).region.infill;
+      return infill.bridge_angle_rad > 0 || infill.bridges.internal_angle_rad > 0;
+    }};
 inline constexpr Need kScarfSeam{"a scarf_seam_placement other than nowhere", [](const JobRows& s) {
                                    return FdmOf(s).region.motion.scarf.placement !=
                                           ScarfPlacement::kNowhere;

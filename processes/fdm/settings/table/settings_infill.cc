@@ -493,7 +493,7 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Bind<&MachineRow::order, &JobOrder::infill_first>(),
        .orca = {{"is_infill_first"}}},
   };
-  for (const auto& section : {IroningSettings, PatternSettings, SolidSettings})
+  for (const auto& section : {IroningSettings, PatternSettings, SolidSettings, SurfaceSettings})
     for (SettingSpec& spec : section()) settings.push_back(std::move(spec));
   return settings;
 }

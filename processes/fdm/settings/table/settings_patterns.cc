@@ -23,6 +23,16 @@ constexpr Need kAnyZag{
 constexpr Need kLattice{"fill_pattern = laterallattice", HasPattern<FillPattern::kLateralLattice>};
 constexpr Need kLateralHoneycomb{"fill_pattern = lateralhoneycomb",
                                  HasPattern<FillPattern::kLateralHoneycomb>};
+constexpr Need kGyroid{"fill_pattern = gyroid", HasPattern<FillPattern::kGyroid>};
+constexpr Need kLightning{"fill_pattern = lightning", HasPattern<FillPattern::kLightning>};
+constexpr Need kSmoothCorners{
+    "a fill_pattern with smooth corners (hilbertcurve, octagramspiral, lightning, honeycomb, "
+    "3dhoneycomb, concentric or crosshatch), and no field",
+    [](const JobRows& s) {
+      const InfillOptions& infill = FdmOf(s).region.infill;
+      return (infill.choose_pattern || HasSmoothCorners(infill.pattern)) &&
+             infill.density_field.empty() && infill.stress_field.empty();
+    }};
 constexpr Need kSeveralLines{
     "a fill_pattern with lines that follow from a formula, and no field", [](const JobRows& s) {
       const InfillOptions& infill = FdmOf(s).region.infill;
@@ -113,6 +123,18 @@ SettingSpec LatticeAngle(std::string_view key, std::string_view standard, Field 
           .needs = {&kLattice}};
 }
 
+SettingSpec LightningAngle(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key,
+          .unit = "degrees",
+          .min = 5,
+          .max = 85,
+          .standard = "45",
+          .doc = doc,
+          .field = field,
+          .orca = {{key}},
+          .needs = {&kLightning}};
+}
+
 template <auto kMember, Scale kScale = Scale::kSame>
 Field Shape() {
   return Bind<kScale, &RegionRow::infill, &InfillOptions::shape, kMember>();
@@ -162,6 +184,44 @@ std::vector<SettingSpec> Shapes() {
        .field = Shape<&PatternOptions::mirrored>(),
        .orca = {{"symmetric_infill_y_axis"}},
        .needs = {&kAnyZag}},
+      {.key = "gyroid_optimized",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc =
+           "Change the lengths of the gyroid's waves along and across fill_angle by the density, "
+           "so that its walls buckle less under loads; the density remains fill_density",
+       .field = Shape<&PatternOptions::stiff_gyroid>(),
+       .orca = {{"gyroid_optimized"}},
+       .needs = {&kGyroid}},
+      {.key = "sparse_infill_smooth_factor",
+       .kind = Kind::kPercent,
+       .unit = "%",
+       .min = 0,
+       .max = 100,
+       .standard = "0%",
+       .doc =
+           "Share of the half edges of the sparse infill that round corners take, for a steadier "
+           "speed; 100%: the curves of two corners meet in the middle of an edge. The lines are "
+           "shorter then, and the density is lower. Patterns: hilbertcurve, octagramspiral, "
+           "lightning, honeycomb, 3dhoneycomb, concentric, crosshatch",
+       .field = Shape<&PatternOptions::smooth, Scale::kPercent>(),
+       .orca = {{"sparse_infill_smooth_factor", OrcaValue::kPercent}},
+       .needs = {&kSmoothCorners}},
+      LightningAngle(
+          "lightning_overhang_angle",
+          "Overhang of solid infill, from the vertical, that walls hold without lightning "
+          "infill. 45: solid infill up to the distance of the lines from a wall; other "
+          "angles change this distance by as much as an overhang of the angle is longer "
+          "in one layer",
+          Shape<&PatternOptions::lightning_overhang_rad, Scale::kDegrees>()),
+      LightningAngle("lightning_prune_angle",
+                     "Largest angle, from the vertical, at which the branches of lightning infill "
+                     "become shorter downwards; larger: fewer branches",
+                     Shape<&PatternOptions::lightning_prune_rad, Scale::kDegrees>()),
+      LightningAngle("lightning_straightening_angle",
+                     "Largest angle, from the vertical, at which the branches of lightning infill "
+                     "become straighter downwards; larger: shorter lines",
+                     Shape<&PatternOptions::lightning_straighten_rad, Scale::kDegrees>()),
   };
 }
 

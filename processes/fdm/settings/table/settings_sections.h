@@ -32,6 +32,8 @@ std::vector<SettingSpec> SeamSettings();    ///< defined in settings_seams.cc
 std::vector<SettingSpec> InfillSettings();  ///< defined in settings_infill.cc
 /// Skins and other solid infill, a part of InfillSettings; defined in settings_solid.cc.
 std::vector<SettingSpec> SolidSettings();
+/// Top and bottom surfaces and bridges, a part of InfillSettings; defined in settings_surfaces.cc.
+std::vector<SettingSpec> SurfaceSettings();
 /// Single infill patterns, a part of InfillSettings; defined in settings_patterns.cc.
 std::vector<SettingSpec> PatternSettings();
 std::vector<SettingSpec> AdhesionSettings();  ///< defined in settings_adhesion.cc

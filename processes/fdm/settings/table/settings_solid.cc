@@ -41,6 +41,18 @@ std::vector<SettingSpec> SolidSettings() {
               "1, 7, 8 and 9. Empty: none",
        .field = Solid<&SolidOptions::extra_layers>(),
        .orca = {{"extra_solid_infills", OrcaValue::kWhole}}},
+      {.key = "elefant_foot_layers_density",
+       .kind = Kind::kPercent,
+       .unit = "%",
+       .min = 50,
+       .max = 100,
+       .standard = "100%",
+       .doc = "Density of solid infill inside the object in the second layer on the bed, so that "
+              "it presses less plastic outwards. It rises to 100% after "
+              "elefant_foot_compensation_layers layers",
+       .field = Solid<&SolidOptions::foot_density, Scale::kPercent>(),
+       .own_scope = Scope::kObject,
+       .orca = {{"elefant_foot_layers_density", OrcaValue::kPercent}}},
       {.key = "detect_narrow_internal_solid_infill",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format_test.h"
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill::surfaces_test {
@@ -69,6 +71,38 @@ TEST(Surfaces, LinesLieOnTheirSurface) {
     }
     EXPECT_GT(steep, all / 2) << pitches;
   }
+}
+
+/// Returns the mean length of a gyroid's lines in its layers over a period, as a share of the
+/// length that the pitch asks for.
+double LengthOfGyroid(double waves, double angle_rad) {
+  constexpr double kPitch = 2e6;
+  constexpr int kLayers = 12;
+  const auto area = MakePolygonsOrDie("(0 0, 120 0, 120 120, 0 120)");
+  const double x = std::log(waves);
+  const double period =
+      2.4561 * kPitch * std::cbrt(waves) * (1 + x * (0.16662 + x * (0.21882 + x * 0.034856)));
+  double length = 0;
+  for (int i = 0; i < kLayers; ++i) {
+    PatternContext context{
+        .z_nm = std::llround(period * i / kLayers), .pitch_nm = kPitch, .angle_rad = angle_rad};
+    context.shape.gyroid_waves = waves;
+    const auto pieces = Gyroid(area, context);
+    for (const Piece& piece : *pieces) {
+      length += Length(piece.points);
+      if (piece.closed) length += Distance(piece.points.back(), piece.points.front());
+    }
+  }
+  return length / kLayers * kPitch / Area(area);
+}
+
+// A stiff gyroid has as much length per area as a plain one, in any direction.
+TEST(Surfaces, StiffGyroidsKeepTheirDensity) {
+  const double plain = LengthOfGyroid(1, 0);
+  EXPECT_NEAR(plain, 1, 0.03);
+  for (const double waves : {0.55, 0.8, 1.4})
+    for (const double angle_rad : {0.0, 0.6})
+      EXPECT_NEAR(LengthOfGyroid(waves, angle_rad) / plain, 1, 0.02) << waves << " " << angle_rad;
 }
 
 TEST(Surfaces, SegmentsAreLong) {

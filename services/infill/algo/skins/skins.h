@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "common/geometry/polygon.h"
@@ -19,6 +20,8 @@ struct Cover {
   /// needed if `below` contains only outlines of one region, or for SkinOptions::over_bridges. If
   /// empty, `below` is used.
   std::vector<const MultiPolygon*> bearers = {};
+  /// outlines to which pointers above point, if they are no outlines of layers
+  std::vector<std::shared_ptr<const MultiPolygon>> own = {};
 };
 
 /// Options of the division into skins.

@@ -20,7 +20,8 @@ double DiscMm2(double diameter_mm) { return std::numbers::pi / 4 * diameter_mm *
 
 double ThreadMm(const RegionMotion& region, double nozzle_mm, Feature feature) {
   const bool own = feature == Feature::kInternalBridge && region.internal_bridge_flow > 0;
-  return nozzle_mm * std::sqrt(own ? region.internal_bridge_flow : region.bridge_flow);
+  const double flowless_mm = region.bridge_width_mm > 0 ? region.bridge_width_mm : nozzle_mm;
+  return flowless_mm * std::sqrt(own ? region.internal_bridge_flow : region.bridge_flow);
 }
 
 Coord ThreadNm(const Path& path, Coord bead_height_nm, const MotionOptions& options) {

@@ -10,7 +10,7 @@ struct MotionOptions;
 namespace slicefarm::motion {
 
 // A bridge over air is printed as a round strand, which the code calls a thread. Its diameter
-// follows from the nozzle's diameter and the bridge flow.
+// follows from bridge_line_width, or the nozzle's diameter, and the bridge flow.
 
 /// Returns the area of a disc, in mm2.
 double DiscMm2(double diameter_mm);

@@ -39,5 +39,14 @@ TEST(BridgeThread, OverSparseInfillByItsOwnFlow) {
   EXPECT_EQ(ThreadNm(bead, 200'000, options), 400'000);
 }
 
+// The width of the settings is the strand's diameter at a flow of 1.
+TEST(BridgeThread, HasTheWidthOfTheSettings) {
+  RegionMotion region;
+  region.bridge_width_mm = 0.3;
+  EXPECT_DOUBLE_EQ(ThreadMm(region, 0.4), 0.3);
+  region.bridge_flow = 0.81;
+  EXPECT_DOUBLE_EQ(ThreadMm(region, 0.4), 0.27);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::bridge_thread_test

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/infill_options.h"
@@ -95,15 +96,21 @@ SparseInfillAreas SparseInfillAreasOf(const InfillOptions& options, const Object
   return infill_areas;
 }
 
+/// Returns the tangent of an angle, rounded so that it is exactly 1 for 45 degrees.
+double TangentOf(double angle_rad) { return std::round(Tan(angle_rad) * 1e9) / 1e9; }
+
 LinesByLayer LinesOf(FillPattern pattern, const InfillOptions& options, const ObjectStack& stack,
                      const SparseInfillAreas& infill_areas) {
   if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
   if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
   const double radius = PitchOf(options, stack);
   const auto hollow = HollowAreas(infill_areas.inner, infill_areas.areas, std::llround(radius));
-  return LightningLines(
-      stack, hollow, RoofsOf(hollow),
-      {.radius_nm = radius, .beyond_nm = static_cast<double>(options.sparse_width_nm)});
+  return LightningLines(stack, hollow, RoofsOf(hollow),
+                        {.radius_nm = radius,
+                         .beyond_nm = static_cast<double>(options.sparse_width_nm),
+                         .overhang = TangentOf(options.shape.lightning_overhang_rad),
+                         .prune = TangentOf(options.shape.lightning_prune_rad),
+                         .straighten = TangentOf(options.shape.lightning_straighten_rad)});
 }
 
 }  // namespace

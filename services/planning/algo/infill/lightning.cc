@@ -17,15 +17,17 @@ struct Burden {
   double distance_nm = 0;
 };
 
+/// Returns the points of a roof that need support. `walls_nm`: length by which walls reach farther
+/// than branches.
 std::vector<Burden> BurdensOf(const MultiPolygon& roof, const RegionEdges& area,
-                              const LightningTrees& branches, double radius_nm) {
+                              const LightningTrees& branches, double radius_nm, double walls_nm) {
   const double step = std::max(radius_nm / 2, std::sqrt(Area(roof) / kMaxRoofPoints));
   std::vector<Burden> burdens;
   for (const Point p : GridPoints(roof, std::max<Coord>(1, std::llround(step)))) {
     const auto edge = area.Nearest(p);
     const auto tree = branches.NearestTo(p);
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    burdens.push_back({p, std::min(edge.has_value() ? edge->distance_nm : kFar,
+    burdens.push_back({p, std::min(edge.has_value() ? edge->distance_nm - walls_nm : kFar,
                                    tree.has_value() ? tree->first.distance_nm : kFar)});
   }
   return burdens;
@@ -52,10 +54,15 @@ std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
   std::vector<std::vector<Polyline>> lines(stack.size());
   LightningTrees branches;
   for (size_t i = stack.size(); i-- > 0;) {
-    if (i + 1 < stack.size()) branches.Descend(static_cast<double>(stack[i + 1].height_nm));
+    if (i + 1 < stack.size()) {
+      const auto step_nm = static_cast<double>(stack[i + 1].height_nm);
+      branches.Descend(rules.prune * step_nm, rules.straighten * step_nm);
+    }
     const RegionEdges area(areas[i]);
     branches.Refit(area);
-    Support(BurdensOf(roofs[i], area, branches, rules.radius_nm), area, rules.radius_nm, branches);
+    const double walls_nm = (rules.overhang - 1) * static_cast<double>(stack[i].height_nm);
+    Support(BurdensOf(roofs[i], area, branches, rules.radius_nm, walls_nm), area, rules.radius_nm,
+            branches);
     lines[i] = branches.Lines(rules.beyond_nm);
   }
   return lines;

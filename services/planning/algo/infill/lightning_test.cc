@@ -67,6 +67,28 @@ std::vector<Sample> Samples() {
   return samples;
 }
 
+/// Returns the length of all lines in mm.
+double LengthOfAll(const std::vector<std::vector<Polyline>>& layers) {
+  double length = 0;
+  for (const std::vector<Polyline>& lines : layers)
+    for (const Polyline& line : lines) length += Length(line) / 1e6;
+  return length;
+}
+
+// Each angle above 45 degrees saves lines, each smaller angle adds some.
+TEST(LightningLines, AnglesChangeTheLength) {
+  const Sample box = SampleOf(Prism(60, "(0 0, 30 0, 30 20, 0 20)"));
+  const auto length = [&](const LightningRules& rules) {
+    return LengthOfAll(LightningLines(box.stack, box.areas, box.roofs, rules));
+  };
+  const double usual = length({kRadius});
+  ASSERT_GT(usual, 100);
+  EXPECT_LT(length({.radius_nm = kRadius, .overhang = 8}), 0.98 * usual);
+  EXPECT_LT(length({.radius_nm = kRadius, .prune = 4}), 0.8 * usual);
+  EXPECT_GT(length({.radius_nm = kRadius, .prune = 0.25}), 1.2 * usual);
+  EXPECT_NE(length({.radius_nm = kRadius, .straighten = 0.1}), usual);
+}
+
 TEST(LightningLines, EveryRoofIsCarried) {
   int checked = 0;
   for (const Sample& sample : Samples()) {

@@ -92,9 +92,9 @@ Point LightningTrees::GrowTo(Point tip, const RegionEdges& region) {
   return at;
 }
 
-void LightningTrees::Descend(double step_nm) {
-  CutTips(step_nm);
-  Straighten(step_nm);
+void LightningTrees::Descend(double prune_nm, double straighten_nm) {
+  CutTips(prune_nm);
+  Straighten(straighten_nm);
   DropIdleNodes();
 }
 

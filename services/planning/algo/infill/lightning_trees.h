@@ -26,8 +26,8 @@ struct LightningNode {
 
 /// Trees of lightning infill in one layer. The trees are computed from the top layer down, and
 /// shrink from each layer to the one below. The lower trees can support the upper ones: no point of
-/// an upper tree is farther than twice the layer's height from a lower tree or from the region's
-/// boundary.
+/// an upper tree is farther than the sum of both steps of Descend from a lower tree or from the
+/// region's boundary.
 class LightningTrees {
  public:
   const std::vector<LightningNode>& nodes() const { return nodes_; }
@@ -40,10 +40,10 @@ class LightningTrees {
   /// on the boundary of `region`, so the branch is inside the region. Returns the start.
   Point GrowTo(Point tip, const RegionEdges& region);
 
-  /// Changes the trees to the trees of the layer below. Tips are cut back by `step_nm`. Other nodes
-  /// move towards the mean of their neighbours, by at most `step_nm`. Roots do not move. Cost:
-  /// O(nodes).
-  void Descend(double step_nm);
+  /// Changes the trees to the trees of the layer below. Tips are cut back by `prune_nm`. Other
+  /// nodes move towards the mean of their neighbours, by at most `straighten_nm`. Roots do not
+  /// move. Cost: O(nodes).
+  void Descend(double prune_nm, double straighten_nm);
 
   /// Fits the trees to another region. Tree pieces outside of `region` are cut off, and each
   /// remaining piece is connected to the nearest point of the region's boundary. Cost: O(nodes),

@@ -37,9 +37,9 @@ TEST(LightningTrees, GrowFromTheEdgeOrFromATree) {
 TEST(LightningTrees, ShrinkOnTheWayDown) {
   LightningTrees branches;
   branches.GrowTo(Mm(5, 10), Square());
-  branches.Descend(1e6);
+  branches.Descend(1e6, 1e6);
   EXPECT_NEAR(LengthOf(branches), 4, 1e-6);
-  for (int i = 0; i < 4; ++i) branches.Descend(1e6);
+  for (int i = 0; i < 4; ++i) branches.Descend(1e6, 1e6);
   EXPECT_TRUE(branches.nodes().empty());
 }
 
@@ -47,7 +47,7 @@ TEST(LightningTrees, AForkOutlivesItsTwigs) {
   LightningTrees branches;
   branches.GrowTo(Mm(9, 10), Square());
   branches.GrowTo(Mm(5, 11.5), Square());
-  branches.Descend(2e6);
+  branches.Descend(2e6, 2e6);
   EXPECT_NEAR(LengthOf(branches), 7, 1e-3);
 }
 
@@ -57,7 +57,7 @@ TEST(LightningTrees, BendsStraighten) {
   branches.GrowTo(Mm(6.5, 12.5), Square());
   branches.GrowTo(Mm(10, 12.5), Square());
   const double before = LengthOf(branches);
-  branches.Descend(0.2e6);
+  branches.Descend(0.2e6, 0.2e6);
   EXPECT_LT(LengthOf(branches), before - 0.2);
 }
 
