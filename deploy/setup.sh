@@ -18,7 +18,7 @@ build=(
 )
 runtime=(
   libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libmicrohttpd12
-  ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libjpeg62-turbo zlib1g libbrotli1 libseccomp2
+  ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libjpeg62-turbo zlib1g libbrotli1 libseccomp2 fontconfig-config
   libexpat1 libzip4 libre2-9 libmetis5 nginx
 )
 
