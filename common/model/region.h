@@ -19,8 +19,9 @@ enum class Role : uint8_t {
 inline constexpr int kRoleCount = 6;
 
 /// Returns the feature under which the beads of a structure are reported. For kPart it is
-/// `feature`; each other role has one fixed feature.
+/// `feature`; each other role has one fixed feature, except for ironing.
 constexpr Feature FeatureFor(Role role, Feature feature) {
+  if (feature == Feature::kIroning) return feature;
   switch (role) {
     case Role::kPart:
       return feature;

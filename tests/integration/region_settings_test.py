@@ -21,7 +21,7 @@ JOB = {"bed_shape": "0x0,256x0,256x256,0x256", "layer_height": "0.3", "first_lay
 SPEEDS = {"enable_dynamic_overhang_speeds": "1", "overhang_speed_0": "11", "overhang_speed_1": "12", "overhang_speed_2": "13", "overhang_speed_3": "14"}
 # Settings that a job needs for a setting to have an effect, by the beginning of its name.
 CONTEXTS = {
-    "overhang_speed_": SPEEDS, "ironing_": {"ironing": "1"}, "fuzzy_skin_": {"fuzzy_skin": "external"}, "infill_goal": {"fill_pattern": "auto"},
+    "overhang_speed_": SPEEDS, "ironing_": {"ironing": "1"}, "zaa_": {"zaa_enabled": "1"}, "fuzzy_skin_": {"fuzzy_skin": "external"}, "infill_goal": {"fill_pattern": "auto"},
     "scarf_seam_": {"scarf_seam_placement": "everywhere"}, "infill_smoothing": {"fill_pattern": "medialaxis"},
     "infill_anchor": {"infill_anchor": "600%", "infill_anchor_max": "50"}, "small_area_infill_flow_compensation_model": {
         "small_area_infill_flow_compensation": "1"},

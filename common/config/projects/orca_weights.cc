@@ -7,18 +7,8 @@
 namespace slicefarm::config {
 namespace {
 
-struct Weighty {
-  std::string_view key;
-  /// Value that requests nothing; an empty value never requests anything either.
-  std::string_view neutral;
-};
-
-constexpr Weighty kWeighty[] = {
-    // Settings that change the material or sizes.
-    {"zaa_enabled", "0"},
-    // Settings for the machine.
-    {"post_process", ""},
-};
+/// Setting that names scripts, which slicefarm never runs.
+constexpr std::string_view kScripts = "post_process";
 
 /// Settings of presets, hosts and windows, and settings that OrcaSlicer ignores.
 constexpr std::string_view kOfProgram =
@@ -117,11 +107,9 @@ bool Names(std::string_view keys, std::string_view key) {
   return std::ranges::find(all, key) != all.end();
 }
 
-/// Returns true if `value`, or each of its items if it is a list, requests nothing.
-bool AllNeutral(std::string_view value, std::string_view neutral) {
-  return std::ranges::all_of(Split(value, "[]\", \n"), [&](std::string_view item) {
-    return item.empty() || item == neutral;
-  });
+/// Returns true if `value`, or each of its items if it is a list, is empty.
+bool IsEmpty(std::string_view value) {
+  return value.find_first_not_of("[]\", \n") == std::string_view::npos;
 }
 
 }  // namespace
@@ -129,10 +117,8 @@ bool AllNeutral(std::string_view value, std::string_view neutral) {
 OrcaWeight WeightOf(std::string_view key, std::string_view value) {
   for (const std::string_view keys : {kOfProgram, kOfTools, kOfOthers})
     if (Names(keys, key)) return OrcaWeight::kNothing;
-  const auto* const found = std::find_if(std::begin(kWeighty), std::end(kWeighty),
-                                         [&](const Weighty& each) { return each.key == key; });
-  if (found == std::end(kWeighty)) return OrcaWeight::kDetail;
-  return AllNeutral(value, found->neutral) ? OrcaWeight::kNothing : OrcaWeight::kPrint;
+  if (key != kScripts) return OrcaWeight::kDetail;
+  return IsEmpty(value) ? OrcaWeight::kNothing : OrcaWeight::kPrint;
 }
 
 std::string_view WhyIdle(std::string_view key) {

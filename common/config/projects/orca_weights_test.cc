@@ -13,11 +13,7 @@ TEST(WeightOf, DependsOnTheValue) {
     const char* value;
     OrcaWeight weight;
   };
-  for (const Case& c : {Case{"zaa_enabled", "0", OrcaWeight::kNothing},
-                        Case{"zaa_enabled", "1", OrcaWeight::kPrint},
-                        Case{"zaa_enabled", R"(["0", "0"])", OrcaWeight::kNothing},
-                        Case{"zaa_enabled", R"(["0", "1"])", OrcaWeight::kPrint},
-                        Case{"post_process", "", OrcaWeight::kNothing},
+  for (const Case& c : {Case{"post_process", "", OrcaWeight::kNothing},
                         Case{"post_process", R"(["a.py"])", OrcaWeight::kPrint},
                         Case{"temperature_vitrification", "60", OrcaWeight::kNothing},
                         Case{"nozzle_volume", "92", OrcaWeight::kNothing},
@@ -27,7 +23,7 @@ TEST(WeightOf, DependsOnTheValue) {
 
 TEST(WhyIdle, GivesAReason) {
   EXPECT_EQ(WhyIdle("overhang_totally_speed"), "acts in Bambu Studio only");
-  EXPECT_EQ(WhyIdle("zaa_min_z"), "unknown, or not supported yet");
+  EXPECT_EQ(WhyIdle("no_such_key"), "unknown, or not supported yet");
 }
 
 TEST(WeightOf, KnowsNoSettingThatHasACounterpart) {

@@ -65,12 +65,12 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
                       {"brim_type", "painted"},
                       {"skirt_type", "combined"},
                       {"sparse_infill_pattern", "no_such"}};
-  project.objects[1].settings = {{"zaa_enabled", "1"}, {"sparse_infill_pattern", "grid"}};
+  project.objects[1].settings = {{"post_process", "a.py"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_THAT(job->without_effect,
               ElementsAre("brim_type = painted", "sparse_infill_pattern = no_such",
-                          "b: zaa_enabled = 1", "no_such: unknown, or not supported yet"));
+                          "b: post_process = a.py", "no_such: unknown, or not supported yet"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 

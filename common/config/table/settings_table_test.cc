@@ -337,8 +337,8 @@ TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
     regions += spec.scope() == Scope::kRegion;
     objects += spec.scope() == Scope::kObject;
   }
-  EXPECT_EQ(regions, 161);
-  EXPECT_EQ(objects, 90);
+  EXPECT_EQ(regions, 166);
+  EXPECT_EQ(objects, 96);
 }
 
 TEST(SettingsTable, EverySettingHasAKindAndAGroup) {

@@ -10,6 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 #include "common/model/layers/fill_stats.h"
+#include "common/model/layers/surface_facet.h"
 #include "common/model/path.h"
 #include "common/model/print_times.h"
 #include "common/model/region.h"
@@ -68,6 +69,8 @@ struct ObjectSection {
   std::vector<Mark> marks;  ///< marks for planning only; at most one per role
   /// `spiral_vase`: true if the section has only one wall along its outline.
   bool hollow = false;
+  /// `zaa_enabled`: facets of the object's upper side within the layer's height; else empty
+  std::vector<SurfaceFacet> surface = {};
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };
@@ -209,6 +212,7 @@ struct PathBlock {
   MultiPolygon curled = {};          ///< SectionPlan::curled, set if motion slows walls above it
   /// SectionPlan::spiral, the turn that the only path follows
   std::optional<SpiralTurn> spiral = {};
+  std::vector<SurfaceFacet> surface = {};  ///< ObjectSection::surface, which the paths follow
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };

@@ -8,6 +8,7 @@
 #include "common/model/options/bridge_options.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/model/options/flow_table.h"
+#include "common/model/options/ironing_options.h"
 #include "common/model/options/pattern_options.h"
 #include "common/model/options/shell_extra.h"
 #include "common/model/options/solid_options.h"
@@ -17,25 +18,6 @@ namespace slicefarm {
 
 /// `infill_goal`: criterion by which fill_pattern = auto chooses the pattern.
 enum class FillGoal : uint8_t { kStrength, kTime, kFlexibility };
-
-/// `ironing_type`: surfaces that are ironed.
-enum class IroningType : uint8_t {
-  kTop,      ///< all top surfaces
-  kTopmost,  ///< top surfaces of an object's last layer
-  kSolid,    ///< all solid infill
-};
-
-/// Options of ironing: the nozzle smooths a printed surface by a second pass with little plastic.
-struct IroningOptions {
-  bool enabled = false;                  ///< setting ironing
-  IroningType type = IroningType::kTop;  ///< setting ironing_type
-  double flow = 0.15;  ///< `ironing_flowrate`: share of the plastic that would fill the layer
-  Coord spacing_nm = 100'000;  ///< `ironing_spacing`: distance of the ironing lines
-  Coord inset_nm = 0;          ///< `ironing_inset`: distance from the part's edge; 0: half a nozzle
-  bool concentric = false;     ///< `ironing_pattern`: lines along the edge
-
-  friend bool operator==(const IroningOptions&, const IroningOptions&) = default;
-};
 
 /// `ensure_vertical_shell_thickness`: sloped surfaces that get solid infill behind their walls.
 enum class ShellThickness : uint8_t {
@@ -74,6 +56,8 @@ struct InfillOptions {
   double angle_rad = 0.78539816339744831;
   double solid_angle_rad =
       -1;  ///< `solid_fill_angle`: angle_rad of solid infill; below 0: angle_rad
+  /// `zaa_dont_alternate_fill_direction`: lines keep their direction from layer to layer
+  bool same_direction = false;
   /// `fill_angle_template`, `solid_fill_angle_template`: canonical texts (fill_angles.h). Empty: no
   /// template.
   SharedText angle_template = {};

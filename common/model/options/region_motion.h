@@ -102,6 +102,11 @@ struct RegionMotion {
   /// `wipe_before_external_loop`: a move inwards before outer walls.
   bool wipe_before_outer = false;
   OverhangReversal reversal;
+  /// Least height of beads that follow the surface (SurfaceContour); 0: all beads are level.
+  Coord contour_least_nm = 0;
+  /// `zaa_minimize_perimeter_height`: slope above which the outer edge of a wall, not its middle,
+  /// is at the surface; 0: never
+  double contour_edge_slope_rad = 0;
 
   friend bool operator==(const RegionMotion&, const RegionMotion&) = default;
 };

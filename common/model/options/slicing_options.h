@@ -25,6 +25,14 @@ enum class CounterboreBridging : uint8_t {
   kSacrificial,  ///< one bridge over the whole recess; the user drills the hole through it later
 };
 
+/// Beads that follow the slope of the object's upper side within a layer (Z contouring).
+struct SurfaceContour {
+  bool on = false;          ///< setting zaa_enabled
+  Coord least_nm = 50'000;  ///< `zaa_min_z`: least height of such a bead
+
+  friend bool operator==(const SurfaceContour&, const SurfaceContour&) = default;
+};
+
 /// Object settings for slicing.
 struct ObjectSlicingOptions {
   Coord layer_height_nm = 200'000;          ///< setting layer_height
@@ -55,6 +63,7 @@ struct ObjectSlicingOptions {
   bool precise_top = false;  ///< `precise_z_height`: the last layers end at the object's top
   PolyholeOptions polyholes = {};
   PrintableOverhangs printable = {};
+  SurfaceContour contour = {};
   AdaptiveHeights adaptive;
   /// `layer_height_profile`: layer heights at ascending z, interpolated linearly. They replace
   /// layer_height, height ranges and `adaptive`. Empty: no profile.

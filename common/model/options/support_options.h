@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/geometry/point.h"
+#include "common/model/options/ironing_options.h"
 
 namespace slicefarm {
 
@@ -97,6 +98,7 @@ struct SupportOptions {
   Coord min_layer_height_nm = 70'000;     ///< setting min_layer_height
   bool synchronize_layers = false;        ///< setting support_material_synchronize_layers
   TreeOptions tree = {};
+  IroningOptions ironing = {};  ///< support_ironing, ...: ironing of the tops of interfaces
 
   friend bool operator==(const SupportOptions&, const SupportOptions&) = default;
 };

@@ -16,6 +16,31 @@ namespace {
 
 bool IsHeight(Coord nm) { return 0 < nm && nm <= limits::kMaxCoord; }
 
+absl::Status SurfaceToProto(std::span<const SurfaceFacet> facets, v1::SurfaceFacets* proto) {
+  for (const SurfaceFacet& facet : facets) {
+    if (absl::Status ok = PackPoints(facet.corners, proto->mutable_corners_xy_nm()); !ok.ok())
+      return Within("surface", ok);
+    for (const Coord up_nm : facet.up_nm) {
+      if (absl::Status ok = CheckCoord(up_nm); !ok.ok()) return Within("surface", ok);
+      proto->add_up_nm(static_cast<int32_t>(up_nm));
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<SurfaceFacet>> SurfaceFromProto(const v1::SurfaceFacets& proto) {
+  const auto corners = UnpackPoints(proto.corners_xy_nm(), "surface.corners_xy_nm");
+  if (!corners.ok()) return corners.status();
+  if (corners->size() % 3 != 0 || std::ssize(*corners) != proto.up_nm_size())
+    return Malformed("surface", "does not have three corners and heights for each facet");
+  std::vector<SurfaceFacet> facets(corners->size() / 3);
+  for (size_t i = 0; i < corners->size(); ++i) {
+    facets[i / 3].corners[i % 3] = (*corners)[i];
+    facets[i / 3].up_nm[i % 3] = proto.up_nm(static_cast<int>(i));
+  }
+  return facets;
+}
+
 /// Converts the members that all kinds of section share.
 template <typename Section, typename Proto>
 void PlaceToProto(const Section& section, Proto* proto) {
@@ -132,6 +157,8 @@ absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
   absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
   if (!section.whole.empty()) status.Update(ToProto(section.whole, proto->mutable_whole()));
   status.Update(AllToProto(section.marks, "marks", proto->mutable_marks()));
+  if (!section.surface.empty())
+    status.Update(SurfaceToProto(section.surface, proto->mutable_surface()));
   return status;
 }
 
@@ -149,6 +176,9 @@ absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
   section->whole = *std::move(whole);
   status = AllFromProto(proto.marks(), "marks", &section->marks);
   if (!status.ok()) return status;
+  auto surface = SurfaceFromProto(proto.surface());
+  if (!surface.ok()) return surface.status();
+  section->surface = *std::move(surface);
   section->hollow = proto.hollow();
   section->z_nm = proto.z_nm();
   if (section->z_nm < 0 || section->z_nm > limits::kMaxCoord)
@@ -308,6 +338,10 @@ absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
     status = ToProto(block.curled, proto->mutable_curled());
     if (!status.ok()) return Within("curled", status);
   }
+  if (!block.surface.empty()) {
+    status = SurfaceToProto(block.surface, proto->mutable_surface());
+    if (!status.ok()) return status;
+  }
   if (block.below.empty()) return status;
   status = ToProto(block.below, proto->mutable_below());
   return status.ok() ? status : Within("below", status);
@@ -336,6 +370,9 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   absl::StatusOr<MultiPolygon> curled = FromProto(proto.curled());
   if (!curled.ok()) return Within("curled", curled.status());
   block->curled = *std::move(curled);
+  auto surface = SurfaceFromProto(proto.surface());
+  if (!surface.ok()) return surface.status();
+  block->surface = *std::move(surface);
   if (proto.has_spiral()) block->spiral = FromProto(proto.spiral());
   return block;
 }

@@ -53,7 +53,7 @@ const Stack kRaftStack(9, kPlateObject, StackKind::kRaft);
 
 ObjectSection DistinctSection(Stack of) {
   ObjectSection section;
-  auto& [stack, layer, layer_count, height, regions, whole, z, marks, hollow] = section;
+  auto& [stack, layer, layer_count, height, regions, whole, z, marks, hollow, surface] = section;
   stack = of;
   layer = 5;
   layer_count = 9;
@@ -62,6 +62,8 @@ ObjectSection DistinctSection(Stack of) {
   whole = Islands();
   z = 950'000;
   hollow = true;
+  surface = {{{Point{1, 2}, {-3, 4}, {5, 6}}, {-7, 8, 9}},
+             {{Point{7, 0}, {8, 0}, {7, 9}}, {1, 2, 3}}};
   marks = {{PartRole::kSupportBlocker, {Islands()[0]}}, {PartRole::kSeamEnforcer, {Islands()[1]}}};
   return section;
 }
@@ -101,8 +103,8 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [stack, layer, height, paths, travels, exit_travel, below, above_supports, curled, spiral] =
-      first;
+  auto& [stack, layer, height, paths, travels, exit_travel, below, above_supports, curled, spiral,
+         surface] = first;
   stack = kRaftStack;
   layer = 2;
   height = 150'000;
@@ -119,6 +121,7 @@ OrderedLayer Ordered() {
   above_supports = *ParseMultiPolygon("(1 1, 3 1, 3 3)");
   curled = *ParseMultiPolygon("(2 1, 3 1, 3 2)");
   spiral = {{1, 2}, Point{3, 4}, true, false};
+  surface = {{{Point{1, 2}, {-3, 4}, {5, 6}}, {-7, 8, 9}}};
   BlockVisit visit;
   auto& [block, copy, pass, shift, turns] = visit;
   block = 1;

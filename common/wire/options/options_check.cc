@@ -180,6 +180,8 @@ absl::Status CheckInfill(const InfillOptions& infill) {
                                   {"anchor_max_nm", infill.anchor_max_nm},
                                   {"smoothing_nm", infill.smoothing_nm},
                                   {"ironing.inset_nm", infill.ironing.inset_nm}}));
+  status.Update(
+      CheckLengths({{"ironing.expansion_nm", infill.ironing.expansion_nm}}, -limits::kMaxCoord));
   status.Update(CheckNoLessThanZero("solid_every_layers", infill.solid_every_layers));
   status.Update(CheckAboveZero("every_layers", infill.every_layers));
   status.Update(CheckAboveZero("bridge_flow", infill.bridge_flow));

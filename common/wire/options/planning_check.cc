@@ -76,7 +76,9 @@ absl::Status CheckSupport(const SupportOptions& support) {
                         {"support.spacing_nm", support.spacing_nm},
                         {"support.interface_spacing_nm", support.interface_spacing_nm},
                         {"support.walls_nm", support.walls_nm}});
-  status.Update(CheckPositive({{"support.width_nm", support.width_nm},
+  status.Update(CheckNoLessThanZero("support.ironing.flow", support.ironing.flow));
+  status.Update(CheckPositive({{"support.ironing.spacing_nm", support.ironing.spacing_nm},
+                               {"support.width_nm", support.width_nm},
                                {"support.wall_width_nm", support.wall_width_nm},
                                {"support.layer_height_nm", support.layer_height_nm},
                                {"support.first_layer_height_nm", support.first_layer_height_nm},

@@ -209,13 +209,13 @@ std::optional<std::string> DeriveSequentialSkirt(SettingValues& draft) {
   return note;
 }
 
-/// Sets one wall, no infill and no top layers for a vase, even if profiles set other values.
-/// Returns notes about changed values.
+/// Sets one wall, no infill, no top layers and no Z contouring for a vase, even if profiles set
+/// other values. Returns notes about changed values.
 std::vector<std::string> DeriveVase(SettingValues& draft) {
   std::vector<std::string> notes;
   if (draft.Number("spiral_vase") == 0) return notes;
   constexpr std::pair<std::string_view, double> kVase[] = {
-      {"perimeters", 1}, {"top_solid_layers", 0}, {"fill_density", 0}};
+      {"perimeters", 1}, {"top_solid_layers", 0}, {"fill_density", 0}, {"zaa_enabled", 0}};
   for (const auto& [key, value] : kVase) {
     const SettingValues::Entry& entry = draft.At(key);
     if (draft.Number(key) == value) continue;

@@ -292,6 +292,18 @@ void DerivePreciseWalls(JobRows& settings) {
     FdmOf(settings).region.walls.precise_outer = false;
 }
 
+/// Copies the settings of Z contouring to the stages that use them. Walls are printed from the
+/// outside, where the surface is lowest, so that the nozzle never dips beside higher walls.
+void DeriveContour(JobRows& settings) {
+  const SurfaceContour& contour = settings.object.contour;
+  RegionRow& region = FdmOf(settings).region;
+  region.motion.contour_least_nm = contour.on ? contour.least_nm : 0;
+  region.infill.same_direction = region.infill.same_direction && contour.on;
+  if (!contour.on) return;
+  region.order.external_perimeters_first = true;
+  region.order.inner_outer_inner = false;
+}
+
 /// Makes inner walls with a scarf separate loops. A wall that is printed in one path with the next
 /// wall has no seam for a scarf.
 void DeriveInnerScarfs(JobRows& settings) {
@@ -367,6 +379,7 @@ absl::Status DeriveOptions(const OptionSources& sources) {
   DeriveSupports(settings);
   DeriveShells(sources.draft, settings);
   DeriveVaseOptions(sources.draft, settings);
+  DeriveContour(settings);
   DeriveInnerScarfs(settings);
   DerivePreciseWalls(settings);
   if (absl::Status ok = DeriveDensityField(settings); !ok.ok()) return ok;

@@ -45,6 +45,7 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
       FillPattern::kAlignedRectilinear;
   infill.angle_rad = angle_rad;
+  infill.same_direction = false;
   infill.angle_template.clear();
   infill.solid_angle_template.clear();
   infill.solid_below_area_mm2 = 0;

@@ -27,6 +27,14 @@ Coord SpacingOf(const SupportOptions& support, SupportRow row) {
   return own ? support.bottom_interface_spacing_nm : support.interface_spacing_nm;
 }
 
+/// Makes an interface solid, with a top surface that is ironed.
+void Iron(const IroningOptions& ironing, InfillOptions& infill) {
+  infill.density = 1;
+  infill.top_solid_layers = 1;
+  infill.top_flow = 1;
+  infill.ironing = ironing;
+}
+
 /// Minimum length of tips at the ragged side of a support column. If a shorter tip is left out, the
 /// object above it is within this distance of the column's other beads.
 constexpr Coord kLeastTipNm = 1 * kNmPerMm;
@@ -63,6 +71,7 @@ void SetLines(const ObjectPlanOptions& object, SupportRow row, BeadingOptions& b
       if (support.interface_pattern == InterfacePattern::kConcentric)
         infill.pattern = infill.solid_pattern = infill.top_pattern = infill.bottom_pattern =
             FillPattern::kConcentric;
+      if (row == SupportRow::kInterface && support.ironing.enabled) Iron(support.ironing, infill);
       return;
   }
 }

@@ -88,6 +88,28 @@ TEST(SupportRegionRow, TheSheathMayBeLeftOut) {
   EXPECT_EQ(FdmOf(SupportRegionRow(bare, SupportRow::kBranch)).region.walls.perimeters, 1);
 }
 
+TEST(SupportRegionRow, IroningMakesTopInterfacesSolid) {
+  const JobRows job = Resolved({{"support_material_interface_spacing", "0.3"},
+                                {"support_ironing", "1"},
+                                {"support_ironing_flow", "20%"},
+                                {"support_ironing_spacing", "0.2"},
+                                {"support_ironing_pattern", "concentric"},
+                                {"top_solid_infill_flow_ratio", "0.9"}});
+  for (int row = 0; row < kSupportRowCount; ++row) {
+    const auto kind = static_cast<SupportRow>(row);
+    const InfillOptions infill = FdmOf(SupportRegionRow(job, kind)).region.infill;
+    const bool ironed = kind == SupportRow::kInterface;
+    EXPECT_EQ(infill.ironing.enabled, ironed) << row;
+    EXPECT_EQ(infill.top_solid_layers, ironed ? 1 : 0) << row;
+    if (!ironed) continue;
+    EXPECT_EQ(infill.density, 1);
+    EXPECT_EQ(infill.top_flow, 1);
+    EXPECT_DOUBLE_EQ(infill.ironing.flow, 0.2);
+    EXPECT_EQ(infill.ironing.spacing_nm, 200'000);
+    EXPECT_TRUE(infill.ironing.concentric);
+  }
+}
+
 TEST(SupportRegionRow, PatternsAreTheSettings) {
   const auto base = [](const std::string& pattern) {
     const JobRows row =

@@ -47,6 +47,23 @@ void AddBelow(std::span<const SlicedLayer> sliced, std::span<const LayerPlan> pl
   }
 }
 
+/// Adds the object's surface near the layer to the blocks of parts. The first layer lies level on
+/// the bed.
+void AddSurfaces(std::span<const SlicedLayer> sliced, std::vector<OrderedLayer>& ordered) {
+  const auto has_surface = [](const SlicedLayer& layer) {
+    return std::ranges::any_of(layer.sections, [](const auto& s) { return !s.surface.empty(); });
+  };
+  if (std::ranges::none_of(sliced, has_surface)) return;
+  const ObjectLayers stacks(sliced);
+  for (OrderedLayer& layer : ordered) {
+    for (PathBlock& block : layer.blocks) {
+      if (!block.stack.IsPart() || block.layer == 0) continue;
+      const ObjectSection* section = stacks.Find(block.stack.id, block.layer);
+      if (section != nullptr) block.surface = section->surface;
+    }
+  }
+}
+
 void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarning>& warnings) {
   for (const WalledLayer& layer : layers) {
     if (layer.plain_islands == 0) continue;
@@ -120,6 +137,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
   });
   if (!ordered.ok()) return ordered.status();
   AddBelow(task.layers, task.plans, jobs.motion->options, *ordered);
+  AddSurfaces(task.layers, *ordered);
   auto programs = Timed(result.times[Stage::kMotion],
                         [&] { return motion_.Program(call, *std::move(ordered), jobs.motion); });
   if (!programs.ok()) return programs.status();

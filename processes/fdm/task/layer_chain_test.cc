@@ -74,8 +74,12 @@ struct Motion : MotionStage {
                                                     const Shared<MotionJob>& job) const override {
     called = true;
     below.clear();
+    surfaces.clear();
     for (const OrderedLayer& layer : layers)
-      for (const PathBlock& block : layer.blocks) below.push_back(block.below);
+      for (const PathBlock& block : layer.blocks) {
+        below.push_back(block.below);
+        surfaces.push_back(block.surface);
+      }
     std::vector<LayerProgram> programs(layers.size());
     for (LayerProgram& program : programs)
       program.frame.index = static_cast<int32_t>(job->facts.copies.size());
@@ -87,6 +91,7 @@ struct Motion : MotionStage {
   }
   mutable bool called = false;
   mutable std::vector<MultiPolygon> below;
+  mutable std::vector<std::vector<SurfaceFacet>> surfaces;
 };
 
 class LayerChainTest : public testing::Test {
@@ -150,6 +155,18 @@ TEST_F(LayerChainTest, MotionIsGivenWhatLiesBelow) {
   ordering_.first_block = 0;
   ASSERT_TRUE(Run({0, 1}, {0, 20}).ok());
   EXPECT_THAT(motion_.below, ElementsAre(IsEmpty())) << "nothing lies below an object";
+}
+
+// The first layer stays level on the bed.
+TEST_F(LayerChainTest, MotionIsGivenTheSurface) {
+  const std::vector<SurfaceFacet> facets = {{{Point{1, 2}, {3, 4}, {5, 6}}, {7, 8, 9}}};
+  layers_[0].sections[0].surface = layers_[9].sections[0].surface = facets;
+  ordering_.first_block = 8;
+  ASSERT_TRUE(Run({8, 10}, {0, 20}).ok());
+  EXPECT_THAT(motion_.surfaces, ElementsAre(IsEmpty(), facets));
+  ordering_.first_block = 0;
+  ASSERT_TRUE(Run({0, 1}, {0, 20}).ok());
+  EXPECT_THAT(motion_.surfaces, ElementsAre(IsEmpty()));
 }
 
 // A remote beading stage does not receive outlines that only infill uses.

@@ -20,6 +20,10 @@ constexpr double kIroningLinkSpacings = 3;
 
 namespace {
 
+double DirectionOf(const IroningFill& fill) {
+  return std::max(0.0, fill.ironing.angle_rad) + (fill.ironing.fixed_angle ? 0 : fill.angle_rad);
+}
+
 Coord WidthOf(const IroningFill& fill) {
   const auto strip =
       static_cast<Coord>(fill.ironing.flow * static_cast<double>(fill.ironing.spacing_nm));
@@ -48,7 +52,7 @@ absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningF
   const MultiPolygon area = FastOffset(region, -fill.ironing.spacing_nm / 2);
   if (fill.ironing.concentric) return IronedLoops(area, fill);
   const auto spacing = static_cast<double>(fill.ironing.spacing_nm);
-  const auto lines = CutLines(area, {fill.angle_rad, 0, spacing});
+  const auto lines = CutLines(area, {DirectionOf(fill), 0, spacing});
   if (!lines.ok()) return lines.status();
   const Coord width = WidthOf(fill);
   FillGroup group{.keep_order = true, .paths = {}};

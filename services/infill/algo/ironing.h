@@ -8,7 +8,8 @@ namespace slicefarm::infill {
 
 /// Parameters of the ironing of a region.
 struct IroningFill {
-  /// Direction of the ironed solid lines and of the ironing lines.
+  /// Direction of the ironed solid lines. The ironing lines have it too, if the options do not turn
+  /// them.
   double angle_rad = 0;
   Coord width_nm = 450'000;  ///< width of the beads that are ironed
   Coord height_nm = 200'000;

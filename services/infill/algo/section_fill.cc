@@ -207,8 +207,9 @@ class RegionFill {
   }
 
   /// Adds the walls around `ironed`: walls that are also visible from above, or all walls if the
-  /// whole layer is solid. The result ends half a nozzle, or the inset of the settings, before the
-  /// part's outline, so that no plastic is pushed over the outline.
+  /// whole layer is solid. Then grows the area by the expansion of the settings. The result ends
+  /// half a nozzle, or the inset of the settings, before the part's outline, so that no plastic is
+  /// pushed over the outline.
   MultiPolygon WithWallsIroned(MultiPolygon ironed, bool all) const {
     const MultiPolygon* whole = view_.OutlineAt(view_.layer);
     const MultiPolygon* own = view_.OutlineAt(view_.layer, context_.settings);
@@ -219,6 +220,8 @@ class RegionFill {
       if (above != nullptr) walls = Difference(walls, *above);
       ironed = Union(ironed, walls);
     }
+    if (options_.ironing.expansion_nm != 0)
+      ironed = FastOffset(ironed, options_.ironing.expansion_nm);
     const Coord inset =
         options_.ironing.inset_nm > 0 ? options_.ironing.inset_nm : options_.nozzle_nm / 2;
     return Intersection(ironed, FastOffset(*whole, -inset));

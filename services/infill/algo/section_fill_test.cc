@@ -377,6 +377,93 @@ TEST(FillSection, IroningGoesOverWallsToo) {
   }
 }
 
+/// Returns the direction of the longest ironing line of a layer, in degrees from 0 to 180.
+double IroningDirection(const InfillOptions& options, int32_t layer) {
+  double longest = 0, degrees = 0;
+  for (const Path& path : PathsOf(options, {}, layer)) {
+    if (path.feature != Feature::kIroning) continue;
+    for (size_t i = 1; i < path.points.size(); ++i) {
+      const Point step = path.points[i] - path.points[i - 1];
+      if (Norm(step) <= longest) continue;
+      longest = Norm(step);
+      degrees = std::atan2(static_cast<double>(step.y), static_cast<double>(step.x)) * 180 /
+                std::numbers::pi;
+    }
+  }
+  return degrees < -1e-6 ? degrees + 180 : degrees;
+}
+
+TEST(FillSection, IroningHasItsAngle) {
+  InfillOptions options = Thin();
+  options.ironing = {.enabled = true, .type = IroningType::kSolid};
+  const auto directions = [&](double angle_deg, bool fixed) {
+    options.ironing.angle_rad = angle_deg * std::numbers::pi / 180;
+    options.ironing.fixed_angle = fixed;
+    options.bottom_solid_layers = 2;
+    return std::pair(IroningDirection(options, 0), IroningDirection(options, 1));
+  };
+  const auto [first, second] = directions(0, false);
+  EXPECT_NEAR(std::abs(first - second), 90, 0.1) << "turns with the layers";
+  const auto [turned, turned_second] = directions(20, false);
+  EXPECT_NEAR(std::remainder(turned - first - 20, 180), 0, 0.1);
+  EXPECT_NEAR(std::remainder(turned_second - second - 20, 180), 0, 0.1);
+  const auto [fixed, fixed_second] = directions(20, true);
+  EXPECT_NEAR(fixed, 20, 0.1);
+  EXPECT_NEAR(fixed_second, 20, 0.1);
+}
+
+// The next layer covers the left half of the square.
+TEST(FillSection, IroningExpandsOverCoveredPlasticButNotTowardsTheEdge) {
+  auto layers = Prism();
+  layers[6].sections[0].regions[0].outlines = P("(0 0, 10 0, 10 20, 0 20)");
+  const ObjectLayers objects(layers);
+  InfillOptions options = Thin();
+  options.ironing.enabled = true;
+  options.top_solid_layers = 1;
+  const auto reach = [&](Coord expansion_nm) {
+    options.ironing.expansion_nm = expansion_nm;
+    Box box;
+    WalledSection walled = Halves(5);
+    walled.islands[0].fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+    const auto filled = FillPlain(std::move(walled), false, objects, {options});
+    EXPECT_TRUE(filled.ok()) << filled.status();
+    if (filled.ok())
+      for (const Path& path : PathsOf(*filled))
+        if (path.feature == Feature::kIroning) box.Add(Bounds(path.points));
+    return box;
+  };
+  const Box usual = reach(0), wide = reach(2'000'000), narrow = reach(-2'000'000);
+  ASSERT_FALSE(usual.Empty());
+  EXPECT_NEAR(static_cast<double>(wide.min.x), static_cast<double>(usual.min.x) - 2e6, 1e5);
+  EXPECT_NEAR(static_cast<double>(narrow.min.x), static_cast<double>(usual.min.x) + 2e6, 1e5);
+  EXPECT_LE(wide.max.x, 20'000'000 - options.nozzle_nm / 2);
+  EXPECT_GT(wide.max.x, usual.max.x);
+}
+
+// Supports that stand on different parts of an object have layers with gaps between them.
+TEST(FillSection, ALayerFartherUpIsNoCover) {
+  auto layers = Prism();
+  for (SlicedLayer& layer : layers) {
+    layer.sections[0].z_nm = layer.frame.print_z_nm;
+    layer.sections[0].regions[0].role = Role::kSupportInterface;
+  }
+  InfillOptions options = Thin();
+  options.density = 1;
+  options.top_solid_layers = 1;
+  options.ironing.enabled = true;
+  const auto irons = [&] {
+    const ObjectLayers objects(layers);
+    WalledSection walled = Halves(5);
+    for (FillArea& area : walled.islands[0].fill_areas) area.role = Role::kSupportInterface;
+    const auto filled = FillPlain(std::move(walled), false, objects, {options, options});
+    EXPECT_TRUE(filled.ok()) << filled.status();
+    return filled.ok() && FeaturesOf(*filled, 0).contains(Feature::kIroning);
+  };
+  EXPECT_FALSE(irons());
+  layers[6].sections[0].z_nm += 200'000;
+  EXPECT_TRUE(irons());
+}
+
 TEST(FillSection, IroningIsAUse) {
   InfillOptions options = Thin();
   options.ironing.enabled = true;

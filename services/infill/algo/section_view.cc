@@ -66,10 +66,14 @@ std::optional<double> PlannedAngle(const SharedText& angles, double base_rad, in
 
 const MultiPolygon* SectionView::OutlineAt(int32_t own_layer, std::optional<int32_t> row) const {
   const ObjectSection* section = stacks.Find(stack.id, own_layer);
-  if (section == nullptr) return nullptr;
+  if (section == nullptr || (own_layer == layer + 1 && IsApart(*section))) return nullptr;
   if (!row) return &OutlineOf(*section);
   const auto own = std::ranges::find(section->regions, *row, &Region::settings);
   return own == section->regions.end() ? nullptr : &own->outlines;
+}
+
+bool SectionView::IsApart(const ObjectSection& above) const {
+  return above.z_nm - above.height_nm > z_nm + (height_nm + 1) / 2;
 }
 
 Coord SectionView::HeightAt(int32_t own_layer) const {
@@ -127,7 +131,9 @@ FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {
       options.solid_angle_rad >= 0 ? options.solid_angle_rad : options.angle_rad;
   const auto solid = PlannedAngle(options.solid_angle_template, solid_rad, layer);
   return {sparse.value_or(options.angle_rad) + options.turn_rad,
-          solid.value_or(solid_rad) + options.turn_rad, sparse.has_value(), solid.has_value()};
+          solid.value_or(solid_rad) + options.turn_rad,
+          sparse.has_value() || options.same_direction,
+          solid.has_value() || options.same_direction};
 }
 
 }  // namespace slicefarm::infill

@@ -26,7 +26,8 @@ struct SectionView {
 
   /// Returns the outlines of the stack in its layer `own_layer`. With `row`: only the outlines of
   /// the region with this row of settings. Null: the layer does not contain the stack or the
-  /// region.
+  /// region, or it is the next layer and lies higher than this layer's top. Supports that stand on
+  /// different parts of an object have such gaps.
   const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const;
 
   /// Returns the view of the stack's layer below. It has the number, the height and the position of
@@ -35,6 +36,9 @@ struct SectionView {
 
   /// Returns the height of a layer of the stack, in nm; 0 if the stack has no such layer.
   Coord HeightAt(int32_t own_layer) const;
+
+ private:
+  bool IsApart(const ObjectSection& above) const;
 };
 
 /// Returns the outlines of the layers that decide the skins of a region (skins.h). `row`: index of
@@ -55,7 +59,8 @@ bool IsAllSolid(const InfillOptions& options, int32_t layer);
 struct FillLineAngles {
   double sparse_rad = 0;
   double solid_rad = 0;
-  /// True if the angle is from a template. Then it already contains the rotation of each layer.
+  /// True if the angle is from a template, which already contains the rotation of each layer, or if
+  /// lines do not turn from layer to layer.
   bool sparse_planned = false;
   bool solid_planned = false;
 };

@@ -52,6 +52,11 @@ std::vector<BuiltBlock> BuildBlocks(const OrderedLayer& layer, const MotionOptio
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
                             below ? &*below : nullptr, above_supports ? &*above_supports : nullptr,
                             curled ? &*curled : nullptr);
+    std::optional<SurfaceFollower> follower;
+    if (!block.surface.empty()) {
+      follower.emplace(block.surface, block.height_nm, FromMm(options.tool().nozzle_diameter_mm));
+      builder.FollowSurface(&*follower);
+    }
     if (IsOnlyFirst(block, layer)) builder.BeginRetracted(retracted_mm);
     if (BeginsReady(block, layer)) builder.BeginAsLeft();
     if (block.spiral && block.paths.size() == 1) {

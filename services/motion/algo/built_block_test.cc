@@ -41,6 +41,42 @@ TEST(BuildBlocks, OnlyABlockThatEndsReadyKeepsTheFilament) {
   EXPECT_FALSE(built[1].ends_retracted);
 }
 
+/// Returns the layer with one block: a top line of 20 mm above a surface that falls from the
+/// layer's top by 0.15 mm.
+OrderedLayer FallingLine() {
+  Path line = MakePathOrDie("(10 10, 30 10)");
+  line.feature = Feature::kTopSolidInfill;
+  OrderedLayer layer;
+  layer.frame = {2, 600'000, 200'000};
+  layer.blocks = {{0, 2, 200'000, {line}}};
+  layer.visits = {{}};
+  const Point a{FromMm(10), 0}, b{FromMm(30), 0}, c{FromMm(30), FromMm(20)},
+      d{FromMm(10), FromMm(20)};
+  layer.blocks[0].surface = {{{a, b, c}, {0, -150'000, -150'000}}, {{a, c, d}, {0, -150'000, 0}}};
+  return layer;
+}
+
+TEST(BuildBlocks, ContouredPathsFollowTheSurfaceAndItsFlow) {
+  MotionOptions options;
+  const BuiltBlock level = BuildBlocks(FallingLine(), options, 2)[0];
+  options.speeds[0].contour_least_nm = 50'000;
+  const BuiltBlock contoured = BuildBlocks(FallingLine(), options, 2)[0];
+  const auto printed = [](const BuiltBlock& block) {
+    std::vector<Move> moves;
+    for (const Move& move : block.path.moves)
+      if (move.kind == MoveKind::kPrint) moves.push_back(move);
+    return moves;
+  };
+  for (const Move& move : printed(level)) EXPECT_EQ(move.z_um, 600);
+  ASSERT_FALSE(printed(contoured).empty());
+  for (const Move& move : printed(contoured))
+    EXPECT_NEAR(move.z_um, 600 - (move.x_um - 10'000) * 150 / 20'000, 3) << move.x_um;
+  EXPECT_NEAR(contoured.stats.FilamentMm() / level.stats.FilamentMm(), 1 - 0.075 / 0.2, 0.01);
+  // The nozzle is at the layer's top again before the next travel, and no wipe follows.
+  EXPECT_EQ(contoured.path.moves.back().z_um, 600);
+  for (const Move& move : contoured.path.moves) EXPECT_NE(move.kind, MoveKind::kWipe);
+}
+
 TEST(HandOver, RetractsWhatTheLayerBelowLeftReady) {
   OrderedLayer layer;
   layer.frame = {2, 600'000, 200'000};

@@ -30,6 +30,7 @@
 #include "services/slicing/algo/section/regions.h"
 #include "services/slicing/algo/section/seam_area.h"
 #include "services/slicing/algo/section/section_regions.h"
+#include "services/slicing/algo/section/surface_facets.h"
 #include "services/slicing/algo/section/surface_slabs.h"
 #include "services/slicing/algo/section/sweep.h"
 #include "services/slicing/algo/thumbnail/thumbnail.h"
@@ -50,12 +51,16 @@ struct SweptPart {
 struct SweptObject {
   std::vector<LayerPlane> planes;
   std::vector<SweptPart> parts;
+  /// Facets of the upper side near each layer; empty without Z contouring.
+  std::vector<std::vector<SurfaceFacet>> surface = {};
 };
 
 /// Bytes for a triangle, its neighbours and half a vertex.
 constexpr int64_t kMemoryPerTriangle = 64;
 /// Bytes for a point in a section and the index entry that finds it.
 constexpr int64_t kMemoryPerPoint = 24;
+/// Bytes for a facet, in the job and in the range that is being printed.
+constexpr int64_t kMemoryPerFacet = 2 * sizeof(SurfaceFacet);
 
 /// One call of the stage.
 class SlicingRun {
@@ -85,13 +90,15 @@ class SlicingRun {
       const ObjectSlicingOptions& slicing = options_.objects[i];
       auto planes = PlanesOf(object, slicing);
       if (!planes.ok()) return planes.status();
-      absl::StatusOr<SweptObject> swept = Swept(object, *std::move(planes));
+      if (slicing.contour.on) LowerCuts(slicing.contour.least_nm, *planes);
+      absl::StatusOr<SweptObject> swept = Swept(object, slicing, *std::move(planes));
       if (!swept.ok()) return swept.status();
       swept_.push_back(*std::move(swept));
     }
     // The memory is reserved before the parts are cut, because the number of points is known
     // already.
-    absl::Status held = HoldMemory(call_, JobMemory::Kind::kOutlines, kMemoryPerPoint * points_);
+    absl::Status held = HoldMemory(call_, JobMemory::Kind::kOutlines,
+                                   kMemoryPerPoint * points_ + kMemoryPerFacet * facets_);
     if (!held.ok()) return held;
     LayOutSections();
     return absl::OkStatus();
@@ -125,7 +132,9 @@ class SlicingRun {
     return triangles;
   }
 
-  absl::StatusOr<SweptObject> Swept(const PreparedObject& object, std::vector<LayerPlane> planes) {
+  absl::StatusOr<SweptObject> Swept(const PreparedObject& object,
+                                    const ObjectSlicingOptions& slicing,
+                                    std::vector<LayerPlane> planes) {
     SweptObject swept{std::move(planes), {}};
     std::vector<Coord> heights;
     for (const LayerPlane& plane : swept.planes) heights.push_back(plane.z_nm);
@@ -136,7 +145,17 @@ class SlicingRun {
       swept.parts.push_back({&part, *std::move(sweep), std::vector<GapCounts>(heights.size())});
       if (part.IsMarkedSurface()) swept.parts.back().slabs = SlabsOf(part, swept.planes);
     }
+    if (slicing.contour.on) swept.surface = SurfaceOf(object, swept.planes);
+    for (const auto& layer : swept.surface) facets_ += std::ssize(layer);
     return swept;
+  }
+
+  static std::vector<std::vector<SurfaceFacet>> SurfaceOf(const PreparedObject& object,
+                                                          const std::vector<LayerPlane>& planes) {
+    std::vector<const IndexedMesh*> solids;
+    for (const PreparedPart& part : object.parts)
+      if (part.input.role == PartRole::kSolid) solids.push_back(&part.connected.mesh);
+    return FacetsOfLayers(solids, planes);
   }
 
   /// Returns the slab of heights for each layer. Seam marks: the slab is the layer itself, because
@@ -292,6 +311,8 @@ class SlicingRun {
     section.regions = std::move(partition.regions);
     section.whole = std::move(partition.whole);
     section.marks = std::move(partition.marks);
+    if (!object.surface.empty())
+      section.surface = std::move(object.surface[static_cast<size_t>(section.layer)]);
     if (section.hollow) KeepLargestContour(section);
   }
 
@@ -401,6 +422,7 @@ class SlicingRun {
   /// Number of overlapping copies, indexed by object; see CountOverlapping.
   std::vector<int64_t> overlapping_;
   int64_t points_ = 0;              ///< number of points in the sections of the swept parts
+  int64_t facets_ = 0;              ///< number of facets of all sections
   std::vector<SweptObject> swept_;  ///< sweeps of the parts, indexed by object
 };
 

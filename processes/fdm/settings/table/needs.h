@@ -152,6 +152,25 @@ inline constexpr Need kObjectByObject{"complete_objects = 1", [](const JobRows& 
                                       }};
 inline constexpr Need kIroning{
     "ironing = 1", [](const JobRows& s) { return FdmOf(s).region.infill.ironing.enabled; }};
+inline constexpr Need kStraightIroning{"ironing_pattern = rectilinear", [](const JobRows& s) {
+                                         return !FdmOf(s).region.infill.ironing.concentric;
+                                       }};
+inline constexpr Need kSupportInterfaces{
+    "support_material = 1 and support_material_interface_layers above 0", [](const JobRows& s) {
+      const SupportOptions& support = FdmOf(s).object.support;
+      return support.on && support.top_interface_layers > 0;
+    }};
+inline constexpr Need kSupportIroning{"support_material = 1 and support_ironing = 1",
+                                      [](const JobRows& s) {
+                                        const SupportOptions& support = FdmOf(s).object.support;
+                                        return support.on && support.ironing.enabled;
+                                      }};
+inline constexpr Need kAnyIroning{"ironing = 1 or support_ironing = 1", [](const JobRows& s) {
+                                    return FdmOf(s).region.infill.ironing.enabled ||
+                                           FdmOf(s).object.support.ironing.enabled;
+                                  }};
+inline constexpr Need kContour{"zaa_enabled = 1",
+                               [](const JobRows& s) { return s.object.contour.on; }};
 inline constexpr Need kSmallAreaFlow{
     "small_area_infill_flow_compensation = 1",
     [](const JobRows& s) { return FdmOf(s).region.infill.small_area_flow; }};

@@ -32,66 +32,6 @@ SettingSpec AnglesByLayer(std::string_view key, std::string_view doc, Field fiel
   return {.key = key, .kind = Kind::kAngles, .standard = "", .doc = doc, .field = field};
 }
 
-std::vector<SettingSpec> IroningSettings() {
-  return {
-      {.key = "ironing",
-       .kind = Kind::kFlag,
-       .standard = "0",
-       .doc = "Smooth surfaces with a second pass of the hot nozzle at low flow",
-       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::enabled>(),
-       .orca = {{"ironing_type", OrcaValue::kChoice}}},
-      {.key = "ironing_type",
-       .kind = Kind::kChoice,
-       .standard = "top",
-       .doc = "Surfaces that are ironed. top: all top surfaces. topmost: top surfaces of the last "
-              "layer. solid: all solid infill",
-       .choices = {{"top", static_cast<int>(IroningType::kTop)},
-                   {"topmost", static_cast<int>(IroningType::kTopmost)},
-                   {"solid", static_cast<int>(IroningType::kSolid)}},
-       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::type>(),
-       .orca = {{"ironing_type", OrcaValue::kChoice}},
-       .needs = {&needs::kIroning}},
-      {.key = "ironing_flowrate",
-       .kind = Kind::kPercent,
-       .unit = "%",
-       .min = 0,
-       .max = 100,
-       .standard = "15%",
-       .doc = "Flow of ironing relative to the flow that would fill the layer",
-       .field = Bind<Scale::kPercent, &RegionRow::infill, &InfillOptions::ironing,
-                     &IroningOptions::flow>(),
-       .orca = {{"ironing_flow", OrcaValue::kPercent}},
-       .needs = {&needs::kIroning}},
-      {.key = "ironing_spacing",
-       .unit = "mm",
-       .min = 0.01,
-       .max = 10,
-       .standard = "0.1",
-       .doc = "Distance between neighbouring ironing lines",
-       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::spacing_nm>(),
-       .orca = {{"ironing_spacing"}},
-       .needs = {&needs::kIroning}},
-      {.key = "ironing_inset",
-       .unit = "mm",
-       .min = 0,
-       .max = 10,
-       .standard = "0",
-       .doc = "Distance of ironing from the edges of the part; 0: half of the nozzle diameter",
-       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::inset_nm>(),
-       .orca = {{"ironing_inset"}},
-       .needs = {&needs::kIroning}},
-      {.key = "ironing_pattern",
-       .kind = Kind::kChoice,
-       .standard = "rectilinear",
-       .doc = "Pattern of ironing lines. rectilinear: straight lines. concentric: lines along the "
-              "edges",
-       .choices = {{"rectilinear", 0}, {"concentric", 1}},
-       .field = Bind<&RegionRow::infill, &InfillOptions::ironing, &IroningOptions::concentric>(),
-       .orca = {{"ironing_pattern", OrcaValue::kChoice}},
-       .needs = {&needs::kIroning}},
-  };
-}
-
 SettingSpec SolidFill(std::string_view key, std::string_view standard, std::string_view doc,
                       Field field) {
   std::vector<Choice> choices;

@@ -25,6 +25,8 @@ namespace slicefarm::config::fdm {
 std::vector<SettingSpec> SlicingSettings();  ///< defined in settings_slicing.cc
 /// Polyholes and printable overhangs, a part of SlicingSettings; defined in settings_holes.cc.
 std::vector<SettingSpec> HoleSettings();
+/// Z contouring, a part of SlicingSettings; defined in settings_contour.cc.
+std::vector<SettingSpec> ContourSettings();
 std::vector<SettingSpec> WallSettings();  ///< defined in settings_walls.cc
 /// Rough walls, a part of WallSettings; defined in settings_fuzzy.cc.
 std::vector<SettingSpec> FuzzySkinSettings();
@@ -36,9 +38,13 @@ std::vector<SettingSpec> SolidSettings();
 std::vector<SettingSpec> SurfaceSettings();
 /// Single infill patterns, a part of InfillSettings; defined in settings_patterns.cc.
 std::vector<SettingSpec> PatternSettings();
+/// Ironing of the part, a part of InfillSettings; defined in settings_ironing.cc.
+std::vector<SettingSpec> IroningSettings();
 std::vector<SettingSpec> AdhesionSettings();  ///< defined in settings_adhesion.cc
 std::vector<SettingSpec> SupportSettings();   ///< defined in settings_supports.cc
-std::vector<SettingSpec> SpeedSettings();     ///< defined in settings_speed.cc
+/// Ironing of supports, a part of SupportSettings; defined in settings_ironing.cc.
+std::vector<SettingSpec> SupportIroningSettings();
+std::vector<SettingSpec> SpeedSettings();  ///< defined in settings_speed.cc
 /// Accelerations and jerks, a part of SpeedSettings; defined in settings_dynamics.cc.
 std::vector<SettingSpec> DynamicsSettings();
 std::vector<SettingSpec> FlowSettings();      ///< defined in settings_flow.cc

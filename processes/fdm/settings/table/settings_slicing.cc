@@ -115,7 +115,8 @@ std::vector<SettingSpec> SlicingSettings() {
                    {"COLPIC", static_cast<int>(PictureFormat::kColPic)}},
        .orca = {{"thumbnails_format"}}},
   };
-  for (SettingSpec& hole : HoleSettings()) settings.push_back(std::move(hole));
+  for (const auto& section : {HoleSettings, ContourSettings})
+    for (SettingSpec& spec : section()) settings.push_back(std::move(spec));
   return settings;
 }
 

@@ -235,7 +235,7 @@ std::vector<SettingSpec> Speeds() {
                   "Speed of support interfaces and of the top layers of a raft; 0: max_print_speed",
                   SpeedOf<Feature::kSupportInterface>()))),
       Orca({"ironing_speed"},
-           Needing({&needs::kIroning},
+           Needing({&needs::kAnyIroning},
                    Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
                          SpeedOf<Feature::kIroning>()))),
       Orca({"initial_layer_speed"},

@@ -379,7 +379,7 @@ std::vector<SettingSpec> Trees() {
 
 std::vector<SettingSpec> SupportSettings() {
   std::vector<SettingSpec> settings = Where();
-  for (const auto& section : {Lines, Trees})
+  for (const auto& section : {Lines, SupportIroningSettings, Trees})
     for (SettingSpec& spec : section()) settings.push_back(std::move(spec));
   return settings;
 }

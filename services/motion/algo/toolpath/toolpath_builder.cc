@@ -128,10 +128,13 @@ void ToolpathBuilder::AddPath(const Path& path, const Travel& travel,
                                     ? Simplified(path, simplify)
                                     : Simplified(DividedByWidth(path, bead_height_nm_), simplify);
   const double speed_mm_s = speeds_.Of(path, contour_mm.value_or(ToMm(PathLength(path))));
+  const std::vector<ContourPoint> contour = ContourOf(simple, region);
+  scarfed = scarfed && contour.empty();
   BeginPath(path, simple);
   reversed_ = reversed;
   const int64_t filament_before = filament_;
-  const bool outer = path.closed && path.feature == Feature::kExternalPerimeter && !scarfed;
+  const bool outer =
+      path.closed && path.feature == Feature::kExternalPerimeter && !scarfed && contour.empty();
   if (path_.approach == Toolpath::kNone) {
     Approach(StartOf(path), retracted_ ? Travel{} : travel);
     Restart();
@@ -141,7 +144,9 @@ void ToolpathBuilder::AddPath(const Path& path, const Travel& travel,
     Restart();
     if (inside) GlideTo(StartOf(path), speed_mm_s);
   }
-  if (scarfed) {
+  if (!contour.empty()) {
+    PrintContour(simple.path, contour, speed_mm_s);
+  } else if (scarfed) {
     at_.on_arc = arcs;
     PrintScarf(simple.path, region.scarf, speed_mm_s);
   } else {
@@ -150,7 +155,16 @@ void ToolpathBuilder::AddPath(const Path& path, const Travel& travel,
   }
   at_.on_arc = false;
   if (outer && region.wipe_on_loops) GlideTo(InsideOf(path, reversed), speed_mm_s);
-  EndPath(simple.path, scarfed, filament_before);
+  EndPath(simple.path, scarfed || !contour.empty(), filament_before);
+}
+
+/// Returns the points of a path that follows the surface; empty for a level path.
+std::vector<ContourPoint> ToolpathBuilder::ContourOf(const SimplifiedPath& simple,
+                                                     const RegionMotion& region) const {
+  if (follower_ == nullptr) return {};
+  const bool opens = IsLoopOfWalls(simple.path) && options_.seam_gap_mm > 0;
+  return opens ? follower_->Follow(WithOpenSeam(simple, FromMm(options_.seam_gap_mm)).path, region)
+               : follower_->Follow(simple.path, region);
 }
 
 void ToolpathBuilder::EndPath(const Path& path, bool moved_on, int64_t filament_before) {
@@ -224,6 +238,38 @@ void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, 
     PrintSegment(from, piece.to, bead);
     from = piece.to;
   }
+}
+
+void ToolpathBuilder::PrintContour(const Path& path, std::span<const ContourPoint> points,
+                                   double speed_mm_s) {
+  const int32_t height_um = at_.height_um;
+  std::vector<PathSegment> segments;
+  for (size_t i = 1; i < points.size(); ++i)
+    segments.push_back({points[i - 1].point, points[i].point, points[i].width_nm});
+  MoveZ(z_um_ + ToUm(points.front().up_nm));
+  Point from = points.front().point;
+  auto from_up = static_cast<double>(points.front().up_nm);
+  for (const RestingPiece& part : PiecesUnder(path, segments)) {
+    const PathSegment& segment = segments[part.segment];
+    const double length = Distance(segment.from, segment.to);
+    const double share = length > 0 ? Distance(segment.from, part.to) / length : 1;
+    const auto begin = static_cast<double>(points[part.segment].up_nm);
+    const auto end = static_cast<double>(points[part.segment + 1].up_nm);
+    const double up = begin + share * (end - begin);
+    const double left = 1 + (from_up + up) / 2 / static_cast<double>(bead_height_nm_);
+    at_.z_um = z_um_ + ToUm(std::llround(up));
+    at_.height_um = std::max(1, static_cast<int32_t>(std::lround(left * height_um)));
+    at_.rest = part.rest;
+    Bead bead = BeadOf(segment.width_nm, TurnSpeed(path, speed_mm_s, part.rest));
+    // The flow of ironing is small already.
+    if (path.feature != Feature::kIroning) bead.filament_per_mm *= left;
+    PrintSegment(from, part.to, bead);
+    from = part.to;
+    from_up = up;
+  }
+  at_.rest = kFullRest;
+  at_.height_um = height_um;
+  MoveZ(z_um_);
 }
 
 void ToolpathBuilder::PrintTurn(const SimplifiedPath& simple, const SpiralTurn& turn,

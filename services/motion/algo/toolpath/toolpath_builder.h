@@ -10,6 +10,7 @@
 #include "services/motion/algo/toolpath/overhang.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/simplified_path.h"
+#include "services/motion/algo/toolpath/surface_follower.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 #include "services/motion/algo/toolpath/travel_ramp.h"
 #include "services/motion/algo/toolpath/wipe.h"
@@ -32,8 +33,9 @@ namespace slicefarm::motion {
 /// length are left out, but their filament is kept.
 ///
 /// Loops with a scarf (scarf.h) end beyond their start; the travel from there is short. The first
-/// layer has no scarfs. A retraction wipes (wipe.h), except after a scarf, which becomes thinner by
-/// itself. Travels start at the end of the wipe.
+/// layer has no scarfs. A retraction wipes (wipe.h). After a scarf, which becomes thinner by
+/// itself, and after a path that follows the surface, there is no wipe. Travels start at the end of
+/// the wipe.
 ///
 /// At the boundary to the layer below, the filament may be retracted or ready. The layer's first
 /// retraction or restart is needed only in one of these two cases, and is marked (Move::if_needed).
@@ -58,6 +60,10 @@ class ToolpathBuilder {
     retracted_ = false;
     as_left_ = true;
   }
+
+  /// Lets the paths follow the surface (Z contouring). `follower` must outlive the builder. Call
+  /// before anything is added.
+  void FollowSurface(SurfaceFollower* follower) { follower_ = follower; }
 
   /// Adds a path. `travel`: travel to this path; for the first path it is used only after
   /// BeginAsLeft. `contour_mm`: the path's element of ContourLengthsMm; if it is missing, the
@@ -114,6 +120,9 @@ class ToolpathBuilder {
   void PrintTurn(const SimplifiedPath& simple, const SpiralTurn& turn, const MultiPolygon& below,
                  double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
+  std::vector<ContourPoint> ContourOf(const SimplifiedPath& simple,
+                                      const RegionMotion& region) const;
+  void PrintContour(const Path& path, std::span<const ContourPoint> points, double speed_mm_s);
   std::optional<RestSteps> RestUnder(const Path& path) const;
   std::vector<RestingPiece> PiecesUnder(const Path& path,
                                         std::span<const PathSegment> segments) const;
@@ -149,6 +158,7 @@ class ToolpathBuilder {
   const LayerBelow* below_;
   const LayerBelow* above_supports_;
   const LayerBelow* curled_;
+  SurfaceFollower* follower_ = nullptr;
   int32_t z_um_;
   int32_t lift_um_;           ///< height by which travels rise; 0 if they do not
   int32_t start_lift_um_;     ///< rise of the travel to the first path

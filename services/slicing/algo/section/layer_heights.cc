@@ -107,6 +107,13 @@ void MeetTop(Coord top_nm, const HeightLimits& range, std::vector<LayerPlane>& p
   }
 }
 
+void LowerCuts(Coord least_nm, std::vector<LayerPlane>& planes) {
+  for (size_t i = 1; i < planes.size(); ++i) {
+    const Coord bottom_nm = planes[i].frame.print_z_nm - planes[i].frame.height_nm;
+    planes[i].z_nm = std::min(planes[i].z_nm, bottom_nm + least_nm);
+  }
+}
+
 absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm) {
   if (std::ssize(tops_nm) > limits::kMaxLayers)
     return LimitError(Reason::kMeshTooLarge, "layers", limits::kMaxLayers, std::ssize(tops_nm));

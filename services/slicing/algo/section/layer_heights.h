@@ -51,6 +51,11 @@ struct HeightLimits {
 /// outside of it. If the range does not allow the top, the print ends as near to it as possible.
 void MeetTop(Coord top_nm, const HeightLimits& range, std::vector<LayerPlane>& planes);
 
+/// Cuts all layers but the first at `least_nm` above their bottoms, or in their middles if these
+/// are lower. Then an outline encloses the area in which at least `least_nm` of the layer is inside
+/// the object, as Z contouring needs.
+void LowerCuts(Coord least_nm, std::vector<LayerPlane>& planes);
+
 /// Returns layers with the tops `tops_nm`, each cut in its middle. The tops must ascend, from above
 /// 0. Errors: MESH_TOO_LARGE above limits::kMaxLayers tops.
 absl::StatusOr<std::vector<LayerPlane>> PlanesBelow(std::span<const Coord> tops_nm);
