@@ -15,7 +15,6 @@ class PrintedHeights {
   explicit PrintedHeights(Coord tip_nm) : tip_nm_(tip_nm) {}
 
   /// Adds a point of a bead. `up_nm`: height of the bead above the layer's top, at most 0.
-  /// `low_nm`: the lowest height at which the nozzle may ever be; beads no higher have no effect.
   void Add(Point point, Coord up_nm);
 
   /// Returns the lowest height above the layer's top, at most 0, at which the nozzle at `point`
