@@ -1,6 +1,7 @@
 #include "processes/fdm/job/layer_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "common/gcode/custom_code.h"
@@ -48,19 +49,22 @@ std::vector<LayerPiece> LayerJoin::PiecesOf(const LayerProgram& program, int64_t
   const bool known = program.modes_at_end && std::ranges::all_of(code, gcode::LeavesModes);
   if (!known) set_ = {};
   Pieces pieces(program.code_at, code);
+  std::array<bool, kMachineModes> sets = {};
   for (const ModeLine& line : program.mode_lines) {
     if (line.mode == MachineMode::kFilament) {
       if (line.value == (retracted_ ? kRetracted : kReady)) pieces.LeaveOut(line);
       continue;
     }
-    std::string& set = set_[static_cast<size_t>(line.mode)];
-    if (known && set == line.value) pieces.LeaveOut(line);
-    if (known) set = line.value;
+    const auto mode = static_cast<size_t>(line.mode);
+    if (known && set_[mode] == line.value) pieces.LeaveOut(line);
+    if (known) set_[mode] = line.value;
+    sets[mode] = true;
   }
   pieces.TakeTo(size);
   retracted_ = program.ends_retracted;
   for (size_t mode = 0; known && mode < set_.size(); ++mode)
-    if (const std::string& value = (*program.modes_at_end)[mode]; !value.empty())
+    // Without a value, a mode that the layer sets is not known at the layer's end.
+    if (const std::string& value = (*program.modes_at_end)[mode]; !value.empty() || sets[mode])
       set_[mode] = value;
   return pieces.Finish();
 }

@@ -57,6 +57,19 @@ TEST(LayerJoin, TheNozzleIsWhereItsLayerLeftIt) {
             ";layer\nM107\nG1 X1\nbead\n;layer\nG1 X1\nbead\n;layer\nbead\n");
 }
 
+TEST(LayerJoin, AModeThatIsNotKnownAtTheEndIsSetAgain) {
+  LayerProgram program;
+  program.gcode = "M204 S500\nwall\nM204 S2000\ninfill\n";
+  program.mode_lines = {{0, 10, MachineMode::kAcceleration, "M204 S500\n"}};
+  program.modes_at_end = ModeValues{};
+  LayerJoin join;
+  for (int layer = 0; layer < 2; ++layer) {
+    const std::vector<LayerPiece> pieces = join.PiecesOf(program, std::ssize(program.gcode), {});
+    ASSERT_EQ(pieces.size(), 1u) << layer;
+    EXPECT_EQ(pieces[0].first, 0) << layer;
+  }
+}
+
 TEST(LayerJoin, OtherCodeMayChangeAnything) {
   const std::string whole = ";layer\nM107\nG1 X1\nbead\n";
   EXPECT_EQ(Joined().Add({"M107", "X1"}).Pass("G1 Z9\n").Add({"M107", "X1"}).text(),

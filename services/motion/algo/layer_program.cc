@@ -250,8 +250,8 @@ class PassProgram {
     if (!labelled || !ends) return;
     EndCopy(facts.copies[copy], copy, options_, out);
     // If the firmware skips a copy, it may also skip the lines that set modes. They are written
-    // again.
-    if (options_.labels != ObjectLabels::kNone) writer.Forget();
+    // again, if there is another copy.
+    if (options_.labels != ObjectLabels::kNone && facts.copies.size() > 1) writer.Forget();
   }
 
   const OrderedLayer& layer_;
