@@ -42,7 +42,7 @@ std::vector<SettingSpec> Where() {
        .min = 0,
        .max = 90,
        .standard = "0",
-       .doc = "Slope of a surface, measured from horizontal, below which the surface is supported; "
+       .doc = "Slope of a surface, measured from horizontal, up to which the surface is supported; "
               "larger: more supports. 0: support_material_threshold_overlap decides",
        .field = Bind<Scale::kDegrees, &ObjectRow::support, &SupportOptions::threshold_rad>(),
        .orca = {{"support_threshold_angle"}},

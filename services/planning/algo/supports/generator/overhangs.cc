@@ -1,6 +1,7 @@
 #include "services/planning/algo/supports/generator/overhangs.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "common/base/portable_math.h"
@@ -18,6 +19,9 @@ namespace {
 
 /// Overhang that counts as steep where supports are enforced.
 constexpr Coord kEnforcedNm = 50'000;
+/// Angle added to support_material_threshold, so that slopes of exactly this angle are supported,
+/// as in PrusaSlicer and OrcaSlicer; and the largest sum.
+constexpr double kDegree = std::numbers::pi / 180, kSteepest = 89 * kDegree;
 /// Distance by which supports extend beyond the steep area along a step. Without it, a step that is
 /// in some sections narrower than the threshold would have supports in pieces.
 constexpr Coord kAlongNm = 500'000;
@@ -80,7 +84,8 @@ Coord OverhangThreshold(const SupportOptions& options, Coord height_nm, Coord be
   if (options.threshold_rad <= 0)
     return options.style == SupportStyle::kTree ? options.wall_width_nm * 2 / 3
                                                 : options.wall_width_nm / 2;
-  return std::llround((height_nm + below_height_nm) / 2.0 / Tan(options.threshold_rad));
+  const double angle_rad = std::min(options.threshold_rad + kDegree, kSteepest);
+  return std::llround((height_nm + below_height_nm) / 2.0 / Tan(angle_rad));
 }
 
 MultiPolygon IslandsInAirOf(const SupportProblem& problem, size_t index) {
