@@ -28,7 +28,8 @@ std::vector<Setting> DialectOf(const OrcaLookup& given) {
   const std::string flavor = given("gcode_flavor").value_or("marlin");
   if (bambu && flavor == "marlin") set("gcode_flavor", "bambu");
   if (given("exclude_object") == "1" || bambu) set("gcode_label_objects", "firmware");
-  if (given("disable_m73") == "0" || bambu) set("remaining_times", "1");
+  const std::optional<std::string> no_m73 = given("disable_m73");
+  if (no_m73 == "0" || (bambu && no_m73 != "1")) set("remaining_times", "1");
   // Projects of Bambu Studio and of older versions of OrcaSlicer have limits, but lack this
   // setting.
   if (IsMarlinOrRepRap(flavor) && given("machine_max_speed_x"))

@@ -27,6 +27,25 @@ void AddAccelToDecel(const OrcaLookup& given, std::vector<PairedSetting>& settin
     settings.push_back({"accel_to_decel", *on == "1" ? share : "0", kOn});
 }
 
+/// Adds a fan by layer times without slower printing: `cooling` is both, but no line is slowed down
+/// below a least speed that is higher than the speed of all lines.
+void AddFanWithoutSlowing(const OrcaLookup& given, std::vector<PairedSetting>& settings) {
+  constexpr std::string_view kSlows = "slow_down_for_layer_cooling", kHighest = "1000";
+  if (given(kSlows) != "0") return;
+  settings.push_back({"cooling", "1", kSlows});
+  settings.push_back({"min_print_speed", std::string(kHighest), kSlows});
+}
+
+/// Adds the flow of bottom surfaces, which the flow of internal solid infill does not change.
+void AddBottomFlow(const OrcaLookup& given, std::vector<PairedSetting>& settings) {
+  constexpr std::string_view kSolid = "internal_solid_infill_flow_ratio";
+  constexpr std::string_view kBottom = "bottom_solid_infill_flow_ratio";
+  const double solid = NumberOf(given, kSolid).value_or(1);
+  if (!IsOn(given, "set_other_flow_ratios") || solid == 1 || solid <= 0) return;
+  const double bottom = NumberOf(given, kBottom).value_or(1);
+  settings.push_back({kBottom, PrintNumber(Quantise(bottom / solid)), kSolid});
+}
+
 void AddFlows(const OrcaLookup& given, std::vector<PairedSetting>& settings) {
   constexpr std::string_view kPrint = "print_flow_ratio", kFilament = "filament_flow_ratio";
   const double filament = NumberOf(given, kFilament).value_or(1);
@@ -128,8 +147,9 @@ void AddTreeBrim(const OrcaLookup& given, std::vector<PairedSetting>& settings) 
 
 std::vector<PairedSetting> PairedSettingsOf(const OrcaLookup& given) {
   std::vector<PairedSetting> settings;
-  for (const auto add : {AddAccelToDecel, AddAdaptiveAdvance, AddFilamentIroning, AddFlows,
-                         AddPellets, AddSupportWalls, AddTreeOverhangs, AddTreeBrim})
+  for (const auto add :
+       {AddAccelToDecel, AddAdaptiveAdvance, AddBottomFlow, AddFanWithoutSlowing,
+        AddFilamentIroning, AddFlows, AddPellets, AddSupportWalls, AddTreeOverhangs, AddTreeBrim})
     add(given, settings);
   return settings;
 }

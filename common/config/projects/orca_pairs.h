@@ -22,6 +22,8 @@ struct PairedSetting {
 ///   accel_to_decel_factor        accel_to_decel_enable = 1
 ///   print_flow_ratio             in addition to filament_flow_ratio
 ///   outer_wall_flow_ratio, ...   set_other_flow_ratios = 1
+///   bottom_solid_infill_flow_ratio   without internal_solid_infill_flow_ratio
+///   slow_down_for_layer_cooling  0: the fan still follows the layer times
 ///   pellet_flow_coefficient      pellet_modded_printer = 1; replaces the filament's diameter
 ///   max_bridge_length, support_critical_regions_only, tree_support_...   supports of type tree
 std::vector<PairedSetting> PairedSettingsOf(const OrcaLookup& given);

@@ -22,7 +22,7 @@ std::string SizeText(const Box& box) {
 }
 
 std::string Quoted(std::string_view name) {
-  return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
+  return absl::StrCat("\"", absl::Utf8SafeCEscape(std::string(name)), "\"");
 }
 
 /// Returns the footprint grown by `grow_nm`. It contains the object's grown outlines in all layers.
