@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Compares `slicefarm presets show` with an independent resolver, for random jobs of real presets.
 
-usage: preset_oracle.py SOURCE SLICEFARM [--jobs N] [--seed N] [--machines]
+usage: preset_oracle.py SOURCE SLICEFARM [--jobs N] [--seed N] [--machines | --user FOLDER]
 
 SOURCE is a folder of OrcaSlicer's or Bambu Studio's vendors (resources/profiles), or a vendor's .ini bundle of PrusaSlicer. Each job is a
 random printer of OrcaSlicer with a random process and filament that name it, or one of PrusaSlicer with its defaults. All values that presets give must be equal, and no further key
 may come from a preset. --machines: one job for each printer, with its default process and filament, instead of random ones.
+--user: instead of jobs, at most N random presets that a user of OrcaSlicer made, from the JSON files in FOLDER. Their parents are in FOLDER or
+in SOURCE. A preset whose parent is missing is refused, which does not count as a difference.
 
 Prints a row `jobs N equal N refused N different N`, and the first differences. Exit 0: all jobs are equal, and there is at least one.
 """
@@ -38,6 +40,7 @@ WALLS = {"infill/inner wall/outer wall": "inner wall/outer wall", "infill/outer 
          "inner wall/outer wall/infill": "inner wall/outer wall", "inner-outer-inner wall/infill": "inner-outer-inner wall",
          "outer wall/inner wall/infill": "outer wall/inner wall"}
 KINDS = {"machine": "printer", "process": "process", "filament": "filament"}
+ID_KEYS = {"printer_settings_id": "machine", "print_settings_id": "process", "filament_settings_id": "filament"}
 
 
 def escaped(text):
@@ -138,6 +141,52 @@ class Orca:
         return found
 
 
+class User:
+    """Presets of a user's folder: {kind: {name: [members, ...]}}. Parents that are not in it are vendors' presets."""
+
+    def __init__(self, folder, orca):
+        self.orca, self.presets = orca, {kind: {} for kind in KINDS}
+        for root, folders, files in os.walk(folder):
+            folders[:] = [name for name in folders if name != "system"]  # copies of the vendors' presets
+            for file in sorted(files):
+                if file.endswith(".json"):
+                    self.read(os.path.join(root, file))
+
+    def read(self, path):
+        try:
+            with open(path, encoding="utf-8-sig") as text:
+                preset = json.load(text)
+        except (OSError, ValueError):
+            return
+        if not isinstance(preset, dict) or not isinstance(preset.get("name"), str):
+            return
+        kind = preset.get("type") or next((kind for key, kind in ID_KEYS.items() if key in preset), None)
+        if kind in KINDS:
+            self.presets[kind].setdefault(preset["name"], []).append(preset)
+
+    def made(self):
+        """(kind, name) of the presets that the user made, with a name of their own."""
+        return [(kind, name) for kind in KINDS for name, same in sorted(self.presets[kind].items())
+                if name and len(same) == 1 and "inherits" in same[0] and same[0].get("instantiation") != "false"
+                and same[0].get("from", "User").lower() != "system"
+                and not any(name in vendor[kind] for vendor in self.orca.vendors.values())]
+
+    def flats(self, kind, name, seen=()):
+        """The whole presets that the name may mean: one for each vendor that has the parent. Empty: a parent is missing."""
+        if name in self.presets[kind] and name not in seen:
+            preset = self.presets[kind][name][0]
+            parent = preset.get("inherits")
+            above = self.flats(kind, parent, (*seen, name)) if parent else [{}]
+            if not above and preset.get("is_custom_defined") == "1":
+                above = [{}]  # OrcaSlicer writes all settings into such a preset
+            own = {key: value for key, value in modern(preset).items() if valid(value)}
+            return [{**whole, **own} for whole in above]
+        wholes = [self.orca.flat(vendor, kind, now) for vendor, presets in self.orca.vendors.items()
+                  for now, preset in presets[kind].items()
+                  if preset.get("instantiation") == "true" and name in (now, *preset.get("renamed_from", "").split(";"))]
+        return [whole for whole in wholes if whole is not None]
+
+
 class Prusa:
     """Presets of one bundle: {kind: {name: members}}."""
 
@@ -197,6 +246,32 @@ def differences(expected, settings):
             yield f"{key}: {got['value'][:60]}, expected none"
 
 
+def compare_users(options, orca):
+    user = User(options.user, orca)
+    made = user.made()
+    random.Random(options.seed).shuffle(made)
+    count = {"presets": 0, "equal": 0, "refused": 0, "different": 0}
+    for kind, name in made[:options.jobs]:
+        run = subprocess.run([options.slicefarm, "presets", "show", name, "--json", "--presets", options.source, "--presets", options.user],
+                             capture_output=True, text=True)
+        wholes = user.flats(kind, name)
+        count["presets"] += 1
+        if run.returncode != 0:
+            count["refused" if not wholes else "different"] += 1
+            print(f"refused {kind} {name}: {run.stderr.strip()[:300]}")
+            continue
+        shown = next(preset for preset in json.loads(run.stdout) if preset["kind"] == KINDS[kind])
+        settings = {key: got for key, got in shown["settings"].items() if key not in NOT_OF_JOBS}
+        ways = [list(differences({key: [orca_value(value)] for key, value in whole.items() if key not in NO_SETTINGS | NOT_OF_JOBS}, settings))
+                for whole in wholes]
+        found = min(ways, key=len) if ways else ["resolves, although a parent is missing"]
+        count["different" if found else "equal"] += 1
+        for line in found[:5]:
+            print(f"{kind} {name}: {line}")
+    print(" ".join(f"{key} {value}" for key, value in count.items()))
+    return 0 if count["equal"] and not count["different"] else 1
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("source")
@@ -204,7 +279,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--machines", action="store_true")
+    parser.add_argument("--user")
     options = parser.parse_args()
+    if options.user:
+        return compare_users(options, Orca(options.source))
     resolver = Prusa(options.source) if options.source.endswith(".ini") else Orca(options.source)
     count = {"jobs": 0, "equal": 0, "refused": 0, "different": 0}
     jobs = resolver.jobs(random.Random(options.seed), options.jobs, options.machines)
