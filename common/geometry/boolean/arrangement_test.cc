@@ -1,10 +1,14 @@
 #include "common/geometry/boolean/arrangement.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
 
+#include "common/geometry/boolean/near_edges.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
 
@@ -29,6 +33,26 @@ TEST(Arrangement, CountsHowOftenRingsWind) {
   EXPECT_NEAR(Mm2(TryWindingRegion(rings, 2)), 13, 1e-9);
   EXPECT_NEAR(Mm2(TryWindingRegion(rings, 3)), 4, 1e-9);
   EXPECT_NEAR(Mm2(TryWindingRegion(rings, 4)), 0, 1e-9);
+}
+
+// Far coordinates leave no bits for the index in the numbers that are sorted otherwise.
+TEST(Arrangement, SweepsInOrderAtAnyDistance) {
+  std::mt19937 random(3);
+  for (const Coord farthest : {Coord{5}, Coord{1'000'000'000}, Coord{1} << 60}) {
+    Polygon ring;
+    for (int i = 0; i < 300; ++i) {
+      const auto x = static_cast<Coord>(random());
+      ring.push_back({x % (2 * farthest) - farthest, i == 7 ? farthest : -farthest});
+    }
+    std::vector<BoxedEdge> edges;
+    AppendBoxedEdges(ring, 0, edges);
+    for (Coord Point::*along : {&Point::x, &Point::y}) {
+      std::vector<uint32_t> expected(edges.size());
+      std::iota(expected.begin(), expected.end(), 0);
+      std::ranges::stable_sort(expected, {}, [&](uint32_t i) { return edges[i].min.*along; });
+      EXPECT_THAT(SweepOrder(edges, along), testing::ElementsAreArray(expected)) << farthest;
+    }
+  }
 }
 
 TEST(Arrangement, RingsTheOtherWayRoundTakeAway) {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
+#include <bit>
+#include <cstdint>
+#include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "common/geometry/polygon.h"
@@ -20,17 +21,22 @@ struct BoxedEdge {
   int32_t index = 0;  ///< index of the edge in its ring, for the caller
 };
 
-inline BoxedEdge MakeBoxedEdge(Point from, Point to, int32_t ring, int32_t index) {
-  const auto [left, right] = std::minmax(from.x, to.x);
-  const auto [low, high] = std::minmax(from.y, to.y);
-  return {from, to, {left, low}, {right, high}, ring, index};
-}
-
-/// Appends the edges of a closed ring, in its order.
+/// Appends the edges of a closed ring, in its order. The edges are filled in place: to copy one
+/// just written takes longer than to make it.
 inline void AppendBoxedEdges(const Polygon& points, int32_t ring, std::vector<BoxedEdge>& edges) {
-  for (size_t i = 0; i < points.size(); ++i) {
-    const Point to = points[i + 1 == points.size() ? 0 : i + 1];
-    edges.push_back(MakeBoxedEdge(points[i], to, ring, static_cast<int32_t>(i)));
+  const size_t first = edges.size(), count = points.size();
+  edges.resize(first + count);
+  for (size_t i = 0; i < count; ++i) {
+    const Point from = points[i], to = points[i + 1 == count ? 0 : i + 1];
+    BoxedEdge& edge = edges[first + i];
+    edge.from = from;
+    edge.to = to;
+    edge.min.x = std::min(from.x, to.x);
+    edge.min.y = std::min(from.y, to.y);
+    edge.max.x = std::max(from.x, to.x);
+    edge.max.y = std::max(from.y, to.y);
+    edge.ring = ring;
+    edge.index = static_cast<int32_t>(i);
   }
 }
 
@@ -54,18 +60,45 @@ struct SweepSpan {
   const BoxedEdge* edge = nullptr;
 };
 
+/// Returns the indices of the edges, sorted by the start of their boxes along an axis; edges with
+/// the same start keep their order.
+inline std::vector<uint32_t> SweepOrder(std::span<const BoxedEdge> edges, Coord Point::*along) {
+  std::vector<uint32_t> order(edges.size());
+  if (edges.empty()) return order;
+  Coord first = edges[0].min.*along, last = first;
+  for (const BoxedEdge& edge : edges) {
+    first = std::min(first, edge.min.*along);
+    last = std::max(last, edge.min.*along);
+  }
+  const int index_bits = std::bit_width(edges.size());
+  if (std::bit_width(static_cast<uint64_t>(last - first)) + index_bits > 64) {
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](uint32_t i) { return edges[i].min.*along; });
+    return order;
+  }
+  // Numbers that hold the start and the index are sorted twice as fast as pairs.
+  std::vector<uint64_t> keys(edges.size());
+  for (size_t i = 0; i < edges.size(); ++i)
+    keys[i] = static_cast<uint64_t>(edges[i].min.*along - first) << index_bits | i;
+  std::sort(keys.begin(), keys.end());
+  const uint64_t index_mask = (uint64_t{1} << index_bits) - 1;
+  for (size_t i = 0; i < keys.size(); ++i) order[i] = static_cast<uint32_t>(keys[i] & index_mask);
+  return order;
+}
+
 /// Returns the boxes of edges for a sweep along an axis, sorted by their start along the axis.
 inline std::vector<SweepSpan> SweepSpans(std::span<const BoxedEdge> edges, Coord Point::*along) {
   Coord Point::*const across = along == &Point::x ? &Point::y : &Point::x;
-  std::vector<std::pair<Coord, size_t>> order;
-  order.reserve(edges.size());
-  for (size_t i = 0; i < edges.size(); ++i) order.emplace_back(edges[i].min.*along, i);
-  std::sort(order.begin(), order.end());
-  std::vector<SweepSpan> spans;
-  spans.reserve(edges.size());
-  for (const auto& [from, i] : order) {
-    const BoxedEdge& edge = edges[i];
-    spans.push_back({from, edge.max.*along, edge.min.*across, edge.max.*across, &edge});
+  const std::vector<uint32_t> order = SweepOrder(edges, along);
+  std::vector<SweepSpan> spans(edges.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    const BoxedEdge& edge = edges[order[i]];
+    SweepSpan& span = spans[i];
+    span.from = edge.min.*along;
+    span.to = edge.max.*along;
+    span.least = edge.min.*across;
+    span.most = edge.max.*across;
+    span.edge = &edge;
   }
   return spans;
 }
@@ -84,7 +117,8 @@ bool ForEachMeeting(const SweepSpan& e, const std::vector<SweepSpan>& spans, siz
   for (size_t i = from; i < spans.size() && spans[i].from <= e.to; ++i) {
     if (budget-- == 0) return false;
     const SweepSpan& f = spans[i];
-    if (f.most < e.least || f.least > e.most) continue;
+    // One branch, because most boxes are on one side or the other, at random.
+    if (static_cast<int>(f.most < e.least) | static_cast<int>(f.least > e.most)) continue;
     if (!visit(*e.edge, *f.edge)) return false;
   }
   return true;
