@@ -141,11 +141,11 @@ class boost::polygon::detail::robust_dif<boost::polygon::detail::robust_fpt<slic
   Term neg() const { return negative_; }
 
   robust_dif operator-() const { return {negative_, positive_}; }
-  robust_dif& operator+=(Term value) {
+  [[gnu::always_inline]] robust_dif& operator+=(Term value) {
     value.has_neg_value() ? Add(-value, negative_) : Add(value, positive_);
     return *this;
   }
-  robust_dif& operator-=(Term value) {
+  [[gnu::always_inline]] robust_dif& operator-=(Term value) {
     value.has_neg_value() ? Add(-value, positive_) : Add(value, negative_);
     return *this;
   }
