@@ -45,7 +45,7 @@ std::vector<Visit> BestOrder(const Journey& journey, std::span<const TourLeg> le
     for (size_t b = 0; b < paths; ++b)
       if (a / 2 != b / 2) between[a][b] = cost(ExitOf(legs, a), EntryOf(legs, b));
   }
-  std::array<std::array<State, kDirectedLegs>, size_t{1} << kFewLegs> states{};
+  std::vector<std::array<State, kDirectedLegs>> states(all + 1);
   for (size_t done = 1; done <= all; ++done) {
     for (size_t path = 0; path < paths; ++path) {
       const size_t others = done & ~set_of(path);
