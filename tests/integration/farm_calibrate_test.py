@@ -5,7 +5,8 @@
   and --config.
 - The report and the job have the table of values.
 - `calibrate apply` stores the chosen value in the overlay of the printer and filament. The next jobs for them get the value
-  without naming the overlay, also calibration prints and projects. Jobs of other filaments do not get it.
+  without naming the overlay, also calibration prints and projects. Jobs of other filaments do not get it. Two calls at the same
+  time lose no value.
 
 usage: farm_calibrate_test.py SLICEFARM
 """
@@ -112,6 +113,21 @@ def check_second_pass(farm, folder):
     assert call(farm, "calibrate", "apply", jerk, "7.5").startswith("overlay.Acme_A@1\n  machine_max_jerk_x = 7.5\n  machine_max_jerk_y = 7.5")
     call(farm, "calibrate", "apply", jerk, "8", "--profile", "acme-07")
     assert "machine_max_jerk_x = 8" in call(farm, "profile", "get", "acme-07")
+    return first
+
+
+def check_two_writers(farm, advance, flow):
+    """Two calls at the same time change different settings of one profile. Neither loses the other's value."""
+    server = ("--server", farm.coordinators[0].address, "--profile", "shared")
+    for turn in range(1, 11):
+        values = {advance: f"0.0{turn % 9 + 1}", flow: f"+{turn % 5 + 1}"}
+        calls = [subprocess.Popen([BIN / "slicefarm", "calibrate", "apply", job, value, *server], stdout=subprocess.PIPE, text=True)
+                 for job, value in values.items()]
+        printed = [each.communicate()[0] for each in calls]
+        assert all(each.returncode == 0 for each in calls), printed
+        profile = call(farm, "profile", "get", "shared")
+        for text in printed:
+            assert text.split("\n")[1].strip() + "\n" in profile, (turn, printed, profile)
 
 
 def check_refusals(farm, job):
@@ -133,7 +149,8 @@ def main(_):
         call(farm, "presets", "import", presets)
         job = check_same(farm, folder, presets)
         check_apply(farm, folder, job)
-        check_second_pass(farm, folder)
+        flow = check_second_pass(farm, folder)
+        check_two_writers(farm, job, flow)
         check_refusals(farm, job)
     print("calibration prints of the farm equal those of this machine, and their values reach the next jobs")
 

@@ -41,15 +41,35 @@ absl::StatusOr<std::string> ProfileFor(const ApplyOptions& options, const v1::Jo
   return config::presets::OverlayName(presets.printer(), of_filament ? presets.filament() : "");
 }
 
-/// Returns the settings of the newest revision, or none if there is no such profile.
-absl::StatusOr<std::vector<Setting>> SettingsOfProfile(const std::string& name,
-                                                       JobsClient& client) {
+/// Returns the newest revision of a profile; a profile without settings and with revision 0 if
+/// there is none.
+absl::StatusOr<v1::Profile> NewestOf(const std::string& name, JobsClient& client) {
   v1::GetProfileRequest get;
   get.set_name(name);
-  const auto profile = client.GetProfile(get);
-  if (absl::IsNotFound(profile.status())) return std::vector<Setting>();
-  if (!profile.ok()) return profile.status();
-  return SettingsFromProto(profile->settings());
+  auto profile = client.GetProfile(get);
+  if (absl::IsNotFound(profile.status())) return v1::Profile();
+  return profile;
+}
+
+/// Stores settings in a profile. Its other settings stay. If another call changes the profile at
+/// the same time, reads the profile again.
+absl::StatusOr<v1::Profile> StoreIn(const std::string& name, const std::vector<Setting>& chosen,
+                                    JobsClient& client) {
+  while (true) {
+    const auto newest = NewestOf(name, client);
+    if (!newest.ok()) return newest.status();
+    std::vector<Setting> settings = SettingsFromProto(newest->settings());
+    for (const Setting& each : chosen) {
+      std::erase_if(settings, [&](const Setting& old) { return old.key == each.key; });
+      settings.push_back(each);
+    }
+    v1::PutProfileRequest put;
+    put.set_name(name);
+    put.set_base_revision(newest->revision());
+    SettingsToProto(settings, put.mutable_settings());
+    auto stored = client.PutProfile(put);
+    if (!absl::IsAborted(stored.status())) return stored;
+  }
 }
 
 /// Stores the chosen value in its profile. Returns the text to print.
@@ -62,20 +82,11 @@ absl::StatusOr<std::string> ApplyChosen(const ApplyOptions& options, JobsClient&
   if (!chosen.ok()) return chosen.status();
   const auto name = ProfileFor(options, job->spec());
   if (!name.ok()) return name.status();
-  auto settings = SettingsOfProfile(*name, client);
-  if (!settings.ok()) return settings.status();
-  std::string text;
-  for (const Setting& each : *chosen) {
-    std::erase_if(*settings, [&](const Setting& old) { return old.key == each.key; });
-    settings->push_back(each);
-    text += fmt::format("  {} = {}\n", each.key, each.value);
-  }
-  v1::PutProfileRequest put;
-  put.set_name(*name);
-  SettingsToProto(*settings, put.mutable_settings());
-  const auto stored = client.PutProfile(put);
+  const auto stored = StoreIn(*name, *chosen, client);
   if (!stored.ok()) return stored.status();
-  return fmt::format("{}@{}\n{}", stored->name(), stored->revision(), text);
+  std::string text = fmt::format("{}@{}\n", stored->name(), stored->revision());
+  for (const Setting& each : *chosen) text += fmt::format("  {} = {}\n", each.key, each.value);
+  return text;
 }
 
 }  // namespace

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "absl/strings/numbers.h"
 #include "common/config/presets/read_presets.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/console.h"
 #include "services/cli/farm/farm_presets.h"
 #include "services/cli/farm/jobs_client.h"
 #include "services/cli/farm/json_text.h"
+#include "services/cli/farm/revision_ref.h"
 #include "services/cli/farm/server_options.h"
 #include "services/cli/job/job_options.h"
 #include "services/cli/models/preset_sources.h"
@@ -103,15 +103,11 @@ ExitCode ListBundles(FarmPresetsOptions options, Interrupt& interrupt) {
 }
 
 ExitCode DeleteBundle(FarmPresetsOptions options, Interrupt& interrupt) {
+  const auto of = ParseRevisionRef(options.name);
+  if (!of.ok()) return Fail(of.status());
   v1::DeletePresetBundleRequest request;
-  const size_t at = options.name.rfind('@');
-  int64_t revision = 0;
-  if (at != std::string::npos &&
-      (!absl::SimpleAtoi(options.name.substr(at + 1), &revision) || revision < 1))
-    return Fail(
-        Malformed(fmt::format("{}: after '@', the number of a revision is needed", options.name)));
-  request.set_name(options.name.substr(0, at));
-  request.set_revision(revision);
+  request.set_name(of->name);
+  request.set_revision(of->revision);
   JobsClient client(ClientOptions(options.server, &interrupt));
   const absl::Status deleted = client.DeletePresetBundle(request);
   return deleted.ok() ? ExitCode::kOk : Fail(deleted);

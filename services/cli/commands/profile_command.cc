@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <utility>
 
-#include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "services/cli/commands/commands.h"
@@ -13,6 +13,7 @@
 #include "services/cli/console/console.h"
 #include "services/cli/farm/jobs_client.h"
 #include "services/cli/farm/json_text.h"
+#include "services/cli/farm/revision_ref.h"
 #include "services/cli/farm/server_options.h"
 #include "services/cli/job/job_options.h"
 
@@ -29,17 +30,14 @@ struct ProfileOptions {
 
 /// Splits `NAME@REVISION`, the form that `put` prints, into a name and --revision.
 absl::Status TakeRevision(ProfileOptions& options) {
-  const size_t at = options.name.rfind('@');
-  if (at == std::string::npos) return absl::OkStatus();
-  int64_t revision = 0;
-  if (!absl::SimpleAtoi(options.name.substr(at + 1), &revision) || revision < 1)
-    return Malformed(
-        fmt::format("{}: after '@', the number of a revision is needed", options.name));
-  if (options.revision > 0 && options.revision != revision)
+  auto of = ParseRevisionRef(options.name);
+  if (!of.ok()) return of.status();
+  if (of->revision == 0) return absl::OkStatus();
+  if (options.revision > 0 && options.revision != of->revision)
     return Malformed(fmt::format("{} and --revision {} name two different revisions", options.name,
                                  options.revision));
-  options.name.resize(at);
-  options.revision = revision;
+  options.name = std::move(of->name);
+  options.revision = of->revision;
   return absl::OkStatus();
 }
 

@@ -8,11 +8,11 @@
 #include <set>
 #include <utility>
 
-#include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/config/presets/flat_json.h"
 #include "common/config/presets/orca_presets.h"
 #include "common/config/presets/read_presets.h"
+#include "services/cli/farm/revision_ref.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -62,13 +62,11 @@ int64_t BytesOf(const std::vector<presets::PresetFile>& files) {
 }
 
 absl::StatusOr<v1::PresetBundle> FetchBundle(const std::string& ref, JobsClient& client) {
+  const auto of = ParseRevisionRef(ref);
+  if (!of.ok()) return of.status();
   v1::GetPresetBundleRequest get;
-  const size_t at = ref.rfind('@');
-  get.set_name(ref.substr(0, at));
-  int64_t revision = 0;
-  if (at != std::string::npos && !absl::SimpleAtoi(ref.substr(at + 1), &revision))
-    return Malformed(fmt::format("{}: after '@', the number of a revision is needed", ref));
-  get.set_revision(revision);
+  get.set_name(of->name);
+  get.set_revision(of->revision);
   return client.GetPresetBundle(get);
 }
 

@@ -39,6 +39,7 @@ grpc::Status ProfilesService::PutProfile(grpc::ServerContext* context,
 absl::Status ProfilesService::Put(const std::string& tenant, const v1::PutProfileRequest& request,
                                   v1::Profile* response) {
   if (absl::Status named = CheckProfileName(request.name()); !named.ok()) return named;
+  if (request.base_revision() < 0) return Malformed("base_revision", "is negative");
   std::string bytes = ProfileBytes(request.settings());
   if (std::ssize(bytes) > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a profile", limits::kMaxSpecBytes,
@@ -47,11 +48,13 @@ absl::Status ProfilesService::Put(const std::string& tenant, const v1::PutProfil
   if (absl::Status known = CheckSettings(request.settings()); !known.ok()) return known;
   if (absl::Status space = disk_.CheckSpace(); !space.ok()) return space;
   const std::string digest = Sha256Hex(bytes);
-  const auto record = profiles_.Put({tenant, request.name(), std::move(bytes), digest}, now_us_());
+  NewProfile profile = {tenant, request.name(), std::move(bytes), digest};
+  if (request.has_base_revision()) profile.base = request.base_revision();
+  const auto record = profiles_.Put(profile, now_us_());
   if (!record.ok()) return record.status();
-  auto profile = ReadProfile(*record);
-  if (profile.ok()) *response = *std::move(profile);
-  return profile.status();
+  auto stored = ReadProfile(*record);
+  if (stored.ok()) *response = *std::move(stored);
+  return stored.status();
 }
 
 grpc::Status ProfilesService::GetProfile(grpc::ServerContext* context,

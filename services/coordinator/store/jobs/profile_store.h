@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct NewProfile {
   std::string name;
   std::string settings;
   std::string settings_digest;  ///< equal settings have equal digests
+  /// newest revision, on which the new one is based; 0: there is none; nullopt: no condition
+  std::optional<int64_t> base = {};
 };
 
 /// Store of profiles: revisions of settings, by name. The number of a deleted revision is never
@@ -35,6 +38,8 @@ class ProfileStore {
   virtual ~ProfileStore() = default;
 
   /// Adds a revision. If the newest revision has the same settings, returns that revision instead.
+  /// Errors: PROFILE_NOT_FOUND (Aborted, metadata `revision`) if `profile.base` is not the newest
+  /// revision. The check and the change are one step, even among several coordinators.
   virtual absl::StatusOr<ProfileRecord> Put(const NewProfile& profile, int64_t now_us) = 0;
 
   /// Returns a revision. `revision` 0: the newest. Errors: PROFILE_NOT_FOUND.

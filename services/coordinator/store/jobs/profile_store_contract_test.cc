@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
@@ -94,6 +95,45 @@ TEST_P(ProfileStoreTest, TheSameSettingsAgainMakeNoRevision) {
   EXPECT_EQ(Put("mk4", "same"), first);
   Put("mk4", "other");
   EXPECT_EQ(Put("mk4", "same").revision, 3) << "it is not the newest any more";
+}
+
+TEST_P(ProfileStoreTest, ARevisionMayNameTheOneItIsBasedOn) {
+  const auto put = [&](const std::string& settings, int64_t base) {
+    return store_->Put({"a", "mk4", settings, Sha256Hex(settings), base}, ++now_us_);
+  };
+  EXPECT_EQ(DetailOf(put("one", 1).status()).metadata["revision"], "0") << "there is none";
+  EXPECT_EQ(put("one", 0)->revision, 1);
+  EXPECT_EQ(put("two", 1)->revision, 2);
+  for (const int64_t base : {0, 1, 3}) {
+    const absl::Status stale = put("three", base).status();
+    EXPECT_TRUE(absl::IsAborted(stale)) << stale;
+    EXPECT_EQ(DetailOf(stale).reason, Reason::kProfileNotFound);
+    EXPECT_EQ(DetailOf(stale).metadata["revision"], "2");
+  }
+  EXPECT_EQ(put("two", 1)->revision, 2) << "the same request again";
+  EXPECT_EQ(store_->Get("a", "mk4", 0)->settings, "two");
+}
+
+// Each writer adds its letter to the text that it has read. Without the condition, letters are
+// lost.
+TEST_P(ProfileStoreTest, WritersThatReadFirstLoseNothing) {
+  constexpr int kWriters = 4, kLetters = 25;
+  const auto append = [&](char letter) {
+    for (int i = 0; i < kLetters;) {
+      const auto newest = store_->Get("a", "mk4", 0);
+      const std::string settings = (newest.ok() ? newest->settings : "") + letter;
+      const int64_t base = newest.ok() ? newest->revision : 0;
+      const auto put = store_->Put({"a", "mk4", settings, Sha256Hex(settings), base}, 1'000);
+      if (put.ok()) ++i;
+      if (!put.ok()) ASSERT_TRUE(absl::IsAborted(put.status())) << put.status();
+    }
+  };
+  std::vector<std::thread> writers;
+  for (int i = 0; i < kWriters; ++i) writers.emplace_back(append, static_cast<char>('a' + i));
+  for (std::thread& writer : writers) writer.join();
+  const std::string all = store_->Get("a", "mk4", 0)->settings;
+  for (int i = 0; i < kWriters; ++i)
+    EXPECT_EQ(std::ranges::count(all, static_cast<char>('a' + i)), kLetters);
 }
 
 TEST_P(ProfileStoreTest, WhatIsNotThereIsToldByName) {

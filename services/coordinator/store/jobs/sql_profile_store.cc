@@ -28,6 +28,14 @@ absl::Status SqlProfileStore::NotFound(const std::string& name, int64_t revision
                    fmt::format("there is no {} {}", table_.what, wanted), {{"profile", wanted}});
 }
 
+absl::Status SqlProfileStore::NotNewest(const NewProfile& profile, int64_t newest) const {
+  return MakeError(
+      absl::StatusCode::kAborted, Reason::kProfileNotFound,
+      fmt::format("revision {} is not the newest one of the {} {}, {} is: read it and try again",
+                  *profile.base, table_.what, profile.name, newest),
+      {{"profile", profile.name}, {"revision", std::to_string(newest)}});
+}
+
 /// Returns a revision; nullopt if it does not exist. `revision` 0: the newest.
 absl::StatusOr<std::optional<ProfileRecord>> SqlProfileStore::Find(SqlConnection& db,
                                                                    const std::string& tenant,
@@ -95,6 +103,8 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
     if (!newest.ok()) return newest.status();
     if (*newest && (*newest)->settings_digest == profile.settings_digest)
       return **std::move(newest);
+    const int64_t revision = *newest ? (*newest)->revision : 0;
+    if (profile.base && *profile.base != revision) return NotNewest(profile, revision);
     if (absl::Status space = CheckSpace(**session, profile); !space.ok()) return space;
     const auto last = LastRevision(**session, profile.tenant, profile.name);
     if (!last.ok()) return last.status();

@@ -46,6 +46,8 @@ class SqlProfileStore : public ProfileStore {
  private:
   std::string Sql(std::string_view text) const;
   absl::Status NotFound(const std::string& name, int64_t revision) const;
+  /// Returns the error for a revision that is based on another one than the newest (0: none).
+  absl::Status NotNewest(const NewProfile& profile, int64_t newest) const;
   absl::Status CheckSpace(SqlConnection& db, const NewProfile& profile) const;
   absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::string& tenant,
                                                     const std::string& name,
