@@ -34,4 +34,18 @@ std::vector<std::unique_ptr<coordinator::JobProcess>> JobsOver(const Stages& sta
   return jobs;
 }
 
+std::vector<Stage> JobStagesOf(Process process) {
+  switch (process) {
+    case Process::kFdm:
+      return {Stage::kSlicing, Stage::kPlanning, Stage::kMotion};
+    case Process::kLaser:
+      return {Stage::kSlicing, Stage::kExposure};
+    case Process::kMill:
+      return {Stage::kSlicing, Stage::kMilling};
+    case Process::kEngrave:
+      return {Stage::kSlicing, Stage::kTexture};
+  }
+  return {};
+}
+
 }  // namespace slicefarm

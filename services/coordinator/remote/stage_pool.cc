@@ -180,6 +180,14 @@ bool StagePool::AwaitReady(std::chrono::milliseconds patience) {
   return true;
 }
 
+bool StagePool::IsAway() const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::all_of(replicas_, [](const std::shared_ptr<Replica>& replica) {
+    const grpc_connectivity_state state = replica->channel->GetState(/*try_to_connect=*/true);
+    return state == GRPC_CHANNEL_TRANSIENT_FAILURE || state == GRPC_CHANNEL_CONNECTING;
+  });
+}
+
 bool StagePool::OfThisBuild() {
   Members replicas;
   {

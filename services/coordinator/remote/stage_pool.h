@@ -50,6 +50,10 @@ class StagePool : public ReplicaSource {
   /// reachable.
   bool AwaitReady(std::chrono::milliseconds patience);
 
+  /// Returns true if no replica can be reached: each channel tries to connect. A channel that has
+  /// had no call for long is not tested.
+  bool IsAway() const;
+
   /// Requests the build of each reachable replica. Returns false if at least one replica answers,
   /// and each one that answers is of another build or about to stop. Takes one second if a replica
   /// does not answer.

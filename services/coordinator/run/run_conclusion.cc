@@ -10,6 +10,7 @@ namespace {
 constexpr int32_t kMaxRetries = 5;
 constexpr int64_t kFirstRetryUs = 500'000;
 constexpr int64_t kNoSpacePauseUs = 1'000'000;
+constexpr int64_t kStageAwayPauseUs = 1'000'000;
 constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
@@ -73,6 +74,9 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunR
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
     // An upgrade takes some time and then ends.
     update.claimable_from_us = now_us + kUpgradePauseUs;
+  } else if (StageIsAway(error)) {
+    // The error does not concern the job. The call has already waited for a server.
+    update.claimable_from_us = now_us + kStageAwayPauseUs;
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && !lost_runs.condemned()) {
     update.claimable_from_us = now_us + lost_runs.rest_us();
   } else if (WorkersDied(error) || CallWasLost(error)) {
@@ -89,6 +93,12 @@ JobUpdate Conclusion(const JobRecord& job, const LostRuns& lost_runs, const RunR
     Fail(error, reported, update);
   }
   return update;
+}
+
+bool StageIsAway(const absl::Status& error) {
+  const ErrorDetail detail = DetailOf(error);
+  return absl::IsUnavailable(error) && detail.reason == Reason::kUnavailable &&
+         detail.metadata.contains("stage") && !detail.metadata.contains("lost");
 }
 
 JobError DeadlinePassed() {

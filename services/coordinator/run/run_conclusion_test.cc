@@ -14,6 +14,10 @@ using enum JobState;
 constexpr int64_t kNowUs = 1'000'000'000;
 
 absl::Status Away() { return absl::UnavailableError("away"); }
+absl::Status NoStage() {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "no planning service",
+                   {{"stage", "planning"}});
+}
 absl::Status StoreFailed() {
   return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, "disk I/O error");
 }
@@ -83,6 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 4'000'000, 3},
         Case{"NinthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 256'000'000, 9},
         Case{"TenthCoordinatorDies", JobPoisoned(), 0, 0, kFailed, 0, 10},
+        Case{"NoServerOfAStage", NoStage(), 0, 0, kQueued, 1'000'000},
+        Case{"NoServerOfAStageForLong", NoStage(), 5, 9, kQueued, 1'000'000, 9, 2},
         Case{"AStageIsLost", LostStage(), 5, 9, kQueued, 8'000'000},
         Case{"AStageIsLostAgain", LostStage(), 0, 0, kQueued, 64'000'000, 0, 1},
         Case{"AStageIsLostAtLast", LostStage(), 0, 0, kFailed, 0, 0, 2},
@@ -95,6 +101,7 @@ TEST(Conclusion, WhatAFailureCountsAs) {
   const JobUpdate away = Conclusion({}, {}, RunRequests(), Away(), {}, kNowUs);
   EXPECT_TRUE(away.retry);
   EXPECT_FALSE(away.store_failed);
+  EXPECT_FALSE(Conclusion({}, {}, RunRequests(), NoStage(), {}, kNowUs).retry);
   const JobUpdate store = Conclusion({}, {}, RunRequests(), StoreFailed(), {}, kNowUs);
   EXPECT_FALSE(store.retry);
   EXPECT_TRUE(store.store_failed);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/model/process.h"
 #include "common/wire/support/enum_wire.h"
@@ -35,15 +36,23 @@ absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, Blo
   return usage;
 }
 
-void DescribeWaiting(const TaskExecutor& executor, v1::Job& job) {
+void DescribeWaiting(const TaskExecutor& executor,
+                     const std::function<std::vector<std::string>(Process)>& away_stages,
+                     v1::Job& job) {
   if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return;
   const Process process = EnumFromProto<Process>(job.spec().process(), kProcessCount, "process")
                               .value_or(kDefaultProcess);
-  if (executor.Slots(process) > 0) return;
-  std::string text =
-      fmt::format("a worker: none that runs jobs of process {} is connected", ProcessName(process));
-  if (const std::string refusal = executor.Refusal(); !refusal.empty())
-    text += fmt::format(". A worker is refused: {}", refusal);
+  std::string text;
+  if (const std::vector<std::string> away = away_stages(process); !away.empty()) {
+    text = fmt::format("the {} service: none can be reached", absl::StrJoin(away, " and the "));
+  } else if (executor.Slots(process) == 0) {
+    text = fmt::format("a worker: none that runs jobs of process {} is connected",
+                       ProcessName(process));
+    if (const std::string refusal = executor.Refusal(); !refusal.empty())
+      text += fmt::format(". A worker is refused: {}", refusal);
+  } else {
+    return;
+  }
   job.set_waits_for(text);
   job.clear_estimated_end_time();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/config/table/settings_table.h"
@@ -22,9 +24,12 @@ absl::StatusOr<std::string> TenantAskedFor(const Caller& caller, bool asked,
 /// reads the lists of its jobs and blobs. Errors: see JobStore and BlobStore.
 absl::StatusOr<v1::Usage> UsageOf(const std::string& tenant, JobStore& jobs, BlobStores& blobs);
 
-/// Marks an open job as waiting if no connected worker supports its process. Removes its expected
-/// end, because the end is unknown then.
-void DescribeWaiting(const TaskExecutor& executor, v1::Job& job);
+/// Marks an open job as waiting if no connected worker supports its process, or if a stage that it
+/// needs has no reachable server (`away_stages`: their names). Removes its expected end, because
+/// the end is unknown then.
+void DescribeWaiting(const TaskExecutor& executor,
+                     const std::function<std::vector<std::string>(Process)>& away_stages,
+                     v1::Job& job);
 
 /// Converts the description of a setting.
 v1::ListSettingsResponse::Info ToProto(const config::SettingSpec& spec);

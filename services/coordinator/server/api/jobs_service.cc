@@ -104,7 +104,7 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
   }
   const auto created = Create(*caller, *request, *context);
   if (created.ok()) *response = ToProto(*created);
-  DescribeWaiting(backend_.pipeline.executor(), *response);
+  DescribeWaiting(backend_.pipeline.executor(), backend_.away_stages, *response);
   return rpc::ToGrpc(created.status());
 }
 
@@ -129,7 +129,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
-      DescribeWaiting(backend_.pipeline.executor(), *outcome.mutable_job());
+      DescribeWaiting(backend_.pipeline.executor(), backend_.away_stages, *outcome.mutable_job());
       ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
       // The error is shortened like the errors of calls, because one answer may contain many
@@ -343,7 +343,7 @@ v1::Job JobsService::Describe(JobRecord job) {
   backend_.feed.AddProgress(job);
   v1::Job answer = ToProto(job);
   queue_.Describe(job, answer);
-  DescribeWaiting(backend_.pipeline.executor(), answer);
+  DescribeWaiting(backend_.pipeline.executor(), backend_.away_stages, answer);
   return answer;
 }
 
@@ -402,7 +402,7 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   for (int i = 0; i < response->jobs_size(); ++i) {  // a page may be shorter than the list
     v1::Job& job = *response->mutable_jobs(i);
     queue_.Describe((*jobs)[i], job);
-    DescribeWaiting(backend_.pipeline.executor(), job);
+    DescribeWaiting(backend_.pipeline.executor(), backend_.away_stages, job);
   }
   return rpc::ToGrpc(jobs.status());
 }

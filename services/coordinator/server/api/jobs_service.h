@@ -52,6 +52,8 @@ struct JobsBackend {
   Rates rates;
   /// Profile of jobs that name no printer; if empty, jobs must name one.
   std::string default_profile;
+  /// Returns the names of stages that jobs of a process need and that have no reachable server.
+  std::function<std::vector<std::string>(Process)> away_stages;
   /// Clock of the coordinator, in us.
   std::function<int64_t()> now_us;
   rpc::JsonLog log;

@@ -106,8 +106,9 @@ void JobRunner::Serve(SlotKind slot) {
       Count(slot, 1);
       run->Run();
       Count(slot, -1);
-      if (run->met_other_build() && !met_other_build_.exchange(true))
-        environment_.log.Warn("stages are of another build: no job starts until they match", {});
+      if (run->met_unfit_stages() && !met_unfit_stages_.exchange(true))
+        environment_.log.Warn("stages are away or of another build: no job starts until they fit",
+                              {});
     }
     std::unique_lock lock(mutex_);
     --at_work_;
@@ -147,12 +148,12 @@ bool JobRunner::Adopt(JobRecord& job) {
   return true;
 }
 
-/// Returns true if no stages of another build are known. A run that meets such stages has read its
-/// meshes and written a trace in vain. During an upgrade, one such run per thread is enough.
+/// Returns true if no stages are known to be away or of another build. A run that meets such stages
+/// has read its meshes and written a trace in vain. One such run per thread is enough.
 bool JobRunner::StagesFit() {
-  if (!met_other_build_) return true;
+  if (!met_unfit_stages_) return true;
   if (!environment_.stages_fit()) return false;
-  met_other_build_ = false;
+  met_unfit_stages_ = false;
   return true;
 }
 

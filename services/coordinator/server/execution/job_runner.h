@@ -73,9 +73,9 @@ class JobRunner {
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
-  /// True if a run met a stage of another build, and no later check found all stages to be of this
-  /// build.
-  std::atomic<bool> met_other_build_ = false;
+  /// True if a run met a stage that was away or of another build, and no later check found all
+  /// stages reachable and of this build.
+  std::atomic<bool> met_unfit_stages_ = false;
   /// True if the store is nearly full. The log then contains a warning.
   std::atomic<bool> low_on_space_ = false;
   /// Held during a claim, because concurrent claims would wait for each other in the store.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "processes/list/jobs.h"
 #include "processes/list/tasks.h"
 
 namespace slicefarm::coordinator {
@@ -33,6 +34,14 @@ bool StagePools::AreOfThisBuild(const std::vector<Stage>& stages) {
     const auto pool = pools_.find(stage);
     return pool == pools_.end() || pool->second->OfThisBuild();
   });
+}
+
+std::vector<std::string> StagePools::Away(Process process) const {
+  std::vector<std::string> away;
+  for (const Stage stage : JobStagesOf(process))
+    if (const auto pool = pools_.find(stage); pool != pools_.end() && pool->second->IsAway())
+      away.emplace_back(StageName(stage));
+  return away;
 }
 
 std::vector<Runner> StagePools::AsRunners(int slots) {

@@ -29,6 +29,10 @@ class StagePools {
   /// Returns true if the replicas of these stages are of this build. Ignores stages without a pool.
   bool AreOfThisBuild(const std::vector<Stage>& stages);
 
+  /// Returns the names of the stages without a reachable server, among the stages that the
+  /// coordinator calls for jobs of a process. Ignores stages without a pool.
+  std::vector<std::string> Away(Process process) const;
+
   /// Returns runners for each process with pools for all its task stages. Each process gets two
   /// runners with `slots` tasks in total, at least one each. There are two, because FanOut needs a
   /// second runner for second copies and after failures. A runner is reachable if all its stages

@@ -160,8 +160,10 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .build_id = std::string(BuildId()),
       .stages_fit =
           [&] {
-            return pools.AreOfThisBuild({Stage::kSlicing, Stage::kPlanning, Stage::kMotion});
+            return pools.Away(kDefaultProcess).empty() &&
+                   pools.AreOfThisBuild({Stage::kSlicing, Stage::kPlanning, Stage::kMotion});
           },
+      .away_stages = [&](Process process) { return pools.Away(process); },
       .maintenance = flags.maintenance(),
       .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
       .metrics = &program.metrics().registry()};
@@ -184,6 +186,11 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                                          flags.maintenance().sweep.keep_jobs_s};
   sources.preset_uses = [&presets = (*coordinator)->presets()] {
     return CoordinatorMetrics::PresetUses{presets.found(), presets.loaded()};
+  };
+  sources.stages_up = [&pools] {
+    std::map<std::string, bool> up;
+    for (const auto& [stage, pool] : pools.Pools()) up[stage] = !pool->IsAway();
+    return up;
   };
   program.metrics().Show(std::make_shared<CoordinatorMetrics>(std::move(sources)));
   const StatusBoard board(

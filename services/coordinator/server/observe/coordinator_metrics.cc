@@ -107,6 +107,16 @@ void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
                        Value(MetricType::Gauge, std::max(slots - busy, 0), "state", "idle")}});
 }
 
+MetricFamily StagesUp(const std::map<std::string, bool>& stages) {
+  MetricFamily family{"slicefarm_stage_up",
+                      "1 if a server of the stage can be reached, else 0",
+                      MetricType::Gauge,
+                      {}};
+  for (const auto& [stage, up] : stages)
+    family.metric.push_back(Value(MetricType::Gauge, up ? 1 : 0, "stage", stage));
+  return family;
+}
+
 void AddDisk(const std::string& directory, std::vector<MetricFamily>& families) {
   const auto disk = DiskOf(directory);
   if (!disk) return;
@@ -208,6 +218,7 @@ std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
   AddFleet(sources_.fleet, families);
   AddDisk(sources_.state_dir, families);
   if (sources_.preset_uses) families.push_back(Presets(sources_.preset_uses()));
+  if (sources_.stages_up) families.push_back(StagesUp(sources_.stages_up()));
   return families;
 }
 

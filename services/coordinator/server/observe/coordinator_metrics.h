@@ -32,6 +32,7 @@ namespace slicefarm::coordinator {
 ///   slicefarm_ranges_total{outcome}         layer ranges by outcome;
 ///   slicefarm_ranges_waiting                layer ranges that no worker has yet;
 ///   slicefarm_workers, slicefarm_worker_slots{state};
+///   slicefarm_stage_up{stage}               0: no server of the stage can be reached;
 ///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   disk of the state directory;
 ///   slicefarm_database_bytes                size of the shared database;
 ///   slicefarm_database_max_bytes            limit of this size, if there is one;
@@ -60,6 +61,8 @@ class CoordinatorMetrics : public prometheus::Collectable {
     double keep_jobs_s = 0;          ///< storage time of ended jobs; 0: forever
     std::chrono::milliseconds patience{1000};           ///< longest wait for the store
     std::function<PresetUses()> preset_uses = nullptr;  ///< null if there are no presets
+    /// function that returns, by stage, whether a server can be reached; null: no stages are known
+    std::function<std::map<std::string, bool>()> stages_up = nullptr;
   };
 
   /// Facts that were read from the store.

@@ -82,6 +82,17 @@ TEST_F(CoordinatorMetricsTest, ShowsTheQueue) {
   EXPECT_LT(Value("slicefarm_queue_age_seconds", {{"priority", "interactive"}}), 1000);
 }
 
+TEST_F(CoordinatorMetricsTest, ShowsWhichStagesAreAway) {
+  CoordinatorMetrics::Sources sources{*jobs_, dispatcher_, fleet_, ""};
+  sources.stages_up = [] {
+    return std::map<std::string, bool>{{"motion", true}, {"planning", false}};
+  };
+  const CoordinatorMetrics metrics(std::move(sources));
+  const auto families = metrics.Collect();
+  EXPECT_EQ(MetricValue(families, "slicefarm_stage_up", {{"stage", "motion"}}), 1);
+  EXPECT_EQ(MetricValue(families, "slicefarm_stage_up", {{"stage", "planning"}}), 0);
+}
+
 TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   EXPECT_EQ(Value("slicefarm_workers"), 0);
   fleet_.Join({.name = "w:1", .tasks = ranges_, .slots = 2});
