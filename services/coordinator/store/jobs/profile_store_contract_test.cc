@@ -124,8 +124,11 @@ TEST_P(ProfileStoreTest, WritersThatReadFirstLoseNothing) {
       const std::string settings = (newest.ok() ? newest->settings : "") + letter;
       const int64_t base = newest.ok() ? newest->revision : 0;
       const auto put = store_->Put({"a", "mk4", settings, Sha256Hex(settings), base}, 1'000);
-      if (put.ok()) ++i;
-      if (!put.ok()) ASSERT_TRUE(absl::IsAborted(put.status())) << put.status();
+      if (put.ok()) {
+        ++i;
+      } else {
+        ASSERT_TRUE(absl::IsAborted(put.status())) << put.status();
+      }
     }
   };
   std::vector<std::thread> writers;
