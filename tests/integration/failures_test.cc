@@ -118,19 +118,19 @@ TEST_F(FailuresTest, JobsWaitForAStageThatIsAwayForLong) {
   client_->Watch(id, 0, [](const v1::Job& job) {
     return job.state() == v1::JOB_STATE_QUEUED && job.attempts() == 1;
   });
-  const auto waiting = client_->GetJob(id);
+  const auto waiting = client_->Get(id);
   ASSERT_TRUE(waiting.ok()) << waiting.status();
   EXPECT_EQ(waiting->state(), v1::JOB_STATE_QUEUED);
   EXPECT_EQ(waiting->waits_for(), "the planning service: none can be reached");
   EXPECT_FALSE(waiting->has_estimated_end_time());
   const std::string other = Submit();
-  const auto queued = client_->GetJob(other);
+  const auto queued = client_->Get(other);
   ASSERT_TRUE(queued.ok()) << queued.status();
   EXPECT_EQ(queued->attempts(), 0);
   const ServerProcess again("slicefarm-planning", {"--listen", planning_.address});
   ExpectTheSame(client_->Watch(id, 0));
   EXPECT_EQ(client_->Watch(other, 0).job().state(), v1::JOB_STATE_SUCCEEDED);
-  EXPECT_TRUE(client_->GetJob(other)->waits_for().empty());
+  EXPECT_TRUE(client_->Get(other)->waits_for().empty());
 }
 
 TEST_F(FailuresTest, MotionThatIsKilledAndStartedAgainLosesNothing) {
