@@ -23,6 +23,9 @@ constexpr size_t kNeighbours = 8;
 /// Height above the bed below which merging branches saves no plastic.
 constexpr Coord kLowestMeetingNm = 600'000;
 constexpr double kTipGrowthRad = 6 * std::numbers::pi / 180;
+/// Share of diameter_angle_rad by which branches widen. The whole angle would take more plastic
+/// than PrusaSlicer's trees, which have fewer trunks.
+constexpr double kShareOfAngle = 0.75;
 /// Distance that a support may extend beyond the support below it.
 constexpr Coord kBeyondNm = 850'000;
 /// Free radius that a branch needs while it moves towards another branch, as a share of its radius.
@@ -84,13 +87,9 @@ class Grower {
   Coord RadiusAt(Coord length_nm) const {
     const Coord tip = TipRadius();
     const Coord full = std::max(tip, options_.tree.branch_diameter_nm / 2);
-    const double widens = Tan(options_.tree.diameter_angle_rad);
-    const double widens_at_tip = std::max(widens, Tan(kTipGrowthRad));
-    const double tip_length = static_cast<double>(full - tip) / widens_at_tip;
-    const auto length = static_cast<double>(length_nm);
-    return std::llround(length < tip_length
-                            ? static_cast<double>(tip) + length * widens_at_tip
-                            : static_cast<double>(full) + (length - tip_length) * widens);
+    const double widens = Tan(options_.tree.diameter_angle_rad) * kShareOfAngle;
+    const double grown = tip + length_nm * std::max(widens, Tan(kTipGrowthRad));
+    return std::llround(std::min<double>(grown, full + length_nm * widens));
   }
 
   void AddTips(size_t slab, const std::vector<std::vector<int32_t>>& undersides) {

