@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/config/resolve.h"
 #include "common/model/limits.h"
+#include "processes/fdm/model/fdm_settings.h"
 #include "processes/fdm/settings/draft_of_test.h"
 
 namespace slicefarm::config::fdm::derive_test {
@@ -245,6 +247,33 @@ INSTANTIATE_TEST_SUITE_P(
         NumberCase{"CoarserResolution", {{"resolution", "0.05"}}, "outline_resolution", 0.05},
         NumberCase{"FinerResolution", {{"resolution", "0.001"}}, "outline_resolution", 0.005}),
     NameOf);
+
+TEST(Derive, AVaseHasNoZContouring) {
+  SettingValues draft = DraftOf({{"spiral_vase", "1"}, {"zaa_enabled", "1"}});
+  ASSERT_TRUE(Derived(draft).ok());
+  EXPECT_EQ(draft.Number("zaa_enabled"), 0);
+}
+
+TEST(Derive, ZContouringReachesMotionAndPrintsOuterWallsFirst) {
+  const auto region_of = [](std::string on) {
+    const std::vector<Setting> given = {
+        {"zaa_enabled", std::move(on), Source::kRequest},
+        {"zaa_min_z", "0.06", Source::kRequest},
+        {"zaa_dont_alternate_fill_direction", "1", Source::kRequest},
+        {"inner_outer_inner", "1", Source::kRequest}};
+    const auto resolved = Resolve(given, Process::kFdm);
+    EXPECT_TRUE(resolved.ok()) << resolved.status();
+    return resolved.ok() ? FdmOf(resolved->settings).region : RegionRow();
+  };
+  const RegionRow level = region_of("0"), contoured = region_of("1");
+  EXPECT_EQ(level.motion.contour_least_nm, 0);
+  EXPECT_FALSE(level.infill.same_direction);
+  EXPECT_TRUE(level.order.inner_outer_inner);
+  EXPECT_EQ(contoured.motion.contour_least_nm, 60'000);
+  EXPECT_TRUE(contoured.infill.same_direction);
+  EXPECT_TRUE(contoured.order.external_perimeters_first);
+  EXPECT_FALSE(contoured.order.inner_outer_inner);
+}
 
 TEST(Derive, LeavesAFirstLayerSpeedInPercent) {
   SettingValues draft = DraftOf({{"first_layer_speed", "40%"}});

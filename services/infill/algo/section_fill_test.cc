@@ -339,6 +339,25 @@ TEST(FillSection, ATemplateSaysWhichWayLinesRun) {
   }
 }
 
+TEST(FillSection, LinesMayKeepTheirDirectionFromLayerToLayer) {
+  InfillOptions options = Thin();
+  options.pattern = options.solid_pattern = FillPattern::kRectilinear;
+  options.anchor_nm = options.anchor_max_nm = 0;
+  for (const double density : {0.2, 1.0}) {
+    options.density = density;
+    const auto direction = [&](int32_t layer) {
+      const Path path = PathsOf(options, {}, layer).front();
+      const Point step = path.points[1] - path.points[0];
+      return std::atan2(static_cast<double>(step.y), static_cast<double>(step.x));
+    };
+    const auto turn = [&] { return std::abs(std::sin(direction(4) - direction(5))); };
+    options.same_direction = false;
+    EXPECT_NEAR(turn(), 1, 1e-3) << density;
+    options.same_direction = true;
+    EXPECT_NEAR(turn(), 0, 1e-3) << density;
+  }
+}
+
 TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   InfillOptions options = Thin();
   options.ironing.enabled = true;
