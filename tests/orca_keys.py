@@ -17,7 +17,7 @@ import tempfile
 from orca_profiles import write_project
 
 KEYS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "corpus", "config", "orca_keys.txt")
-LEAST = 481
+LEAST = 493
 
 
 def settings():

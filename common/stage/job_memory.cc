@@ -65,7 +65,7 @@ int64_t MemoryOf(const LayerPlan& plan) {
              MemoryOfPolygons(section.curled) + MemoryOfPolygons(section.air);
   for (const PlannedInfill& infill : plan.infill) {
     bytes += MemoryOfList(infill.lines) + MemoryOfPolygons(infill.left_out) +
-             MemoryOfPolygons(infill.combined);
+             MemoryOfPolygons(infill.combined) + MemoryOfList(infill.body_middles);
     for (const Polyline& line : infill.lines) bytes += MemoryOfList(line);
   }
   return bytes;

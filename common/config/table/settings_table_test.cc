@@ -337,7 +337,7 @@ TEST(SettingsTable, ScopesAreThoseOfPrusaSlicer) {
     regions += spec.scope() == Scope::kRegion;
     objects += spec.scope() == Scope::kObject;
   }
-  EXPECT_EQ(regions, 166);
+  EXPECT_EQ(regions, 167);
   EXPECT_EQ(objects, 96);
 }
 

@@ -65,6 +65,9 @@ struct PlannedInfill {
   MultiPolygon left_out;  ///< area without sparse infill
   MultiPolygon combined;  ///< area where the sparse infill is `combined_height_nm` high
   Coord combined_height_nm = 0;
+  /// Middle of the connected body of each island of OutlineOf, in the order of the islands. Empty:
+  /// patterns are laid out around the middle of the object.
+  std::vector<Point> body_middles;
 
   friend bool operator==(const PlannedInfill&, const PlannedInfill&) = default;
 };

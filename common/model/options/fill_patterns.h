@@ -161,6 +161,11 @@ constexpr bool TakesSeveralLines(FillPattern pattern) {
          pattern != FillPattern::kVoronoi && pattern != FillPattern::kHoneycombCells;
 }
 
+/// Returns true for spirals around one point.
+constexpr bool IsSpiral(FillPattern pattern) {
+  return pattern == FillPattern::kArchimedean || pattern == FillPattern::kOctagram;
+}
+
 /// Returns true if the corners of a sparse pattern may be rounded (RoundCorners).
 constexpr bool HasSmoothCorners(FillPattern pattern) {
   return pattern == FillPattern::kHilbert || pattern == FillPattern::kOctagram ||

@@ -143,11 +143,18 @@ inline bool BridgesSparse(const InfillOptions& options) {
          options.stress_field.empty();
 }
 
-/// Returns true if planning decides about the sparse infill: its pattern, its lines, or the layers
-/// that have it.
+/// Returns true if patterns are laid out around the middles of connected bodies.
+inline bool NeedsBodies(const InfillOptions& options) {
+  return options.shape.separated ||
+         (options.surfaces.center == SurfaceCenter::kBody &&
+          (IsSpiral(options.top_pattern) || IsSpiral(options.bottom_pattern)));
+}
+
+/// Returns true if planning decides about the infill: the pattern of the sparse infill, its lines,
+/// the layers that have it, or the places of patterns.
 inline bool NeedsPlan(const InfillOptions& options) {
   return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
-         options.only_where_needed;
+         options.only_where_needed || NeedsBodies(options);
 }
 
 }  // namespace slicefarm

@@ -14,6 +14,7 @@ struct PatternOptions {
   double lattice_2_rad = std::numbers::pi / 4;   ///< setting lateral_lattice_angle_2
   double honeycomb_rad = std::numbers::pi / 3;   ///< setting infill_overhang_angle
   Coord shift_nm = 400'000;                      ///< setting infill_shift_step
+  bool separated = false;                        ///< setting separated_infills
   bool mirrored = false;                         ///< setting symmetric_infill_y_axis
   double smooth = 0;  ///< `sparse_infill_smooth_factor`: share of an edge that round corners take
   bool stiff_gyroid = false;  ///< setting gyroid_optimized

@@ -16,6 +16,7 @@ enum class FillOrder : uint8_t {
 /// `center_of_surface_pattern`: middle of the spirals of top and bottom surfaces.
 enum class SurfaceCenter : uint8_t {
   kObject,   ///< `each_assembly`: the middle of the object
+  kBody,     ///< `each_model`: the middle of the connected body
   kSurface,  ///< `each_surface`: the middle of the surface
 };
 

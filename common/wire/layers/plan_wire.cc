@@ -145,6 +145,7 @@ absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
   absl::Status status = PackLines(plan.lines, proto);
   status.Update(ToProto(plan.left_out, proto->mutable_left_out()));
   status.Update(ToProto(plan.combined, proto->mutable_combined()));
+  status.Update(PackPoints(plan.body_middles, proto->mutable_body_middles_xy_nm()));
   return status;
 }
 
@@ -162,13 +163,16 @@ absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto) {
   if (!left_out.ok()) return Within("left_out", left_out.status());
   auto combined = FromProto(proto.combined());
   if (!combined.ok()) return Within("combined", combined.status());
+  auto middles = UnpackPoints(proto.body_middles_xy_nm(), "body_middles_xy_nm");
+  if (!middles.ok()) return middles.status();
   return PlannedInfill{proto.stack(),
                        proto.settings(),
                        *pattern,
                        *std::move(lines),
                        *std::move(left_out),
                        *std::move(combined),
-                       proto.combined_height_nm()};
+                       proto.combined_height_nm(),
+                       *std::move(middles)};
 }
 
 absl::Status CheckOrder(std::span<const PlannedInfill> plans) {

@@ -51,7 +51,7 @@ SectionPlan DistinctSection(int32_t of) {
 
 PlannedInfill DistinctInfill(int32_t of) {
   PlannedInfill plan;
-  auto& [stack, settings, pattern, lines, left_out, combined, combined_height] = plan;
+  auto& [stack, settings, pattern, lines, left_out, combined, combined_height, middles] = plan;
   stack = of;
   settings = 2;
   pattern = FillPattern::kLightning;
@@ -59,6 +59,7 @@ PlannedInfill DistinctInfill(int32_t of) {
   left_out = MakePolygonsOrDie("(0 0, 9 0, 9 9)");
   combined = MakePolygonsOrDie("(1 1, 8 1, 8 8)");
   combined_height = 600'000;
+  middles = {{11, -12}, {13, 14}};
   return plan;
 }
 

@@ -10,7 +10,9 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/axis/middle_lines.h"
 #include "services/infill/algo/bridge_fill.h"
@@ -33,9 +35,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Width in nm below which solid infill is narrow: its lines would be so short that the head
-/// vibrates. OrcaSlicer's limit of a line's length.
-constexpr Coord kNarrowSolidNm = 4'000'000;
+/// Length in nm below which lines of solid infill are so short that the head vibrates. OrcaSlicer's
+/// limit.
+constexpr double kShortSolidNm = 4e6;
 
 /// Returns the plan of a region's sparse infill, or null if there is none.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
@@ -76,6 +78,7 @@ class RegionFill {
                                 .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
                                 .shells = options_.shells,
                                 .over_bridges = options_.over_bridges || DoublesBridges()});
+    middle_ = BodyMiddleOf(fill_area.area);
     absl::Status status;
     SparseBridges doubled, over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_)) {
@@ -124,6 +127,7 @@ class RegionFill {
     double density = 1;
     double angle_rad = -1;  ///< direction in all layers; below 0: SolidAngle
     FillOrder order = FillOrder::kNearest;
+    bool separable = false;  ///< true for infill to which separated_infills applies
   };
 
   Coord SurfaceOverlap() const {
@@ -156,7 +160,8 @@ class RegionFill {
     return {.pattern = options_.solid_pattern,
             .width_nm = options_.solid_width_nm,
             .overlap_nm = options_.overlap_nm,
-            .density = SolidDensity(options_, view_.layer)};
+            .density = SolidDensity(options_, view_.layer),
+            .separable = options_.shape.separated};
   }
 
   /// Returns true if the layer above a bridge over air is a bridge too.
@@ -167,12 +172,24 @@ class RegionFill {
     if (cover_.on_bed) return AppendSolid(solid, BottomLook(), fills);
     SolidLook look = InnerLook();
     if (!options_.solid.narrow_loops) return AppendSolid(solid, look, fills);
-    const SolidParts parts =
-        PartByWidth(solid, kNarrowSolidNm, context_.Width(options_.solid_width_nm));
-    absl::Status status = AppendSolid(parts.wide, look, fills);
+    const auto parts = PartsOf(solid, look);
+    if (!parts.ok()) return parts.status();
+    absl::Status status = AppendSolid(parts->wide, look, fills);
     look.pattern = FillPattern::kConcentric;
-    if (status.ok()) status = AppendSolid(parts.narrow, look, fills);
+    if (status.ok()) status = AppendSolid(parts->narrow, look, fills);
     return status;
+  }
+
+  /// Divides solid infill into parts with lines and narrow parts. Patterns without straight lines
+  /// have no short lines; with them, parts of less than two lines are narrow.
+  absl::StatusOr<SolidParts> PartsOf(const MultiPolygon& solid, const SolidLook& look) const {
+    const Coord spacing = Spacing(context_.Width(look.width_nm), view_.height_nm);
+    if (InfoOf(look.pattern).solid != SolidFillStyle::kLines)
+      return PartByWidth(solid, 2 * spacing, spacing);
+    return PartByLines(
+        solid,
+        {.angle_rad = context_.SolidAngle(look.pattern), .pitch_nm = static_cast<double>(spacing)},
+        kShortSolidNm);
   }
 
   /// Adds the areas over bridges of the layer below: second bridges, or solid infill with its own
@@ -193,6 +210,8 @@ class RegionFill {
         look.angle_rad < 0 ? context_.SolidAngle(look.pattern) : look.angle_rad + options_.turn_rad,
         bead.width_nm, look.overlap_nm);
     fill.order = look.order;
+    if (fill.center && (options_.surfaces.center == SurfaceCenter::kBody || look.separable))
+      fill.center = middle_;
     for (const PolygonWithHoles& region : regions) {
       auto group = FillSolid(region, fill);
       if (!group.ok()) return group.status();
@@ -272,7 +291,7 @@ class RegionFill {
         BridgeMiddles(skins.solid, LeastBridgedGapNm(options_, view_.height_nm), width_nm);
     if (middles.empty()) return SparseBridges{};
     if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
-    return under_->TakeBridges(fill_area, middles, width_nm, skins);
+    return under_->TakeBridges(fill_area, middles, width_nm, SparseMiddle(), skins);
   }
 
   /// Removes from the skins the parts over bridges of the layer below that are over sparse infill,
@@ -286,6 +305,7 @@ class RegionFill {
     const MultiPolygon* outline = view.OutlineAt(view.layer, row_);
     if (outline == nullptr) return second;
     RegionFill below(view, context_.settings, options_, plan_);
+    below.middle_ = middle_;
     const MultiPolygon area = Intersection(fill_area, FastOffset(*outline, -options_.walls_nm));
     const Coord width_nm = context_.Width(options_.solid_width_nm);
     Skins lower = PartFillArea(area, *outline, below.cover_,
@@ -350,8 +370,11 @@ class RegionFill {
     if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return absl::OkStatus();
     if (fill.pattern == FillPattern::kLockedZag && fill.field == nullptr)
       return AppendZones(region, fill, fills);
-    auto paths = FillSparse(region, fill);
+    const Point middle = fill.field == nullptr ? SparseMiddle() : Point{};
+    auto paths = FillSparse(middle == Point{} ? region : Moved(region, Point{} - middle), fill);
     if (!paths.ok()) return paths.status();
+    for (Path& path : *paths)
+      for (Point& p : path.points) p = p + middle;
     if (fill.height_nm != view_.height_nm)
       ScaleSections(1, fill.height_nm, view_.height_nm, *paths);
     RequestedFill asked{Feature::kInternalInfill, fill.pattern, Area(region), fill.height_nm,
@@ -376,6 +399,27 @@ class RegionFill {
     return status;
   }
 
+  /// Returns the middle of the connected body of an area, or the object's middle if the plan has no
+  /// bodies.
+  Point BodyMiddleOf(const MultiPolygon& area) const {
+    const MultiPolygon* outline = view_.OutlineAt(view_.layer);
+    if (plan_ == nullptr || outline == nullptr || area.empty() ||
+        plan_->body_middles.size() != outline->size())
+      return {};
+    const auto island = std::ranges::find_if(*outline, [&](const PolygonWithHoles& each) {
+      return Locate(area.front().outer.front(), each) != Side::kOutside;
+    });
+    if (island == outline->end()) return {};
+    return plan_->body_middles[static_cast<size_t>(island - outline->begin())];
+  }
+
+  /// Returns the point around which the pattern of the sparse infill is laid out. Lines that
+  /// planning laid out stay where they are.
+  Point SparseMiddle() const {
+    const FillPattern pattern = plan_ == nullptr ? options_.pattern : plan_->pattern;
+    return options_.shape.separated && !InfoOf(pattern).planned ? middle_ : Point{};
+  }
+
   static bool IsPlain(const DensityField& density, const LayerField& field) {
     return density.dither == Dither::kNone && density.UniformAt(field.z_mm).has_value();
   }
@@ -390,6 +434,7 @@ class RegionFill {
   const PlannedInfill* plan_;
   const FlowTable flows_;
   std::optional<SparseUnder> under_;  ///< made when first needed
+  Point middle_;                      ///< middle of the body of the area that is being filled
 };
 
 /// Sets settings, tool and feature of each path and each use.

@@ -9,6 +9,7 @@
 
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/text_format_test.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/infill_options.h"
@@ -797,7 +798,7 @@ TEST(FillSection, ListedLayersAreSolid) {
   EXPECT_EQ(solid, (std::set{4, 5, 8}));
 }
 
-// A strip of 3 mm inside the object has loops, a wide area lines.
+// A strip of 3 mm inside the object has loops if its lines would run across. A wide area has lines.
 TEST(FillSection, NarrowSolidPartsHaveLoopsIfAskedFor) {
   InfillOptions options;
   options.density = 1;
@@ -806,10 +807,13 @@ TEST(FillSection, NarrowSolidPartsHaveLoopsIfAskedFor) {
     return std::ranges::count_if(paths, &Path::closed);
   };
   constexpr std::string_view kStrip = "(1 1, 19 1, 19 4, 1 4)", kWide = "(1 1, 19 1, 19 19, 1 19)";
+  options.solid_angle_rad = 0;  // in layer 5, lines run along y
   EXPECT_EQ(loops(kStrip), 0);
   options.solid.narrow_loops = true;
   EXPECT_GE(loops(kStrip), 3);
   EXPECT_EQ(loops(kWide), 0);
+  options.solid_angle_rad = std::numbers::pi / 2;
+  EXPECT_EQ(loops(kStrip), 0);
 }
 
 // Lines at 20 % are 2 mm apart: a skin of 1.5 mm rests on them.
@@ -829,6 +833,41 @@ TEST(FillSection, NarrowSkinsAreBridgedIfAskedFor) {
   EXPECT_FALSE(bridged(kThin));
   options.solid.bridges = SparseBridgeFilter::kAll;
   EXPECT_TRUE(bridged(kThin));
+}
+
+// With the middles of bodies in the plan, equal islands have equal infill, as if each were alone.
+TEST(FillSection, SeparatedBodiesHaveThePatternAroundTheirMiddle) {
+  InfillOptions options;
+  options.top_solid_layers = options.bottom_solid_layers = 0;
+  for (const FillPattern pattern :
+       {FillPattern::kHoneycomb, FillPattern::kGyroid, FillPattern::kCubic, FillPattern::kGrid}) {
+    options.pattern = pattern;
+    const auto island_at = [&](Coord x, std::vector<Point> middles) {
+      const MultiPolygon outline = Moved(P("(-10 -10, 10 -10, 10 10, -10 10)"), {x, 0});
+      std::vector<SlicedLayer> layers = Prism();
+      for (SlicedLayer& layer : layers) layer.sections[0].regions[0].outlines = outline;
+      const ObjectLayers objects(layers);
+      LayerPlan plan;
+      PlannedInfill& infill = plan.infill.emplace_back();
+      infill.pattern = pattern;
+      infill.body_middles = std::move(middles);
+      WalledIsland island;
+      island.fill_areas = {{Role::kPart, 0, 0, Moved(P("(-9 -9, 9 -9, 9 9, -9 9)"), {x, 0})}};
+      const std::vector<InfillOptions> regions = {options};
+      const auto rows = ParseFields(regions);
+      RegionFields none(*rows, {});
+      std::vector<Path> paths =
+          PathsOf(*FillSection({0, 5, 200'000, {island}}, false, objects, plan, regions, none));
+      for (Path& path : paths)
+        for (Point& p : path.points) p = p - Point{x, 0};
+      return paths;
+    };
+    options.shape.separated = false;
+    const auto alone = island_at(0, {});
+    EXPECT_NE(island_at(31'300'000, {}), alone);
+    options.shape.separated = true;
+    EXPECT_EQ(island_at(31'300'000, {{31'300'000, 0}}), alone);
+  }
 }
 
 // Skin and skeleton have the widths and densities of the settings, and the report has both.

@@ -133,10 +133,6 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   return group;
 }
 
-bool IsSpiral(FillPattern pattern) {
-  return pattern == FillPattern::kArchimedean || pattern == FillPattern::kOctagram;
-}
-
 /// Returns the middle of a region's extent along the pattern's axes.
 Point MiddleOf(const MultiPolygon& region, double angle_rad) {
   const LineAxes axes(angle_rad);

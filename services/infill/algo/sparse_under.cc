@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
@@ -85,31 +86,32 @@ SparseBelow SparseUnder::Within(const MultiPolygon& fill_area, const MultiPolygo
   return sparse;
 }
 
-absl::StatusOr<MultiPolygon> SparseUnder::BeadsIn(const SparseBelow& sparse) const {
+absl::StatusOr<MultiPolygon> SparseUnder::BeadsIn(const SparseBelow& sparse, Point middle) const {
   const InfillOptions& options = region_.options;
   const FillPattern pattern = region_.plan == nullptr ? options.pattern : region_.plan->pattern;
   if (!HasLaw(pattern, region_)) return MultiPolygon{};
   const FillLineAngles angles = AnglesOf(options, below_.layer);
-  const auto pieces =
-      PiecesOfPattern(pattern, sparse.region,
-                      {.z_nm = below_.z_nm,
-                       .layer = PatternLayer(pattern, angles, below_.layer),
-                       .pitch_nm = sparse.pitch_nm / LinesOf(options, options.pattern),
-                       .angle_rad = angles.sparse_rad,
-                       .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
-                       .smoothing_nm = options.smoothing_nm,
-                       .shape = options.shape});
+  const auto pieces = PiecesOfPattern(
+      pattern, middle == Point{} ? sparse.region : Moved(sparse.region, Point{} - middle),
+      {.z_nm = below_.z_nm,
+       .layer = PatternLayer(pattern, angles, below_.layer),
+       .pitch_nm = sparse.pitch_nm / LinesOf(options, options.pattern),
+       .angle_rad = angles.sparse_rad,
+       .spacing_nm = Spacing(options.sparse_width_nm, below_.height_nm),
+       .smoothing_nm = options.smoothing_nm,
+       .shape = options.shape});
   if (!pieces.ok()) return pieces.status();
-  return BeadsOf(*pieces, options.sparse_width_nm);
+  MultiPolygon beads = BeadsOf(*pieces, options.sparse_width_nm);
+  return middle == Point{} ? std::move(beads) : Moved(std::move(beads), middle);
 }
 
 absl::StatusOr<SparseBridges> SparseUnder::TakeBridges(const MultiPolygon& fill_area,
                                                        const MultiPolygon& middles, Coord width_nm,
-                                                       Skins& skins) {
+                                                       Point middle, Skins& skins) {
   SparseBelow below = Within(fill_area, middles);
   MultiPolygon unheld = UnheldParts(below, width_nm, skins);
   if (unheld.empty()) return SparseBridges{};
-  auto beads = BeadsIn(below);
+  auto beads = BeadsIn(below, middle);
   if (!beads.ok()) return beads.status();
   below.beads = *std::move(beads);
   return TakeSparseBridges(std::move(unheld), below, width_nm, skins);

@@ -47,15 +47,17 @@ class SparseUnder {
   /// Returns the areas of the beads of the sparse infill. Returns an empty area if the lines of the
   /// pattern do not follow from a formula. Errors: see MakePattern. Cost: that of the pattern, and
   /// a union of the lines.
-  absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse) const;
+  /// `middle`: point around which the pattern is laid out.
+  absl::StatusOr<MultiPolygon> BeadsIn(const SparseBelow& sparse, Point middle = {}) const;
 
   /// Removes from a fill area's skins the parts that are over sparse infill and wide enough to need
   /// bridges, and returns these parts. `middles`: the result of BridgeMiddles for `skins.solid`.
+  /// `middle`: see BeadsIn.
   /// Errors: see BeadsIn. Cost: the cost of Within, and of BeadsIn and TakeSparseBridges if there
   /// is a part to bridge.
   absl::StatusOr<SparseBridges> TakeBridges(const MultiPolygon& fill_area,
                                             const MultiPolygon& middles, Coord width_nm,
-                                            Skins& skins);
+                                            Point middle, Skins& skins);
 
  private:
   /// Returns the area inside the walls of the layer below; computed at the first call.

@@ -184,6 +184,15 @@ std::vector<SettingSpec> Shapes() {
        .field = Shape<&PatternOptions::mirrored>(),
        .orca = {{"symmetric_infill_y_axis"}},
        .needs = {&kAnyZag}},
+      {.key = "separated_infills",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Lay out the infill of each connected body of an object around the body's middle, as "
+              "if the body were printed alone. Without effect on top and bottom surfaces, and on "
+              "adaptivecubic, supportcubic, lightning, concentric and fields. 0: around the middle "
+              "of the object",
+       .field = Shape<&PatternOptions::separated>(),
+       .orca = {{"separated_infills"}}},
       {.key = "gyroid_optimized",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -175,12 +175,14 @@ std::vector<SettingSpec> SurfaceSettings() {
        .kind = Kind::kChoice,
        .standard = "each_assembly",
        .doc = "Middle of the spirals of top and bottom surfaces (archimedeanchords and "
-              "octagramspiral). each_surface: the middle of each surface. each_assembly: the "
-              "middle of the object, so that the spirals of all its surfaces fit together",
+              "octagramspiral). each_surface: the middle of each surface. each_model: the middle "
+              "of each connected body of the object. each_assembly: the middle of the object, so "
+              "that the spirals of all its surfaces fit together",
        .choices = {{"each_assembly", center(SurfaceCenter::kObject)},
+                   {"each_model", center(SurfaceCenter::kBody)},
                    {"each_surface", center(SurfaceCenter::kSurface)}},
        .field = Surface<&SurfaceOptions::center>(),
-       .orca = {{"center_of_surface_pattern", OrcaValue::kChoice}}},
+       .orca = {{"center_of_surface_pattern"}}},
   };
   for (const auto& section : {Expansion, Bridges})
     for (SettingSpec& spec : section()) settings.push_back(std::move(spec));

@@ -102,7 +102,7 @@ TEST(Surfaces, StiffGyroidsKeepTheirDensity) {
   EXPECT_NEAR(plain, 1, 0.03);
   for (const double waves : {0.55, 0.8, 1.4})
     for (const double angle_rad : {0.0, 0.6})
-      EXPECT_NEAR(LengthOfGyroid(waves, angle_rad) / plain, 1, 0.02) << waves << " " << angle_rad;
+      EXPECT_NEAR(LengthOfGyroid(waves, angle_rad) / plain, 1, 0.01) << waves << " " << angle_rad;
 }
 
 TEST(Surfaces, SegmentsAreLong) {

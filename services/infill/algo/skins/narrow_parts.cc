@@ -1,22 +1,124 @@
 #include "services/infill/algo/skins/narrow_parts.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/offset/clean_offset.h"
 
 namespace slicefarm::infill {
+namespace {
+
+/// Least number of short lines side by side that are noticed beside long lines.
+constexpr int32_t kLeastShortLines = 3;
+
+/// Piece of a line inside an area.
+struct LinePiece {
+  int32_t line = 0;
+  double from_u = 0;
+  double to_u = 0;
+};
+
+std::vector<LinePiece> PiecesOfLines(const ScanLines& lines) {
+  std::vector<LinePiece> pieces;
+  for (int32_t k = 0; k < lines.PieceCount(); ++k) {
+    const auto first = static_cast<size_t>(2 * k);
+    const Crossing& from = lines.crossings[static_cast<size_t>(lines.order[first])];
+    const Crossing& to = lines.crossings[static_cast<size_t>(lines.order[first + 1])];
+    pieces.push_back({from.line, from.u, to.u});
+  }
+  return pieces;
+}
+
+bool AreBeside(const LinePiece& a, const LinePiece& b) {
+  return a.to_u > b.from_u && b.to_u > a.from_u;
+}
+
+/// Short lines that are connected side by side.
+struct ShortRun {
+  std::vector<size_t> pieces;
+  int32_t first = 0;  ///< numbers of its first and last line
+  int32_t last = 0;
+  bool alone = true;  ///< true if no long line is beside the run
+};
+
+/// Returns the runs of pieces shorter than `least_nm`. `pieces`: sorted by line.
+std::vector<ShortRun> ShortRuns(const std::vector<LinePiece>& pieces, double least_nm) {
+  const auto is_short = [&](size_t i) { return pieces[i].to_u - pieces[i].from_u < least_nm; };
+  const auto visit_beside = [&](size_t i, auto visit) {
+    for (const int32_t line : {pieces[i].line - 1, pieces[i].line + 1}) {
+      const auto begin = std::ranges::lower_bound(pieces, line, {}, &LinePiece::line);
+      for (auto other = begin; other != pieces.end() && other->line == line; ++other)
+        if (AreBeside(pieces[i], *other)) visit(static_cast<size_t>(other - pieces.begin()));
+    }
+  };
+  std::vector<ShortRun> runs;
+  std::vector<char> seen(pieces.size(), 0);
+  for (size_t start = 0; start < pieces.size(); ++start) {
+    if (seen[start] || !is_short(start)) continue;
+    ShortRun run{{start}, pieces[start].line, pieces[start].line};
+    seen[start] = 1;
+    for (size_t k = 0; k < run.pieces.size(); ++k) {
+      const size_t at = run.pieces[k];
+      run.first = std::min(run.first, pieces[at].line);
+      run.last = std::max(run.last, pieces[at].line);
+      visit_beside(at, [&](size_t other) {
+        if (!is_short(other)) {
+          run.alone = false;
+        } else if (!seen[other]) {
+          seen[other] = 1;
+          run.pieces.push_back(other);
+        }
+      });
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+/// Returns the strip of a piece, which ends half a pitch beyond the line's ends and reaches to the
+/// neighbour lines. No sliver remains beside the last line of an area.
+PolygonWithHoles StripOf(const ScanLines& lines, const LinePiece& piece) {
+  const double half = lines.pitch / 2, v = lines.VOf(piece.line);
+  const auto at = [&](double u, double side) { return lines.frame.At(u, v + side * lines.pitch); };
+  return {{at(piece.from_u - half, -1), at(piece.to_u + half, -1), at(piece.to_u + half, 1),
+           at(piece.from_u - half, 1)},
+          {}};
+}
+
+/// Divides an area by a narrow part of it, without slivers that have no space for a line.
+SolidParts Divided(const MultiPolygon& solid, const MultiPolygon& narrow, Coord width_nm) {
+  SolidParts parts;
+  parts.narrow = Intersection(FastOffset(FastOffset(narrow, -width_nm / 2), width_nm / 2), solid);
+  parts.wide = parts.narrow.empty() ? solid : Difference(solid, parts.narrow);
+  return parts;
+}
+
+}  // namespace
+
+absl::StatusOr<SolidParts> PartByLines(const MultiPolygon& solid, const LineFamily& lines,
+                                       double least_nm) {
+  const auto cut = CutLines(solid, lines);
+  if (!cut.ok()) return cut.status();
+  const std::vector<LinePiece> pieces = PiecesOfLines(*cut);
+  std::vector<Polygon> strips;
+  for (const ShortRun& run : ShortRuns(pieces, least_nm)) {
+    if (!run.alone && run.last - run.first + 1 < kLeastShortLines) continue;
+    for (const size_t i : run.pieces) strips.push_back(StripOf(*cut, pieces[i]).outer);
+  }
+  if (strips.empty()) return SolidParts{solid, {}};
+  const MultiPolygon narrow = Intersection(Union(strips, FillRule::kNonZero), solid);
+  return Divided(solid, narrow, std::llround(lines.pitch_nm));
+}
 
 SolidParts PartByWidth(const MultiPolygon& solid, Coord narrow_nm, Coord width_nm) {
   const Coord half = narrow_nm / 2;
   const MultiPolygon core = FastOffset(solid, -half);
   const MultiPolygon beside = core.empty() ? solid : Difference(solid, FastOffset(core, half));
-  SolidParts parts;
-  parts.narrow = Intersection(FastOffset(FastOffset(beside, -width_nm / 2), width_nm / 2), solid);
-  if (parts.narrow.empty()) {
-    parts.wide = solid;
-  } else {
-    parts.wide = Difference(solid, parts.narrow);
-  }
-  return parts;
+  return Divided(solid, beside, width_nm);
 }
 
 }  // namespace slicefarm::infill

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <string_view>
+
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format_test.h"
 
@@ -38,6 +41,35 @@ TEST(PartByWidth, LosesNothing) {
   const auto parts = PartByWidth(solid, FromMm(4), 450'000);
   ASSERT_FALSE(parts.narrow.empty());
   EXPECT_NEAR(Mm2(parts.wide) + Mm2(parts.narrow), Mm2(solid), 1e-3);
+}
+
+SolidParts ByLines(std::string_view solid, double angle_rad) {
+  const auto parts = PartByLines(MakePolygonsOrDie(solid),
+                                 {.angle_rad = angle_rad, .pitch_nm = 400'000}, FromMm(4));
+  EXPECT_TRUE(parts.ok()) << parts.status();
+  return *parts;
+}
+
+// A strip of 3 mm is narrow if its lines run across, not if they run along.
+TEST(PartByLines, TheDirectionOfLinesDecides) {
+  constexpr std::string_view kStrip = "(0 0, 20 0, 20 3, 0 3)";
+  EXPECT_TRUE(ByLines(kStrip, 0).narrow.empty());
+  const SolidParts across = ByLines(kStrip, std::numbers::pi / 2);
+  EXPECT_NEAR(Mm2(across.narrow), 60, 0.5);
+  EXPECT_LT(Mm2(across.wide), 0.5);
+}
+
+TEST(PartByLines, CutsLimbsOff) {
+  const SolidParts parts =
+      ByLines("(0 0, 20 0, 20 5, 35 5, 35 8, 20 8, 20 20, 0 20)", std::numbers::pi / 2);
+  EXPECT_NEAR(Mm2(parts.narrow), 45, 1.5);
+  EXPECT_NEAR(Mm2(parts.wide), 400, 1.5);
+}
+
+// One or two short lines beside long ones do not matter, as in a corner; alone they do.
+TEST(PartByLines, FewShortLinesMatterOnlyAlone) {
+  EXPECT_TRUE(ByLines("(0 0, 10 0, 10 9, 5.9 9, 5.9 10, 4.3 10, 4.3 9, 0 9)", 0).narrow.empty());
+  EXPECT_FALSE(ByLines("(0 0, 3 0, 3 0.9, 0 0.9)", 0).narrow.empty());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "common/model/options/infill_options.h"
 #include "common/model/options/planning_options.h"
 #include "common/stage/job_memory.h"
+#include "services/planning/algo/infill/bodies.h"
 #include "services/planning/algo/infill/choose_pattern.h"
 #include "services/planning/algo/infill/cubic_octree.h"
 #include "services/planning/algo/infill/lightning.h"
@@ -170,12 +171,14 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
   if (options.every_layers > 1)
     CombineLayers(stack, sparse.areas, options.every_layers,
                   kNarrowWidths * options.sparse_width_nm, infill_areas);
+  auto middles =
+      NeedsBodies(options) ? BodyMiddles(stack) : std::vector<std::vector<Point>>(stack.size());
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;
     layers.At(stack[i].job_layer)
         .infill.push_back({key.first, key.second, pattern, std::move(lines[i]),
                            std::move(infill_areas[i].left_out), std::move(infill_areas[i].combined),
-                           infill_areas[i].combined_height_nm});
+                           infill_areas[i].combined_height_nm, std::move(middles[i])});
   }
 }
 

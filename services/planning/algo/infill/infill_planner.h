@@ -15,12 +15,13 @@ struct PlanningOptions;
 
 namespace slicefarm::planning {
 
-/// Plans the properties of sparse infill that depend on many layers, for each object and each
+/// Plans the properties of infill that depend on many layers, for each object and each
 /// region with one of these settings.
 ///   fill_pattern = auto: the pattern (choose_pattern.h).
 ///   fill_pattern = adaptivecubic, supportcubic: lines of an octree (cubic_octree.h).
 ///   fill_pattern = lightning: lines that grow down from tops (lightning.h).
 ///   infill_only_where_needed, infill_every_layers: areas (infill_areas.h).
+///   separated_infills, center_of_surface_pattern = each_model: middles of bodies (bodies.h).
 /// Each layer's plan gets the result, in the object's own coordinates.
 ///
 /// Memory: the outlines of all layers of these objects.
