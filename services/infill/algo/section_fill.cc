@@ -37,7 +37,7 @@ namespace {
 
 /// Length in nm below which lines of solid infill are so short that the head vibrates. OrcaSlicer's
 /// limit.
-constexpr double kShortSolidNm = 4e6;
+constexpr Coord kShortSolidNm = 4'000'000;
 
 /// Returns the plan of a region's sparse infill, or null if there is none.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t stack, int32_t row) {
@@ -180,16 +180,23 @@ class RegionFill {
     return status;
   }
 
-  /// Divides solid infill into parts with lines and narrow parts. Patterns without straight lines
+  /// Divides solid infill into parts with lines and narrow parts. A corner of a wide part has short
+  /// lines but is not narrow, because loops would leave gaps there. Patterns without straight lines
   /// have no short lines; with them, parts of less than two lines are narrow.
   absl::StatusOr<SolidParts> PartsOf(const MultiPolygon& solid, const SolidLook& look) const {
     const Coord spacing = Spacing(context_.Width(look.width_nm), view_.height_nm);
     if (InfoOf(look.pattern).solid != SolidFillStyle::kLines)
       return PartByWidth(solid, 2 * spacing, spacing);
-    return PartByLines(
-        solid,
+    SolidParts parts = PartByWidth(solid, kShortSolidNm, spacing);
+    if (parts.narrow.empty()) return parts;
+    auto by_lines = PartByLines(
+        parts.narrow,
         {.angle_rad = context_.SolidAngle(look.pattern), .pitch_nm = static_cast<double>(spacing)},
-        kShortSolidNm);
+        static_cast<double>(kShortSolidNm));
+    if (!by_lines.ok()) return by_lines.status();
+    parts.narrow = std::move(by_lines->narrow);
+    parts.wide = parts.narrow.empty() ? solid : Difference(solid, parts.narrow);
+    return parts;
   }
 
   /// Adds the areas over bridges of the layer below: second bridges, or solid infill with its own

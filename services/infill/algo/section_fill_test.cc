@@ -812,6 +812,8 @@ TEST(FillSection, NarrowSolidPartsHaveLoopsIfAskedFor) {
   options.solid.narrow_loops = true;
   EXPECT_GE(loops(kStrip), 3);
   EXPECT_EQ(loops(kWide), 0);
+  options.solid_angle_rad = std::numbers::pi / 4;
+  EXPECT_EQ(loops(kWide), 0) << "short lines in its corners";
   options.solid_angle_rad = std::numbers::pi / 2;
   EXPECT_EQ(loops(kStrip), 0);
 }

@@ -56,9 +56,9 @@ std::vector<SettingSpec> SolidSettings() {
       {.key = "detect_narrow_internal_solid_infill",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Print loops instead of lines where three or more lines of the solid infill inside "
-              "the object would be shorter than 4 mm, so that the head vibrates less. OrcaSlicer's "
-              "default: 1",
+       .doc =
+           "Print loops instead of lines in parts of the solid infill inside the object that are "
+           "narrower than 4 mm; parts with longer lines keep them. OrcaSlicer's default: 1",
        .field = Solid<&SolidOptions::narrow_loops>(),
        .orca = {{"detect_narrow_internal_solid_infill"}}},
       {.key = "dont_filter_internal_bridges",

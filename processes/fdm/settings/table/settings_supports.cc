@@ -170,7 +170,7 @@ std::vector<SettingSpec> Where() {
       {.key = "support_remove_small_overhang",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Do not support overhangs that are nowhere wider than three walls, unless they begin "
+       .doc = "Do not support overhangs that are nowhere wider than two walls, unless they begin "
               "in the air or reach more than 3 mm. OrcaSlicer's default: 1",
        .field = Bind<&ObjectRow::support, &SupportOptions::ignore_small>(),
        .orca = {{"support_remove_small_overhang"}},

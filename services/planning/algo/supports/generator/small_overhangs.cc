@@ -15,7 +15,7 @@ namespace slicefarm::planning {
 namespace {
 
 /// Half of the width of the widest small overhang, in walls.
-constexpr double kSmallHalfWalls = 1.5;
+constexpr double kSmallHalfWalls = 1;
 /// Area that may remain of a small overhang after it is inset by this width, in nm^2.
 constexpr double kSmallRestNm2 = 0.01e12;
 /// Reach of an overhang beyond the layer below that is not small.

@@ -32,13 +32,13 @@ TestStack Ledge(double wider) {
 }
 
 TEST(RemoveSmallOverhangs, RemovesANarrowLedge) {
-  EXPECT_EQ(SteepMm2(LargeOnly(Ledge(1))), 0);
-  for (const Overhang& overhang : LargeOnly(Ledge(1))) EXPECT_TRUE(overhang.contact.empty());
+  EXPECT_EQ(SteepMm2(LargeOnly(Ledge(0.8))), 0);
+  for (const Overhang& overhang : LargeOnly(Ledge(0.8))) EXPECT_TRUE(overhang.contact.empty());
 }
 
 TEST(RemoveSmallOverhangs, KeepsAWideLedge) {
-  const auto kept = LargeOnly(Ledge(2.5));
-  EXPECT_GT(SteepMm2(kept), 30);
+  EXPECT_GT(SteepMm2(LargeOnly(Ledge(1.6))), 15) << "a little wider than two walls";
+  EXPECT_GT(SteepMm2(LargeOnly(Ledge(2.5))), 30);
 }
 
 // Each step of a slope is narrow, but all steps together are wide.
@@ -67,7 +67,7 @@ TEST(RemoveSmallOverhangs, KeepsALongThinArm) {
 TEST(RemoveSmallOverhangs, KeepsEnforcedLayers) {
   SupportOptions options;
   options.enforced_layers = 30;
-  EXPECT_GT(SteepMm2(LargeOnly(Ledge(1), options)), 10);
+  EXPECT_GT(SteepMm2(LargeOnly(Ledge(0.8), options)), 5);
 }
 
 }  // namespace
