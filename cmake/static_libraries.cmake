@@ -46,11 +46,21 @@ function(slicefarm_find_archives result)
   set(${result} "${archives}" PARENT_SCOPE)
 endfunction()
 
+# Adds the target slicefarm::NAME of an archive that was found. Further arguments: the libraries that it needs; CMake puts them
+# behind the archive in each link command.
+function(slicefarm_add_archive name)
+  add_library(slicefarm::${name} STATIC IMPORTED)
+  set_target_properties(slicefarm::${name} PROPERTIES
+    IMPORTED_LOCATION "${archive_of_${name}}" INTERFACE_LINK_LIBRARIES "${ARGN}")
+endfunction()
+
 # Only pictures need Cairo, and only textures SuiteSparse, but their shared libraries load 25 others, such as X11 and LAPACK.
 slicefarm_find_archives(cairo_archives cairo pixman-1 fontconfig freetype)
 if(cairo_archives)
-  set_target_properties(PkgConfig::cairo PROPERTIES
-    INTERFACE_LINK_LIBRARIES "${cairo_archives};brotlidec;EXPAT::EXPAT;PNG::PNG;ZLIB::ZLIB")
+  slicefarm_add_archive(freetype brotlidec PNG::PNG ZLIB::ZLIB)
+  slicefarm_add_archive(fontconfig slicefarm::freetype EXPAT::EXPAT)
+  slicefarm_add_archive(cairo slicefarm::fontconfig "${archive_of_pixman-1}" PNG::PNG)
+  set_target_properties(PkgConfig::cairo PROPERTIES INTERFACE_LINK_LIBRARIES slicefarm::cairo)
 endif()
 slicefarm_find_archives(cholmod_archives cholmod amd colamd camd ccolamd suitesparseconfig)
 find_library(METIS NAMES metis libmetis.so.5)
