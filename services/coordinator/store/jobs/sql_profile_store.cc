@@ -99,6 +99,10 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
   while (true) {
+    // The number is read first: if another call adds a revision after that, Find returns it, or
+    // Insert finds the number in use.
+    const auto last = LastRevision(**session, profile.tenant, profile.name);
+    if (!last.ok()) return last.status();
     auto newest = Find(**session, profile.tenant, profile.name, 0);
     if (!newest.ok()) return newest.status();
     if (*newest && (*newest)->settings_digest == profile.settings_digest)
@@ -106,8 +110,6 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
     const int64_t revision = *newest ? (*newest)->revision : 0;
     if (profile.base && *profile.base != revision) return NotNewest(profile, revision);
     if (absl::Status space = CheckSpace(**session, profile); !space.ok()) return space;
-    const auto last = LastRevision(**session, profile.tenant, profile.name);
-    if (!last.ok()) return last.status();
     auto made = Insert(**session, profile, *last + 1, now_us);
     if (!made.ok()) return made.status();
     if (*made) return **std::move(made);
