@@ -78,7 +78,7 @@ class RegionFill {
                                 .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
                                 .shells = options_.shells,
                                 .over_bridges = options_.over_bridges || DoublesBridges()});
-    middle_ = BodyMiddleOf(fill_area.area);
+    middle_ = BodyMiddle(view_, plan_, fill_area.area);
     absl::Status status;
     SparseBridges doubled, over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_)) {
@@ -404,20 +404,6 @@ class RegionFill {
       status.Update(AppendSparsePart(zone.area, zone.fill, fills));
     }
     return status;
-  }
-
-  /// Returns the middle of the connected body of an area, or the object's middle if the plan has no
-  /// bodies.
-  Point BodyMiddleOf(const MultiPolygon& area) const {
-    const MultiPolygon* outline = view_.OutlineAt(view_.layer);
-    if (plan_ == nullptr || outline == nullptr || area.empty() ||
-        plan_->body_middles.size() != outline->size())
-      return {};
-    const auto island = std::ranges::find_if(*outline, [&](const PolygonWithHoles& each) {
-      return Locate(area.front().outer.front(), each) != Side::kOutside;
-    });
-    if (island == outline->end()) return {};
-    return plan_->body_middles[static_cast<size_t>(island - outline->begin())];
   }
 
   /// Returns the point around which the pattern of the sparse infill is laid out. Lines that

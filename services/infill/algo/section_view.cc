@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
 #include "common/model/options/fill_angles.h"
 #include "common/model/options/infill_options.h"
 #include "common/model/options/solid_layers.h"
@@ -134,6 +135,18 @@ FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {
           solid.value_or(solid_rad) + options.turn_rad,
           sparse.has_value() || options.same_direction,
           solid.has_value() || options.same_direction};
+}
+
+Point BodyMiddle(const SectionView& view, const PlannedInfill* plan, const MultiPolygon& area) {
+  const MultiPolygon* outline = view.OutlineAt(view.layer);
+  if (plan == nullptr || outline == nullptr || area.empty() ||
+      plan->body_middles.size() != outline->size())
+    return {};
+  const auto island = std::ranges::find_if(*outline, [&](const PolygonWithHoles& each) {
+    return Locate(area.front().outer.front(), each) != slicefarm::Side::kOutside;
+  });
+  if (island == outline->end()) return {};
+  return plan->body_middles[static_cast<size_t>(island - outline->begin())];
 }
 
 }  // namespace slicefarm::infill

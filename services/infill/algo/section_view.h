@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
 #include "common/model/options/fill_patterns.h"
 #include "common/stage/object_layers.h"
@@ -72,5 +73,9 @@ int32_t PatternLayer(FillPattern pattern, const FillLineAngles& angles, int32_t 
 /// Returns the directions of lines in a layer, in the frame of the object's copies. `layer`: index
 /// of the layer in the stack.
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer);
+
+/// Returns the middle of the connected body that contains an area of the view's layer, or the
+/// object's middle if the plan has no bodies. `plan` may be null.
+Point BodyMiddle(const SectionView& view, const PlannedInfill* plan, const MultiPolygon& area);
 
 }  // namespace slicefarm::infill
