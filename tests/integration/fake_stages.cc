@@ -90,12 +90,13 @@ void AddLayer(int32_t index, Sample* sample) {
                               kHeightNm,
                               {{{wall}, {{true, {line, line}}}}},
                               {{.settings = 1, .pattern = FillPattern::kGrid}}}}});
-  sample->plans.push_back({{1, 2},
-                           index % 2 != 0,
-                           index % 2 == 0,
-                           {{0, {3, 4}, Point{8, index}, {{5, index}}}, {2, {6, 7}, {}, {}}},
-                           {skirt},
-                           {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0}}});
+  sample->plans.push_back(
+      {{1, 2},
+       index % 2 != 0,
+       index % 2 == 0,
+       {{0, {3, 4}, Point{8, index}, {{5, index}}}, {2, {6, 7}, {}, {}}},
+       {skirt},
+       {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0, {{5, index}}}}});
   sample->ordered.push_back(
       {frame,
        {{kSkirtStack, 0, kHeightNm, {skirt}}, {0, index, kHeightNm, {wall, line, line}}},
