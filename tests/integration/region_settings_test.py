@@ -36,7 +36,7 @@ CONTEXTS = {
     "skin_infill_": {"fill_pattern": "lockedzag"}, "skeleton_infill_": {"fill_pattern": "lockedzag"},
     "infill_lock_depth": {"fill_pattern": "lockedzag"}, "gyroid_optimized": {"fill_pattern": "gyroid"}, "separated_infills": {"fill_pattern": "honeycomb"},
     "sparse_infill_smooth_factor": {"fill_pattern": "honeycomb"}, "lightning_": {"fill_pattern": "lightning"},
-    "top_surface_expansion_": {"top_surface_expansion": "2"}, "relative_bridge_angle": {"bridge_angle": "30", "internal_bridge_angle": "30"},
+    "wall_maximum_": {"wall_maximum_deviation": "0.1", "gcode_resolution": "0"}, "top_surface_expansion_": {"top_surface_expansion": "2"}, "relative_bridge_angle": {"bridge_angle": "30", "internal_bridge_angle": "30"},
     "top_surface_fill_order": {"top_fill_pattern": "concentric"}, "bottom_surface_fill_order": {"bottom_fill_pattern": "concentric"},
     "center_of_surface_pattern": {"top_fill_pattern": "archimedeanchords"},
     "dont_filter_internal_bridges": {"perimeters": "1", "solid_infill_below_area": "0", "fill_density": "10%"},
@@ -58,7 +58,7 @@ VALUES = {
     "gap_fill_min_length": ["3"], "solid_fill_angle": ["20"], "top_bottom_infill_overlap": ["0.3"], "min_width_top_surface": ["3", "15"],
     "overhang_reverse_threshold": ["0", "2"], "scarf_seam_steps": ["100"], "scarf_seam_speed": ["10"],
     "internal_bridge_speed": ["33"], "internal_bridge_flow": ["0.8"], "ironing_inset": ["1"],
-    "perimeters": ["5"], "infill_anchor_max": ["2"], "top_solid_layers": ["5"], "bottom_solid_layers": ["5"], "scarf_seam_start_height": ["50%"],
+    "wall_maximum_resolution": ["5"], "perimeters": ["5"], "infill_anchor_max": ["2"], "top_solid_layers": ["5"], "bottom_solid_layers": ["5"], "scarf_seam_start_height": ["50%"],
     "automatic_infill_combination_max_layer_height": ["50%"], "gap_fill_max_width": ["0.3"], "gap_fill_min_width": ["0.4"]}
 
 
@@ -84,7 +84,7 @@ def wedge(x0, x1, y, z0, z1, thin, thick):
     return corners, [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)] + [f for i in range(4) for f in ((i, (i + 1) % 4, 4 + i), ((i + 1) % 4, 4 + (i + 1) % 4, 4 + i))]
 
 
-PART = (box(-14, 0, 0, 58, 30, 3), box(2, 4, 2, 5, 16, 6), box(15, 4, 2, 18, 16, 6), box(2, 4, 5.4, 18, 16, 7.5), wedge(2, 18, 24, 2, 5, 0.3, 1.7),
+PART = (box(-14, 0, 0, 58, 30, 3), box(2, 4, 2, 5, 16, 6), box(15, 4, 2, 18, 16, 6), box(2, 4, 5.4, 18, 8, 7.5), box(2, 12, 5.4, 18, 16, 7.5), box(2, 7, 5.4, 8, 13, 7.5), box(12, 7, 5.4, 18, 13, 7.5), wedge(2, 18, 24, 2, 5, 0.3, 1.7),
         cone(26, 7, 2, 6, 3, 8.5), cone(26, 22, 2, 4.5, 3, 9), cone(39, 7, 2, 5, 1.5, 1.5, 16), cone(10, 10, 7, 9, 8, 2),
         box(47, 8, 2, 50, 22, 6), box(47, 8, 5.4, 56, 22, 7))
 MODIFIER = box(-1, -5, -1, 70, 40, 20)
