@@ -94,6 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"filament_wipe = 1\n", "{is_nil(filament_wipe) ? 0 : filament_wipe[0]}", "true"},
         Case{"", "{210 + extruder_temperature_offset[initial_extruder]}", "210"},
         Case{"", "{if filament_abrasive[0]}y{else}n{endif}[printer_vendor]", "n"},
+        Case{"", "{if timelapse_type == 0}M1{endif} {farthest_point_timelapse ? 0.0 : 0.4}",
+             "M1 0.4"},
         Case{"", "{wipe_tower}{wipe_into_infill}[printer_notes]{filament_vendor[0]}",
              "falsefalse(Unknown)"}));
 

@@ -3,6 +3,7 @@
 namespace slicefarm::macro {
 
 std::string_view TemplateDefaults() {
+  // Settings of Bambu Studio that templates use are here, too.
   // Settings without a value in PrusaSlicer (printer_notes) are empty texts, as in PrusaSlicer.
   // extruder_temperature_offset is SuperSlicer's: it is in the G-code of its projects, but not
   // among the settings that PrusaSlicer reads.
@@ -11,6 +12,7 @@ bed_custom_model =
 bed_custom_texture =
 bed_temperature_extruder = 0
 bottom_solid_min_thickness = 0
+cooling_filter_enabled = 0
 cooling_tube_length = 5
 cooling_tube_retraction = 91.5
 custom_parameters_filament =
@@ -18,12 +20,14 @@ custom_parameters_print =
 custom_parameters_printer =
 default_filament_profile =
 default_print_profile =
+enable_wrapping_detection = 0
 end_filament_gcode =
 extra_loading_move = -2
 extruder_colour =
 extruder_temperature_offset = 0
 extrusion_axis = E
 extrusion_width = 0
+farthest_point_timelapse = 0
 filament_abrasive = 0
 filament_cooling_final_speed = 3.4
 filament_cooling_initial_speed = 2.2
@@ -113,6 +117,7 @@ start_filament_gcode =
 support_material_extruder = 1
 support_material_interface_contact_loops = 0
 support_material_interface_extruder = 1
+timelapse_type = 0
 toolchange_gcode =
 top_solid_min_thickness = 0
 variable_layer_height = 1
@@ -132,6 +137,7 @@ wipe_tower_width = 60
 wipe_tower_x = 180
 wipe_tower_y = 140
 wiping_volumes_use_custom_matrix = 0
+wrapping_detection_layers = 20
 )";
 }
 

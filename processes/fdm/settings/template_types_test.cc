@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "common/config/table/settings_table.h"
 #include "common/macro/setting_types.h"
+#include "common/macro/settings_text.h"
+#include "common/macro/template_defaults.h"
 
 namespace slicefarm::config::template_types_test {
 namespace {
@@ -50,6 +53,22 @@ TEST(TemplateTypes, AreTheKindsOfTheTable) {
     ++compared;
   }
   EXPECT_GT(compared, 150);
+}
+
+// Stages have no value for these settings, so templates take the default if a job does not set
+// them.
+TEST(TemplateDefaults, HaveTheSettingsOfTheTableWithoutAField) {
+  int found = 0;
+  for (const SettingSpec& spec : SettingsTable(Process::kFdm)) {
+    if (spec.field.set != nullptr || !macro::TypeOfSetting(spec.key)) continue;
+    const auto lines = macro::SettingLines(macro::TemplateDefaults());
+    const bool has = std::ranges::any_of(lines, [&](const auto& line) {
+      return line.first == spec.key && line.second == spec.standard;
+    });
+    EXPECT_TRUE(has) << spec.key;
+    found += has ? 1 : 0;
+  }
+  EXPECT_GT(found, 3);
 }
 
 }  // namespace
