@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "common/config/table/settings_table.h"
 #include "common/macro/setting_types.h"
@@ -57,18 +59,18 @@ TEST(TemplateTypes, AreTheKindsOfTheTable) {
 
 // Stages have no value for these settings, so templates take the default if a job does not set
 // them.
-TEST(TemplateDefaults, HaveTheSettingsOfTheTableWithoutAField) {
-  int found = 0;
-  for (const SettingSpec& spec : SettingsTable(Process::kFdm)) {
-    if (spec.field.set != nullptr || !macro::TypeOfSetting(spec.key)) continue;
+TEST(TemplateDefaults, AreThoseOfTheTable) {
+  for (const std::string_view key :
+       {"cooling_filter_enabled", "enable_wrapping_detection", "farthest_point_timelapse",
+        "timelapse_type", "wrapping_detection_layers"}) {
+    const SettingSpec& spec = SettingsTable(Process::kFdm)[FindSetting(key, Process::kFdm)];
+    EXPECT_EQ(spec.field.set, nullptr) << key;
     const auto lines = macro::SettingLines(macro::TemplateDefaults());
-    const bool has = std::ranges::any_of(lines, [&](const auto& line) {
-      return line.first == spec.key && line.second == spec.standard;
-    });
-    EXPECT_TRUE(has) << spec.key;
-    found += has ? 1 : 0;
+    const auto line =
+        std::ranges::find(lines, key, &std::pair<std::string_view, std::string_view>::first);
+    ASSERT_NE(line, lines.end()) << key;
+    EXPECT_EQ(line->second, spec.standard) << key;
   }
-  EXPECT_GT(found, 3);
 }
 
 }  // namespace
