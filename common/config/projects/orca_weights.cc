@@ -36,7 +36,8 @@ constexpr std::string_view kOfProgram =
     "support_object_skip_flush upward_compatible_machine use_3mf adaptive_layer_height "
     "tree_support_adaptive_layer_height smooth_coefficient infill_rotate_step "
     "internal_bridge_support_thickness z_hop_when_prime "
-    "retract_lift_when_prime nozzle_temperature_range_high nozzle_temperature_range_low "
+    "retract_lift_when_prime tree_support_with_infill nozzle_temperature_range_high "
+    "nozzle_temperature_range_low "
     "temperature_vitrification";
 
 /// Settings for several tools or filaments; a job prints with one.
@@ -122,7 +123,9 @@ OrcaWeight WeightOf(std::string_view key, std::string_view value) {
 }
 
 std::string_view WhyIdle(std::string_view key) {
-  return Names(kOfBambuStudio, key) ? "acts in Bambu Studio only" : "unknown, or not supported yet";
+  if (Names(kOfBambuStudio, key)) return "acts in Bambu Studio only";
+  if (key == "fan_direction") return "acts only if parts are turned automatically";
+  return "no setting of OrcaSlicer, which ignores it (as of February 2026)";
 }
 
 }  // namespace slicefarm::config

@@ -23,7 +23,8 @@ TEST(WeightOf, DependsOnTheValue) {
 
 TEST(WhyIdle, GivesAReason) {
   EXPECT_EQ(WhyIdle("overhang_totally_speed"), "acts in Bambu Studio only");
-  EXPECT_EQ(WhyIdle("no_such_key"), "unknown, or not supported yet");
+  EXPECT_EQ(WhyIdle("no_such_key"),
+            "no setting of OrcaSlicer, which ignores it (as of February 2026)");
 }
 
 TEST(WeightOf, KnowsNoSettingThatHasACounterpart) {

@@ -53,8 +53,10 @@ TEST(JobOfProject, WarnsOfWhatIsNoSetting) {
   project.without_effect = {"painted seams of `b`"};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
-  EXPECT_THAT(job->without_effect,
-              ElementsAre("painted seams of `b`", "no_such: unknown, or not supported yet"));
+  EXPECT_THAT(
+      job->without_effect,
+      ElementsAre("painted seams of `b`",
+                  "no_such: no setting of OrcaSlicer, which ignores it (as of February 2026)"));
   EXPECT_THAT(job->warnings, ElementsAre("painted seams of `b`: without effect"));
 }
 
@@ -68,9 +70,11 @@ TEST(JobOfProject, WarnsOfSettingsThatMakeAnotherPrint) {
   project.objects[1].settings = {{"post_process", "a.py"}, {"sparse_infill_pattern", "grid"}};
   const auto job = JobOfProject(project, 0);
   ASSERT_TRUE(job.ok()) << job.status();
-  EXPECT_THAT(job->without_effect,
-              ElementsAre("brim_type = painted", "sparse_infill_pattern = no_such",
-                          "b: post_process = a.py", "no_such: unknown, or not supported yet"));
+  EXPECT_THAT(
+      job->without_effect,
+      ElementsAre("brim_type = painted", "sparse_infill_pattern = no_such",
+                  "b: post_process = a.py",
+                  "no_such: no setting of OrcaSlicer, which ignores it (as of February 2026)"));
   EXPECT_EQ(job->warnings.size(), 3u);
 }
 
@@ -155,8 +159,11 @@ TEST(InPrusaNames, TranslatesSettingsOfEveryPlace) {
   // Percentage of the nozzle diameter, which only the project gives.
   EXPECT_THAT(named.objects[1].ranges[0].settings,
               ElementsAre(Setting{"external_perimeter_extrusion_width", "0.44", Source::kProfile}));
-  EXPECT_THAT(named.without_effect, ElementsAre("no_such: unknown, or not supported yet",
-                                                "b, body: odd: unknown, or not supported yet"));
+  EXPECT_THAT(
+      named.without_effect,
+      ElementsAre(
+          "no_such: no setting of OrcaSlicer, which ignores it (as of February 2026)",
+          "b, body: odd: no setting of OrcaSlicer, which ignores it (as of February 2026)"));
   EXPECT_EQ(InPrusaNames(named), named);
 }
 

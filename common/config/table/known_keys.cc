@@ -35,7 +35,7 @@ constexpr KnownKey kSwitches[] = {
     {"extrusion_axis", kNotYet, "E", true},
     {"infill_extruder", kNotYet, "0|1", true},
     {"interlocking_beam", kNotYet, "0", true},
-    {"ooze_prevention", kNotYet, "0", true},
+    {"ooze_prevention", "acts only where tools change", "0", true},
     {"perimeter_extruder", kNotYet, "0|1", true},
     {"solid_infill_extruder", kNotYet, "0|1", true},
     {"support_material_extruder", kNotYet, "0|1", true},

@@ -239,7 +239,7 @@ std::vector<SettingSpec> WallSettings() {
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
        .min = 0,
-       .max = 15,
+       .max = 100,
        .standard = "0",
        .doc = "Width up to which a top surface keeps its inner walls although "
               "top_one_perimeter_type = top; 0: half the width of an inner wall",
