@@ -14,7 +14,6 @@
 namespace slicefarm::config::orca_settings_test {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 struct Case {

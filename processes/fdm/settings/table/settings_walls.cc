@@ -206,10 +206,8 @@ std::vector<SettingSpec> Widths() {
   };
 }
 
-}  // namespace
-
-std::vector<SettingSpec> WallSettings() {
-  std::vector<SettingSpec> settings = {
+std::vector<SettingSpec> Loops() {
+  return {
       {.key = "perimeters",
        .kind = Kind::kInteger,
        .min = 0,
@@ -284,6 +282,11 @@ std::vector<SettingSpec> WallSettings() {
            Bind<&RegionRow::motion, &RegionMotion::reversal, &OverhangReversal::threshold_mm>(),
        .orca = {{"overhang_reverse_threshold"}},
        .needs = {&needs::kOverhangReverse}},
+  };
+}
+
+std::vector<SettingSpec> SpiralVase() {
+  return {
       {.key = "spiral_vase",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -320,6 +323,11 @@ std::vector<SettingSpec> WallSettings() {
        .field = Bind<&MachineRow::motion, &MachineMotion::spiral, &SpiralMotion::reach_nm>(),
        .orca = {{"spiral_mode_max_xy_smoothing"}},
        .needs = {&needs::kSpiral}},
+  };
+}
+
+std::vector<SettingSpec> OrderAndGaps() {
+  return {
       {.key = "extra_perimeters",
        .kind = Kind::kFlag,
        .standard = "0",
@@ -412,9 +420,15 @@ std::vector<SettingSpec> WallSettings() {
               "travels. Larger: shorter travels, but more computing time. 0: none",
        .field = Bind<&MachineRow::order, &JobOrder::improvement_moves>()},
   };
-  for (SettingSpec& wall : VariableWalls()) settings.push_back(std::move(wall));
-  for (SettingSpec& fuzzy : FuzzySkinSettings()) settings.push_back(std::move(fuzzy));
-  for (SettingSpec& width : Widths()) settings.push_back(std::move(width));
+}
+
+}  // namespace
+
+std::vector<SettingSpec> WallSettings() {
+  std::vector<SettingSpec> settings;
+  for (const auto& section :
+       {Loops, SpiralVase, OrderAndGaps, VariableWalls, FuzzySkinSettings, Widths})
+    for (SettingSpec& spec : section()) settings.push_back(std::move(spec));
   return settings;
 }
 
