@@ -22,7 +22,7 @@ class OfRegion : public testing::Test {
   }
 
   const ObjectLayers stacks_{{}};
-  const MultiPolygon nothing_;
+  const MultiPolygon nothing_ = {};
   SectionView view_{.stack = 0, .stacks = stacks_, .above_supports = nothing_};
   InfillOptions options_;
 };

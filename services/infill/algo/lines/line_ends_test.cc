@@ -25,25 +25,27 @@ std::vector<double> EndsOn(const ScanLines& lines, int32_t line) {
   return ends;
 }
 
+/// Tests that LineEnds has the lines and the ends of CutLines.
+void ExpectEndsOfScanLines(const MultiPolygon& region, const LineFamily& family) {
+  const auto lines = CutLines(region, family);
+  const auto ends = LineEnds::Of(region, family);
+  ASSERT_TRUE(lines.ok() && ends.ok());
+  ASSERT_GT(lines->LineCount(), 4);
+  ASSERT_EQ(ends->last() - ends->first(), lines->LineCount());
+  EXPECT_EQ(family.phase_nm + static_cast<double>(ends->first()) * family.pitch_nm, lines->first_v);
+  for (int32_t line = 0; line < lines->LineCount(); ++line)
+    EXPECT_THAT(ends->On(ends->first() + line), ElementsAreArray(EndsOn(*lines, line))) << line;
+}
+
 TEST(LineEnds, AreThoseOfScanLines) {
   for (const std::string text :
        {"(0 0, 10 0, 10 10, 0 10) (3 3, 7 3, 7 7, 3 7)",
         "(0 0, 4 0, 4 2, 6 2, 6 1, 8 1, 8 4, 5 6, 2 4, 0 4) (1 1, 3 1, 2 3)",
         "(-7 -1, 7 1, 9 6, 3 8) ; (20 0, 21 0, 20 3)"}) {
-    const MultiPolygon region = MakePolygonsOrDie(text);
     for (const double angle : {0.0, std::numbers::pi / 2, std::numbers::pi / 4, 0.3, -1.1}) {
       for (const double phase_nm : {0.0, 1.7e5, -3e6}) {
-        const LineFamily family{angle, phase_nm, 0.5e6};
-        const auto lines = CutLines(region, family);
-        const auto ends = LineEnds::Of(region, family);
-        ASSERT_TRUE(lines.ok() && ends.ok());
-        ASSERT_GT(lines->LineCount(), 4);
-        ASSERT_EQ(ends->last() - ends->first(), lines->LineCount());
-        EXPECT_EQ(phase_nm + static_cast<double>(ends->first()) * family.pitch_nm, lines->first_v);
-        for (int32_t line = 0; line < lines->LineCount(); ++line) {
-          EXPECT_THAT(ends->On(ends->first() + line), ElementsAreArray(EndsOn(*lines, line)))
-              << text << " " << angle << " " << line;
-        }
+        SCOPED_TRACE(text + " " + std::to_string(angle));
+        ExpectEndsOfScanLines(MakePolygonsOrDie(text), {angle, phase_nm, 0.5e6});
       }
     }
   }
