@@ -58,6 +58,7 @@ class PresetSet {
  private:
   class Walk;
 
+  void ReportSameName(const Preset& preset);
   const Preset* ParentOf(const Preset& child, std::string_view name) const;
   const Preset* InScope(int32_t scope, PresetKind kind, std::string_view name) const;
 

@@ -140,6 +140,28 @@ INSTANTIATE_TEST_SUITE_P(
                               "inherits from"}),
     [](const auto& info) { return info.param.name; });
 
+TEST(PresetSetTest, ReportsAPresetOfAUserWithTheNameOfAnother) {
+  PresetSet set;
+  const int32_t acme = set.AddScope({.vendor = "Acme"}), other = set.AddScope({.vendor = "Other"});
+  const int32_t user = set.AddScope({});
+  const auto add = [&](int32_t scope, const std::string& file, bool listed = true) {
+    Preset preset;
+    preset.name = "One";
+    preset.scope = scope;
+    preset.file = file;
+    preset.listed = listed;
+    set.Add(std::move(preset));
+  };
+  add(acme, "acme.json");
+  add(other, "other.json");  // vendors may have the same names
+  add(user, "base.json", /*listed=*/false);
+  EXPECT_THAT(set.problems(), testing::IsEmpty());
+  add(user, "mine.json");
+  EXPECT_THAT(set.problems(), testing::ElementsAre(
+                                  "mine.json: the printer preset \"One\" is also in acme.json; the "
+                                  "name chooses only one of them"));
+}
+
 TEST(PresetSetTest, VisitsAnAncestorOnce) {
   const PresetSet set = SetOf(Doubled());
   const auto lineage = set.Lineage(*Only(set, PresetKind::kProcess, "x"));

@@ -15,6 +15,7 @@
 #include "common/base/text.h"
 #include "common/config/projects/orca_dialect.h"
 #include "common/config/projects/orca_gcode.h"
+#include "common/config/projects/orca_legacy.h"
 #include "common/config/projects/orca_mesh.h"
 #include "common/config/projects/orca_pairs.h"
 #include "common/config/projects/orca_percent.h"
@@ -482,10 +483,12 @@ std::string_view KeyOfUnused(std::string_view line) {
 
 std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused,
                               size_t filament) {
-  OrcaReader reader(settings, filament);
+  std::vector<Setting> modern;
+  for (const Setting& setting : settings) modern.push_back(Modernized(setting));
+  OrcaReader reader(modern, filament);
   for (const OrcaRow& row : OrcaRows()) reader.Apply(row);
   reader.TakePairs();
-  if (unused != nullptr) *unused = reader.Unused(settings);
+  if (unused != nullptr) *unused = reader.Unused(modern);
   return std::move(reader).Take();
 }
 

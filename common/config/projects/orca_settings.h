@@ -31,6 +31,8 @@ std::string_view KeyOfUnused(std::string_view line);
 /// PrusaSlicer has none. Placeholders without either remain and cause an error when the G-code is
 /// made.
 ///
+/// Settings of older versions are read by their new names (Modernized).
+///
 /// `unused`: receives the settings without effect; may be null. `filament`: index of the printing
 /// filament, from 0. Placeholders get the values of this filament. If a list has no item for this
 /// filament, its first item is used. Cost: O(n log n) for n settings.

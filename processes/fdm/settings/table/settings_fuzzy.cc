@@ -63,7 +63,7 @@ std::vector<SettingSpec> Kinds() {
       {.key = "fuzzy_skin_point_dist",
        .unit = "mm",
        .min = 0.01,
-       .max = 100,
+       .max = 1000,
        .standard = "0.8",
        .doc = "Mean distance between the points of a fuzzy skin; smaller: finer",
        .field = Bind<&RegionRow::walls, &BeadingOptions::fuzzy_point_distance_nm>(),
