@@ -178,7 +178,7 @@ class OrcaReader {
     for (const std::string_view key : {"filament_z_hop_types", "z_hop_types"}) {
       const auto found = by_key_.find(key);
       if (found == by_key_.end()) continue;
-      const std::string type = FirstOf(found->second->value).value_or("");
+      std::string type = FirstOf(found->second->value).value_or("");
       if (!type.empty() && type != kNotSet) return type;
     }
     return "";
@@ -258,7 +258,7 @@ class OrcaReader {
     const bool is_text = kind == Kind::kText || kind == Kind::kGcode;
     Converted all = {""};
     for (size_t i = 0; i < items->size(); ++i) {
-      const Converted one = Convert(row, (*items)[i]);
+      Converted one = Convert(row, (*items)[i]);
       if (!one.text) return one;
       all.exact = all.exact && one.exact;
       if (i > 0) *all.text += is_text ? ";" : ",";
