@@ -47,6 +47,18 @@ int TurnAtStart(const Boundary& boundary, int edge) {
 bool Boundary::StartsReflex(int edge) const { return TurnAtStart(*this, edge) < 0; }
 bool Boundary::StartsConvex(int edge) const { return TurnAtStart(*this, edge) > 0; }
 
+BoundaryFeature Boundary::Before(BoundaryFeature feature) const {
+  if (!feature.is_corner && StartsReflex(feature.edge)) return {feature.edge, true};
+  return {edges[feature.edge].previous, false};
+}
+
+std::vector<BoundaryEdge> Boundary::EdgesInNm() const {
+  std::vector<BoundaryEdge> scaled = edges;
+  for (BoundaryEdge& edge : scaled)
+    for (Point* p : {&edge.from, &edge.to}) *p = {p->x * unit_nm, p->y * unit_nm};
+  return scaled;
+}
+
 std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_nm) {
   const Box box = Bounds(region.outer);
   const Coord limit = INT32_MAX * unit_nm;

@@ -16,10 +16,19 @@ struct BoundaryEdge {
   int next = 0;
 };
 
-/// Boundary of one connected region, as input of the Voronoi diagram of segments. Coordinates are
-/// multiples of `unit_nm`, relative to `origin`. INVARIANT: no two edges cross or touch, except
-/// neighbours at their common corner, and no corner is on the line through its neighbours. Both
-/// conditions are tested exactly.
+/// A part of a boundary that a point of the region can be nearest to: an edge, or the reflex corner
+/// at the start of an edge.
+struct BoundaryFeature {
+  int edge = 0;
+  bool is_corner = false;
+
+  friend bool operator==(const BoundaryFeature&, const BoundaryFeature&) = default;
+};
+
+/// Boundary of one connected region, as input of its medial axis. Coordinates are multiples of
+/// `unit_nm`, relative to `origin`. INVARIANT: no two edges cross or touch, except neighbours at
+/// their common corner, and no corner is on the line through its neighbours. Both conditions are
+/// tested exactly.
 struct Boundary {
   Point origin;
   Coord unit_nm = 1;
@@ -31,6 +40,10 @@ struct Boundary {
   bool StartsReflex(int edge) const;
   /// Returns true if the interior angle at the start of `edge` is less than 180 degrees.
   bool StartsConvex(int edge) const;
+  /// Returns the feature that precedes `feature` on its ring.
+  BoundaryFeature Before(BoundaryFeature feature) const;
+  /// Returns the edges in nm from `origin`.
+  std::vector<BoundaryEdge> EdgesInNm() const;
 };
 
 /// Returns the boundary of `region` on a grid of `unit_nm`. Returns nothing if the boundary does

@@ -20,13 +20,12 @@ struct MedialAxisOptions {
 /// line's bead.
 ///
 /// A circle around a point of a line, with the point's thickness as diameter, exceeds the region by
-/// at most the tolerance. The result is empty if the Voronoi diagram is unreliable (rings that
-/// cross by rounding) or if the region is wider than 2.1 m. The diagram is checked vertex by vertex
-/// before it is used.
+/// at most the tolerance. The result is empty if the axis is unreliable (rings that cross by
+/// rounding) or if the region is wider than 2.1 m.
 ///
-/// Cost: O(n log n) for n points: a few us each. Source: Voronoi diagram of segments by
-/// Boost.Polygon (Sweepline, Fortune). "Facing" is defined as in T. Kuipers et al., "A Framework
-/// for Adaptive Width Control of Dense Contour-Parallel Toolpaths in FDM", 2020, section 3.
+/// Cost: O(n log n) for n points: a few us each. Source: MakeSkeletalGraph. "Facing" is defined as
+/// in T. Kuipers et al., "A Framework for Adaptive Width Control of Dense Contour-Parallel
+/// Toolpaths in FDM", 2020, section 3.
 std::vector<ThickLine> MedialAxis(const PolygonWithHoles& region, const MedialAxisOptions& options);
 
 }  // namespace slicefarm::beading
