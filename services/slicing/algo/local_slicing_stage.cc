@@ -12,6 +12,7 @@
 #include "common/base/error.h"
 #include "common/base/parallel.h"
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/without_holes.h"
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
 #include "common/stage/job_memory.h"

@@ -62,16 +62,6 @@ MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord re
   return Cleaned(Union(simple, rule));
 }
 
-MultiPolygon WithoutHoles(const MultiPolygon& region) {
-  std::vector<Polygon> outers;
-  bool holes = false;
-  for (const PolygonWithHoles& island : region) {
-    holes |= !island.holes.empty();
-    outers.push_back(island.outer);
-  }
-  return holes ? Union(outers, FillRule::kNonZero) : region;
-}
-
 namespace {
 
 /// Returns the elephant foot compensation of a layer: it falls evenly over elephant_foot_layers. A

@@ -17,10 +17,6 @@ namespace slicefarm::slicing {
 /// SimplifyRing of each loop, and NestSimpleLoops or Union.
 MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord resolution_nm);
 
-/// Returns a region with all holes filled. Islands inside of holes become part of the filled area.
-/// Cost: O(n) if the region has no holes.
-MultiPolygon WithoutHoles(const MultiPolygon& region);
-
 /// Changes of a region, in the order of application.
 struct RegionEdits {
   Coord closing_radius_nm = 0;  ///< cracks up to twice this wide are closed

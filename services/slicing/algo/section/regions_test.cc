@@ -48,17 +48,6 @@ TEST(RegionOf, FollowsTheFillRule) {
   }
 }
 
-TEST(WithoutHoles, KeepsOuterRings) {
-  const MultiPolygon frame =
-      RegionOf({Square(0, 0, 10), Clockwise(Square(2, 2, 5)), Square(3, 3, 2), Square(20, 0, 1)},
-               FillRule::kNonZero, 0);
-  ASSERT_NEAR(AreaMm2(frame), 100 - 25 + 4 + 1, 1e-9);
-  EXPECT_NEAR(AreaMm2(WithoutHoles(frame)), 101, 1e-9) << "the island in the hole is inside";
-  EXPECT_EQ(WithoutHoles(frame).size(), 2u);
-  const MultiPolygon plain = RegionOf({Square(0, 0, 10)}, FillRule::kNonZero, 0);
-  EXPECT_EQ(WithoutHoles(plain), plain);
-}
-
 /// Returns a circle of n points with a ripple below the resolution.
 Polygon Ripple(double radius_mm, int n, Coord ripple_nm) {
   Polygon ring;
