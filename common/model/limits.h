@@ -51,6 +51,10 @@ inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
 /// Points of the outlines of all layers and parts of a job, before simplification. Copies of an
 /// object count once.
 inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
+/// Facets of the upper side (Z contouring) in a layer of an object, and in all layers of a job. A
+/// face counts in each layer that it reaches.
+inline constexpr int64_t kMaxFacetsPerLayer = 5'000'000;
+inline constexpr int64_t kMaxFacetsPerJob = 50'000'000;
 /// Size of a job's result, G-code or vectors, that a spool and a store accept.
 inline constexpr int64_t kMaxProgramBytes = 2'000'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;  ///< objects, copies included

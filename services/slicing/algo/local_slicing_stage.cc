@@ -52,6 +52,7 @@ struct SweptPart {
 struct SweptObject {
   std::vector<LayerPlane> planes;
   std::vector<SweptPart> parts;
+  std::vector<int64_t> facet_counts = {};  ///< sizes of the elements of `surface`
   /// Facets of the upper side near each layer; empty without Z contouring.
   std::vector<std::vector<SurfaceFacet>> surface = {};
 };
@@ -96,11 +97,12 @@ class SlicingRun {
       if (!swept.ok()) return swept.status();
       swept_.push_back(*std::move(swept));
     }
-    // The memory is reserved before the parts are cut, because the number of points is known
-    // already.
+    // The memory is reserved before the parts are cut and facets are stored, because the numbers of
+    // points and facets are known already.
     absl::Status held = HoldMemory(call_, JobMemory::Kind::kOutlines,
                                    kMemoryPerPoint * points_ + kMemoryPerFacet * facets_);
     if (!held.ok()) return held;
+    StoreSurfaces();
     LayOutSections();
     return absl::OkStatus();
   }
@@ -146,17 +148,38 @@ class SlicingRun {
       swept.parts.push_back({&part, *std::move(sweep), std::vector<GapCounts>(heights.size())});
       if (part.IsMarkedSurface()) swept.parts.back().slabs = SlabsOf(part, swept.planes);
     }
-    if (slicing.contour.on) swept.surface = SurfaceOf(object, swept.planes);
-    for (const auto& layer : swept.surface) facets_ += std::ssize(layer);
+    if (!slicing.contour.on) return swept;
+    swept.facet_counts = CountFacets(SolidsOf(object), swept.planes);
+    if (absl::Status status = AddFacets(swept.facet_counts); !status.ok()) return status;
     return swept;
   }
 
-  static std::vector<std::vector<SurfaceFacet>> SurfaceOf(const PreparedObject& object,
-                                                          const std::vector<LayerPlane>& planes) {
+  /// Adds facets of an object's layers to the job's.
+  absl::Status AddFacets(const std::vector<int64_t>& counts) {
+    for (const int64_t count : counts) {
+      facets_ += count;
+      if (count > limits::kMaxFacetsPerLayer)
+        return LimitError(Reason::kMeshTooLarge, "facets of the upper side in a layer",
+                          limits::kMaxFacetsPerLayer, count);
+    }
+    if (facets_ > limits::kMaxFacetsPerJob)
+      return LimitError(Reason::kMeshTooLarge, "facets of the upper sides in all layers",
+                        limits::kMaxFacetsPerJob, facets_);
+    return absl::OkStatus();
+  }
+
+  void StoreSurfaces() {
+    for (size_t i = 0; i < swept_.size(); ++i)
+      if (options_.objects[i].contour.on)
+        swept_[i].surface =
+            FacetsOfLayers(SolidsOf(objects_[i]), swept_[i].planes, swept_[i].facet_counts);
+  }
+
+  static std::vector<const IndexedMesh*> SolidsOf(const PreparedObject& object) {
     std::vector<const IndexedMesh*> solids;
     for (const PreparedPart& part : object.parts)
       if (part.input.role == PartRole::kSolid) solids.push_back(&part.connected.mesh);
-    return FacetsOfLayers(solids, planes);
+    return solids;
   }
 
   /// Returns the slab of heights for each layer. Seam marks: the slab is the layer itself, because
@@ -283,10 +306,8 @@ class SlicingRun {
   absl::Status AdviseOrientations() {
     if (!advise_orientations_) return absl::OkStatus();
     for (size_t object = 0; object < objects_.size(); ++object) {
-      std::vector<const IndexedMesh*> solid;
-      for (const PreparedPart& part : objects_[object].parts)
-        if (part.input.role == PartRole::kSolid) solid.push_back(&part.connected.mesh);
-      auto advice = AdviseOrientation(solid, objects_[object].to_plate, call_.cancel);
+      auto advice =
+          AdviseOrientation(SolidsOf(objects_[object]), objects_[object].to_plate, call_.cancel);
       if (!advice.ok()) return advice.status();
       if (!advice->has_value()) continue;
       (*advice)->object = objects_[object].name;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/predicates.h"
+#include "common/model/limits.h"
 #include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"
@@ -122,6 +125,35 @@ TEST(LocalSlicing, FillRulesDecideWhatIsInside) {
       EXPECT_NEAR(Area(OutlineOf(job->layers[25].sections[0])) * 1e-12, want, 1e-6) << c.name;
     }
   }
+}
+
+/// Returns a cone with `count` sides.
+RawMesh ConeMesh(uint32_t count, double radius, double height) {
+  RawMesh mesh;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+    const uint32_t next = (i + 1) % count;
+    mesh.triangles.push_back({i, next, count});
+    mesh.triangles.push_back({next, i, count + 1});
+  }
+  mesh.positions.push_back({0, 0, height});
+  mesh.positions.push_back({0, 0, 0});
+  return mesh;
+}
+
+// The limit counts before the facets are stored, which would need gigabytes here.
+TEST(LocalSlicing, FacetsOfTheUpperSideHaveALimit) {
+  SlicingOptions options;
+  options.first_layer_height_nm = 10'000;
+  options.objects[0].layer_height_nm = 10'000;
+  const RawMesh cone = ConeMesh(3'000, 5, 190);
+  EXPECT_TRUE(Slice(Input(ConeMesh(30, 5, 1)), options).ok());
+  options.objects[0].contour.on = true;
+  EXPECT_TRUE(Slice(Input(ConeMesh(30, 5, 1)), options).ok());
+  const absl::Status status = Slice(Input(cone), options).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kMeshTooLarge) << status;
+  EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limits::kMaxFacetsPerJob));
 }
 
 TEST(LocalSlicing, CopiesAreNoWork) {

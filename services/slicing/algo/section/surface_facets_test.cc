@@ -19,7 +19,11 @@ IndexedMesh Face(Vertex a, Vertex b, Vertex c) { return {{a, b, c}, {{0, 1, 2}}}
 std::vector<size_t> Counts(const IndexedMesh& mesh) {
   const IndexedMesh* const meshes[] = {&mesh};
   std::vector<size_t> counts;
-  for (const auto& layer : FacetsOfLayers(meshes, Layers(4))) counts.push_back(layer.size());
+  const std::vector<int64_t> counted = CountFacets(meshes, Layers(4));
+  for (const auto& layer : FacetsOfLayers(meshes, Layers(4), counted)) {
+    EXPECT_EQ(counted[counts.size()], std::ssize(layer));
+    counts.push_back(layer.size());
+  }
   return counts;
 }
 
@@ -37,11 +41,19 @@ TEST(FacetsOfLayers, AreInTheLayersThatTheyReach) {
 TEST(FacetsOfLayers, HaveHeightsAboveTheTop) {
   const IndexedMesh mesh = Face({0, 0, 1'500'000}, {10 * kMm, 0, 1'700'000}, {0, kMm, 2'300'000});
   const IndexedMesh* const meshes[] = {&mesh};
-  const auto layers = FacetsOfLayers(meshes, Layers(4));
+  const auto layers = FacetsOfLayers(meshes, Layers(4), CountFacets(meshes, Layers(4)));
   const std::array<Point, 3> corners = {Point{0, 0}, Point{10 * kMm, 0}, Point{0, kMm}};
   EXPECT_EQ(layers[1][0].corners, corners);
   EXPECT_EQ(layers[1][0].up_nm, (std::array<Coord, 3>{-500'000, -300'000, 300'000}));
   EXPECT_EQ(layers[2][0].up_nm, (std::array<Coord, 3>{-1'500'000, -1'300'000, -700'000}));
+}
+
+// 3 * 10^10 facets are counted without memory for them.
+TEST(CountFacets, CountsFacesInManyLayers) {
+  IndexedMesh mesh = Face({0, 0, 0}, {10 * kMm, 0, 10'000 * kMm}, {0, kMm, 20'000 * kMm});
+  mesh.triangles.resize(1'500'000, mesh.triangles.front());
+  const IndexedMesh* const meshes[] = {&mesh};
+  EXPECT_EQ(CountFacets(meshes, Layers(20'000)), std::vector<int64_t>(20'000, 1'500'000));
 }
 
 TEST(LowerCuts, CutsAboveTheBottomButNotTheFirstLayer) {
