@@ -1,6 +1,7 @@
 #include "services/motion/algo/toolpath/top_surface.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
@@ -10,6 +11,9 @@ namespace {
 
 /// Largest number of squares in a row or column.
 constexpr Coord kMostSquares = 512;
+/// Largest mean number of squares in which a facet is listed, and a number for all facets together.
+constexpr int64_t kMembersPerFacet = 4;
+constexpr int64_t kSpareMembers = int64_t{1} << 20;
 
 Box BoundsOf(const SurfaceFacet& facet) {
   Box box;
@@ -17,13 +21,32 @@ Box BoundsOf(const SurfaceFacet& facet) {
   return box;
 }
 
+/// Returns twice the area of a facet as seen from above, in nm^2.
+double TwiceArea(const SurfaceFacet& facet) {
+  const auto& [a, b, c] = facet.corners;
+  return Cross(b - a, c - a);
+}
+
+Coord HighestOf(const SurfaceFacet& facet) { return std::ranges::max(facet.up_nm); }
+
+/// Returns the indices of the facets with an area, sorted by their highest corners, from the top
+/// down.
+std::vector<uint32_t> HighestFirst(std::span<const SurfaceFacet> facets) {
+  std::vector<uint32_t> order;
+  order.reserve(facets.size());
+  for (uint32_t i = 0; i < facets.size(); ++i)
+    if (TwiceArea(facets[i]) > 0) order.push_back(i);
+  std::ranges::stable_sort(order, std::greater(), [&](uint32_t i) { return HighestOf(facets[i]); });
+  return order;
+}
+
 /// Returns the place of a facet above a point, or nothing if the point is beside the facet.
 std::optional<SurfacePlace> PlaceOn(const SurfaceFacet& facet, Point point) {
   const auto& [a, b, c] = facet.corners;
-  const double whole = Cross(b - a, c - a);
+  const double whole = TwiceArea(facet);
   const double at_a = Cross(c - b, point - b), at_b = Cross(a - c, point - c);
   const double at_c = Cross(b - a, point - a);
-  if (whole <= 0 || at_a < 0 || at_b < 0 || at_c < 0) return std::nullopt;
+  if (at_a < 0 || at_b < 0 || at_c < 0) return std::nullopt;
   const auto up = [&](size_t corner) { return static_cast<double>(facet.up_nm[corner]); };
   const double rise_b = up(1) - up(0), rise_c = up(2) - up(0);
   const auto gradient = [&](Coord of_b, Coord of_c) {
@@ -36,27 +59,48 @@ std::optional<SurfacePlace> PlaceOn(const SurfaceFacet& facet, Point point) {
 }  // namespace
 
 TopSurface::TopSurface(std::span<const SurfaceFacet> facets, Coord reach_nm) : facets_(facets) {
-  for (const SurfaceFacet& facet : facets) bounds_.Add(BoundsOf(facet));
-  if (facets.empty()) return;
+  const std::vector<uint32_t> listed = HighestFirst(facets);
+  for (const uint32_t i : listed) bounds_.Add(BoundsOf(facets[i]));
+  if (listed.empty()) return;
+  ChooseSide(listed, reach_nm);
+  ListFacets(listed);
+}
+
+/// Chooses the side of the squares. Many large facets in small squares would fill the memory, and
+/// their number would not fit into the index.
+void TopSurface::ChooseSide(std::span<const uint32_t> listed, Coord reach_nm) {
   const Coord width = bounds_.max.x - bounds_.min.x, depth = bounds_.max.y - bounds_.min.y;
   side_nm_ = std::max(reach_nm, std::max(width, depth) / kMostSquares + 1);
+  const int64_t most = kSpareMembers + kMembersPerFacet * std::ssize(listed);
+  const auto members = [&] {
+    int64_t count = 0;
+    for (const uint32_t i : listed) count += SquaresOf(facets_[i]).Count();
+    return count;
+  };
+  while (members() > most) side_nm_ *= 2;
   columns_ = width / side_nm_ + 1;
   rows_ = depth / side_nm_ + 1;
+}
+
+void TopSurface::ListFacets(std::span<const uint32_t> listed) {
   const auto for_each_square = [&](uint32_t i, const auto& visit) {
-    const Box box = BoundsOf(facets_[i]);
-    const Square low = SquareOf(box.min), high = SquareOf(box.max);
+    const auto [low, high] = SquaresOf(facets_[i]);
     for (int64_t row = low.row; row <= high.row; ++row)
       for (int64_t column = low.column; column <= high.column; ++column)
         visit(static_cast<size_t>(row * columns_ + column));
   };
   first_.assign(static_cast<size_t>(columns_ * rows_) + 1, 0);
-  for (uint32_t i = 0; i < facets.size(); ++i)
-    for_each_square(i, [&](size_t square) { ++first_[square + 1]; });
+  for (const uint32_t i : listed) for_each_square(i, [&](size_t square) { ++first_[square + 1]; });
   for (size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   members_.resize(first_.back());
   std::vector<uint32_t> next = first_;
-  for (uint32_t i = 0; i < facets.size(); ++i)
+  for (const uint32_t i : listed)
     for_each_square(i, [&](size_t square) { members_[next[square]++] = i; });
+}
+
+TopSurface::Squares TopSurface::SquaresOf(const SurfaceFacet& facet) const {
+  const Box box = BoundsOf(facet);
+  return {SquareOf(box.min), SquareOf(box.max)};
 }
 
 TopSurface::Square TopSurface::SquareOf(Point point) const {
@@ -75,8 +119,9 @@ std::span<const uint32_t> TopSurface::FacetsIn(Square square) const {
 
 std::optional<SurfacePlace> TopSurface::At(Point point, double low_nm, double high_nm) const {
   std::optional<SurfacePlace> highest;
-  if (facets_.empty()) return highest;
+  if (members_.empty()) return highest;
   for (const uint32_t facet : FacetsIn(SquareOf(point))) {
+    if (highest && static_cast<double>(HighestOf(facets_[facet])) <= highest->up_nm) break;
     const auto place = PlaceOn(facets_[facet], point);
     if (!place || place->up_nm < low_nm || place->up_nm > high_nm) continue;
     if (!highest || place->up_nm > highest->up_nm) highest = place;
@@ -85,7 +130,7 @@ std::optional<SurfacePlace> TopSurface::At(Point point, double low_nm, double hi
 }
 
 bool TopSurface::IsNear(Point point) const {
-  if (facets_.empty()) return false;
+  if (members_.empty()) return false;
   const Square square = SquareOf(point);
   for (int64_t row = square.row - 1; row <= square.row + 1; ++row)
     for (int64_t column = square.column - 1; column <= square.column + 1; ++column)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -71,6 +72,49 @@ TEST(TopSurface, KnowsWhatIsNear) {
     EXPECT_TRUE(surface.IsNear(inside));
   for (const Point outside : {Point{-5 * kMm, 0}, Point{10 * kMm, 30 * kMm}})
     EXPECT_FALSE(surface.IsNear(outside));
+}
+
+/// Returns level facets that cover half of a square of 4 m, the i-th at the height -`step_nm` * i.
+std::vector<SurfaceFacet> Stack(size_t count, Coord step_nm) {
+  constexpr Coord kFar = 2'000 * kMm;
+  std::vector<SurfaceFacet> facets(count);
+  for (size_t i = 0; i < count; ++i) {
+    const Coord up = -step_nm * static_cast<Coord>(i);
+    facets[i] = {{Point{-kFar, -kFar}, {kFar, -kFar}, {-kFar, kFar}}, {up, up, up}};
+  }
+  return facets;
+}
+
+// 16,400 facets, each in 512 x 512 squares, have more than 2^32 places in the squares.
+TEST(TopSurface, LargeFacetsTakeLittleMemory) {
+  const std::vector<SurfaceFacet> facets = Stack(16'400, 10);
+  const TopSurface surface(facets, 1);
+  EXPECT_EQ(surface.At({0, 0}, -200'000, 0)->up_nm, 0);
+  EXPECT_EQ(surface.At({-2'000 * kMm, 1'900 * kMm}, -200'000, 0)->up_nm, 0);
+  EXPECT_FALSE(surface.At({1'000 * kMm, 1'000 * kMm}, -200'000, 0));
+}
+
+// A search through all facets would need 10^11 steps.
+TEST(TopSurface, LevelFacetsAboveEachOtherAreNotSearched) {
+  std::vector<SurfaceFacet> facets = Stack(1'000'000, 1);
+  std::ranges::reverse(facets);
+  const TopSurface surface(facets, 2 * kMm);
+  for (Coord i = 0; i < 100'000; ++i)
+    ASSERT_EQ(surface.At({-i * 10'000, -i}, -200'000, 0)->up_nm, 0);
+}
+
+TEST(TopSurface, NeedlesAndFacetsWithoutAreaAreNothing) {
+  constexpr Coord kFar = 2'000 * kMm;
+  const std::vector<SurfaceFacet> facets = {
+      {{Point{-kFar, -kFar}, {kFar, kFar}, {0, 0}}, {}},
+      {{Point{5, 5}, {5, 5}, {5, 5}}, {}},
+      {{Point{-kFar, -kFar}, {kFar, kFar}, {kFar - 1, kFar}}, {-10, -10, -10}}};
+  const TopSurface surface(facets, 1);
+  EXPECT_EQ(surface.At({kFar, kFar}, -200'000, 0)->up_nm, -10);
+  EXPECT_FALSE(surface.At({1, 0}, -200'000, 0));
+  const TopSurface none({facets.data(), 2}, 1);
+  EXPECT_FALSE(none.At({0, 0}, -200'000, 0));
+  EXPECT_FALSE(none.IsNear({0, 0}));
 }
 
 }  // namespace
