@@ -8,22 +8,26 @@
 namespace slicefarm::motion {
 namespace {
 
-constexpr Coord kHeightSquareNm = 200'000;
-
-Coord IndexOf(Coord nm) {
-  return nm >= 0 ? nm / kHeightSquareNm : -((-nm - 1) / kHeightSquareNm) - 1;
-}
+/// Least side of a square, and largest number of squares in the tip's radius.
+constexpr Coord kLeastSquareNm = 200'000;
+constexpr Coord kSquaresInTip = 3;
 
 uint64_t KeyOf(Coord column, Coord row) {
   return static_cast<uint64_t>(column) << 32 ^ (static_cast<uint64_t>(row) & 0xffffffff);
 }
 
-Point MiddleOf(Coord column, Coord row) {
-  return {column * kHeightSquareNm + kHeightSquareNm / 2,
-          row * kHeightSquareNm + kHeightSquareNm / 2};
+}  // namespace
+
+PrintedHeights::PrintedHeights(Coord tip_nm)
+    : tip_nm_(tip_nm), side_nm_(std::max(kLeastSquareNm, tip_nm / kSquaresInTip)) {}
+
+Coord PrintedHeights::IndexOf(Coord nm) const {
+  return nm >= 0 ? nm / side_nm_ : -((-nm - 1) / side_nm_) - 1;
 }
 
-}  // namespace
+Point PrintedHeights::MiddleOf(Coord column, Coord row) const {
+  return {column * side_nm_ + side_nm_ / 2, row * side_nm_ + side_nm_ / 2};
+}
 
 void PrintedHeights::Add(Point point, Coord up_nm) {
   const auto [square, is_new] =

@@ -34,5 +34,28 @@ TEST(PrintedHeights, HaveSquaresOnAllSidesOfTheOrigin) {
   }
 }
 
+// The tip's radius is 1.5 nozzles, and a layer is at most 0.75 nozzles high.
+TEST(PrintedHeights, HaveSquaresThatGrowWithTheNozzle) {
+  for (const Coord nozzle : {100'000, 400'000, 800'000, 1'200'000, 1'800'000, 5'000'000}) {
+    PrintedHeights printed(nozzle + nozzle / 2);
+    const Coord lowest = -nozzle * 3 / 4;
+    printed.Add({nozzle, 0}, -10'000);
+    EXPECT_EQ(printed.LeastUp({0, 0}, lowest), -10'000) << nozzle << " under the tip";
+    EXPECT_EQ(printed.LeastUp({-2 * nozzle, 0}, lowest), lowest) << nozzle << " beyond the cone";
+  }
+}
+
+// With squares of 0.2 mm, the area under this nozzle has more than 10,000 of them, each of which is
+// looked up at each point.
+TEST(PrintedHeights, WideNozzlesAreFast) {
+  constexpr Coord kWide = 8'000'000;
+  PrintedHeights printed(kWide);
+  printed.Add({0, 0}, -10'000);
+  int64_t held = 0;
+  for (Coord x = -500'000; x < 500'000; ++x)
+    held += printed.LeastUp({x, 0}, -kWide / 2) == -10'000 ? 1 : 0;
+  EXPECT_EQ(held, 1'000'000);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion::printed_heights_test
