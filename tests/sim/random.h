@@ -2,19 +2,17 @@
 
 #include <cstdint>
 
+#include "common/base/split_mix.h"
+
 namespace slicefarm::coordinator::sim {
 
-/// Random numbers from a seed, equal on every machine: SplitMix64 (Steele, Lea and Flood, "Fast
-/// Splittable Pseudorandom Number Generators", OOPSLA 2014).
+/// Random numbers from a seed, equal on every machine.
 class Random {
  public:
-  explicit Random(uint64_t seed) : state_(seed) {}
+  explicit Random(uint64_t seed) : bits_(seed) {}
 
   /// Returns the next number.
-  uint64_t Next() {
-    state_ += 0x9e3779b97f4a7c15;
-    return Mix(state_);
-  }
+  uint64_t Next() { return bits_.Bits(); }
 
   /// Returns a number in [first, last].
   int64_t Between(int64_t first, int64_t last) {
@@ -25,15 +23,8 @@ class Random {
   /// Returns true with a probability of `permille` / 1000.
   bool Chance(int permille) { return Below(1000) < permille; }
 
-  /// Returns the value with its bits mixed; also usable as a hash.
-  static uint64_t Mix(uint64_t value) {
-    value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
-    value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
-    return value ^ (value >> 31);
-  }
-
  private:
-  uint64_t state_;
+  SplitMix bits_;
 };
 
 }  // namespace slicefarm::coordinator::sim

@@ -2,7 +2,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
-#include "tests/sim/random.h"
+#include "common/base/split_mix.h"
 
 namespace slicefarm::coordinator::sim {
 
@@ -11,14 +11,14 @@ absl::Status BadInput() {
 }
 
 uint64_t LayerHash(int64_t work, const std::string& build, int32_t layer) {
-  uint64_t hash = Random::Mix(static_cast<uint64_t>(work) + 1);
-  for (const char c : build) hash = Random::Mix(hash ^ static_cast<unsigned char>(c));
-  return Random::Mix(hash ^ (static_cast<uint64_t>(layer) + 1));
+  uint64_t hash = MixedBits(static_cast<uint64_t>(work) + 1);
+  for (const char c : build) hash = MixedBits(hash ^ static_cast<unsigned char>(c));
+  return MixedBits(hash ^ (static_cast<uint64_t>(layer) + 1));
 }
 
 std::string GcodeOf(const std::vector<uint64_t>& layers) {
   uint64_t hash = layers.size();
-  for (const uint64_t layer : layers) hash = Random::Mix(hash ^ layer);
+  for (const uint64_t layer : layers) hash = MixedBits(hash ^ layer);
   return absl::StrCat("g", absl::Hex(hash));
 }
 

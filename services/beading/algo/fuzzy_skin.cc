@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/split_mix.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/beading_options.h"
 #include "services/beading/algo/noise/skin_noise.h"
-#include "services/beading/algo/noise/split_mix.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -18,18 +18,6 @@ constexpr double kLeastStep = 0.75;  ///< smallest step, as a fraction of the me
 constexpr double kStepRange = 0.5;
 /// Spacing of the narrowest bead, in nm. A narrower bead would break.
 constexpr Coord kLeastSpacing = 50'000;
-
-/// SplitMix64 random generator.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-
-  /// Returns a number in [0, 1).
-  double Next() { return UnitOf(MixedBits(state_ += kSplitMixStep)); }
-
- private:
-  uint64_t state_;
-};
 
 bool WantsSkin(FuzzySkin skin, const Path& wall) {
   if (!wall.closed || wall.feature == Feature::kGapFill || skin == FuzzySkin::kNone) return false;
@@ -63,9 +51,9 @@ class RoughWall {
   }
 
   /// Returns the rough wall, or nullopt for a dot, which has no space for roughness.
-  std::optional<Path> Make(Random& random) && {
+  std::optional<Path> Make(SplitMix& random) && {
     const auto distance = static_cast<double>(options_.fuzzy_point_distance_nm);
-    double along = random.Next() * kLeastStep / 2 * distance;
+    double along = random.Share() * kLeastStep / 2 * distance;
     double before = 0;
     int32_t new_points = 0;
     const size_t count = wall_.points.size();
@@ -73,7 +61,7 @@ class RoughWall {
       const size_t next = (i + 1) % count;
       const double length = Distance(wall_.points[i], wall_.points[next]);
       if (KeepsCorners()) Add(i, next, 0, before, random);
-      for (; along < length; along += (kLeastStep + kStepRange * random.Next()) * distance) {
+      for (; along < length; along += (kLeastStep + kStepRange * random.Share()) * distance) {
         Add(i, next, along, before + along, random);
         ++new_points;
       }
@@ -91,7 +79,7 @@ class RoughWall {
 
   /// Adds the point `along_nm` on the edge from corner `i` to corner `next`. `total_nm`: distance
   /// from the wall's first point.
-  void Add(size_t i, size_t next, double along_nm, double total_nm, Random& random) {
+  void Add(size_t i, size_t next, double along_nm, double total_nm, SplitMix& random) {
     const Point from = wall_.points[i], to = wall_.points[next];
     const Coord width = wall_.WidthAt(next);
     const double change = thickness_ * NoiseAt(from, to, along_nm, total_nm, random);
@@ -108,9 +96,9 @@ class RoughWall {
     AddPoint(PointBeside(from, to, along_nm, beside), rough);
   }
 
-  double NoiseAt(Point from, Point to, double along_nm, double total_nm, Random& random) const {
+  double NoiseAt(Point from, Point to, double along_nm, double total_nm, SplitMix& random) const {
     const FuzzyTexture& texture = options_.texture;
-    if (texture.noise == FuzzyNoise::kClassic) return 2 * random.Next() - 1;
+    if (texture.noise == FuzzyNoise::kClassic) return 2 * random.Share() - 1;
     if (ripples_) return ripples_->At(total_nm);
     return TextureNoise(texture, PointBeside(from, to, along_nm, 0), context_.z_nm);
   }
@@ -140,7 +128,7 @@ void Roughen(const BeadingOptions& options, const SkinContext& context, std::vec
     uint64_t bits = static_cast<uint32_t>(context.object);
     for (const int64_t part : {int64_t{context.layer}, wall.points[0].x, wall.points[0].y})
       bits = (bits ^ static_cast<uint64_t>(part)) * 0x100000001B3;
-    Random random(bits);
+    SplitMix random(bits);
     if (std::optional<Path> rough = RoughWall(options, context, wall).Make(random))
       wall = *std::move(rough);
   }

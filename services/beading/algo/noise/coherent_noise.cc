@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "services/beading/algo/noise/split_mix.h"
+#include "common/base/split_mix.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -92,13 +92,13 @@ double VoronoiNoise(const Vector3& at) {
     for (int64_t y = cube.y - kReach; y <= cube.y + kReach; ++y)
       for (int64_t z = cube.z - kReach; z <= cube.z + kReach; ++z) {
         const LatticeCube other{x, y, z};
-        const double dx = static_cast<double>(x) + UnitOf(CornerBits(other, 1)) - at.x();
-        const double dy = static_cast<double>(y) + UnitOf(CornerBits(other, 2)) - at.y();
-        const double dz = static_cast<double>(z) + UnitOf(CornerBits(other, 3)) - at.z();
+        const double dx = static_cast<double>(x) + ShareOfBits(CornerBits(other, 1)) - at.x();
+        const double dy = static_cast<double>(y) + ShareOfBits(CornerBits(other, 2)) - at.y();
+        const double dz = static_cast<double>(z) + ShareOfBits(CornerBits(other, 3)) - at.z();
         const double distance = dx * dx + dy * dy + dz * dz;
         if (distance >= nearest) continue;
         nearest = distance;
-        value = 2 * UnitOf(CornerBits(other, 4)) - 1;
+        value = 2 * ShareOfBits(CornerBits(other, 4)) - 1;
       }
   return value;
 }

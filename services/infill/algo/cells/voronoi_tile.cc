@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "common/base/split_mix.h"
+
 namespace slicefarm::infill {
 namespace {
 
@@ -32,27 +34,13 @@ struct SiteCopy {
   bool IsOwn() const { return step_u == 0 && step_v == 0; }
 };
 
-/// Random numbers by splitmix64 (Steele, Lea, Flood 2014).
-class Draws {
- public:
-  double Share() {
-    uint64_t z = state_ += 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  uint64_t state_ = 1;
-};
-
 int32_t InTile(double units) {
   const auto at = std::llround(units);
   return static_cast<int32_t>((at % kTileUnits + kTileUnits) % kTileUnits);
 }
 
 std::vector<Site> RandomSites(int side) {
-  Draws draws;
+  SplitMix draws(1);
   std::vector<Site> sites;
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/base/split_mix.h"
+
 namespace slicefarm::planning {
 namespace {
 
@@ -61,14 +63,8 @@ double Overhang(const SeamCandidate& candidate) {
   return cost;
 }
 
-/// Mixes the bits so that the result is evenly distributed (final steps of splitmix64: Steele, Lea,
-/// Flood 2014).
-uint64_t Mixed(uint64_t bits) {
-  bits += 0x9e3779b97f4a7c15;
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111eb;
-  return bits ^ (bits >> 31);
-}
+/// Returns bits that depend evenly on all bits.
+uint64_t Mixed(uint64_t bits) { return MixedBits(bits + kSplitMixStep); }
 
 /// Returns a pseudo-random number in [0, 1).
 double Random(RingNumber number, size_t candidate) {
@@ -76,7 +72,7 @@ double Random(RingNumber number, size_t candidate) {
   bits = Mixed(bits ^ static_cast<uint64_t>(number.layer));
   bits = Mixed(bits ^ static_cast<uint64_t>(number.ring));
   bits = Mixed(bits ^ candidate);
-  return static_cast<double>(bits >> 11) * 0x1p-53;
+  return ShareOfBits(bits);
 }
 
 Point RearMost(const std::vector<SeamCandidate>& candidates) {

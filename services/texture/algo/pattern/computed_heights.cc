@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/base/portable_math.h"
+#include "common/base/split_mix.h"
 #include "services/texture/algo/pattern/stroke_font.h"
 
 namespace slicefarm::texture {
@@ -126,16 +127,12 @@ UnitTexture Letters(const TextureSpec& spec) {
           }};
 }
 
-/// Returns a random number in [0, 1) for a node of a lattice. Source: S. Vigna, SplitMix64.
+/// Returns a random number in [0, 1) for a node of a lattice.
 double RandomAt(int64_t column, int64_t row, int64_t which, double seed) {
-  uint64_t x = static_cast<uint64_t>(seed) * 0x9e3779b97f4a7c15ULL;
-  for (const int64_t part : {column, row, which}) {
-    x += static_cast<uint64_t>(part) + 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    x ^= x >> 31;
-  }
-  return static_cast<double>(x >> 11) * 0x1p-53;
+  uint64_t bits = static_cast<uint64_t>(seed) * kSplitMixStep;
+  for (const int64_t part : {column, row, which})
+    bits = MixedBits(bits + static_cast<uint64_t>(part) + kSplitMixStep);
+  return ShareOfBits(bits);
 }
 
 int64_t Wrapped(int64_t i, int64_t count) { return (i % count + count) % count; }

@@ -9,16 +9,6 @@ SeededRandom SeededRandom::Of(uint64_t seed, uint64_t index) {
   return SeededRandom(SeededRandom(first ^ index).Bits());
 }
 
-uint64_t SeededRandom::Bits() {
-  state_ += 0x9e3779b97f4a7c15;
-  uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
-double SeededRandom::Uniform() { return static_cast<double>(Bits() >> 11) * 0x1p-53; }
-
 std::string RequestId(uint64_t seed, uint64_t index) {
   SeededRandom random = SeededRandom::Of(seed, index);
   const uint64_t high = random.Bits();
