@@ -7,6 +7,9 @@
 
 namespace slicefarm {
 
+/// Limits of PatternOptions::gyroid_waves. The pattern keeps its density between them.
+inline constexpr double kLeastGyroidWaves = 0.5, kMostGyroidWaves = 2;
+
 /// Options of single infill patterns. Member comments begin with the name of the setting.
 struct PatternOptions {
   int32_t lines = 1;                             ///< `fill_multiline`: number of lines side by side

@@ -26,7 +26,6 @@ namespace {
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
 constexpr double kRightAngle = 1.5708;
 constexpr double kMostLightningAngle = 1.5;  // radians: 86 degrees
-constexpr double kLeastWaves = 0.5, kMostWaves = 2;
 constexpr int kMostOctaves = 10;
 constexpr int kMostLinesSideBySide = 10;
 constexpr double kLeastLean = 0.26, kMostLean = 1.31;  // radians: 15 and 75 degrees
@@ -135,7 +134,8 @@ absl::Status CheckShape(const PatternOptions& shape, const LockedZagOptions& zon
   status.Update(CheckRange("shape.lattice_2_rad", std::abs(shape.lattice_2_rad), 0, kMostLean));
   status.Update(CheckRange("shape.honeycomb_rad", shape.honeycomb_rad, kLeastLean, kMostLean));
   status.Update(CheckRange("shape.smooth", shape.smooth, 0, 1));
-  status.Update(CheckRange("shape.gyroid_waves", shape.gyroid_waves, kLeastWaves, kMostWaves));
+  status.Update(
+      CheckRange("shape.gyroid_waves", shape.gyroid_waves, kLeastGyroidWaves, kMostGyroidWaves));
   for (const double angle_rad :
        {shape.lightning_overhang_rad, shape.lightning_prune_rad, shape.lightning_straighten_rad})
     status.Update(CheckRange("shape.lightning_rad", angle_rad, 0, kMostLightningAngle));

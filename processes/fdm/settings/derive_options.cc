@@ -87,7 +87,7 @@ void DerivePolyholes(JobRows& settings) {
 /// Sets the waves of a stiff gyroid by the density and the height of its lines, as OrcaSlicer does:
 /// the square root of the density of the waves, less for lines that are high beside their distance.
 void DeriveGyroid(JobRows& settings) {
-  constexpr double kWavesPerDensity = 2.44, kLeast = 0.5, kMost = 2;
+  constexpr double kWavesPerDensity = 2.44;
   InfillOptions& infill = FdmOf(settings).region.infill;
   PatternOptions& shape = infill.shape;
   shape.gyroid_waves = 1;
@@ -98,7 +98,7 @@ void DeriveGyroid(JobRows& settings) {
   const double height_share = static_cast<double>(height_nm) / (spacing * shape.lines);
   const double waves =
       std::sqrt(infill.density * kWavesPerDensity / shape.lines / (1 + height_share));
-  shape.gyroid_waves = std::clamp(waves, kLeast, kMost);
+  shape.gyroid_waves = std::clamp(waves, kLeastGyroidWaves, kMostGyroidWaves);
 }
 
 /// Sets the space for the head around arranged copies that are printed one after another.
