@@ -115,7 +115,7 @@ std::vector<FillBlock> TakeIroning(std::vector<FillBlock>& blocks) {
 }
 
 void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
-                 const SectionPlan& plan, Route& route, WorkBudget& budget) {
+                 const SectionPlan& plan, AirBelow& air, Route& route, WorkBudget& budget) {
   const WallOrder order = OrderOf(island, options);
   const WallRules rules{OrderOf(order), plan.seams, order.stagger_seams};
   std::vector<Path*> walls;
@@ -131,7 +131,7 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
   std::vector<FillBlock> fills = BlocksOf(island.fills);
   std::vector<FillBlock> ironing = TakeIroning(fills);
   std::vector<Path*> last;
-  if (order.unsupported_last && !fills.empty()) last = TakeUnsupported(walls, plan.air);
+  if (order.unsupported_last && !fills.empty()) last = TakeUnsupported(walls, air);
   const auto print_rest = [&] {
     if (!last.empty())
       PrintWalls(last, rules, ironing.empty() ? next : std::nullopt, route, budget);
@@ -197,6 +197,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
+  AirBelow air(plan.air);
   std::optional<IslandEdges> left;
   std::optional<CurlAvoidance> curled;
   if (options.travel.avoid_curled && !plan.curled.empty())
@@ -209,7 +210,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;
     route.Enter({looks_at_walls ? known : nullptr, known, OrderOf(island, options).whole_loops});
-    PrintIsland(island, next, options, plan, route, budget);
+    PrintIsland(island, next, options, plan, air, route, budget);
     const size_t first = travels.size();
     Meetings meetings;
     if (is_first) meetings.below = plan.entry;

@@ -1,9 +1,12 @@
 #include "services/ordering/algo/unsupported_walls.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/covers.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/wall_groups.h"
@@ -14,26 +17,35 @@ namespace {
 /// Half the width of the stripe that stands for a centre line.
 constexpr Coord kStripeNm = 5'000;
 
-bool IsOverAir(const Path& wall, const MultiPolygon& air, const MultiPolygon& grown) {
-  if (!wall.closed) return false;
-  if (!std::ranges::all_of(wall.points, [&](Point p) { return Covers(air, p); })) return false;
-  Polyline line = wall.points;
-  line.push_back(line.front());
-  const MultiPolygon stripe = OffsetLines({&line, 1}, kStripeNm, Cap::kRound);
-  return Difference(stripe, grown).empty();
-}
+/// Distance by which the areas over air grow. It is more than half of a stripe and its rounding.
+constexpr Coord kGrowthNm = 2 * kStripeNm;
 
 }  // namespace
 
-std::vector<Path*> TakeUnsupported(std::vector<Path*>& walls, const MultiPolygon& air) {
+bool AirBelow::IsUnder(const Path& wall) {
+  if (!wall.closed) return false;
+  const Box box = Bounds(wall.points);
+  const MultiPolygon near = IslandsNear(box, air_, index_);
+  if (!std::ranges::all_of(wall.points, [&](Point p) { return Covers(near, p); })) return false;
+  if (!grown_) {
+    MultiPolygon grown = Offset(air_, kGrowthNm);
+    BoxIndex index(grown);
+    grown_.emplace(std::move(grown), std::move(index));
+  }
+  Polyline line = wall.points;
+  line.push_back(line.front());
+  const MultiPolygon stripe = OffsetLines({&line, 1}, kStripeNm, Cap::kRound);
+  return Difference(stripe, IslandsNear(box.Grown(kStripeNm), grown_->air, grown_->index)).empty();
+}
+
+std::vector<Path*> TakeUnsupported(std::vector<Path*>& walls, AirBelow& air) {
   std::vector<Path*> unsupported;
   if (air.empty()) return unsupported;
-  const MultiPolygon grown = Offset(air, 2 * kStripeNm);
   for (const WallGroup& group : GroupWalls(SortedByGeometry(walls)))
-    if (std::ranges::all_of(group.walls,
-                            [&](const Path* wall) { return IsOverAir(*wall, air, grown); }))
+    if (std::ranges::all_of(group.walls, [&](const Path* wall) { return air.IsUnder(*wall); }))
       unsupported.insert(unsupported.end(), group.walls.begin(), group.walls.end());
-  std::erase_if(walls, [&](Path* wall) { return std::ranges::count(unsupported, wall) > 0; });
+  const std::set<const Path*> taken(unsupported.begin(), unsupported.end());
+  std::erase_if(walls, [&](const Path* wall) { return taken.contains(wall); });
   return unsupported;
 }
 

@@ -37,7 +37,8 @@ TEST(TakeUnsupported, TakesContoursOverAirAlone) {
     Path outer = Loop(0, 10, 0, c.closed), inner = Loop(0.45, 9.1, 1, c.closed);
     std::vector<Path*> walls = {&inner, &outer};
     const MultiPolygon air = c.air.empty() ? MultiPolygon{} : MakePolygonsOrDie(c.air);
-    const std::vector<Path*> taken = TakeUnsupported(walls, air);
+    AirBelow below(air);
+    const std::vector<Path*> taken = TakeUnsupported(walls, below);
     EXPECT_EQ(taken.size(), c.taken) << c.name;
     EXPECT_EQ(walls.size(), 2 - c.taken) << c.name;
   }
@@ -46,9 +47,33 @@ TEST(TakeUnsupported, TakesContoursOverAirAlone) {
 TEST(TakeUnsupported, LeavesOtherContours) {
   Path over_air = Loop(0, 10, 0), resting = Loop(20, 10, 0);
   std::vector<Path*> walls = {&resting, &over_air};
-  const auto taken = TakeUnsupported(walls, MakePolygonsOrDie("(-1 -1, 11 -1, 11 11, -1 11)"));
+  const MultiPolygon air = MakePolygonsOrDie("(-1 -1, 11 -1, 11 11, -1 11)");
+  AirBelow below(air);
+  const auto taken = TakeUnsupported(walls, below);
   EXPECT_EQ(taken, std::vector<Path*>{&over_air});
   EXPECT_EQ(walls, std::vector<Path*>{&resting});
+}
+
+// An offset of all air for each island would be quadratic.
+TEST(TakeUnsupported, ManyIslandsAreFast) {
+  constexpr Coord kSide = 150;
+  MultiPolygon air;
+  std::vector<Path> loops;
+  for (Coord i = 0; i < kSide * kSide; ++i) {
+    const Point low{FromMm(3) * (i % kSide), FromMm(3) * (i / kSide)};
+    const Point high{low.x + FromMm(2), low.y + FromMm(2)};
+    Path loop = Loop(0.5, 1, 0);
+    for (Point& p : loop.points) p = p + low;
+    loops.push_back(std::move(loop));
+    air.push_back({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
+  }
+  AirBelow below(air);
+  size_t taken = 0;
+  for (Path& loop : loops) {
+    std::vector<Path*> walls = {&loop};
+    taken += TakeUnsupported(walls, below).size();
+  }
+  EXPECT_EQ(taken, loops.size());
 }
 
 }  // namespace
