@@ -223,7 +223,7 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
   const MultiPolygon fenced = skirt.loops > 0 ? Fenced() : MultiPolygon{};
   const bool shields = skirt.draft_shield != DraftShield::kDisabled;
   std::vector<std::vector<Path>> skirts;
-  if (shields) skirts = SkirtLoops(fenced, {}, skirt);
+  if (shields) skirts = SkirtLoops(fenced, {}, skirt, cancel);
   const std::set<int32_t> alone = Alone();
   auto brims = PlaceBrims(alone, ShieldKeepOut(skirts, skirt), cancel);
   if (!brims.ok()) return brims.status();
@@ -238,7 +238,8 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
     const int32_t row = options_.objects[static_cast<size_t>(object)].brim_settings;
     AddBrim(object, {{Role::kBrim, row, 0, *std::move(brim)}}, plan);
   }
-  if (!shields) skirts = SkirtLoops(fenced, outside, skirt);
+  if (!shields) skirts = SkirtLoops(fenced, outside, skirt, cancel);
+  if (absl::Status ok = cancel.Check(); !ok.ok()) return ok;
   if (absl::Status ok = AddSkirts(std::move(skirts), plan); !ok.ok()) return ok;
   AddBrim(kPlateObject, *std::move(brims), plan);
   return absl::OkStatus();

@@ -7,6 +7,7 @@
 #include "common/base/portable_math.h"
 #include "common/geometry/between.h"
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/box_index.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/covers.h"
 #include "common/geometry/measure.h"
@@ -135,27 +136,39 @@ std::vector<Path> LoopsAround(const Polygon& hull, const SkirtOptions& options) 
   return loops;
 }
 
+/// Returns the distance of the centre lines up to which a skirt's outermost bead meets another one.
+Coord ReachOf(const std::vector<Path>& skirt) { return skirt.front().widths_nm.front(); }
+
 /// Returns true if the beads of the outermost loops of two skirts meet, or one skirt is inside the
 /// other.
 bool Meet(const std::vector<Path>& a, const std::vector<Path>& b) {
-  if (a.empty() || b.empty()) return false;
-  const Polygon &first = a.front().points, &second = b.front().points;
-  const Coord reach_nm = a.front().widths_nm.front();
-  if (!Bounds(first).Grown(reach_nm).Intersects(Bounds(second))) return false;
-  return !Intersection(Offset({{first, {}}}, reach_nm), {{second, {}}}).empty();
+  return !Intersection(Offset({{a.front().points, {}}}, ReachOf(a)), {{b.front().points, {}}})
+              .empty();
 }
 
-/// Joins groups of points if their skirts meet. Returns false if no skirts meet. Cost: O(n^2)
-/// comparisons of boxes for n groups.
-bool JoinMeeting(const std::vector<std::vector<Path>>& skirts,
+/// Returns the box of the outermost loop of each skirt; empty for a skirt without loops.
+std::vector<Box> BoxesOf(const std::vector<std::vector<Path>>& skirts) {
+  std::vector<Box> boxes;
+  boxes.reserve(skirts.size());
+  for (const std::vector<Path>& loops : skirts)
+    boxes.push_back(loops.empty() ? Box() : Bounds(loops.front().points));
+  return boxes;
+}
+
+/// Joins groups of points if their skirts meet. Returns false if no skirts meet. Cost: O(n log n)
+/// for n groups of which few have boxes that meet.
+bool JoinMeeting(const std::vector<std::vector<Path>>& skirts, const CancelToken& cancel,
                  std::vector<std::vector<Point>>& groups) {
+  const std::vector<Box> boxes = BoxesOf(skirts);
+  const BoxIndex index(boxes);
   bool joined = false;
-  for (size_t i = groups.size(); i-- > 1;) {
-    const auto meets = [&](const std::vector<Path>& other) { return Meet(skirts[i], other); };
-    const auto first =
-        std::find_if(skirts.begin(), skirts.begin() + static_cast<ptrdiff_t>(i), meets);
-    if (first == skirts.begin() + static_cast<ptrdiff_t>(i)) continue;
-    std::vector<Point>& into = groups[static_cast<size_t>(first - skirts.begin())];
+  for (size_t i = groups.size(); i-- > 1 && !cancel.Cancelled();) {
+    if (skirts[i].empty()) continue;
+    const std::vector<size_t> near = index.Meeting(boxes[i].Grown(ReachOf(skirts[i])));
+    const auto first = std::ranges::find_if(
+        near, [&](size_t other) { return other >= i || Meet(skirts[i], skirts[other]); });
+    if (first == near.end() || *first >= i) continue;
+    std::vector<Point>& into = groups[*first];
     into.insert(into.end(), groups[i].begin(), groups[i].end());
     groups[i].clear();
     joined = true;
@@ -179,7 +192,7 @@ bool SkirtReach::Next(const SlicedLayer& layer) {
 }
 
 std::vector<std::vector<Path>> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
-                                          const SkirtOptions& options) {
+                                          const SkirtOptions& options, const CancelToken& cancel) {
   if (options.loops <= 0 || Spacing(options.width_nm, options.height_nm) <= 0) return {};
   std::vector<std::vector<Point>> groups(options.per_object ? 0 : 1);
   const auto add = [&](const MultiPolygon& polygons) {
@@ -194,10 +207,11 @@ std::vector<std::vector<Path>> SkirtLoops(const MultiPolygon& parts, const Multi
   do {
     skirts.clear();
     for (std::vector<Point>& group : groups) {
+      if (cancel.Cancelled()) return {};
       group = ConvexHull(std::move(group));
       skirts.push_back(LoopsAround(group, options));
     }
-  } while (JoinMeeting(skirts, groups));
+  } while (JoinMeeting(skirts, cancel, groups));
   std::erase_if(skirts, [](const std::vector<Path>& loops) { return loops.empty(); });
   return skirts;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "common/model/layers/layer.h"
 #include "common/model/options/adhesion_options.h"
@@ -49,9 +50,9 @@ class SkirtReach {
 /// in any order. The outlines may overlap. Paths are closed, counter-clockwise, Feature::kSkirt,
 /// object -1, with one width, and height 0 (the layer's). Units: nm, in plate coordinates.
 /// Distances are exact to 0.008 mm. Errors: none. The result is empty if there are no parts, or if
-/// lines of this width and height have no spacing. Cost: O(n log n) for n points, and O(k) for a
-/// loop around k points of the hull. Source: measured with PrusaSlicer 2.5.0, box of 20 mm, width
-/// 0.4, height 0.2 (spacing 0.357):
+/// lines of this width and height have no spacing. It is of no use after `cancel`. Cost: O(n log n)
+/// for n points, and O(k) for a loop around k points of the hull. Source: measured with
+/// PrusaSlicer 2.5.0, box of 20 mm, width 0.4, height 0.2 (spacing 0.357):
 /// - Same in slicefarm: the order, round corners, loops 0.357 apart. min_skirt_length 20 gives 6
 ///   loops with a total of 22.3 mm of filament, and the same six on each layer of skirt_height.
 /// - Same in slicefarm: skirts = 0 gives no loops, even with min_skirt_length or draft_shield.
@@ -62,7 +63,8 @@ class SkirtReach {
 ///   inner side is 0.157 farther out than skirt_distance says. In slicefarm the inner side is at
 ///   skirt_distance.
 std::vector<std::vector<Path>> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
-                                          const SkirtOptions& options);
+                                          const SkirtOptions& options,
+                                          const CancelToken& cancel = {});
 
 /// Cuts the loops where their beads would leave the bed. A loop inside the bed is unchanged. The
 /// remaining pieces of a cut loop are open lines, with the loop's direction and position in the

@@ -141,6 +141,35 @@ TEST(SkirtLoops, SurroundEachObjectUnlessTheyMeet) {
   EXPECT_EQ(SkirtLoops(row, {}, each).size(), 2u) << "a chain of three, and one";
 }
 
+/// Returns islands of 1 mm in rows of 100, 10 mm apart.
+MultiPolygon ManyIslands(Coord count) {
+  MultiPolygon islands;
+  for (Coord i = 0; i < count; ++i) {
+    const Point at{FromMm(10) * (i % 100), FromMm(10) * (i / 100)};
+    const Coord far = FromMm(1);
+    islands.push_back({{at, {at.x + far, at.y}, {at.x + far, at.y + far}, {at.x, at.y + far}}, {}});
+  }
+  return islands;
+}
+
+// A comparison of all pairs would need the boxes of 2 * 10^8 pairs of loops.
+TEST(SkirtLoops, SurroundManyObjects) {
+  const SkirtOptions each{.loops = 1, .distance_nm = 1'000'000, .per_object = true};
+  EXPECT_EQ(SkirtLoops(ManyIslands(20'000), {}, each).size(), 20'000u);
+  const SkirtOptions wide{.loops = 1, .distance_nm = 5'000'000, .per_object = true};
+  EXPECT_EQ(SkirtLoops(ManyIslands(20'000), {}, wide).size(), 1u);
+}
+
+TEST(SkirtLoops, AreCancelled) {
+  const SkirtOptions each{.loops = 1, .distance_nm = 1'000'000, .per_object = true};
+  for (const int most : {0, 3, 12}) {
+    int polls = 0;
+    const CancelToken token([&] { return ++polls > most; });
+    SkirtLoops(ManyIslands(10), {}, each, token);
+    EXPECT_EQ(polls, most + 1);
+  }
+}
+
 TEST(SkirtLoops, OfAnObjectSurroundItsBrim) {
   const SkirtOptions each{.loops = 1, .per_object = true};
   const MultiPolygon brim = P("(-4 -4, 24 -4, 24 24, -4 24) (0 0, 20 0, 20 20, 0 20)");
