@@ -33,8 +33,17 @@ std::vector<LinePiece> PiecesOfLines(const ScanLines& lines) {
   return pieces;
 }
 
-bool AreBeside(const LinePiece& a, const LinePiece& b) {
-  return a.to_u > b.from_u && b.to_u > a.from_u;
+/// Calls visit(other) for the pieces on the lines beside a piece that are beside it. `pieces`:
+/// sorted by line, then by u. Cost: O(log n) and the calls, n pieces.
+template <typename Visit>
+void VisitBeside(const std::vector<LinePiece>& pieces, size_t i, const Visit& visit) {
+  const LinePiece& piece = pieces[i];
+  const auto end_of = [](const LinePiece& other) { return std::pair(other.line, other.to_u); };
+  for (const int32_t line : {piece.line - 1, piece.line + 1}) {
+    auto other = std::ranges::upper_bound(pieces, std::pair(line, piece.from_u), {}, end_of);
+    for (; other != pieces.end() && other->line == line && other->from_u < piece.to_u; ++other)
+      visit(static_cast<size_t>(other - pieces.begin()));
+  }
 }
 
 /// Short lines that are connected side by side.
@@ -45,16 +54,10 @@ struct ShortRun {
   bool alone = true;  ///< true if no long line is beside the run
 };
 
-/// Returns the runs of pieces shorter than `least_nm`. `pieces`: sorted by line.
+/// Returns the runs of pieces shorter than `least_nm`. `pieces`: sorted by line, then by u. Cost:
+/// O(n log n), n pieces.
 std::vector<ShortRun> ShortRuns(const std::vector<LinePiece>& pieces, double least_nm) {
   const auto is_short = [&](size_t i) { return pieces[i].to_u - pieces[i].from_u < least_nm; };
-  const auto visit_beside = [&](size_t i, auto visit) {
-    for (const int32_t line : {pieces[i].line - 1, pieces[i].line + 1}) {
-      const auto begin = std::ranges::lower_bound(pieces, line, {}, &LinePiece::line);
-      for (auto other = begin; other != pieces.end() && other->line == line; ++other)
-        if (AreBeside(pieces[i], *other)) visit(static_cast<size_t>(other - pieces.begin()));
-    }
-  };
   std::vector<ShortRun> runs;
   std::vector<char> seen(pieces.size(), 0);
   for (size_t start = 0; start < pieces.size(); ++start) {
@@ -65,7 +68,7 @@ std::vector<ShortRun> ShortRuns(const std::vector<LinePiece>& pieces, double lea
       const size_t at = run.pieces[k];
       run.first = std::min(run.first, pieces[at].line);
       run.last = std::max(run.last, pieces[at].line);
-      visit_beside(at, [&](size_t other) {
+      VisitBeside(pieces, at, [&](size_t other) {
         if (!is_short(other)) {
           run.alone = false;
         } else if (!seen[other]) {

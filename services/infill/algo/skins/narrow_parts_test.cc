@@ -72,5 +72,27 @@ TEST(PartByLines, FewShortLinesMatterOnlyAlone) {
   EXPECT_FALSE(ByLines("(0 0, 3 0, 3 0.9, 0 0.9)", 0).narrow.empty());
 }
 
+/// Returns a comb with a back of 0.2 mm and `count` teeth of 0.02 x 0.02 mm, 0.02 mm apart.
+MultiPolygon Comb(Coord count) {
+  constexpr Coord kUnit = kNmPerMm / 50;
+  const auto at = [&](Coord x, Coord y) { return Point{(x - count) * kUnit, y * kUnit}; };
+  Polygon comb = {at(0, -10), at(2 * count - 1, -10)};
+  for (Coord i = count; i-- > 0;) {
+    comb.insert(comb.end(), {at(2 * i + 1, 1), at(2 * i, 1)});
+    if (i > 0) comb.insert(comb.end(), {at(2 * i, 0), at(2 * i - 1, 0)});
+  }
+  return {{comb, {}}};
+}
+
+// Two lines meet all teeth: too few to be narrow. A search for neighbours along whole lines would
+// need more than 10^10 steps.
+TEST(PartByLines, CombsOfManyTeethAreFast) {
+  const MultiPolygon comb = Comb(90'000);
+  const auto parts = PartByLines(comb, {.phase_nm = 5'000, .pitch_nm = 10'000}, FromMm(0.1));
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  EXPECT_EQ(parts->wide, comb);
+  EXPECT_TRUE(parts->narrow.empty());
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::narrow_parts_test
