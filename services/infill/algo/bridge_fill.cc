@@ -64,6 +64,11 @@ std::optional<BridgeSpan> SpanOf(const RegionContext& context, const PolygonWith
   return span;
 }
 
+std::optional<double> AngleOf(const std::optional<BridgeSpan>& span) {
+  if (!span) return std::nullopt;
+  return span->angle_rad;
+}
+
 /// Returns the direction of a bridge over sparse infill.
 double SparseBridgeAngle(const RegionContext& context, const PolygonWithHoles& region,
                          const MultiPolygon& bearers) {
@@ -75,14 +80,20 @@ double SparseBridgeAngle(const RegionContext& context, const PolygonWithHoles& r
   return best_rad + options.internal_angle_rad;
 }
 
-/// Returns the lines of a bridge in the direction of its span.
+/// Returns the outlines that bear the layer's bridges, or null.
+const MultiPolygon* OutlineBelow(const Cover& cover) {
+  const auto& bearers = cover.bearers.empty() ? cover.below : cover.bearers;
+  return bearers.empty() ? nullptr : bearers[0];
+}
+
+/// Returns the lines of a bridge in a direction, or in the default direction without one.
 absl::StatusOr<FillGroup> SpanningLines(const RegionContext& context,
                                         const PolygonWithHoles& region,
-                                        const std::optional<BridgeSpan>& span, Coord width_nm,
+                                        std::optional<double> angle_rad, Coord width_nm,
                                         bool anchored) {
   const FillPattern pattern = context.options.bottom_pattern;
   SolidFill fill = context.FillOf(Feature::kBridgeInfill, pattern,
-                                  span ? span->angle_rad : context.SolidAngle(pattern), width_nm,
+                                  angle_rad ? *angle_rad : context.SolidAngle(pattern), width_nm,
                                   context.options.overlap_nm);
   fill.anchored = anchored;
   return FillSolid(region, fill);
@@ -115,14 +126,12 @@ absl::Status AppendBridges(const RegionContext& context, const MultiPolygon& reg
   const InfillOptions& options = context.options;
   const MultiPolygon& supports = context.view.above_supports;
   const Coord height_nm = context.view.height_nm;
-  const Cover& cover = context.cover;
-  const auto& bearers = cover.bearers.empty() ? cover.below : cover.bearers;
-  const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
   for (const PolygonWithHoles& region : regions) {
     // Strands hang below their layer and would weld to a support.
     const bool supported = !supports.empty() && !Intersection({region}, supports).empty();
     const LineBead bead = BridgeBead(context, options.thick_bridges && !supported,
                                      options.bridge_flow, options.bridge_density);
+    const MultiPolygon* below = OutlineBelow(context.cover);
     const auto span = SpanOf(context, region, below);
     RequestedFill asked{Feature::kBridgeInfill, options.bottom_pattern, Area(region), height_nm,
                         bead.share};
@@ -133,7 +142,7 @@ absl::Status AppendBridges(const RegionContext& context, const MultiPolygon& reg
           region, *below,
           {.width_nm = bead.width_nm, .height_nm = height_nm, .overlap_nm = options.overlap_nm});
     } else {
-      auto solid = SpanningLines(context, region, span, bead.width_nm, /*anchored=*/true);
+      auto solid = SpanningLines(context, region, AngleOf(span), bead.width_nm, /*anchored=*/true);
       if (!solid.ok()) return solid.status();
       lines = *std::move(solid);
     }
@@ -143,14 +152,42 @@ absl::Status AppendBridges(const RegionContext& context, const MultiPolygon& reg
   return absl::OkStatus();
 }
 
+SpannedBridges::SpannedBridges(const RegionContext& context, MultiPolygon regions)
+    : regions_(std::move(regions)), index_(regions_) {
+  for (const PolygonWithHoles& region : regions_) {
+    angles_.push_back(AngleOf(SpanOf(context, region, OutlineBelow(context.cover))));
+  }
+}
+
+SpannedBridges SpannedBridges::Below(const RegionContext& context) {
+  const InfillOptions& options = context.options;
+  const SectionView view = context.view.Below();
+  const RegionContext below(view, context.settings, options);
+  const MultiPolygon* outline = view.OutlineAt(view.layer, context.row);
+  if (outline == nullptr) return {below, {}};
+  Skins skins = PartFillArea(FastOffset(*outline, -options.walls_nm), *outline, below.cover,
+                             {.width_nm = options.solid_width_nm, .all_solid = true});
+  return {below, std::move(skins.bridge)};
+}
+
+std::optional<double> SpannedBridges::AngleUnder(const PolygonWithHoles& region) const {
+  std::optional<double> angle_rad;
+  double most = 0;
+  for (const size_t i : index_.Meeting(Bounds(region.outer))) {
+    const double borne = Area(Intersection({regions_[i]}, {region}));
+    if (borne <= most) continue;
+    most = borne;
+    angle_rad = angles_[i];
+  }
+  return angle_rad;
+}
+
 absl::Status AppendSecondBridges(const RegionContext& context, const MultiPolygon& regions,
-                                 Fills& fills) {
+                                 const SpannedBridges& bearing, Fills& fills) {
   const Coord height_nm = context.view.height_nm;
   const LineBead bead = BridgeBead(context, /*thick=*/false, context.options.bridge_flow, 1);
-  const auto& bearers = context.cover.bearers;
-  const MultiPolygon* below = bearers.size() > 1 ? bearers[1] : nullptr;
   for (const PolygonWithHoles& region : regions) {
-    auto lines = SpanningLines(context, region, SpanOf(context, region, below), bead.width_nm,
+    auto lines = SpanningLines(context, region, bearing.AngleUnder(region), bead.width_nm,
                                /*anchored=*/false);
     if (!lines.ok()) return lines.status();
     ScaleSections(bead.share, height_nm, height_nm, lines->paths);

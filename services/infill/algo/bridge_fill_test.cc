@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -135,6 +136,36 @@ TEST(BridgeFill, BridgesOverAirHaveASecondLayerIfAskedFor) {
   }
   for (const FillStats& use : BridgeBy(options, 6).uses)
     EXPECT_NEAR(use.asked_mm3 / use.volume_mm3, 1, 1e-6);
+}
+
+/// Returns the direction of the second bridge if the layer above the slab has only this area.
+double SecondDirection(std::string_view above) {
+  InfillOptions options = Thin();
+  options.density = 1;
+  options.bridges.extra = ExtraBridges::kExternal;
+  auto layers = Prism();
+  for (size_t i = 0; i < layers.size(); ++i) {
+    MultiPolygon& outlines = layers[i].sections[0].regions[0].outlines;
+    if (i < 5) outlines = P("(0 0, 5 0, 5 20, 0 20) ; (15 0, 20 0, 20 20, 15 20)");
+    if (i > 5) outlines = P(above);
+  }
+  const ObjectLayers objects(layers);
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P(above)}};
+  const std::vector<InfillOptions> regions = {options};
+  const auto rows = ParseFields(regions);
+  RegionFields none(*rows, {});
+  const auto filled = FillSection({0, 6, 200'000, {island}}, false, objects, {}, regions, none);
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  return DirectionOf(*filled, Feature::kBridgeInfill);
+}
+
+// A column on a bridge does not reach the bridge's pillars, or only one of them.
+TEST(BridgeFill, SecondLayersAreParallelToTheBridgeThatBearsThem) {
+  const double first = DirectionOf(BridgeBy(Thin()), Feature::kBridgeInfill);
+  EXPECT_NEAR(SecondDirection("(8 6, 12 6, 12 14, 8 14)"), first, 0.1);
+  EXPECT_NEAR(SecondDirection("(2 8, 10 8, 10 10, 2 10)"), first, 0.1);
+  EXPECT_NEAR(SecondDirection("(1 1, 19 1, 19 19, 1 19)"), first, 0.1);
 }
 
 // The layer above a bridge over sparse infill is a bridge with lines across.

@@ -201,8 +201,12 @@ class RegionFill {
 
   /// Adds the areas over bridges of the layer below: second bridges, or solid infill with its own
   /// feature.
-  absl::Status AppendOverBridges(const MultiPolygon& regions, Fills& fills) const {
-    if (DoublesBridges()) return AppendSecondBridges(context_, regions, fills);
+  absl::Status AppendOverBridges(const MultiPolygon& regions, Fills& fills) {
+    if (regions.empty()) return absl::OkStatus();
+    if (DoublesBridges()) {
+      if (!bridges_below_) bridges_below_.emplace(SpannedBridges::Below(context_));
+      return AppendSecondBridges(context_, regions, *bridges_below_, fills);
+    }
     SolidLook look = InnerLook();
     look.feature = Feature::kSolidOverBridge;
     return AppendSolid(regions, look, fills);
@@ -426,8 +430,9 @@ class RegionFill {
 
   const PlannedInfill* plan_;
   const FlowTable flows_;
-  std::optional<SparseUnder> under_;  ///< made when first needed
-  Point middle_;                      ///< middle of the body of the area that is being filled
+  std::optional<SparseUnder> under_;             ///< made when first needed
+  std::optional<SpannedBridges> bridges_below_;  ///< made when first needed
+  Point middle_;  ///< middle of the body of the area that is being filled
 };
 
 /// Sets settings, tool and feature of each path and each use.
