@@ -8,7 +8,7 @@
 
 namespace slicefarm {
 
-/// Index of boxes, which finds those that meet another box. It is a tree of boxes around boxes.
+/// Index of boxes, to find all that meet another box. It is a tree of boxes around boxes.
 class BoxIndex {
  public:
   /// Cost: O(n log n), n boxes.

@@ -53,5 +53,28 @@ TEST(TopGrowth, NeedsATopOfTwoLinesOnTheIsland) {
       << "the other island has no top";
 }
 
+/// Returns squares of a number of sides, 12 mm apart.
+MultiPolygon Squares(Coord in_row, Coord low_nm, Coord high_nm) {
+  MultiPolygon squares;
+  for (Coord i = 0; i < in_row * in_row; ++i) {
+    const Point at{FromMm(12) * (i % in_row), FromMm(12) * (i / in_row)};
+    const Point low{at.x + low_nm, at.y + low_nm}, high{at.x + high_nm, at.y + high_nm};
+    squares.push_back({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
+  }
+  return squares;
+}
+
+// An operation with the whole layer above for each island would be quadratic.
+TEST(TopGrowth, ManyIslandsAreFast) {
+  constexpr Coord kInRow = 150;
+  const MultiPolygon outline = Squares(kInRow, 0, FromMm(10));
+  const MultiPolygon above = Squares(kInRow, FromMm(4), FromMm(6));
+  const MultiPolygon growth = TopGrowth(
+      outline, above,
+      {.surfaces = {.expansion_nm = 5'000'000}, .walls_nm = 1'000'000, .width_nm = 400'000});
+  EXPECT_EQ(growth.size(), outline.size());
+  EXPECT_NEAR(Area(growth) / Area(above), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::expanded_tops_test
