@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "common/geometry/box_index.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::infill {
@@ -103,36 +105,76 @@ void TakeIn(const Path& ring, const PathCrossing& crossing, double cut_nm, Path&
                      points.end());
 }
 
-/// Inserts a ring into the first other path that it crosses. Returns false if there is none.
-bool IsTakenIn(size_t ring, double margin, std::vector<Placed>& paths, size_t& pairs) {
-  for (size_t i = 0; i < paths.size() && pairs < kMostPairs; ++i) {
-    if (i == ring || !paths[i].box.Intersects(paths[ring].box)) continue;
-    const auto crossing = FirstCrossing(paths[i], paths[ring].path, margin, pairs);
-    if (!crossing) continue;
-    TakeIn(paths[ring].path, *crossing, kCut * margin, paths[i].path);
-    paths[i].box.Add(paths[ring].box);
-    return true;
+/// Paths that take in rings, one after the other.
+class Splicer {
+ public:
+  Splicer(std::vector<Path> paths, double margin_nm)
+      : margin_nm_(margin_nm), index_(BoxesOf(paths)), owner_(paths.size()) {
+    std::iota(owner_.begin(), owner_.end(), size_t{0});
+    placed_.reserve(paths.size());
+    for (Path& path : paths) {
+      const Box box = Bounds(path.points);
+      placed_.push_back({std::move(path), box});
+    }
   }
-  return false;
-}
+
+  std::vector<Path> Run() {
+    for (size_t ring = placed_.size(); ring-- > 0 && pairs_ < kMostPairs;)
+      if (placed_[ring].path.closed) TakeInto(ring);
+    std::vector<Path> paths;
+    for (size_t i = 0; i < placed_.size(); ++i)
+      if (owner_[i] == i) paths.push_back(std::move(placed_[i].path));
+    return paths;
+  }
+
+ private:
+  static std::vector<Box> BoxesOf(const std::vector<Path>& paths) {
+    std::vector<Box> boxes;
+    boxes.reserve(paths.size());
+    for (const Path& path : paths) boxes.push_back(Bounds(path.points));
+    return boxes;
+  }
+
+  /// Returns the path that has taken in a path, directly or with another one.
+  size_t OwnerOf(size_t path) {
+    for (; owner_[path] != path; path = owner_[path]) owner_[path] = owner_[owner_[path]];
+    return path;
+  }
+
+  /// Returns the other paths with parts near a ring, ascending.
+  std::vector<size_t> PathsNear(size_t ring) {
+    std::vector<size_t> near = index_.Meeting(placed_[ring].box);
+    for (size_t& path : near) path = OwnerOf(path);
+    std::ranges::sort(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::erase(near, ring);
+    return near;
+  }
+
+  /// Inserts a ring into the first other path that it crosses, if there is one.
+  void TakeInto(size_t ring) {
+    for (const size_t i : PathsNear(ring)) {
+      if (pairs_ >= kMostPairs) return;
+      const auto crossing = FirstCrossing(placed_[i], placed_[ring].path, margin_nm_, pairs_);
+      if (!crossing) continue;
+      TakeIn(placed_[ring].path, *crossing, kCut * margin_nm_, placed_[i].path);
+      placed_[i].box.Add(placed_[ring].box);
+      owner_[ring] = i;
+      return;
+    }
+  }
+
+  const double margin_nm_;
+  const BoxIndex index_;       ///< boxes of the paths as they were given
+  std::vector<size_t> owner_;  ///< path that has taken in each path; else the path itself
+  std::vector<Placed> placed_;
+  size_t pairs_ = 0;  ///< number of compared pairs of segments
+};
 
 }  // namespace
 
 std::vector<Path> SplicedPaths(std::vector<Path> paths, double margin_nm) {
-  std::vector<Placed> placed;
-  placed.reserve(paths.size());
-  for (Path& path : paths) {
-    const Box box = Bounds(path.points);
-    placed.push_back({std::move(path), box});
-  }
-  size_t pairs = 0;
-  for (size_t ring = placed.size(); ring-- > 0 && pairs < kMostPairs;) {
-    if (placed[ring].path.closed && IsTakenIn(ring, margin_nm, placed, pairs))
-      placed.erase(placed.begin() + static_cast<ptrdiff_t>(ring));
-  }
-  paths.clear();
-  for (Placed& one : placed) paths.push_back(std::move(one.path));
-  return paths;
+  return Splicer(std::move(paths), margin_nm).Run();
 }
 
 }  // namespace slicefarm::infill

@@ -13,9 +13,9 @@ namespace slicefarm::infill {
 ///
 /// A path without crossings does not change. A crossing nearer than `margin_nm` to the end of a
 /// segment does not count. The first crossing in the order of the paths is used. REQUIRES: all
-/// paths have the same single width, and `margin_nm` is about this width. Cost: O(n k), n segments,
-/// of which k belong to closed paths. After 4 million compared pairs of segments (a few tens of
-/// milliseconds) the remaining paths do not change.
+/// paths have the same single width, and `margin_nm` is about this width. Cost: O(p log p) for p
+/// paths, and the pairs of segments of paths near each other. After 4 million compared pairs of
+/// segments (a few tens of milliseconds) the remaining paths do not change.
 std::vector<Path> SplicedPaths(std::vector<Path> paths, double margin_nm);
 
 }  // namespace slicefarm::infill

@@ -60,5 +60,20 @@ TEST(SplicedPaths, WhatDoesNotCrossStays) {
   EXPECT_EQ(SplicedPaths(others, kMargin), others);
 }
 
+// A comparison of all pairs of rings would be quadratic.
+TEST(SplicedPaths, ManyRingsAreFast) {
+  constexpr Coord kInRow = 450;
+  const Path pair[] = {Make("(0 0, 2 0, 2 2, 0 2)", true), Make("(1 1, 3 1, 3 3, 1 3)", true)};
+  std::vector<Path> rings;
+  for (Coord i = 0; i < kInRow * kInRow; ++i) {
+    for (Path ring : pair) {
+      for (Point& p : ring.points)
+        p = p + Point{FromMm(4) * (i % kInRow), FromMm(4) * (i / kInRow)};
+      rings.push_back(std::move(ring));
+    }
+  }
+  EXPECT_EQ(SplicedPaths(rings, kMargin).size(), rings.size() / 2);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::spliced_paths_test
