@@ -72,11 +72,13 @@ void EdgeEnds::SortAlongRings() {
 }
 
 void EdgeEnds::SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm) {
+  std::vector<TakenRing> rings;
+  for (size_t ring = 0; ring < taken.size(); ++ring)
+    rings.emplace_back(taken[ring], corner_at_[ring].back());
   for (const int32_t number : order_) {
     End& end = ends_[static_cast<size_t>(number)];
-    const auto ring = static_cast<size_t>(end.place.ring);
-    end.clearance = ClearanceAlong(taken[ring], corner_at_[ring].back(), end.along_nm, end.span_nm,
-                                   static_cast<double>(width_nm));
+    end.clearance = rings[static_cast<size_t>(end.place.ring)].Along(end.along_nm, end.span_nm,
+                                                                     static_cast<double>(width_nm));
   }
 }
 

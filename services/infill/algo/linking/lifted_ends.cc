@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "common/geometry/measure.h"
 #include "services/infill/algo/lines/shortened.h"
@@ -25,6 +27,12 @@ class Lifter {
       rings_.push_back(&ring);
       corner_at_.push_back(CornerLengths(ring));
     });
+    for (const std::vector<TakenSpan>& taken : lifted_.taken) {
+      std::vector<size_t>& order = by_piece_.emplace_back(taken.size());
+      std::iota(order.begin(), order.end(), size_t{0});
+      std::ranges::stable_sort(order, {}, [&](size_t i) { return taken[i].piece; });
+      freed_.emplace_back(taken.size(), false);
+    }
   }
 
   LiftedPieces Run() {
@@ -45,6 +53,7 @@ class Lifter {
         piece.to = to.place;
       }
     }
+    EraseFreed();
     return std::move(lifted_);
   }
 
@@ -64,19 +73,40 @@ class Lifter {
     const Polygon& points = *rings_[ring];
     const double along = corner_at_[ring][static_cast<size_t>(place.edge)] +
                          Distance(points[static_cast<size_t>(place.edge)], end);
-    std::vector<TakenSpan>& taken = lifted_.taken[ring];
     const double touching = width_nm_ / 4;
-    const auto span = std::ranges::find_if(taken, [&](const TakenSpan& s) {
-      return s.piece == piece && s.from_nm <= along + touching && s.to_nm >= along - touching;
-    });
-    if (span == taken.end()) return {};
+    const std::optional<size_t> found = TakenAt(ring, along, touching, piece);
+    if (!found) return {};
+    const TakenSpan* span = &lifted_.taken[ring][*found];
     const double ahead = span->to_nm - along, behind = along - span->from_nm;
     const double lift = std::max(ahead, behind);
     if (lift < kLeastLift * width_nm_ || lift > kMostLift * length_nm ||
         std::min(ahead, behind) > touching)
       return {};
-    taken.erase(span);
+    freed_[ring][*found] = true;
     return FootAt(ring, along + (ahead > behind ? ahead : -behind), lift);
+  }
+
+  /// Returns the index of the first part of a ring that a piece still takes near a place.
+  std::optional<size_t> TakenAt(size_t ring, double along_nm, double touching_nm,
+                                int32_t piece) const {
+    const std::vector<TakenSpan>& taken = lifted_.taken[ring];
+    const std::vector<size_t>& order = by_piece_[ring];
+    auto i = std::ranges::lower_bound(order, piece, {}, [&](size_t k) { return taken[k].piece; });
+    for (; i != order.end() && taken[*i].piece == piece; ++i)
+      if (!freed_[ring][*i] && taken[*i].from_nm <= along_nm + touching_nm &&
+          taken[*i].to_nm >= along_nm - touching_nm)
+        return *i;
+    return std::nullopt;
+  }
+
+  /// Erases the parts of rings that lifted ends no longer take.
+  void EraseFreed() {
+    for (size_t ring = 0; ring < freed_.size(); ++ring) {
+      std::vector<TakenSpan> left;
+      for (size_t i = 0; i < freed_[ring].size(); ++i)
+        if (!freed_[ring][i]) left.push_back(lifted_.taken[ring][i]);
+      lifted_.taken[ring] = std::move(left);
+    }
   }
 
   Foot FootAt(size_t ring, double along_nm, double lifted_nm) const {
@@ -97,6 +127,9 @@ class Lifter {
   LiftedPieces lifted_;
   std::vector<const Polygon*> rings_;
   std::vector<std::vector<double>> corner_at_;
+  /// indices of each ring's taken parts, sorted by piece
+  std::vector<std::vector<size_t>> by_piece_;
+  std::vector<std::vector<bool>> freed_;  ///< parts of each ring that are no longer taken
 };
 
 }  // namespace

@@ -83,12 +83,20 @@ std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
   return taken;
 }
 
-SpanClearance ClearanceAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
-                             double length_nm, double width_nm) {
+TakenRing::TakenRing(std::span<const TakenSpan> taken, double ring_nm)
+    : taken_(taken), ring_nm_(ring_nm) {
+  farthest_nm_.reserve(taken.size());
+  for (const TakenSpan& span : taken)
+    farthest_nm_.push_back(farthest_nm_.empty() ? span.to_nm
+                                                : std::max(farthest_nm_.back(), span.to_nm));
+}
+
+SpanClearance TakenRing::Along(double from_nm, double length_nm, double width_nm) const {
   SpanClearance room{true, length_nm, length_nm};
-  for (const double turn : {0.0, ring_nm}) {
+  for (const double turn : {0.0, ring_nm_}) {
     const double start = from_nm - turn;
-    for (const TakenSpan& span : taken) {
+    const auto first = std::ranges::upper_bound(farthest_nm_, start) - farthest_nm_.begin();
+    for (const TakenSpan& span : taken_.subspan(static_cast<size_t>(first))) {
       if (span.from_nm >= start + length_nm) break;
       if (span.to_nm <= start) continue;
       const double from = std::max(0.0, span.from_nm - start);

@@ -35,11 +35,22 @@ struct SpanClearance {
   double behind_nm = 0;  ///< free length in nm, measured backwards from the edge part's end
 };
 
-/// Returns the free length of the edge part that begins `from_nm` after the ring's first point and
-/// is `length_nm` long. `taken`: parts of the ring that are not free. `ring_nm`: length of the
-/// ring.
-SpanClearance ClearanceAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
-                             double length_nm, double width_nm);
+/// Taken parts of one ring, for queries about many edge parts.
+class TakenRing {
+ public:
+  /// `taken`: parts of the ring that are not free, sorted by start; must outlive this object.
+  /// `ring_nm`: length of the ring.
+  TakenRing(std::span<const TakenSpan> taken, double ring_nm);
+
+  /// Returns the free length of the edge part that begins `from_nm` after the ring's first point
+  /// and is `length_nm` long. Cost: O(log n) for n taken parts, and the parts that it meets.
+  SpanClearance Along(double from_nm, double length_nm, double width_nm) const;
+
+ private:
+  std::span<const TakenSpan> taken_;
+  std::vector<double> farthest_nm_;  ///< farthest end of each part and of all parts before it
+  double ring_nm_;
+};
 
 /// Returns the distance of each point of a ring from its first point, along the ring; then the
 /// length of the whole ring. All in nm.
