@@ -80,6 +80,13 @@ double SparseBridgeAngle(const RegionContext& context, const PolygonWithHoles& r
   return best_rad + options.internal_angle_rad;
 }
 
+/// Returns the layer's cover near a bridge: as far as walls and lines around it reach.
+Cover CoverNear(const RegionContext& context, const PolygonWithHoles& region, Coord width_nm) {
+  constexpr Coord kReachWidths = 20;
+  const Coord reach_nm = 2 * context.options.walls_nm + kReachWidths * width_nm;
+  return context.near_cover.Near(Bounds(region.outer).Grown(reach_nm));
+}
+
 /// Returns the outlines that bear the layer's bridges, or null.
 const MultiPolygon* OutlineBelow(const Cover& cover) {
   const auto& bearers = cover.bearers.empty() ? cover.below : cover.bearers;
@@ -131,7 +138,8 @@ absl::Status AppendBridges(const RegionContext& context, const MultiPolygon& reg
     const bool supported = !supports.empty() && !Intersection({region}, supports).empty();
     const LineBead bead = BridgeBead(context, options.thick_bridges && !supported,
                                      options.bridge_flow, options.bridge_density);
-    const MultiPolygon* below = OutlineBelow(context.cover);
+    const Cover cover = CoverNear(context, region, bead.width_nm);
+    const MultiPolygon* below = OutlineBelow(cover);
     const auto span = SpanOf(context, region, below);
     RequestedFill asked{Feature::kBridgeInfill, options.bottom_pattern, Area(region), height_nm,
                         bead.share};
@@ -155,7 +163,8 @@ absl::Status AppendBridges(const RegionContext& context, const MultiPolygon& reg
 SpannedBridges::SpannedBridges(const RegionContext& context, MultiPolygon regions)
     : regions_(std::move(regions)), index_(regions_) {
   for (const PolygonWithHoles& region : regions_) {
-    angles_.push_back(AngleOf(SpanOf(context, region, OutlineBelow(context.cover))));
+    const Cover cover = CoverNear(context, region, context.options.solid_width_nm);
+    angles_.push_back(AngleOf(SpanOf(context, region, OutlineBelow(cover))));
   }
 }
 

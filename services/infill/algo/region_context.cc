@@ -14,6 +14,7 @@ RegionContext::RegionContext(const SectionView& view, int32_t settings,
       settings(settings),
       row(options.interface_shells ? std::optional(settings) : std::nullopt),
       cover(CoverOf(view, options, row)),
+      near_cover(cover, view.OutlineAt(view.layer, row)),
       angles(AnglesOf(options, view.layer)) {}
 
 Coord RegionContext::Width(Coord width_nm) const {

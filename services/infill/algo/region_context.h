@@ -7,6 +7,7 @@
 #include "common/model/layers/layer.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/section_view.h"
+#include "services/infill/algo/skins/cover_index.h"
 #include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/solid.h"
 
@@ -46,6 +47,7 @@ struct RegionContext {
   const int32_t settings;
   const std::optional<int32_t> row;  ///< region of the skins; none: the whole object
   const Cover cover;
+  const CoverIndex near_cover;  ///< the cover for single areas
   const FillLineAngles angles;
 };
 

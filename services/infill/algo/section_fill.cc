@@ -30,7 +30,7 @@
 #include "services/infill/algo/skins/sparse_bridges.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"
-#include "services/infill/algo/sparse_under.h"
+#include "services/infill/algo/sparse_bridging.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -65,25 +65,29 @@ class RegionFill {
         cover_(context_.cover),
         row_(context_.row),
         plan_(plan),
-        flows_(FlowsOf(options)) {}
+        bodies_(view, plan),
+        flows_(FlowsOf(options)),
+        bridging_(context_, plan) {}
 
   /// Fills one area of the region. `bare`: true if no wall surrounds the area. `field`: values of
   /// the region's fields in the layer; null: no fields.
   absl::Status Fill(const FillArea& fill_area, bool bare, const LayerField* field, Fills& fills) {
     static const MultiPolygon kNone;
     const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
-    Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
+    Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone,
+                               context_.near_cover.Near(Bounds(fill_area.area)),
                                {.width_nm = context_.Width(options_.solid_width_nm),
                                 .solid_below_area_mm2 = options_.solid_below_area_mm2,
                                 .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
                                 .shells = options_.shells,
                                 .over_bridges = options_.over_bridges || DoublesBridges()});
-    middle_ = BodyMiddle(view_, plan_, fill_area.area);
+    middle_ = bodies_.Of(fill_area.area);
     absl::Status status;
     SparseBridges doubled, over_sparse;
     if (fill_area.role == Role::kPart && BridgesSparse(options_)) {
-      auto second = SecondSparseBridges(fill_area.area, field, skins);
-      auto bridges = BridgesOverSparse(fill_area.area, field, skins);
+      const BridgedArea bridged{fill_area.area, IsFilled(field), SparseMiddle()};
+      auto second = bridging_.TakeSecond(bridged, skins);
+      auto bridges = bridging_.Take(bridged, skins);
       status.Update(second.status());
       status.Update(bridges.status());
       if (!status.ok()) return status;
@@ -111,10 +115,14 @@ class RegionFill {
     return field->density->UniformAt(field->z_mm).value_or(0);
   }
 
+  /// Returns true if the region has infill somewhere in the layer.
+  bool IsFilled(const LayerField* field) const {
+    return PlainDensity(field) > 0 ||
+           (field != nullptr && field->density != nullptr && field->density->Greatest() > 0);
+  }
+
   bool IsSolidLayer(const LayerField* field) const {
-    const bool filled = PlainDensity(field) > 0 || (field != nullptr && field->density != nullptr &&
-                                                    field->density->Greatest() > 0);
-    return filled && IsAllSolid(options_, view_.layer);
+    return IsFilled(field) && IsAllSolid(options_, view_.layer);
   }
 
   /// Form of the lines of a kind of solid areas.
@@ -284,56 +292,6 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  /// Returns true if this layer may have skins that the layer below does not have. The skins of the
-  /// layer below reach one layer less high.
-  bool SkinsBegin(const LayerField* field) const {
-    if (IsSolidLayer(field)) return true;
-    const auto& above = cover_.above;
-    return above.size() < 2 || above.back() == nullptr || above.back() != above[above.size() - 2];
-  }
-
-  /// Removes from the skins the parts that need bridges between the lines of the sparse infill
-  /// below, and returns them.
-  absl::StatusOr<SparseBridges> BridgesOverSparse(const MultiPolygon& fill_area,
-                                                  const LayerField* field, Skins& skins) {
-    if (skins.solid.empty() || !SkinsBegin(field)) return SparseBridges{};
-    const Coord width_nm = context_.Width(options_.solid_width_nm);
-    const MultiPolygon middles =
-        BridgeMiddles(skins.solid, LeastBridgedGapNm(options_, view_.height_nm), width_nm);
-    if (middles.empty()) return SparseBridges{};
-    if (!under_) under_.emplace(RegionView{view_, options_, plan_, row_});
-    return under_->TakeBridges(fill_area, middles, width_nm, SparseMiddle(), skins);
-  }
-
-  /// Removes from the skins the parts over bridges of the layer below that are over sparse infill,
-  /// and returns them as second bridges. The bridges of the layer below are computed again, from
-  /// its outline without walls.
-  absl::StatusOr<SparseBridges> SecondSparseBridges(const MultiPolygon& fill_area,
-                                                    const LayerField* field, Skins& skins) const {
-    SparseBridges second;
-    if (!DoublesInternal(options_.bridges.extra) || skins.solid.empty()) return second;
-    const SectionView view = view_.Below();
-    const MultiPolygon* outline = view.OutlineAt(view.layer, row_);
-    if (outline == nullptr) return second;
-    RegionFill below(view, context_.settings, options_, plan_);
-    below.middle_ = middle_;
-    const MultiPolygon area = Intersection(fill_area, FastOffset(*outline, -options_.walls_nm));
-    const Coord width_nm = context_.Width(options_.solid_width_nm);
-    Skins lower = PartFillArea(area, *outline, below.cover_,
-                               {.width_nm = width_nm,
-                                .solid_below_area_mm2 = options_.solid_below_area_mm2,
-                                .all_solid = below.IsSolidLayer(field),
-                                .shells = options_.shells});
-    auto first = below.BridgesOverSparse(area, field, lower);
-    if (!first.ok()) return first.status();
-    const MultiPolygon over = Intersection(skins.solid, first->regions);
-    second.regions =
-        Intersection(skins.solid, FastOffset(FastOffset(over, -width_nm / 2), width_nm / 2));
-    second.bearers = std::move(first->bearers);
-    if (!second.regions.empty()) skins.solid = Difference(skins.solid, second.regions);
-    return second;
-  }
-
   /// Adds the sparse infill of a region. A field with only one density for the whole layer is not
   /// passed to the pattern.
   absl::Status AppendSparse(const MultiPolygon& region, const LayerField* field,
@@ -429,8 +387,9 @@ class RegionFill {
   const std::optional<int32_t>& row_;
 
   const PlannedInfill* plan_;
+  const BodyMiddles bodies_;
   const FlowTable flows_;
-  std::optional<SparseUnder> under_;             ///< made when first needed
+  SparseBridging bridging_;
   std::optional<SpannedBridges> bridges_below_;  ///< made when first needed
   Point middle_;  ///< middle of the body of the area that is being filled
 };

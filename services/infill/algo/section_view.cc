@@ -137,16 +137,20 @@ FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer) {
           solid.has_value() || options.same_direction};
 }
 
-Point BodyMiddle(const SectionView& view, const PlannedInfill* plan, const MultiPolygon& area) {
+BodyMiddles::BodyMiddles(const SectionView& view, const PlannedInfill* plan)
+    : plan_(plan), islands_(std::vector<Box>()) {
   const MultiPolygon* outline = view.OutlineAt(view.layer);
-  if (plan == nullptr || outline == nullptr || area.empty() ||
-      plan->body_middles.size() != outline->size())
-    return {};
-  const auto island = std::ranges::find_if(*outline, [&](const PolygonWithHoles& each) {
-    return Locate(area.front().outer.front(), each) != slicefarm::Side::kOutside;
-  });
-  if (island == outline->end()) return {};
-  return plan->body_middles[static_cast<size_t>(island - outline->begin())];
+  if (plan == nullptr || outline == nullptr || plan->body_middles.size() != outline->size()) return;
+  outline_ = outline;
+  islands_ = BoxIndex(*outline);
+}
+
+Point BodyMiddles::Of(const MultiPolygon& area) const {
+  if (outline_ == nullptr || area.empty()) return {};
+  const Point inside = area.front().outer.front();
+  for (const size_t i : islands_.Meeting({inside, inside}))
+    if (Locate(inside, (*outline_)[i]) != slicefarm::Side::kOutside) return plan_->body_middles[i];
+  return {};
 }
 
 }  // namespace slicefarm::infill

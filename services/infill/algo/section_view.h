@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/geometry/box_index.h"
 #include "common/model/layers/job_plan.h"
 #include "common/model/layers/layer.h"
 #include "common/model/options/fill_patterns.h"
@@ -74,8 +75,21 @@ int32_t PatternLayer(FillPattern pattern, const FillLineAngles& angles, int32_t 
 /// of the layer in the stack.
 FillLineAngles AnglesOf(const InfillOptions& options, int32_t layer);
 
-/// Returns the middle of the connected body that contains an area of the view's layer, or the
-/// object's middle if the plan has no bodies. `plan` may be null.
-Point BodyMiddle(const SectionView& view, const PlannedInfill* plan, const MultiPolygon& area);
+/// Middles of the connected bodies of a section.
+class BodyMiddles {
+ public:
+  /// `view` and `plan` must outlive this object. `plan` may be null.
+  BodyMiddles(const SectionView& view, const PlannedInfill* plan);
+
+  /// Returns the middle of the body that contains an area of the view's layer, or the object's
+  /// middle if the plan has no bodies. Cost: O(log n), n islands, and a search in the islands with
+  /// boxes that contain the area's first point.
+  Point Of(const MultiPolygon& area) const;
+
+ private:
+  const MultiPolygon* outline_ = nullptr;  ///< outline of the layer; null: no bodies
+  const PlannedInfill* plan_;
+  BoxIndex islands_;
+};
 
 }  // namespace slicefarm::infill

@@ -25,6 +25,29 @@ std::vector<SlicedLayer> Layers() {
   return layers;
 }
 
+// A search through all islands for each of them would be quadratic.
+TEST(BodyMiddles, AreFoundAmongManyIslands) {
+  constexpr Coord kInRow = 250;
+  auto layers = Layers();
+  MultiPolygon& outlines = layers[1].sections[0].regions[0].outlines;
+  outlines.clear();
+  PlannedInfill plan;
+  for (Coord i = 0; i < kInRow * kInRow; ++i) {
+    const Point low{FromMm(2) * (i % kInRow), FromMm(2) * (i / kInRow)};
+    const Point high{low.x + FromMm(1), low.y + FromMm(1)};
+    outlines.push_back({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
+    plan.body_middles.push_back({i, -i});
+  }
+  const ObjectLayers stacks(layers);
+  const MultiPolygon nothing;
+  const SectionView view{.stack = 0, .layer = 1, .stacks = stacks, .above_supports = nothing};
+  const BodyMiddles middles(view, &plan);
+  for (size_t i = 0; i < outlines.size(); ++i)
+    ASSERT_EQ(middles.Of({outlines[i]}), plan.body_middles[i]);
+  EXPECT_EQ(middles.Of({{{{-5, -5}, {-4, -5}, {-4, -4}}, {}}}), Point());
+  EXPECT_EQ(BodyMiddles(view, nullptr).Of({outlines[7]}), Point());
+}
+
 TEST(CoverOf, EqualLayersAreOnePointer) {
   const auto layers = Layers();
   const ObjectLayers stacks(layers);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
@@ -62,6 +63,7 @@ SparseUnder::SparseUnder(const RegionView& region)
   const MultiPolygon* above = below_.OutlineAt(region.section.layer, region.row);
   same_outline_ = above != nullptr && *above == *outline_;
   cover_ = CoverOf(below_, region.options, region.row);
+  near_cover_.emplace(cover_, outline_);
 }
 
 const MultiPolygon& SparseUnder::WithinWalls() {
@@ -75,7 +77,7 @@ SparseBelow SparseUnder::Within(const MultiPolygon& fill_area, const MultiPolygo
   const InfillOptions& options = region_.options;
   sparse.pitch_nm = SparsePitchNm(options, below_.height_nm);
   sparse.least_gap_nm = LeastBridgedGapNm(options, below_.height_nm);
-  sparse.region = SparsePart(fill_area, *outline_, cover_,
+  sparse.region = SparsePart(fill_area, *outline_, near_cover_->Near(Bounds(fill_area)),
                              {.width_nm = options.solid_width_nm,
                               .solid_below_area_mm2 = options.solid_below_area_mm2,
                               .all_solid = options.density > 0 && IsAllSolid(options, below_.layer),

@@ -6,6 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/layers/job_plan.h"
 #include "services/infill/algo/section_view.h"
+#include "services/infill/algo/skins/cover_index.h"
 #include "services/infill/algo/skins/sparse_bridges.h"
 
 namespace slicefarm::infill {
@@ -68,6 +69,7 @@ class SparseUnder {
   const MultiPolygon* outline_ = nullptr;  ///< outline of the layer below; null: no layer below
   bool same_outline_ = false;  ///< true if the layer below and this layer have the same outline
   Cover cover_;
+  std::optional<CoverIndex> near_cover_;
   std::optional<MultiPolygon> within_walls_;
 };
 
