@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/base/from_environment_test.h"
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
 #include "services/coordinator/store/jobs/profile_store.h"
@@ -137,6 +138,27 @@ TEST_P(ProfileStoreTest, WritersThatReadFirstLoseNothing) {
   const std::string all = store_->Get("a", "mk4", 0)->settings;
   for (int i = 0; i < kWriters; ++i)
     EXPECT_EQ(std::ranges::count(all, static_cast<char>('a' + i)), kLetters);
+}
+
+// In each round, a writer that has read the newest revision writes while another coordinator
+// deletes the profile: the writer comes first and its revision is deleted too, or it comes too
+// late.
+TEST_P(ProfileStoreTest, AWriterRacedByADeleteDoesNotBringAProfileBack) {
+  const int64_t rounds = FromEnvironment("SLICEFARM_RACE_ROUNDS", 100);
+  const auto other = location_->Open();
+  int64_t back = 0;
+  for (int64_t round = 0; round < rounds; ++round) {
+    const ProfileRecord read = Put("mk4", "read");
+    absl::Status put;
+    std::thread writer([&] {
+      put = store_->Put({"a", "mk4", "written", "digest", read.revision}, 1'000).status();
+    });
+    EXPECT_TRUE(other->Delete("a", "mk4", 0, 1'000).ok());
+    writer.join();
+    EXPECT_TRUE(put.ok() || absl::IsAborted(put)) << put;
+    back += store_->Get("a", "mk4", 0).ok() ? 1 : 0;
+  }
+  EXPECT_EQ(back, 0);
 }
 
 TEST_P(ProfileStoreTest, WhatIsNotThereIsToldByName) {

@@ -9,6 +9,18 @@
 #include "common/base/error.h"
 
 namespace slicefarm::coordinator {
+namespace {
+
+/// Locks the revisions of a tenant until the transaction ends. Without the lock, a revision could
+/// be added to a profile that another coordinator deletes at the same time.
+absl::Status LockTenant(SqlConnection& db, const std::string& tenant) {
+  const std::string_view lock = db.dialect().lock_tenant;
+  if (lock.empty()) return absl::OkStatus();
+  return SqlQuery(db, lock).Bind(tenant).Run();
+}
+
+}  // namespace
+
 /// Returns the statement for the store's table, which is called `revisions` in `text`.
 std::string SqlProfileStore::Sql(std::string_view text) const {
   constexpr std::string_view kTable = "revisions";
@@ -78,42 +90,43 @@ absl::Status SqlProfileStore::CheckSpace(SqlConnection& db, const NewProfile& pr
                     table_.max_bytes, all);
 }
 
-/// Inserts a revision and returns it; nullopt if another call was faster.
-absl::StatusOr<std::optional<ProfileRecord>> SqlProfileStore::Insert(SqlConnection& db,
-                                                                     const NewProfile& profile,
-                                                                     int64_t revision,
-                                                                     int64_t now_us) const {
+/// Inserts a revision and returns it.
+absl::StatusOr<ProfileRecord> SqlProfileStore::Insert(SqlConnection& db, const NewProfile& profile,
+                                                      int64_t revision, int64_t now_us) const {
   SqlQuery insert(db, Sql("INSERT INTO revisions (tenant, name, revision, settings,"
-                          " settings_digest, create_us) VALUES (?, ?, ?, ?, ?, ?)"
-                          " ON CONFLICT DO NOTHING RETURNING revision"));
+                          " settings_digest, create_us) VALUES (?, ?, ?, ?, ?, ?)"));
   insert.Bind(profile.tenant, profile.name, revision, Blob{profile.settings},
               profile.settings_digest, now_us);
-  bool made = false;
-  while (insert.Next()) made = true;
-  if (!insert.status().ok()) return insert.status();
-  if (!made) return std::nullopt;
+  if (absl::Status made = insert.Run(); !made.ok()) return made;
   return ProfileRecord{profile.name, revision, profile.settings, profile.settings_digest, now_us};
+}
+
+/// Checks the conditions of a revision, and inserts it. Returns the newest revision instead if it
+/// has the same settings. REQUIRES: the transaction has locked the tenant.
+absl::StatusOr<ProfileRecord> SqlProfileStore::PutLocked(SqlConnection& db,
+                                                         const NewProfile& profile,
+                                                         int64_t now_us) const {
+  auto newest = Find(db, profile.tenant, profile.name, 0);
+  if (!newest.ok()) return newest.status();
+  if (*newest && (*newest)->settings_digest == profile.settings_digest) return **std::move(newest);
+  const int64_t revision = *newest ? (*newest)->revision : 0;
+  if (profile.base && *profile.base != revision) return NotNewest(profile, revision);
+  if (absl::Status space = CheckSpace(db, profile); !space.ok()) return space;
+  const auto last = LastRevision(db, profile.tenant, profile.name);
+  if (!last.ok()) return last.status();
+  return Insert(db, profile, *last + 1, now_us);
 }
 
 absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, int64_t now_us) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
-  while (true) {
-    // The number is read first: if another call adds a revision after that, Find returns it, or
-    // Insert finds the number in use.
-    const auto last = LastRevision(**session, profile.tenant, profile.name);
-    if (!last.ok()) return last.status();
-    auto newest = Find(**session, profile.tenant, profile.name, 0);
-    if (!newest.ok()) return newest.status();
-    if (*newest && (*newest)->settings_digest == profile.settings_digest)
-      return **std::move(newest);
-    const int64_t revision = *newest ? (*newest)->revision : 0;
-    if (profile.base && *profile.base != revision) return NotNewest(profile, revision);
-    if (absl::Status space = CheckSpace(**session, profile); !space.ok()) return space;
-    auto made = Insert(**session, profile, *last + 1, now_us);
-    if (!made.ok()) return made.status();
-    if (*made) return **std::move(made);
-  }
+  SqlTransaction transaction(**session);
+  if (!transaction.status().ok()) return transaction.status();
+  if (absl::Status locked = LockTenant(**session, profile.tenant); !locked.ok()) return locked;
+  auto stored = PutLocked(**session, profile, now_us);
+  if (!stored.ok()) return stored.status();
+  if (absl::Status committed = transaction.Commit(); !committed.ok()) return committed;
+  return stored;
 }
 
 absl::StatusOr<ProfileRecord> SqlProfileStore::Get(const std::string& tenant,
@@ -149,6 +162,9 @@ absl::Status SqlProfileStore::Delete(const std::string& tenant, const std::strin
                                      int64_t revision, int64_t now_us) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
+  SqlTransaction transaction(**session);
+  if (!transaction.status().ok()) return transaction.status();
+  if (absl::Status locked = LockTenant(**session, tenant); !locked.ok()) return locked;
   SqlQuery remove(**session,
                   Sql("UPDATE revisions SET settings = ?, settings_digest = '', create_us = ?"
                       " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
@@ -157,7 +173,7 @@ absl::Status SqlProfileStore::Delete(const std::string& tenant, const std::strin
   bool removed = false;
   while (remove.Next()) removed = true;
   if (!remove.status().ok()) return remove.status();
-  return removed ? absl::OkStatus() : NotFound(name, revision);
+  return removed ? transaction.Commit() : NotFound(name, revision);
 }
 
 absl::StatusOr<int64_t> SqlProfileStore::Expire(int64_t before_us) {

@@ -54,8 +54,10 @@ class SqlProfileStore : public ProfileStore {
                                                     int64_t revision) const;
   absl::StatusOr<int64_t> LastRevision(SqlConnection& db, const std::string& tenant,
                                        const std::string& name) const;
-  absl::StatusOr<std::optional<ProfileRecord>> Insert(SqlConnection& db, const NewProfile& profile,
-                                                      int64_t revision, int64_t now_us) const;
+  absl::StatusOr<ProfileRecord> Insert(SqlConnection& db, const NewProfile& profile,
+                                       int64_t revision, int64_t now_us) const;
+  absl::StatusOr<ProfileRecord> PutLocked(SqlConnection& db, const NewProfile& profile,
+                                          int64_t now_us) const;
 
   const std::shared_ptr<SqlDatabase> database_;
   const RevisionTable table_;
