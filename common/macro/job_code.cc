@@ -1,11 +1,15 @@
 #include "common/macro/job_code.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <set>
 #include <span>
+#include <utility>
 
+#include "common/base/error.h"
 #include "common/macro/setting_variables.h"
 #include "common/model/options/motion_options.h"
 
@@ -28,16 +32,38 @@ std::array<const Template*, 11> PartsOf(const JobCode& code) {
           &code.between_objects, &code.end,          &code.file_name};
 }
 
+/// Returns true if the variable is unknown while a layer is made. The number of layers is known
+/// beforehand.
+bool Waits(const std::string& name) { return WaitsForLayers(name) && name != "total_layer_count"; }
+
+/// Returns the variables of change_extrusion_role_gcode that are no settings. Its text is made with
+/// the layer, so variables that wait are not among them.
+TemplateVariables VariablesOfRoles() {
+  TemplateVariables variables = VariablesOfThePrint();
+  std::erase_if(variables, [](const auto& variable) { return Waits(variable.first); });
+  variables["extrusion_role"] = variables["last_extrusion_role"] = std::string();
+  return variables;
+}
+
+/// Returns the error of a check of change_extrusion_role_gcode. If the unknown name is a variable
+/// of other templates, says why it is unknown here.
+absl::Status OfRoles(const absl::Status& error) {
+  ErrorDetail detail = DetailOf(error);
+  const auto variable = detail.metadata.find("variable");
+  if (variable == detail.metadata.end() || !Waits(variable->second)) return error;
+  return MakeError(error.code(), detail.reason,
+                   fmt::format("{}: the print determines {} only after its layers are made",
+                               std::string(error.message()), variable->second),
+                   std::move(detail.metadata));
+}
+
 bool LayersWait(const JobCode& code) {
   std::set<std::string> globals;
   for (const Template* part :
        {&code.start, &code.start_filament, &code.before_layer, &code.layer, &code.between_objects,
         &code.color_change, &code.pause, &code.at_height})
     globals.merge(GlobalsOf(*part));
-  const auto waits = [&](const std::string& name) {
-    // The number of layers is known beforehand.
-    return globals.contains(name) || (WaitsForLayers(name) && name != "total_layer_count");
-  };
+  const auto waits = [&](const std::string& name) { return globals.contains(name) || Waits(name); };
   return AnyName(code.before_layer, waits) || AnyName(code.layer, waits) ||
          AnyName(code.color_change, waits) || AnyName(code.pause, waits) ||
          AnyName(code.at_height, waits);
@@ -76,11 +102,10 @@ absl::Status CheckJobCode(const MotionOptions& options, std::string_view setting
   const TemplateVariables print = VariablesOfThePrint();
   const TemplateScope scope = {settings, print};
   TemplateMemory memory;
-  TemplateVariables roles = print;
-  roles["extrusion_role"] = roles["last_extrusion_role"] = std::string();
+  const TemplateVariables roles = VariablesOfRoles();
   TemplateMemory of_roles;
   if (absl::Status status = CheckTemplate(code->role, {settings, roles}, of_roles); !status.ok())
-    return status;
+    return OfRoles(status);
   for (const Template* part : PartsOf(*code))
     if (absl::Status status = CheckTemplate(*part, scope, memory); !status.ok()) return status;
   return absl::OkStatus();

@@ -43,6 +43,28 @@ TEST(CheckJobCode, NamesWhatIsWrongBeforeAnyWork) {
   EXPECT_TRUE(CheckJobCode(WithLayers("[mine]"), "mine = 3\n").ok());
 }
 
+// The text of this template is made with its layer.
+TEST(CheckJobCode, RefusesBetweenFeaturesWhatOnlyTheEndOfThePrintKnows) {
+  MotionOptions options;
+  const auto check = [&](const char* code) {
+    options.role_gcode = code;
+    return CheckJobCode(options, "mine = 3\n");
+  };
+  EXPECT_TRUE(check("; [extrusion_role] {layer_num} of {total_layer_count} [mine]").ok());
+  EXPECT_TRUE(check("{if mine > 3}[print_time]{endif}").ok()) << "it never runs";
+  for (const char* name : {"print_time", "used_filament", "extruded_weight_total"}) {
+    const absl::Status refusal =
+        check((std::string("{if layer_num > 3}{") + name + "}{endif}").c_str());
+    EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMalformed) << name;
+    EXPECT_EQ(DetailOf(refusal).metadata["setting"], "change_extrusion_role_gcode");
+    EXPECT_EQ(DetailOf(refusal).metadata["variable"], name);
+    EXPECT_NE(refusal.message().find("only after"), absl::string_view::npos) << refusal;
+  }
+  options.role_gcode = "";
+  options.between_objects_gcode = "; {print_time}";
+  EXPECT_TRUE(CheckJobCode(options, "").ok()) << "it is filled in at the end";
+}
+
 TEST(NamesClock, IsTheTimeOfCreation) {
   EXPECT_TRUE(NamesClock(*ParseJobCode(WithLayers("", "; [timestamp]"))));
   EXPECT_TRUE(NamesClock(*ParseJobCode(WithLayers("{hour}"))));
