@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "common/base/error.h"
@@ -73,23 +74,23 @@ int32_t PresetSet::AddScope(PresetScope scope) {
   return static_cast<int32_t>(scopes_.size()) - 1;
 }
 
-/// Adds a problem if a preset of a user and another preset have the same name: the name can choose
-/// only one of them.
-void PresetSet::ReportSameName(const Preset& preset) {
-  const auto is_users = [this](const Preset& each) { return ScopeOf(each).vendor.empty(); };
-  const auto [first, last] = by_name_.equal_range(std::pair(preset.kind, preset.name));
-  const auto same = std::find_if(first, last, [&](const auto& entry) {
-    const Preset& other = presets_[entry.second];
-    return other.listed && (is_users(other) || is_users(preset));
-  });
-  if (same == last || !preset.listed) return;
+/// Records the name of a listed preset. Adds a problem if a preset of a user and another preset
+/// have the same name: the name can choose only one of them.
+void PresetSet::NoteName(const Preset& preset) {
+  if (!preset.listed) return;
+  const bool is_users = ScopeOf(preset).vendor.empty();
+  Namesakes& namesakes = namesakes_[std::pair(preset.kind, preset.name)];
+  const std::optional<size_t> other = is_users ? namesakes.first : namesakes.first_of_user;
+  if (!namesakes.first) namesakes.first = presets_.size();
+  if (is_users && !namesakes.first_of_user) namesakes.first_of_user = presets_.size();
+  if (!other) return;
   AddProblem(
       fmt::format("{}: the {} preset \"{}\" is also in {}; the name chooses only one of them",
-                  preset.file, KindName(preset.kind), preset.name, presets_[same->second].file));
+                  preset.file, KindName(preset.kind), preset.name, presets_[*other].file));
 }
 
 void PresetSet::Add(Preset preset) {
-  ReportSameName(preset);
+  NoteName(preset);
   by_name_.emplace(std::pair(preset.kind, preset.name), presets_.size());
   for (const std::string& name : preset.old_names)
     by_old_name_.emplace(std::pair(preset.kind, name), presets_.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,7 +59,14 @@ class PresetSet {
  private:
   class Walk;
 
-  void ReportSameName(const Preset& preset);
+  /// Indices of the first listed presets with a name. They are kept because a search among all
+  /// presets with the name would take quadratic time.
+  struct Namesakes {
+    std::optional<size_t> first;
+    std::optional<size_t> first_of_user;
+  };
+
+  void NoteName(const Preset& preset);
   const Preset* ParentOf(const Preset& child, std::string_view name) const;
   const Preset* InScope(int32_t scope, PresetKind kind, std::string_view name) const;
 
@@ -68,6 +76,8 @@ class PresetSet {
   std::vector<std::string> problems_;
   /// Indices into presets_ by kind and name (by_name_), and by kind and old name (by_old_name_).
   std::multimap<std::pair<PresetKind, std::string>, size_t> by_name_, by_old_name_;
+  std::map<std::pair<PresetKind, std::string>, Namesakes>
+      namesakes_;  ///< namesakes by kind and name
 };
 
 }  // namespace slicefarm::config::presets

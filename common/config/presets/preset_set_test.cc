@@ -162,6 +162,21 @@ TEST(PresetSetTest, ReportsAPresetOfAUserWithTheNameOfAnother) {
                                   "name chooses only one of them"));
 }
 
+// With a search among all presets of the same name, this test does not end in the time of a test.
+TEST(PresetSetTest, AddsVeryManyPresetsWithTheSameName) {
+  constexpr int kPresets = 300'000;
+  PresetSet set;
+  const int32_t acme = set.AddScope({.vendor = "Acme"}), user = set.AddScope({});
+  Preset preset;
+  preset.name = "One";
+  preset.scope = acme;
+  for (int i = 0; i < kPresets; ++i) set.Add(preset);
+  EXPECT_THAT(set.problems(), testing::IsEmpty());
+  preset.scope = user;
+  set.Add(preset);
+  EXPECT_THAT(set.problems(), testing::SizeIs(1));
+}
+
 TEST(PresetSetTest, VisitsAnAncestorOnce) {
   const PresetSet set = SetOf(Doubled());
   const auto lineage = set.Lineage(*Only(set, PresetKind::kProcess, "x"));
