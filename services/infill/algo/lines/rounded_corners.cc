@@ -28,7 +28,6 @@ Polyline RoundCorner(const EdgeIndex& walls, double share, Point before, Point a
   if (cosine < kSharpCosine || cosine > kStraightCosine) return {at};
   const double reach = share / 2 * std::min(in, out);
   const Point from = Between(at, before, reach / in), to = Between(at, after, reach / out);
-  if (walls.Meets(from, to)) return {at};
   const double bend = Distance(from + to, at + at);
   const double steps = std::max(2.0, std::ceil(std::sqrt(bend / (4 * kParabolaToleranceNm))));
   Polyline curve;
@@ -36,6 +35,9 @@ Polyline RoundCorner(const EdgeIndex& walls, double share, Point before, Point a
     const double t = i / steps;
     curve.push_back(Between(Between(from, at, t), Between(at, to, t), t));
   }
+  // The curve is tested, because a hole can be on it and meet neither its chord nor the line.
+  for (size_t i = 1; i < curve.size(); ++i)
+    if (walls.Meets(curve[i - 1], curve[i])) return {at};
   return curve;
 }
 

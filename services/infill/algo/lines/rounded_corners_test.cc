@@ -65,5 +65,23 @@ TEST(RoundCorners, SomeCornersStay) {
   EXPECT_EQ(around[0].points, Angle()[0].points);
 }
 
+/// Returns true if the right angle becomes a parabola in a square with a hole of 0.3 mm.
+bool IsRoundedWithHoleAt(double x_mm, double y_mm) {
+  const Coord x = FromMm(x_mm), y = FromMm(y_mm), half = 150'000;
+  MultiPolygon region = Square();
+  region[0].holes = {
+      {{x - half, y - half}, {x - half, y + half}, {x + half, y + half}, {x + half, y - half}}};
+  auto pieces = Angle();
+  RoundCorners(region, 1, pieces);
+  return pieces[0].points != Angle()[0].points;
+}
+
+TEST(RoundCorners, NoParabolaCrossesAHole) {
+  EXPECT_FALSE(IsRoundedWithHoleAt(8.75, 8.75)) << "on the middle of the parabola";
+  EXPECT_FALSE(IsRoundedWithHoleAt(6.4, 9.8)) << "near its start";
+  EXPECT_TRUE(IsRoundedWithHoleAt(9.6, 9.6)) << "between it and the corner";
+  EXPECT_TRUE(IsRoundedWithHoleAt(7.5, 7.5)) << "on its chord";
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::rounded_corners_test
