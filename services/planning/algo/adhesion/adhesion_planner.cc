@@ -27,6 +27,15 @@ constexpr int64_t kMaxSkirtPoints = 20'000'000;
 /// Merges regions that share a border.
 MultiPolygon Joined(const MultiPolygon& regions) { return OffsetTwice(regions, kGlueNm, -kGlueNm); }
 
+/// Returns the lines of the innermost loop that is not completely outside of the bed. `loops`: the
+/// outermost first.
+std::vector<Path> InnermostWithinBed(const std::vector<Path>& loops, const MultiPolygon& bed) {
+  std::vector<Path> lines;
+  for (auto loop = loops.rbegin(); loop != loops.rend() && lines.empty(); ++loop)
+    lines = WithinBed({*loop}, bed);
+  return lines;
+}
+
 /// Merges the regions of the plate's brims. The regions are disjoint, because brims of different
 /// objects do not overlap.
 MultiPolygon WholeOf(const std::vector<Region>& regions) {
@@ -202,7 +211,7 @@ absl::Status AdhesionPlanner::AddSkirts(std::vector<std::vector<Path>> skirts,
   for (std::vector<Path>& loops : skirts) {
     for (Path& loop : loops) loop.settings = options_.skirt_settings;
     if (options_.skirt.single_upper)
-      std::ranges::move(WithinBed({loops.back()}, bed_), std::back_inserter(skirt.upper_loops));
+      std::ranges::move(InnermostWithinBed(loops, bed_), std::back_inserter(skirt.upper_loops));
     std::ranges::move(WithinBed(std::move(loops), bed_), std::back_inserter(skirt.loops));
   }
   if (skirt.loops.empty()) return absl::OkStatus();

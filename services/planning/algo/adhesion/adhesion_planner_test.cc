@@ -15,6 +15,7 @@
 namespace slicefarm::planning::adhesion_planner_test {
 namespace {
 
+using testing::ElementsAreArray;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -160,6 +161,18 @@ TEST(AdhesionPlanner, OneLoopOfTheSkirtGoesOn) {
   ASSERT_THAT(each.upper_loops, SizeIs(2));
   EXPECT_EQ(each.upper_loops[0], each.loops[2]);
   EXPECT_EQ(each.upper_loops[1], each.loops[5]);
+}
+
+TEST(AdhesionPlanner, TheInnermostLoopOnTheBedGoesOn) {
+  PlanningOptions options = WithSkirt({.loops = 3, .height_layers = 2});
+  options.skirt.single_upper = true;
+  // The innermost loop, 11.2 mm from the middle, is completely in the excluded area. The other two
+  // are cut at its corners.
+  options.bed = {{{Mm(-60, -60), Mm(60, -60), Mm(60, 60), Mm(-60, 60)},
+                  {{Mm(-11.3, -11.3), Mm(-11.3, 11.3), Mm(11.3, 11.3), Mm(11.3, -11.3)}}}};
+  const Skirt skirt = PlanOrDie(options, {{0, {}, {}}}, LayersOrDie({kSquare, kSquare})).plan.skirt;
+  ASSERT_THAT(skirt.loops, SizeIs(8));
+  EXPECT_THAT(skirt.upper_loops, ElementsAreArray(skirt.loops.begin() + 4, skirt.loops.end()));
 }
 
 TEST(AdhesionPlanner, AnObjectWithRoomAroundItsCopiesHasItsOwnBrim) {
