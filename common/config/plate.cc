@@ -414,7 +414,8 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
       one.input.sunk_mm = 0;
       one.input.to_plate = group.to_plate;
       one.input.copies = CopiesOf(group);
-      if (absl::Status ok = TurnRows(group.to_plate, *rows, one.input); !ok.ok()) return ok;
+      if (absl::Status ok = TurnRows(group.to_plate, *rows, one.input); !ok.ok())
+        return OfObject(object.name, ok);
       Add(std::move(one), own, plate);
     }
   }

@@ -369,6 +369,19 @@ TEST(ResolvePlate, TooManySetsOfSettings) {
   EXPECT_TRUE(ResolvePlate({}, objects, Process::kFdm).ok());
 }
 
+TEST(ResolvePlate, CopiesWithTooManyRotationsAreRefusedByTheNameOfTheSetting) {
+  SceneObject object = ObjectNamed("box", {{"align_infill_direction_to_model", "1"}});
+  object.instances.clear();
+  for (int i = 0; i < limits::kMaxRegionSettings; ++i)
+    object.instances.push_back(StandingAt(20, 30, 0.1 * (i + 1)));
+  const absl::Status refusal = PlateRefusal({}, {object});
+  EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingOutOfRange) << refusal;
+  EXPECT_EQ(DetailOf(refusal).metadata["setting"], "align_infill_direction_to_model");
+  EXPECT_EQ(DetailOf(refusal).metadata["object"], "box");
+  object.settings.clear();
+  EXPECT_TRUE(PlateRefusal({}, {object}).ok()) << "without the setting, rotations share a row";
+}
+
 // The text is the cache's key and the end of the G-code, so it contains the settings of objects.
 TEST(ResolvePlate, TheTextSaysWhatObjectsHave) {
   SceneObject object = ObjectNamed("box", {{"fill_density", "20%"}});

@@ -28,7 +28,8 @@ class RegionRows {
   virtual absl::StatusOr<int32_t> RowOf(const JobRows& /*settings*/) { return 0; }
 
   /// Returns the index of the row for the regions of row `row` in copies that are turned by
-  /// `angle_rad` about the z axis, counter-clockwise. Errors: as RowOf.
+  /// `angle_rad` about the z axis, counter-clockwise. Errors: SETTING_OUT_OF_RANGE with the name of
+  /// the setting that makes rows differ by angle, beyond limits::kMaxRegionSettings.
   virtual absl::StatusOr<int32_t> TurnedRow(int32_t row, double /*angle_rad*/) { return row; }
 
   /// Returns the number of rows so far.

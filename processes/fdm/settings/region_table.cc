@@ -1,6 +1,11 @@
 #include "processes/fdm/settings/region_table.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::config::fdm {
 namespace {
@@ -22,6 +27,15 @@ RegionRow WallsOf(const RegionRow& region) {
   return walls;
 }
 
+absl::Status TooManyAngles() {
+  constexpr const char* kSetting = "align_infill_direction_to_model";
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{}: each rotation of a copy needs its own settings of regions, and "
+                               "a plate has at most {} of them",
+                               kSetting, limits::kMaxRegionSettings),
+                   {{"setting", kSetting}});
+}
+
 }  // namespace
 
 absl::StatusOr<int32_t> RegionTable::RowOf(const JobRows& settings) {
@@ -38,7 +52,8 @@ absl::StatusOr<int32_t> RegionTable::TurnedRow(int32_t row, double angle_rad) {
   if (!unturned.infill.follows_model) return row;
   RegionRow region = unturned;
   region.infill.turn_rad = angle_rad;
-  return table_.Add(region);
+  const absl::StatusOr<int32_t> turned = table_.Add(region);
+  return turned.ok() ? turned : TooManyAngles();
 }
 
 }  // namespace slicefarm::config::fdm
