@@ -491,6 +491,24 @@ TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {
   EXPECT_EQ(DetailOf(all.status()).metadata["setting"], "bed_exclude_area");
 }
 
+TEST(Resolve, TheAreaThatCoversTheBedIsNamed) {
+  constexpr const char* kNone = "";
+  constexpr const char* kAll = "-1x-1,300x-1,300x300,-1x300";
+  constexpr const char* kLeft = "-1x-1,100x-1,100x300,-1x300";
+  constexpr const char* kRight = "90x-1,300x-1,300x300,90x300";
+  const auto named = [](const char* excluded, const char* wrapping) {
+    return DetailOf(Refusal({{"bed_shape", "0x0,256x0,256x256,0x256"},
+                             {"enable_wrapping_detection", "1"},
+                             {"bed_exclude_area", excluded},
+                             {"wrapping_exclude_area", wrapping}}))
+        .metadata["setting"];
+  };
+  EXPECT_EQ(named(kNone, kAll), "wrapping_exclude_area");
+  EXPECT_EQ(named(kLeft, kAll), "wrapping_exclude_area");
+  EXPECT_EQ(named(kAll, kNone), "bed_exclude_area");
+  EXPECT_EQ(named(kLeft, kRight), "bed_exclude_area") << "together with the other area";
+}
+
 TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
   const JobRows settings = ResolveOrDie(Settings({{"first_layer_height", "0.25"},
                                                   {"first_layer_extrusion_width", "0.5"},

@@ -165,6 +165,16 @@ void DeriveAdhesion(JobRows& settings) {
   object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
 }
 
+/// Returns the name of the setting that covers the whole bed. If each of the two settings covers
+/// only a part of it, returns the name of bed_exclude_area.
+std::string_view NameOfCover(const JobSlicingOptions& slicing) {
+  const auto covers = [&](const std::vector<Polygon>& excluded) {
+    return Difference({{slicing.bed, {}}}, Union(excluded, FillRule::kNonZero)).empty();
+  };
+  const bool alone = !covers(slicing.excluded) && covers(slicing.wrapping);
+  return alone ? "wrapping_exclude_area" : "bed_exclude_area";
+}
+
 /// Sets the area for planning: the bed without its excluded areas. Sets the same area for travel if
 /// there are excluded areas.
 absl::Status DeriveTravelArea(JobRows& settings) {
@@ -177,9 +187,9 @@ absl::Status DeriveTravelArea(JobRows& settings) {
   machine.plan.bed = Difference(machine.plan.bed, Union(excluded, FillRule::kNonZero));
   machine.order.travel.travel_area = machine.motion.travel_area = machine.plan.bed;
   if (!machine.plan.bed.empty()) return absl::OkStatus();
+  const std::string name(NameOfCover(slicing));
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   "bed_exclude_area and wrapping_exclude_area cover the whole bed_shape",
-                   {{"setting", "bed_exclude_area"}});
+                   fmt::format("{} leaves nothing of bed_shape", name), {{"setting", name}});
 }
 
 constexpr Coord kLowestLayerNm = 10'000;
