@@ -338,6 +338,20 @@ TEST(ResolvePlate, AMisplacedSettingOfAFileIsTold) {
               Contains("box: temperature = 200: is a setting of the job"));
 }
 
+TEST(ResolvePlate, AValueOutOfRangeCountsIfAnObjectSwitchesItsFeatureOn) {
+  const std::vector<Setting> job =
+      Settings({{"fuzzy_skin", "none"}, {"fuzzy_skin_thickness", "150"}}, Source::kProfile);
+  const auto refusal = [&](const Pairs& own) {
+    return ResolvePlate(job, std::vector{ObjectNamed("box", own)}, Process::kFdm).status();
+  };
+  EXPECT_TRUE(refusal({}).ok());
+  EXPECT_TRUE(refusal({{"fuzzy_skin", "all"}, {"fuzzy_skin_thickness", "0.3"}}).ok());
+  const absl::Status fuzzy = refusal({{"fuzzy_skin", "all"}});
+  EXPECT_EQ(DetailOf(fuzzy).reason, Reason::kSettingOutOfRange) << fuzzy;
+  EXPECT_EQ(DetailOf(fuzzy).metadata["setting"], "fuzzy_skin_thickness");
+  EXPECT_EQ(DetailOf(fuzzy).metadata["object"], "box");
+}
+
 TEST(ResolvePlate, AnErrorSaysWhichObject) {
   const absl::Status refusal =
       PlateRefusal({}, {ObjectNamed("good"), ObjectNamed("bad", {{"fill_density", "many"}})});

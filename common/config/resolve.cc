@@ -12,6 +12,7 @@
 #include "common/config/setting_need.h"
 #include "common/config/setting_reader.h"
 #include "common/config/setting_values.h"
+#include "common/config/table/need.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
 
@@ -52,6 +53,21 @@ absl::Status ReadAll(std::span<const Setting> given, SettingReader& reader) {
   return absl::OkStatus();
 }
 
+/// Adds notes on values that are out of range and have no effect. Errors: the error of the first
+/// value that has an effect.
+absl::Status JudgeOutOfRange(const std::vector<OutOfRange>& values, const SettingValues& draft,
+                             ResolvedSettings& result) {
+  for (const OutOfRange& value : values) {
+    const Need* off = UnmetNeedOf(*value.spec, draft, result.settings);
+    if (off == nullptr) return value.error;
+    result.no_effect.push_back({.text = fmt::format("{} = {}: out of range, and needs {}",
+                                                    value.spec->key, value.written, off->what),
+                                .key = std::string(value.spec->key),
+                                .why = SettingNote::Why::kUnmetNeed});
+  }
+  return absl::OkStatus();
+}
+
 /// Stores each value of `draft` in its member of `settings`.
 void PutInto(JobRows& settings, const SettingValues& draft) {
   const auto table = SettingsTable(draft.process());
@@ -82,6 +98,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   if (absl::Status status = own.Check(draft); !status.ok()) return status;
   PutInto(result.settings, draft);
   if (absl::Status status = own.DeriveOptions({draft, given, result, reported}); !status.ok())
+    return status;
+  if (absl::Status status = JudgeOutOfRange(reader.out_of_range(), draft, result); !status.ok())
     return status;
   for (SettingNote& note : UnmetNeeds(draft, result.settings))
     result.no_effect.push_back(std::move(note));

@@ -1,5 +1,6 @@
 #include "common/config/resolve.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -466,6 +467,29 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
       {{"colorprint_heights", ""}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
   EXPECT_THAT(TextsOf(off.no_effect), IsEmpty());
   EXPECT_THAT(off.warnings, IsEmpty());
+}
+
+// OrcaSlicer and Bambu Studio write values of features that are off without checking them.
+TEST(Resolve, AValueOutOfRangeOfAFeatureThatIsOffRefusesNoProfile) {
+  const auto resolve = [](const char* fuzzy, const char* key, const char* value, Source source) {
+    return Resolve(Settings({{"fuzzy_skin", fuzzy}, {key, value}}, source), Process::kFdm);
+  };
+  for (const auto& [key, value] : {std::pair{"fuzzy_skin_thickness", "150"},
+                                   {"fuzzy_skin_point_dist", "0"},
+                                   {"fuzzy_skin_point_dist", "5000"}}) {
+    const auto off = resolve("none", key, value, Source::kProfile);
+    ASSERT_TRUE(off.ok()) << off.status();
+    EXPECT_THAT(TextsOf(off->no_effect),
+                ElementsAre(fmt::format(
+                    "{} = {}: out of range, and needs a fuzzy_skin other than none", key, value)));
+    const auto standard = Resolve(Settings({{"fuzzy_skin", "none"}}), Process::kFdm);
+    EXPECT_EQ(off->effective_text, standard->effective_text);
+    for (const absl::Status& refusal : {resolve("external", key, value, Source::kProfile).status(),
+                                        resolve("none", key, value, Source::kRequest).status()}) {
+      EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingOutOfRange) << refusal;
+      EXPECT_EQ(DetailOf(refusal).metadata["setting"], key);
+    }
+  }
 }
 
 TEST(Resolve, AllThatIsAddedAndTravelStayOutOfExcludedAreas) {

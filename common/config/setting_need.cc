@@ -34,6 +34,13 @@ bool IsMet(const Need& need, const SettingValues& draft, const JobRows& settings
 
 }  // namespace
 
+const Need* UnmetNeedOf(const SettingSpec& spec, const SettingValues& draft,
+                        const JobRows& settings) {
+  const auto unmet = std::ranges::find_if(
+      spec.needs, [&](const Need* need) { return !IsMet(*need, draft, settings); });
+  return unmet == spec.needs.end() ? nullptr : *unmet;
+}
+
 std::vector<SettingNote> UnmetNeeds(const SettingValues& draft, const JobRows& settings) {
   std::vector<SettingNote> notes;
   const auto table = SettingsTable(draft.process());

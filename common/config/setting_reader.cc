@@ -111,6 +111,13 @@ const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
   return nullptr;
 }
 
+/// Returns true if the error of a value may not matter, because another setting disables its
+/// setting.
+bool MayBeOff(const SettingSpec& spec, const Setting& setting, const absl::Status& error) {
+  return setting.source == Source::kProfile && !spec.needs.empty() &&
+         DetailOf(error).reason == Reason::kSettingOutOfRange;
+}
+
 absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNotSupported,
                    fmt::format("{} = {} is not supported yet: the value must be {}", spec.key,
@@ -188,15 +195,20 @@ absl::Status SettingReader::ReadEffective(const SettingSpec& spec, SettingValues
     Warn(fmt::format("{} has no value: the default {} is used", spec.key, spec.standard));
     return absl::OkStatus();
   }
+  const bool is_not_set = spec.standard == kNotSet && FirstItem(value) == kNotSet;
+  absl::StatusOr<Value> parsed = is_not_set ? Value() : parsed_.Parse(spec, value);
+  if (MayBeOff(spec, setting, parsed.status())) {
+    out_of_range_.push_back({&spec, value, parsed.status()});
+    return absl::OkStatus();
+  }
   entry.all = std::string(all);
   entry.written = value;
   entry.given = true;
   entry.requested = setting.source == Source::kRequest;
-  if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
+  if (is_not_set) {
     entry.value.reset();
     return absl::OkStatus();
   }
-  auto parsed = parsed_.Parse(spec, value);
   if (!parsed.ok()) return parsed.status();
   if (setting.source == Source::kRequest) {
     if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);

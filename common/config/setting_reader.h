@@ -28,6 +28,14 @@ class ParsedTexts {
   std::map<std::pair<const SettingSpec*, std::string>, absl::StatusOr<Value>, std::less<>> known_;
 };
 
+/// Value of a profile that is out of its setting's range. It is an error only if the setting has an
+/// effect: other programs write values of features that are off without checking them.
+struct OutOfRange {
+  const SettingSpec* spec = nullptr;
+  std::string written;
+  absl::Status error;
+};
+
 /// Reader that receives settings one by one. The last value of each key counts; the reader makes
 /// notes on replaced values.
 class SettingReader {
@@ -36,11 +44,16 @@ class SettingReader {
   /// of this extruder is used. `parsed` must outlive the reader.
   SettingReader(Process process, size_t tool, ParsedTexts& parsed);
 
-  /// Reads a setting. Errors: any error of Resolve that concerns a single setting.
+  /// Reads a setting. Errors: any error of Resolve that concerns a single setting, except the
+  /// errors in out_of_range().
   absl::Status Read(const Setting& setting);
 
   /// Notes a setting that is not read, because a later setting with the same key replaces it.
   void Skip(const Setting& setting) { NoteOverridden(setting, Trim(setting.value)); }
+
+  /// Returns the values of profiles that are out of range, for settings that another setting may
+  /// disable. These settings have their default values.
+  const std::vector<OutOfRange>& out_of_range() const { return out_of_range_; }
 
   /// Returns the settings that no stage uses.
   ReportedSettings Reported() const;
@@ -70,6 +83,7 @@ class SettingReader {
   std::vector<SettingNote> no_effect_;
   std::vector<std::string> warnings_;
   std::vector<MissingFeature> missing_;
+  std::vector<OutOfRange> out_of_range_;
   /// notes on values of other extruders and modes; Finish appends them to no_effect_
   std::vector<SettingNote> last_notes_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
