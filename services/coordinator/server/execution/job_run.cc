@@ -185,7 +185,8 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
   JobUpdate update =
       Conclusion(job_, lost_runs_, *wishes_, error, progress_.reported(), environment_.now_us());
   const std::string reason(ReasonName(DetailOf(error).reason));
-  met_unfit_stages_ = DetailOf(error).reason == Reason::kBuildMismatch || StageIsAway(error);
+  if (resolved_ && (DetailOf(error).reason == Reason::kBuildMismatch || StageIsAway(error)))
+    met_unfit_stages_ = resolved_->request.process;
   environment_.log.Warn("job not done", Fields({{"state", std::string(JobStateName(update.state))},
                                                 {"seconds", clock_.Seconds()},
                                                 {"code", absl::StatusCodeToString(error.code())},

@@ -9,6 +9,7 @@
 #include "common/base/cancel_token.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/model/process.h"
 #include "common/rpc/observe/json_log.h"
 #include "common/stage/memory_budget.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
@@ -39,9 +40,9 @@ struct RunEnvironment {
   rpc::JsonLog log;
   /// Receives the stage times of each job that was computed.
   std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
-  /// Returns true if the stages that every job needs are reachable and of this build. After a run
-  /// has met another stage, this function is called before each claim.
-  std::function<bool()> stages_fit = [] { return true; };
+  /// Returns true if the stages that jobs of a process need are reachable and of this build. After
+  /// a run of the process has met another stage, this function is called before each claim.
+  std::function<bool(Process)> stages_fit = [](Process) { return true; };
   /// Returns true if the stores have space for the result of a run. Called before each claim.
   std::function<bool()> has_space = [] { return true; };
 };
@@ -62,8 +63,9 @@ class JobRun {
   /// Returns true if the run is over but has written no end.
   bool lost() const { return !ended_; }
 
-  /// Returns true if the run ended because stages are of another build or not reachable.
-  bool met_unfit_stages() const { return met_unfit_stages_; }
+  /// Returns the job's process if the run ended because stages are of another build or not
+  /// reachable.
+  std::optional<Process> met_unfit_stages() const { return met_unfit_stages_; }
 
   /// Returns the lease of the job.
   const Lease& lease() const { return lease_; }
@@ -95,7 +97,7 @@ class JobRun {
   std::optional<RunOutput> output_;              ///< set by Compute, removed by Keep
   ProgressThrottle progress_;
   bool ended_ = false;
-  bool met_unfit_stages_ = false;
+  std::optional<Process> met_unfit_stages_;
   Stopwatch clock_;
   SpanLog spans_;
   const int64_t begin_us_ = spans_.NowUs();

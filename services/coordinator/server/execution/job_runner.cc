@@ -10,6 +10,10 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr double kRequestIdSweepS = 3600;
+/// Pause of a job that is returned to the queue because its stages are away. Each job of a long
+/// queue gets a longer pause than the one before, so that few jobs a second are returned.
+constexpr int64_t kUnfitPauseUs = 5'000'000;
+constexpr int64_t kUnfitStepUs = 100'000;
 constexpr int kJudgementsALease = 20;
 constexpr int32_t kMaxOverdueAtOnce = 100;
 
@@ -18,6 +22,7 @@ constexpr int32_t kMaxOverdueAtOnce = 100;
 JobRunner::JobRunner(RunEnvironment environment, JobRunnerOptions options)
     : environment_(std::move(environment)),
       options_(std::move(options)),
+      unfit_(environment_.stages_fit),
       leases_(std::chrono::microseconds(options_.lease).count()) {}
 
 JobRunner::~JobRunner() { Stop(); }
@@ -106,9 +111,10 @@ void JobRunner::Serve(SlotKind slot) {
       Count(slot, 1);
       run->Run();
       Count(slot, -1);
-      if (run->met_unfit_stages() && !met_unfit_stages_.exchange(true))
-        environment_.log.Warn("stages are away or of another build: no job starts until they fit",
-                              {});
+      if (const auto process = run->met_unfit_stages(); process && unfit_.Add(*process))
+        environment_.log.Warn(
+            "stages are away or of another build: no such job starts until they fit",
+            {{"process", std::string(ProcessName(*process))}});
     }
     std::unique_lock lock(mutex_);
     --at_work_;
@@ -148,13 +154,12 @@ bool JobRunner::Adopt(JobRecord& job) {
   return true;
 }
 
-/// Returns true if no stages are known to be away or of another build. A run that meets such stages
-/// has read its meshes and written a trace in vain. One such run per thread is enough.
-bool JobRunner::StagesFit() {
-  if (!met_unfit_stages_) return true;
-  if (!environment_.stages_fit()) return false;
-  met_unfit_stages_ = false;
-  return true;
+/// Returns true if the stages of the job's process are not known to be away or of another build. A
+/// job that is to be cancelled needs no stages.
+bool JobRunner::StagesFit(const JobRecord& job) const {
+  if (unfit_.empty() || job.cancel_requested) return true;
+  const auto request = ReadSpec(job.spec);
+  return !request.ok() || !unfit_.Has(request->process);  // the run will end with this error
 }
 
 /// Returns true if there is space for a result. Without this check, a run with a result that cannot
@@ -167,14 +172,30 @@ bool JobRunner::HasSpace() {
   return has_space;
 }
 
+/// Claims a job with stages that are not known to be unfit; nullopt if there is none. Returns other
+/// jobs to the queue for some time, so that they do not hold up jobs of other processes.
+absl::StatusOr<std::optional<JobRecord>> JobRunner::ClaimFitting(SlotKind slot, int64_t now_us) {
+  const ClaimFilter filter = {
+      .at_least = slot == SlotKind::kInteractive ? Priority::kInteractive : Priority::kBulk,
+      .of_idle_tenants = slot == SlotKind::kGuest};
+  for (int64_t pause_us = kUnfitPauseUs;; pause_us += kUnfitStepUs) {
+    auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), filter);
+    if (!job.ok() || !*job || StagesFit(**job)) return job;
+    JobUpdate back = {.state = JobState::kQueued};
+    back.claimable_from_us = now_us + pause_us;
+    back.lost_runs = (*job)->lost_runs;
+    const auto returned = environment_.jobs.Update({(*job)->id, (*job)->owner_epoch}, back, now_us);
+    if (!returned.ok()) return returned.status();
+    environment_.feed.Changed((*job)->id);
+  }
+}
+
 std::unique_ptr<JobRun> JobRunner::Claim(SlotKind slot) {
   std::lock_guard claiming(claim_mutex_);
-  if (!StagesFit() || !HasSpace()) return nullptr;
+  unfit_.Update();
+  if (unfit_.HasAll(environment_.pipeline.processes()) || !HasSpace()) return nullptr;
   const int64_t now_us = NowUs();
-  auto job = environment_.jobs.Claim(
-      options_.owner, now_us, leases_.UntilUs(now_us),
-      {.at_least = slot == SlotKind::kInteractive ? Priority::kInteractive : Priority::kBulk,
-       .of_idle_tenants = slot == SlotKind::kGuest});
+  auto job = ClaimFitting(slot, now_us);
   if (!job.ok()) Warn("no job claimed", job.status());  // the next poll tries again
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;

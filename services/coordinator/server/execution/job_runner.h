@@ -5,12 +5,14 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "services/coordinator/run/lease_table.h"
 #include "services/coordinator/server/execution/job_run.h"
+#include "services/coordinator/server/execution/unfit_processes.h"
 
 namespace slicefarm::coordinator {
 
@@ -63,7 +65,8 @@ class JobRunner {
   void RenewLeases();
   void Tidy();
   int32_t EndOverdue();
-  bool StagesFit();
+  bool StagesFit(const JobRecord& job) const;
+  absl::StatusOr<std::optional<JobRecord>> ClaimFitting(SlotKind slot, int64_t now_us);
   bool HasSpace();
   bool MayClaim(SlotKind slot);
   void Count(SlotKind slot, int more);
@@ -73,9 +76,7 @@ class JobRunner {
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
-  /// True if a run met a stage that was away or of another build, and no later check found all
-  /// stages reachable and of this build.
-  std::atomic<bool> met_unfit_stages_ = false;
+  UnfitProcesses unfit_;
   /// True if the store is nearly full. The log then contains a warning.
   std::atomic<bool> low_on_space_ = false;
   /// Held during a claim, because concurrent claims would wait for each other in the store.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -12,6 +13,7 @@
 
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
+#include "common/stage/exposure_stage.h"
 #include "processes/list/jobs.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/server/api/job_intake.h"
@@ -29,7 +31,10 @@ class JobRunnerTest : public testing::Test {
   using Call = FailingJobStore::Call;
   static constexpr int64_t kSecondUs = 1'000'000;
 
-  JobRunnerTest() { dispatcher_.Join({.name = "fake", .tasks = ranges_, .slots = 2}); }
+  /// `exposure`: stage of laser jobs; null: the coordinator runs no laser jobs.
+  explicit JobRunnerTest(const ExposureStage* exposure = nullptr) : exposure_(exposure) {
+    dispatcher_.Join({.name = "fake", .tasks = ranges_, .slots = 2});
+  }
 
   ~JobRunnerTest() override { ranges_->LetGo(); }
 
@@ -41,6 +46,9 @@ class JobRunnerTest : public testing::Test {
     return [this] { return NowUs(); };
   }
 
+  /// Returns the switch that makes the stages of a process unfit.
+  std::atomic<bool>& Unfit(Process process) { return unfit_[static_cast<size_t>(process)]; }
+
   std::unique_ptr<JobRunner> Runner(const std::string& owner = "me", int jobs = 2) {
     JobRunnerOptions options;
     options.owner = owner;
@@ -49,7 +57,10 @@ class JobRunnerTest : public testing::Test {
     auto runner = std::make_unique<JobRunner>(
         RunEnvironment{failing_, *blobs_, resolved_, results_, pipeline_, *memory_, feed_, Clock(),
                        "build", ResultSharing::kOff, rpc::JsonLog("test"), [](const StageTimes&) {},
-                       [this] { return ++asked_, stages_fit_.load(); },
+                       [this](Process process) {
+                         ++asked_;
+                         return !Unfit(process);
+                       },
                        [this] { return ++asked_for_room_, room_.load(); }},
         options);
     EXPECT_TRUE(runner->Start().ok());
@@ -57,9 +68,11 @@ class JobRunnerTest : public testing::Test {
   }
 
   std::string Submit(const std::string& mesh, const std::string& build = "build",
-                     int64_t deadline_us = kNoDeadlineUs, const std::string& tenant = "") {
+                     int64_t deadline_us = kNoDeadlineUs, const std::string& tenant = "",
+                     v1::Process process = v1::PROCESS_FDM) {
     v1::JobSpec spec;
     spec.set_generic(true);
+    spec.set_process(process);
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(tenant))->Put(mesh));
     object->set_name("part");
@@ -122,8 +135,11 @@ class JobRunnerTest : public testing::Test {
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
+  const ExposureStage* const exposure_;
   JobPipeline pipeline_{
-      JobsOver({.slicing = &slicing_, .planning = &planning_, .motion = &motion_}, ""),
+      JobsOver(
+          {.slicing = &slicing_, .planning = &planning_, .motion = &motion_, .exposure = exposure_},
+          ""),
       dispatcher_};
   std::unique_ptr<MemoryBudget> memory_ = std::make_unique<MemoryBudget>(1 << 30);
   ResolvedJobs resolved_{"build"};
@@ -131,7 +147,7 @@ class JobRunnerTest : public testing::Test {
   JobFeed feed_;
   TenantBudgets budgets_{*jobs_, *blobs_, Clock()};
   FullQueues full_queues_{Clock()};
-  std::atomic<bool> stages_fit_ = true;
+  std::array<std::atomic<bool>, kProcessCount> unfit_ = {};  ///< switches by process
   std::atomic<bool> room_ = true;
   std::atomic<int> asked_ = 0;  ///< number of stages_fit calls
   std::atomic<int> asked_for_room_ = 0;

@@ -11,6 +11,10 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
+#include "common/stage/exposure_job.h"
+#include "common/stage/exposure_stage.h"
+#include "processes/laser/model/exposed_program.h"
+#include "processes/laser/model/exposure_settings.h"
 #include "services/coordinator/server/execution/job_runner_fixture_test.h"
 
 namespace slicefarm::coordinator::job_runner_test {
@@ -134,7 +138,7 @@ TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
 
 TEST_F(JobRunnerTest, NoJobBeginsAsLongAsStagesAreOfAnotherBuild) {
   slicing_.mismatches_ = 1;
-  stages_fit_ = false;
+  Unfit(Process::kFdm) = true;
   const auto runner = Runner();
   const std::string met = Submit("?");
   runner->Wake();
@@ -145,9 +149,53 @@ TEST_F(JobRunnerTest, NoJobBeginsAsLongAsStagesAreOfAnotherBuild) {
   for (const int until = asked_ + 5; asked_ < until;) std::this_thread::yield();
   EXPECT_EQ(jobs_->Get(other)->state, JobState::kQueued);
   EXPECT_EQ(slicing_.runs(), 1) << "the run that met them";
-  stages_fit_ = true;
+  Unfit(Process::kFdm) = false;
   EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
   EXPECT_EQ(AwaitEnd(met).state, JobState::kSucceeded);
+}
+
+/// Stage of laser jobs that is never reached, because slicing fails before.
+class UnusedExposure : public ExposureStage {
+ public:
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(const StageCall&, const Neighbourhood&,
+                                                     const Shared<ExposureJob>&) const override {
+    return absl::UnimplementedError("");
+  }
+  absl::StatusOr<ExposureEnvelope> Envelope(const StageCall&, const ExposureSummary&,
+                                            const ExposureSettings&) const override {
+    return absl::UnimplementedError("");
+  }
+};
+
+class JobRunnerProcessesTest : public JobRunnerTest {
+ protected:
+  JobRunnerProcessesTest() : JobRunnerTest(&exposure_stage_) {}
+
+  std::string SubmitLaser(const std::string& mesh) {
+    return Submit(mesh, "build", kNoDeadlineUs, "", v1::PROCESS_LASER);
+  }
+
+  const UnusedExposure exposure_stage_;
+};
+
+TEST_F(JobRunnerProcessesTest, JobsOfAProcessWithoutItsStagesHoldUpNoOthers) {
+  slicing_.mismatches_ = 1;
+  Unfit(Process::kLaser) = true;
+  const auto runner = Runner();
+  const std::string met = SubmitLaser("?");
+  runner->Wake();
+  while (asked_ == 0) std::this_thread::yield();
+  const std::string laser = SubmitLaser("!");
+  const std::string other = Submit("xx");  // it is claimed after the older one
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(laser)->state, JobState::kQueued);
+  EXPECT_EQ(jobs_->Get(laser)->start_us, 0) << "it began in vain";
+  EXPECT_EQ(slicing_.runs(), 2) << "the run that met them, and the other process";
+  ASSERT_TRUE(jobs_->RequestCancel(met, NowUs()).ok());
+  Unfit(Process::kLaser) = false;
+  Pass(60 * kSecondUs);
+  EXPECT_EQ(AwaitEnd(laser).state, JobState::kFailed) << "it cannot be sliced";
 }
 
 TEST_F(JobRunnerTest, NoJobBeginsWithoutRoomForItsResult) {

@@ -29,8 +29,8 @@ StagePools::StagePools(const std::map<Stage, std::vector<std::string>>& names,
   }
 }
 
-bool StagePools::AreOfThisBuild(const std::vector<Stage>& stages) {
-  return std::ranges::all_of(stages, [&](Stage stage) {
+bool StagePools::AreOfThisBuild(Process process) {
+  return std::ranges::all_of(JobStagesOf(process), [&](Stage stage) {
     const auto pool = pools_.find(stage);
     return pool == pools_.end() || pool->second->OfThisBuild();
   });

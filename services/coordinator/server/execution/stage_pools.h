@@ -26,8 +26,9 @@ class StagePools {
   Stages stages() const { return stages_.all(); }
   /// Returns the replicas of a stage. REQUIRES: the stage has a pool.
   ReplicaSource& replicas(Stage stage) { return *pools_.at(stage); }
-  /// Returns true if the replicas of these stages are of this build. Ignores stages without a pool.
-  bool AreOfThisBuild(const std::vector<Stage>& stages);
+  /// Returns true if the replicas of the stages that the coordinator calls for jobs of a process
+  /// are of this build. Ignores stages without a pool.
+  bool AreOfThisBuild(Process process);
 
   /// Returns the names of the stages without a reachable server, among the stages that the
   /// coordinator calls for jobs of a process. Ignores stages without a pool.

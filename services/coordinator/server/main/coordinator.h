@@ -43,9 +43,9 @@ struct CoordinatorOptions {
   /// Largest size of the database stores.postgres; 0: no limit.
   int64_t max_database_bytes = 0;
   std::string build_id;
-  /// Returns true if the stages that every job needs are reachable and of this build. Called after
-  /// a run has met another stage.
-  std::function<bool()> stages_fit = [] { return true; };
+  /// Returns true if the stages that jobs of a process need are reachable and of this build. Called
+  /// after a run of the process has met another stage.
+  std::function<bool(Process)> stages_fit = [](Process) { return true; };
   /// Returns the names of stages that jobs of a process need and that have no reachable server.
   std::function<std::vector<std::string>(Process)> away_stages = [](Process) {
     return std::vector<std::string>();

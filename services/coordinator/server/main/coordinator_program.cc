@@ -159,9 +159,8 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .max_database_bytes = flags.max_database_gib << 30,
       .build_id = std::string(BuildId()),
       .stages_fit =
-          [&] {
-            return pools.Away(kDefaultProcess).empty() &&
-                   pools.AreOfThisBuild({Stage::kSlicing, Stage::kPlanning, Stage::kMotion});
+          [&](Process process) {
+            return pools.Away(process).empty() && pools.AreOfThisBuild(process);
           },
       .away_stages = [&](Process process) { return pools.Away(process); },
       .maintenance = flags.maintenance(),
