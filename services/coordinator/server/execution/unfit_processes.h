@@ -9,8 +9,8 @@
 
 namespace slicefarm::coordinator {
 
-/// Processes whose stages are known to be away or of another build. A run that meets such stages
-/// has read its meshes, written a trace and waited for the stages in vain. Thread-safe.
+/// Processes with stages that are known to be away or of another build. A run that meets such
+/// stages has read its meshes, written a trace and waited for the stages in vain. Thread-safe.
 class UnfitProcesses {
  public:
   /// `stages_fit`: returns true if the stages of a process are reachable and of this build.
@@ -19,7 +19,7 @@ class UnfitProcesses {
 
   /// Adds a process after a run has met its stages. Returns false if the process was known.
   bool Add(Process process);
-  /// Removes the processes whose stages fit now.
+  /// Removes the processes with stages that fit now.
   void Update();
   /// Returns true if the stages of this process are known not to fit.
   bool Has(Process process) const;
