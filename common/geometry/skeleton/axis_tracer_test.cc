@@ -25,7 +25,7 @@ PolygonWithHoles Region(std::string_view text) { return MakePolygonsOrDie(text)[
 
 /// Measures of a medial axis that do not depend on the order of its parts.
 struct Measures {
-  double length = 0;  ///< of all edges, straight from node to node
+  double length = 0;  ///< sum of the straight distances along all edges
   double widest = 0;  ///< greatest radius
   int cycles = 0;
 };

@@ -18,7 +18,7 @@ bool IsSolidLayer(const RegionContext& context, const BridgedArea& fill) {
 
 }  // namespace
 
-/// Layer below a region, whose bridges bear second bridges.
+/// Layer below a region. Its bridges bear second bridges.
 struct SparseBridging::LowerLayer {
   LowerLayer(const RegionContext& above, const PlannedInfill* plan)
       : view(above.view.Below()),
