@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/geometry/vector.h"
 
 namespace slicefarm {
 
@@ -14,6 +15,10 @@ struct BoundaryEdge {
   Point to;
   int previous = 0;
   int next = 0;
+
+  /// Returns the distance of `p` from the line of the edge, times the edge's length. It is positive
+  /// if `p` is to the left of the edge.
+  double SideOf(const Vector2& p) const { return Cross(ToVector(to - from), p - ToVector(from)); }
 };
 
 /// A part of a boundary that a point of the region can be nearest to: an edge, or the reflex corner

@@ -13,14 +13,6 @@ namespace {
 constexpr double kLeastChordNm = 5'000;
 constexpr int kMaxChords = 256;  ///< maximum number of chords of one edge
 
-/// Returns the distance of p from the line of the edge, times the edge's length. It is positive if
-/// p is to the left of the edge.
-double SideOf(const BoundaryEdge& edge, Vector2 p) {
-  const Point d = edge.to - edge.from;
-  return static_cast<double>(d.x) * (p.y() - static_cast<double>(edge.from.y)) -
-         static_cast<double>(d.y) * (p.x() - static_cast<double>(edge.from.x));
-}
-
 class ChordMaker {
  public:
   ChordMaker(SkeletalGraph graph, const SkeletalOptions& options)
@@ -107,7 +99,7 @@ class ChordMaker {
     const Point d = directrix.to - directrix.from;
     const double length = Norm(d);
     const double ux = static_cast<double>(d.x) / length, uy = static_cast<double>(d.y) / length;
-    const double height = SideOf(directrix, focus) / length;
+    const double height = directrix.SideOf(focus) / length;
     if (height < 1) return {};
     const auto along = [&](int node) {
       const Vector2 p = graph_.nodes[node].place;

@@ -20,14 +20,6 @@ constexpr double kCornerErrorNm = 20'000;
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using Edge = Diagram::edge_type;
 
-/// Returns the distance of p from the line of the edge, times the edge's length. It is positive if
-/// p is to the left of the edge.
-double SideOf(const BoundaryEdge& edge, Vector2 p) {
-  const Point d = edge.to - edge.from;
-  return static_cast<double>(d.x) * (p.y() - static_cast<double>(edge.from.y)) -
-         static_cast<double>(d.y) * (p.x() - static_cast<double>(edge.from.x));
-}
-
 class Builder {
  public:
   Builder(const Boundary& boundary, const Diagram& diagram)
@@ -143,7 +135,7 @@ class Builder {
                          (p.y() - from.y()) * static_cast<double>(d.y);
     if (along <= 0) return Hypot(p.x() - from.x(), p.y() - from.y());
     if (along >= SquaredNorm(d)) return Hypot(p.x() - to.x(), p.y() - to.y());
-    return std::abs(SideOf(edge, p)) / Norm(d);
+    return std::abs(edge.SideOf(p)) / Norm(d);
   }
 
   /// Returns the node of a vertex. Returns -1 if the vertex has different distances to `a`, `b` and
