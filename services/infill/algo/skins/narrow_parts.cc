@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
+#include "common/base/disjoint_sets.h"
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/box_index.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 
 namespace slicefarm::infill {
@@ -92,10 +97,61 @@ PolygonWithHoles StripOf(const ScanLines& lines, const LinePiece& piece) {
           {}};
 }
 
+/// Area of the strips of a run, with its boxes in the plane and in the frame of the lines.
+struct RunArea {
+  MultiPolygon area;
+  Box box;
+  Box in_frame;
+};
+
+RunArea AreaOf(const ScanLines& lines, const std::vector<LinePiece>& pieces, const ShortRun& run) {
+  std::vector<Polygon> strips;
+  for (const size_t i : run.pieces) strips.push_back(StripOf(lines, pieces[i]).outer);
+  RunArea area{Union(strips, FillRule::kNonZero), {}, {}};
+  area.box = Bounds(area.area);
+  for (const Polygon& strip : strips)
+    for (const Point p : strip)
+      area.in_frame.Add(Point{std::llround(lines.frame.U(p)), std::llround(lines.frame.V(p))});
+  return area;
+}
+
+/// Returns the union of the areas. Only areas with boxes that meet in both frames are united in one
+/// sweep: its time grows with the square of the edges that its line crosses.
+MultiPolygon UnionOf(const std::vector<RunArea>& areas) {
+  std::vector<Box> boxes;
+  for (const RunArea& area : areas) boxes.push_back(area.box);
+  const BoxIndex index(boxes);
+  DisjointSets sets(static_cast<int32_t>(areas.size()));
+  for (size_t i = 0; i < areas.size(); ++i)
+    for (const size_t other : index.Meeting(boxes[i]))
+      if (areas[i].in_frame.Intersects(areas[other].in_frame))
+        sets.Join(static_cast<int32_t>(i), static_cast<int32_t>(other));
+  std::map<int32_t, MultiPolygon> groups;
+  for (size_t i = 0; i < areas.size(); ++i) {
+    MultiPolygon& group = groups[sets.RootOf(static_cast<int32_t>(i))];
+    group.insert(group.end(), areas[i].area.begin(), areas[i].area.end());
+  }
+  MultiPolygon all;
+  for (auto& [root, group] : groups)
+    std::ranges::move(group.size() > 1 ? Union(Rings(group), FillRule::kNonZero) : std::move(group),
+                      std::back_inserter(all));
+  Canonicalize(all);
+  return all;
+}
+
+/// Returns Intersection(islands, area), island by island: one sweep over all would be slow.
+MultiPolygon CutByIslands(const MultiPolygon& islands, const MultiPolygon& area) {
+  MultiPolygon parts;
+  for (const PolygonWithHoles& island : islands)
+    std::ranges::move(Intersection({island}, area), std::back_inserter(parts));
+  Canonicalize(parts);
+  return parts;
+}
+
 /// Divides an area by a narrow part of it, without slivers that have no space for a line.
 SolidParts Divided(const MultiPolygon& solid, const MultiPolygon& narrow, Coord width_nm) {
   SolidParts parts;
-  parts.narrow = Intersection(FastOffset(FastOffset(narrow, -width_nm / 2), width_nm / 2), solid);
+  parts.narrow = CutByIslands(FastOffset(FastOffset(narrow, -width_nm / 2), width_nm / 2), solid);
   parts.wide = parts.narrow.empty() ? solid : Difference(solid, parts.narrow);
   return parts;
 }
@@ -107,13 +163,12 @@ absl::StatusOr<SolidParts> PartByLines(const MultiPolygon& solid, const LineFami
   const auto cut = CutLines(solid, lines);
   if (!cut.ok()) return cut.status();
   const std::vector<LinePiece> pieces = PiecesOfLines(*cut);
-  std::vector<Polygon> strips;
-  for (const ShortRun& run : ShortRuns(pieces, least_nm)) {
-    if (!run.alone && run.last - run.first + 1 < kLeastShortLines) continue;
-    for (const size_t i : run.pieces) strips.push_back(StripOf(*cut, pieces[i]).outer);
-  }
-  if (strips.empty()) return SolidParts{solid, {}};
-  const MultiPolygon narrow = Intersection(Union(strips, FillRule::kNonZero), solid);
+  std::vector<RunArea> runs;
+  for (const ShortRun& run : ShortRuns(pieces, least_nm))
+    if (run.alone || run.last - run.first + 1 >= kLeastShortLines)
+      runs.push_back(AreaOf(*cut, pieces, run));
+  if (runs.empty()) return SolidParts{solid, {}};
+  const MultiPolygon narrow = CutByIslands(UnionOf(runs), solid);
   return Divided(solid, narrow, std::llround(lines.pitch_nm));
 }
 

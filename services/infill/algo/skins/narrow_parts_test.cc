@@ -94,5 +94,21 @@ TEST(PartByLines, CombsOfManyTeethAreFast) {
   EXPECT_TRUE(parts->narrow.empty());
 }
 
+// Teeth of 2 x 16 mm, with lines across them at 45 degrees. One union of all strips would take
+// minutes.
+TEST(PartByLines, CombsOfManyNarrowTeethAreFast) {
+  constexpr Coord kTeeth = 500, kTooth = 2 * kNmPerMm;
+  MultiPolygon comb = Comb(kTeeth);
+  for (Point& p : comb[0].outer) {
+    const bool is_tip = p.y > 0;
+    p = {p.x * 100, is_tip ? 8 * kTooth : p.y * 100};
+  }
+  const auto parts =
+      PartByLines(comb, {.angle_rad = std::numbers::pi / 4, .pitch_nm = 400'000}, FromMm(4));
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  EXPECT_NEAR(Mm2(parts->narrow), kTeeth * 32, 0.1 * kTeeth * 32);
+  EXPECT_NEAR(Mm2(parts->wide) + Mm2(parts->narrow), Mm2(comb), 1);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill::narrow_parts_test
