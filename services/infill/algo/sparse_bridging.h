@@ -24,7 +24,7 @@ struct BridgedArea {
 };
 
 /// Search for the bridges over sparse infill of a region. One object serves all fill areas of the
-/// region, and computes the facts of the whole layer below once. Not thread-safe.
+/// region: data of the whole layer below are computed once. Not thread-safe.
 class SparseBridging {
  public:
   /// `context` and `plan` must outlive this object. `plan` may be null. REQUIRES: bridges over

@@ -18,10 +18,9 @@ class CoverIndex {
   CoverIndex(const CoverIndex&) = delete;
   CoverIndex& operator=(const CoverIndex&) = delete;
 
-  /// Returns the cover for a fill area with this box. In outlines with many islands, it has only
-  /// the islands with boxes that meet this box. Equal pointers of the whole cover are equal again,
-  /// and the own layer's outline is never changed. Cost: O(log n) per outline, and the islands near
-  /// the box.
+  /// Returns the cover for a fill area with this box: outlines with many islands have only islands
+  /// with boxes that meet it. Equal pointers of the whole cover are equal again, and the own
+  /// layer's outline is never changed. Cost: O(log n) per outline, and the islands near the box.
   Cover Near(const Box& box) const;
 
  private:
