@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "absl/strings/ascii.h"
+#include "common/base/revision_ref.h"
 
 namespace slicefarm::config::presets {
 namespace {
@@ -43,7 +44,8 @@ absl::StatusOr<std::vector<std::string>> WithOverlays(const PresetNames& presets
   for (const std::string_view filament : {std::string_view(), std::string_view(presets.filament)}) {
     const std::string name = OverlayName(presets.printer, filament);
     const auto is_named = [&](const std::string& ref) {
-      return ref.substr(0, ref.rfind('@')) == name;
+      const auto of = ParseRevisionRef(ref);
+      return of.ok() && of->name == name;
     };
     if (std::ranges::any_of(profiles, is_named)) continue;
     const auto revision = newest(name);

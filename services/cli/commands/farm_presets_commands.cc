@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/revision_ref.h"
 #include "common/config/presets/read_presets.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/console.h"
 #include "services/cli/farm/farm_presets.h"
 #include "services/cli/farm/jobs_client.h"
 #include "services/cli/farm/json_text.h"
-#include "services/cli/farm/revision_ref.h"
 #include "services/cli/farm/server_options.h"
 #include "services/cli/job/job_options.h"
 #include "services/cli/models/preset_sources.h"

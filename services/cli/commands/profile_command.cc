@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/revision_ref.h"
 #include "common/wire/options/given_settings_wire.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console/choice_option.h"
 #include "services/cli/console/console.h"
 #include "services/cli/farm/jobs_client.h"
 #include "services/cli/farm/json_text.h"
-#include "services/cli/farm/revision_ref.h"
 #include "services/cli/farm/server_options.h"
 #include "services/cli/job/job_options.h"
 

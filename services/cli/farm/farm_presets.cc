@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/revision_ref.h"
 #include "common/config/presets/flat_json.h"
 #include "common/config/presets/orca_presets.h"
 #include "common/config/presets/read_presets.h"
-#include "services/cli/farm/revision_ref.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -46,16 +45,10 @@ absl::Status CheckProfileName(const std::string& name) {
   return Malformed("name", "may contain only letters, digits, '-', '_' and '.'");
 }
 
-absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text) {
-  const size_t at = text.rfind('@');
-  ProfileRef ref{text.substr(0, at), 0};
-  if (absl::Status named = CheckProfileName(ref.name); !named.ok()) return named;
-  if (at == std::string::npos) return ref;
-  const char* end = text.data() + text.size();
-  const auto [read, error] = std::from_chars(text.data() + at + 1, end, ref.revision);
-  if (error != std::errc() || read != end || ref.revision < 1) {
-    return Malformed("name", "after '@', the number of a revision is needed");
-  }
+absl::StatusOr<RevisionRef> ParseProfileRef(const std::string& text) {
+  auto ref = ParseRevisionRef(text);
+  if (!ref.ok()) return Within("name", ref.status());
+  if (absl::Status named = CheckProfileName(ref->name); !named.ok()) return named;
   return ref;
 }
 

@@ -4,22 +4,16 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/revision_ref.h"
 #include "services/coordinator/store/jobs/profile_store.h"
 #include "slicefarm/v1/jobs.pb.h"
 #include "slicefarm/v1/profiles.pb.h"
 
 namespace slicefarm::coordinator {
 
-/// Reference to a profile: `NAME` or `NAME@REVISION`.
-struct ProfileRef {
-  std::string name;
-  int64_t revision = 0;  ///< revision; 0: the newest
-
-  friend bool operator==(const ProfileRef&, const ProfileRef&) = default;
-};
-
-/// Reads a reference. Errors: REQUEST_MALFORMED.
-absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text);
+/// Reads a reference to a profile or a bundle, and checks its name. Errors: REQUEST_MALFORMED;
+/// REQUEST_TOO_LARGE.
+absl::StatusOr<RevisionRef> ParseProfileRef(const std::string& text);
 
 /// Converts NotFound to FailedPrecondition, because the request only refers to the profile or
 /// preset and does not request it.

@@ -9,9 +9,9 @@ namespace slicefarm::coordinator::profile_settings_test {
 namespace {
 
 TEST(ParseProfileRef, TakesANameAndARevision) {
-  EXPECT_EQ(*ParseProfileRef("mk4"), (ProfileRef{"mk4", 0}));
-  EXPECT_EQ(*ParseProfileRef("mk4@12"), (ProfileRef{"mk4", 12}));
-  EXPECT_EQ(*ParseProfileRef("0.2mm_PLA-fast"), (ProfileRef{"0.2mm_PLA-fast", 0}));
+  EXPECT_EQ(*ParseProfileRef("mk4"), (RevisionRef{"mk4", 0}));
+  EXPECT_EQ(*ParseProfileRef("mk4@12"), (RevisionRef{"mk4", 12}));
+  EXPECT_EQ(*ParseProfileRef("0.2mm_PLA-fast"), (RevisionRef{"0.2mm_PLA-fast", 0}));
 }
 
 TEST(ParseProfileRef, RefusesTheRest) {

@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 
-namespace slicefarm::cli {
+namespace slicefarm {
 
 /// Reference to a profile or a bundle of presets on the farm.
 struct RevisionRef {
@@ -16,8 +16,8 @@ struct RevisionRef {
   friend bool operator==(const RevisionRef&, const RevisionRef&) = default;
 };
 
-/// Parses `NAME` or `NAME@REVISION`, the form that the farm's commands print. Errors:
-/// REQUEST_MALFORMED if there is no whole number above 0 after the `@`.
+/// Parses `NAME` or `NAME@REVISION`, the form in which revisions are printed. The name is not
+/// checked. Errors: REQUEST_MALFORMED if there is no whole number above 0 after the last `@`.
 absl::StatusOr<RevisionRef> ParseRevisionRef(std::string_view text);
 
-}  // namespace slicefarm::cli
+}  // namespace slicefarm
