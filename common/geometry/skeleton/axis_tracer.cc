@@ -322,7 +322,7 @@ class Tracer {
 
   /// Moves the end back if a hole is between the start and the end. Such a hole may touch neither
   /// disc, and then no search near the discs finds it.
-  bool TakeHole(Search& search) const {
+  bool TakeHole(Search& search) {
     if (holes_.empty()) return false;
     const Disc start = search.curve.At(search.start);
     Eigen::AlignedBox2d box;
@@ -337,6 +337,7 @@ class Tracer {
     for (auto hole = first; hole != holes_.end(); ++hole) {
       const Vector2& place = sites_[*hole].from;
       if (place.x() > box.max().x()) break;
+      --tests_left_;
       if (place.y() < box.min().y() || place.y() > box.max().y()) continue;
       if (IsEndOf(search.left, *hole) || IsEndOf(search.right, *hole)) continue;
       ShrinkToPoint(place, search, kEqualNm);
