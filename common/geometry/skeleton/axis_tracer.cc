@@ -47,8 +47,11 @@ class Tracer {
   }
 
   bool Run() {
-    int corner = 0;
-    while (!boundary_.StartsConvex(corner)) ++corner;
+    // The leftmost corner of the outer ring is convex, unless the ring runs clockwise.
+    const Polygon& outer = boundary_.rings[0];
+    const int corner =
+        static_cast<int>(std::min_element(outer.begin(), outer.end()) - outer.begin());
+    if (!boundary_.StartsConvex(corner)) return false;
     const int start = AddNode(sites_[corner].from, 0);
     const int half = AddEdge(start, {boundary_.edges[corner].previous, false}, {corner, false});
     Link(half ^ 1, half);

@@ -273,6 +273,25 @@ TEST(AxisTracer, RingsMayStartAnywhere) {
   }
 }
 
+void ExpectNoAxis(const PolygonWithHoles& region) {
+  const auto boundary = MakeBoundary(region);
+  ASSERT_TRUE(boundary.has_value());
+  EXPECT_FALSE(MakeSkeletalGraph(*boundary, {}).has_value());
+}
+
+TEST(AxisTracer, RingsInTheWrongDirectionAreRefused) {
+  for (const char* text : {"(0 0, 4 0, 1 3)", "(0 0, 4 0, 4 3, 2 1, 0 3)",
+                           "(0 0, 9 0, 9 9, 0 9) (3 3, 6 3, 6 6, 3 6)"}) {
+    SCOPED_TRACE(text);
+    PolygonWithHoles clockwise = Region(text);
+    std::reverse(clockwise.outer.begin(), clockwise.outer.end());
+    ExpectNoAxis(clockwise);
+  }
+  PolygonWithHoles region = Region("(0 0, 9 0, 9 9, 0 9) (3 3, 6 3, 6 6, 3 6)");
+  std::reverse(region.holes[0].begin(), region.holes[0].end());
+  ExpectNoAxis(region);
+}
+
 // All sides of such a disc have nearly the same distance from its centre. To tell them apart takes
 // a test of each against each.
 TEST(AxisTracer, ALargeDiscIsLeftToTheVoronoiDiagram) {
