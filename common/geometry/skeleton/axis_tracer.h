@@ -7,8 +7,9 @@
 
 namespace slicefarm {
 
-/// Returns the medial axis of the region of `boundary`. Edges are not divided into chords. Returns
-/// nothing in two cases:
+/// Returns the medial axis of the region of `boundary`. Edges are not divided into chords. They are
+/// in the order in which a line that sweeps the plane from left to right passes the discs at their
+/// ends, as in a Voronoi diagram by sweeping. Returns nothing in two cases:
 /// - Features have so nearly equal distances that doubles cannot tell them apart.
 /// - Too many features have nearly the same distance from one place, as in a large disc.
 ///
