@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/geometry/skeleton/axis_order.h"
 #include "common/geometry/skeleton/bisector.h"
 #include "common/geometry/skeleton/site_tree.h"
 
@@ -64,38 +65,8 @@ class Tracer {
     return true;
   }
 
-  /// Returns the graph without the edges that were joined with others. The edges are in the order
-  /// in which a line that sweeps the plane from left to right passes the discs at their ends. Beads
-  /// start at the first edges, and travels between beads are shorter if these are beside each
-  /// other.
-  SkeletalGraph Take() {
-    const auto passed = [&](int half) {
-      const SkeletalNode& node = graph_.FromNode(half);
-      return node.place.x() + node.radius;
-    };
-    std::vector<std::pair<double, int>> order;
-    for (int half = 0; half < static_cast<int>(graph_.half_edges.size()); half += 2) {
-      if (graph_.half_edges[half].from < 0) continue;
-      const double from = passed(half), to = passed(half + 1);
-      order.emplace_back(std::min(from, to), from < to ? half + 1 : half);
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<int> now(graph_.half_edges.size(), -1);
-    for (size_t i = 0; i < order.size(); ++i) {
-      now[order[i].second] = static_cast<int>(2 * i);
-      now[order[i].second ^ 1] = static_cast<int>(2 * i + 1);
-    }
-    std::vector<HalfEdge> sorted(2 * order.size());
-    for (size_t half = 0; half < now.size(); ++half) {
-      if (now[half] < 0) continue;
-      HalfEdge edge = graph_.half_edges[half];
-      edge.next = now[edge.next];
-      edge.previous = now[edge.previous];
-      sorted[now[half]] = edge;
-    }
-    graph_.half_edges = std::move(sorted);
-    return std::move(graph_);
-  }
+  /// Returns the graph. The edges that were joined with others start at no node.
+  SkeletalGraph Take() { return std::move(graph_); }
 
  private:
   // --- graph -------------------------------------------------------------------------------------
@@ -512,7 +483,7 @@ class Tracer {
 std::optional<SkeletalGraph> TraceAxis(const Boundary& boundary) {
   Tracer tracer(boundary);
   if (!tracer.Run()) return std::nullopt;
-  return tracer.Take();
+  return InSweepOrder(tracer.Take());
 }
 
 }  // namespace slicefarm

@@ -273,21 +273,6 @@ TEST(AxisTracer, RingsMayStartAnywhere) {
   }
 }
 
-TEST(AxisTracer, EdgesAreInTheOrderOfASweep) {
-  const SkeletalGraph axis =
-      AxisOf(Region("(0 0, 9 0, 9 3, 5 3, 5.5 8, 1 7, 3 4) (6 1, 8 1, 7 2) (2 6, 4 6, 4 7)"));
-  ASSERT_GT(axis.half_edges.size(), 20u);
-  const auto passed = [&](int half) {
-    return axis.FromNode(half).place.x() + axis.FromNode(half).radius;
-  };
-  for (int half = 0; half < static_cast<int>(axis.half_edges.size()); half += 2) {
-    EXPECT_GE(passed(half), passed(half + 1));
-    if (half > 0) {
-      EXPECT_GE(passed(half + 1), passed(half - 1));
-    }
-  }
-}
-
 void ExpectNoAxis(const PolygonWithHoles& region) {
   const auto boundary = MakeBoundary(region);
   ASSERT_TRUE(boundary.has_value());
