@@ -14,8 +14,16 @@ absl::Status BadTable(std::string_view why) {
       fmt::format("factors by length in mm, as 0,0.5;2,0.9;10,1: {}", why));
 }
 
+/// Returns the text of a point without quotes and spaces. OrcaSlicer puts each point on a line of
+/// its own; in some of its presets the line break is written as a backslash and an n.
+std::string_view TrimmedPoint(std::string_view text) {
+  constexpr std::string_view kBreak = "\\n";
+  text = Trim(text, "\" \t\r\n");
+  return Trim(text.starts_with(kBreak) ? text.substr(kBreak.size()) : text);
+}
+
 absl::StatusOr<FlowPoint> PointOf(std::string_view text) {
-  const std::vector<std::string_view> parts = Split(Trim(text, "\" \t\r\n"), ",");
+  const std::vector<std::string_view> parts = Split(TrimmedPoint(text), ",");
   const auto number = [&](size_t part) { return ToNumber(Trim(parts[part])); };
   if (parts.size() != 2 || !number(0) || !number(1))
     return BadTable(fmt::format("'{}' is not LENGTH,FACTOR", text.substr(0, 20)));

@@ -30,6 +30,8 @@ TEST(FlowTable, IsPrintedAsItIsRead) {
   // A list as OrcaSlicer writes it.
   EXPECT_EQ(PrintFlowTable(*ParseFlowTable("\"0,0\";\"\n0.20, 0.5\" ; \n1.0,1.0")),
             "0,0;0.2,0.5;1,1");
+  // A list of Creality's presets in OrcaSlicer, with line breaks as two characters.
+  EXPECT_EQ(PrintFlowTable(*ParseFlowTable(R"(0,0;"\n0.2,0.5";\n1,1)")), "0,0;0.2,0.5;1,1");
   EXPECT_EQ(PrintFlowTable(*ParseFlowTable("-0,-0;1,1")), "0,0;1,1");
 }
 
