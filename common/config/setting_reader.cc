@@ -223,7 +223,7 @@ std::string SettingReader::Readable(const SettingSpec& spec, const std::string& 
   const bool has_corners =
       spec.kind == Kind::kBedShape || spec.kind == Kind::kAreas || spec.kind == Kind::kPoint;
   if (!(has_corners || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
-  const std::string read = has_corners ? WithAllCorners(value) : std::string(NumberAtFront(value));
+  std::string read = has_corners ? WithAllCorners(value) : std::string(NumberAtFront(value));
   if (read.empty() || read == value) return value;
   Warn(fmt::format("{}: only {} is used", Quoted(spec.key, value), read));
   return read;
