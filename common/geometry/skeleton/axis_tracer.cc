@@ -19,11 +19,11 @@ constexpr double kEqualNm = 0.02;
 constexpr double kSameNodeNm = 20;
 /// Discs tried for one edge before the search is given up.
 constexpr int kMostDiscs = 64;
-/// Sites tested per edge of the boundary before the search is given up. The diagram of
-/// Boost.Polygon takes no longer than so many tests.
+/// Number of tested sites, per edge of the boundary, after which tracing gives up. Boost.Polygon's
+/// diagram takes about as long as this number of tests.
 constexpr int kMostTestsPerEdge = 400;
 
-/// A feature that a disc touches, and where.
+/// A feature that a disc touches, and the point of contact.
 struct Contact {
   BoundaryFeature feature;
   Vector2 at;  ///< relative to the centre of the disc
@@ -96,14 +96,11 @@ class Tracer {
 
   // --- features ----------------------------------------------------------------------------------
 
-  bool IsCornerAfter(BoundaryFeature edge, BoundaryFeature corner) const {
-    return !edge.is_corner && corner.is_corner && boundary_.edges[edge.edge].next == corner.edge;
-  }
   /// Returns true if one of the features is an edge and the other is the corner at its end, in the
   /// ring's order.
   bool AreJoined(BoundaryFeature first, BoundaryFeature second) const {
     if (first.is_corner) return !second.is_corner && first.edge == second.edge;
-    return IsCornerAfter(first, second);
+    return second.is_corner && boundary_.edges[first.edge].next == second.edge;
   }
 
   SidedLine LineOf(int edge, const Vector2& origin) const {
@@ -159,7 +156,6 @@ class Tracer {
     } else {
       StartSearch(search);
     }
-    contacts_.clear();
     for (int tries = 0; tries < kMostDiscs; ++tries) {
       const Intruder intruder = FindIntruder(search);
       if (tests_left_ < 0) return false;
